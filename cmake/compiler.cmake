@@ -1,0 +1,6 @@
+add_library(creepcontact_options INTERFACE)
+target_compile_options(creepcontact_options INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -Wshadow)
+if(CREEPCONTACT_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

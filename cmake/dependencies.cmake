@@ -1,0 +1,27 @@
+# Every library comes from Debian 12 packages; scripts/packages.txt lists them.
+find_package(Eigen3 3.4 REQUIRED)
+find_package(SUNDIALS 6.4 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(muparser REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(OpenMP REQUIRED)
+find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
+find_package(BLAS REQUIRED)
+
+# SuiteSparse, Gmsh and HDF5 of Debian 12 bring no usable CMake package.
+function(creepcontact_find_library target header library)
+  cmake_parse_arguments(arg "" "" "SUFFIXES" ${ARGN})
+  find_path(${target}_INCLUDE ${header} PATH_SUFFIXES ${arg_SUFFIXES} REQUIRED)
+  find_library(${target}_LIBRARY ${library} PATH_SUFFIXES ${arg_SUFFIXES} hdf5/serial REQUIRED)
+  add_library(${target}::${target} UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(${target}::${target} PROPERTIES IMPORTED_LOCATION ${${target}_LIBRARY}
+                        INTERFACE_INCLUDE_DIRECTORIES ${${target}_INCLUDE})
+endfunction()
+creepcontact_find_library(CHOLMOD cholmod.h cholmod SUFFIXES suitesparse)
+target_link_libraries(CHOLMOD::CHOLMOD INTERFACE ${BLAS_LIBRARIES})
+creepcontact_find_library(Gmsh gmsh.h gmsh)
+creepcontact_find_library(HDF5 hdf5.h hdf5 SUFFIXES hdf5/serial)

@@ -1,0 +1,53 @@
+#pragma once
+/// Scalar functions that a user gives: a number, an expression in x, y, z, t, T, q, eps (muParser), or a table in t or T.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace creepcontact {
+
+/// Where a function is evaluated. Members that a function does not depend on are ignored.
+struct Arguments {
+  double x = 0, y = 0, z = 0;  ///< place
+  double t = 0;                ///< time
+  double T = 0;                ///< temperature
+  double q = 0;                ///< equivalent stress (creep rate expressions)
+  double eps = 0;              ///< accumulated equivalent creep strain (creep rate expressions)
+};
+
+/// Value semantics; copies share the immutable definition. Evaluation is not thread-safe (the parser keeps variables).
+class Function {
+ public:
+  /// The constant 0.
+  Function() : Function(0.0) {}
+  Function(double constant);  // NOLINT(google-explicit-constructor): a number is a function value
+
+  /// @param allowed  variables the expression may use, out of "x y z t T q eps", e.g. "xyzt" = {"x","y","z","t"}
+  /// @throws std::invalid_argument with the parser's message and the position in the expression
+  static Function expression(const std::string& text, const std::vector<std::string>& allowed);
+
+  /// Linear between the points, constant outside. @param variable "t" or "T"; abscissae strictly increasing
+  /// @throws std::invalid_argument if sizes differ, are zero, or abscissae do not increase
+  static Function table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values);
+
+  double operator()(const Arguments& at) const;
+
+  bool is_constant() const;
+  bool is_zero() const;
+  bool depends_on_place() const;        ///< x, y or z
+  bool depends_on_time() const;         ///< t
+  bool depends_on_temperature() const;  ///< T
+  /// Times at which a table in t has its points (kinks); empty otherwise.
+  std::vector<double> breakpoints() const;
+  /// As the user wrote it, for messages.
+  const std::string& text() const;
+
+  struct Definition;
+
+ private:
+  explicit Function(std::shared_ptr<const Definition> definition) : definition_(std::move(definition)) {}
+  std::shared_ptr<const Definition> definition_;
+};
+
+}  // namespace creepcontact

@@ -1,0 +1,49 @@
+#pragma once
+/// Symmetric second-order tensors as six numbers in Mandel order
+///   (xx, yy, zz, sqrt2 xy, sqrt2 yz, sqrt2 zx),
+/// so that the scalar product of two tensors is the dot product of their arrays and one rule serves stress and strain.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+namespace creepcontact {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using Tensor6 = Eigen::Matrix<double, 6, 1>;
+
+namespace tensor {
+
+inline constexpr double sqrt2 = std::numbers::sqrt2;
+
+inline double trace(const Tensor6& a) { return a[0] + a[1] + a[2]; }
+
+inline Tensor6 identity() { return (Tensor6() << 1, 1, 1, 0, 0, 0).finished(); }
+
+inline Tensor6 deviator(const Tensor6& a) {
+  Tensor6 s = a;
+  s.head<3>().array() -= trace(a) / 3.0;
+  return s;
+}
+
+/// von Mises equivalent stress q = sqrt(3/2 s:s)
+inline double von_mises(const Tensor6& stress) { return std::sqrt(1.5) * deviator(stress).norm(); }
+
+/// Equivalent creep strain sqrt(2/3 e:e), e the deviator: equals the axial strain of a uniaxial creep test
+inline double equivalent_strain(const Tensor6& strain) { return std::sqrt(2.0 / 3.0) * deviator(strain).norm(); }
+
+inline Matrix3 to_matrix(const Tensor6& a) {
+  Matrix3 m;
+  m << a[0], a[3] / sqrt2, a[5] / sqrt2, a[3] / sqrt2, a[1], a[4] / sqrt2, a[5] / sqrt2, a[4] / sqrt2, a[2];
+  return m;
+}
+
+inline Tensor6 from_matrix(const Matrix3& m) {
+  return (Tensor6() << m(0, 0), m(1, 1), m(2, 2), sqrt2 * 0.5 * (m(0, 1) + m(1, 0)), sqrt2 * 0.5 * (m(1, 2) + m(2, 1)),
+          sqrt2 * 0.5 * (m(2, 0) + m(0, 2)))
+      .finished();
+}
+
+}  // namespace tensor
+}  // namespace creepcontact

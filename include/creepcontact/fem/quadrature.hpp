@@ -1,0 +1,26 @@
+#pragma once
+/// Quadrature rules on reference domains.
+
+#include "creepcontact/base/tensor.hpp"
+
+namespace creepcontact::fem {
+
+struct QuadratureRule {
+  Eigen::MatrixX3d points;  ///< n x 3, unused coordinates zero
+  Eigen::VectorXd weights;  ///< n; their sum is the measure of the reference domain
+  int size() const { return static_cast<int>(weights.size()); }
+};
+
+/// Gauss-Legendre on [-1,1], n points, exact to degree 2n-1. n = 1..5
+QuadratureRule gauss_line(int n);
+/// Tensor products on [-1,1]^2 and [-1,1]^3
+QuadratureRule gauss_quadrilateral(int n);
+QuadratureRule gauss_hexahedron(int n);
+/// Unit triangle, exact to at least `degree` (1..8), positive weights, inner points
+QuadratureRule triangle(int degree);
+/// Unit tetrahedron, exact to at least `degree` (1..5)
+QuadratureRule tetrahedron(int degree);
+/// Triangle rule x Gauss-Legendre
+QuadratureRule wedge(int triangle_degree, int n_line);
+
+}  // namespace creepcontact::fem

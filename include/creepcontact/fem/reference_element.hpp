@@ -1,0 +1,56 @@
+#pragma once
+/// Reference elements: shape functions, their derivatives, faces, and the quadrature used for stiffness.
+
+#include <vector>
+
+#include "creepcontact/base/tensor.hpp"
+#include "creepcontact/fem/quadrature.hpp"
+#include "creepcontact/mesh/cell_type.hpp"
+
+namespace creepcontact::fem {
+
+using mesh::CellType;
+
+/// Immutable; one instance a type, got by reference_element(). Node numbering is Gmsh's.
+/// Reference domains: line, quad, hex [-1,1]^d; triangle, tetrahedron unit simplex; wedge = unit triangle x [-1,1].
+class ReferenceElement {
+ public:
+  struct Face {
+    CellType type{};
+    std::vector<int> nodes;  ///< local nodes in Gmsh order of `type`; normal by right-hand rule points out of the cell
+  };
+
+  virtual ~ReferenceElement() = default;
+  CellType type() const { return type_; }
+  int dimension() const { return mesh::dimension(type_); }
+  int n_nodes() const { return mesh::n_nodes(type_); }
+  /// Reference coordinates of the nodes, n_nodes x 3 (unused coordinates zero).
+  const Eigen::MatrixX3d& nodes() const { return nodes_; }
+  /// Faces of volume cells; empty for others.
+  const std::vector<Face>& faces() const { return faces_; }
+  /// Rule for stiffness, stress and creep state: tet4 1, tet10 4, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 9 points;
+  /// surfaces: a rule exact for a pressure that varies like the shape functions.
+  const QuadratureRule& rule() const { return rule_; }
+  /// True where the volumetric strain is averaged over the element (B-bar): hex8, wedge6.
+  bool averages_volumetric_strain() const { return type_ == CellType::hex8 || type_ == CellType::wedge6; }
+
+  /// Shape functions at xi. @param shape size n_nodes
+  virtual void shape(const Vector3& xi, Eigen::Ref<Eigen::VectorXd> shape) const = 0;
+  /// Derivatives with respect to xi. @param gradient n_nodes x 3, unused columns zero
+  virtual void gradient(const Vector3& xi, Eigen::Ref<Eigen::MatrixX3d> gradient) const = 0;
+
+ protected:
+  ReferenceElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces, QuadratureRule rule)
+      : type_(type), nodes_(std::move(nodes)), faces_(std::move(faces)), rule_(std::move(rule)) {}
+
+ private:
+  CellType type_;
+  Eigen::MatrixX3d nodes_;
+  std::vector<Face> faces_;
+  QuadratureRule rule_;
+};
+
+/// Every type of mesh::CellType except point1. Cost: none after the first call.
+const ReferenceElement& reference_element(CellType type);
+
+}  // namespace creepcontact::fem

@@ -1,0 +1,39 @@
+#pragma once
+/// A material: isotropic elasticity with thermal expansion, and its creep mechanisms.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+#include "creepcontact/material/creep_law.hpp"
+
+namespace creepcontact::material {
+
+/// Lame's constants from Young's modulus and Poisson's ratio.
+struct Moduli {
+  double lambda = 0, mu = 0;
+};
+Moduli lame(double young_modulus, double poisson_ratio);
+
+/// stress = lambda tr(e) I + 2 mu e (Mandel order)
+inline Tensor6 stress(const Moduli& h, const Tensor6& elastic_strain) {
+  Tensor6 s = 2.0 * h.mu * elastic_strain;
+  s.head<3>().array() += h.lambda * tensor::trace(elastic_strain);
+  return s;
+}
+
+struct Material {
+  std::string name;
+  Function young_modulus;             ///< of T
+  Function poisson_ratio;             ///< of T
+  Function thermal_expansion = 0.0;   ///< secant, of T: thermal strain = alpha(T) (T - reference_temperature)
+  double reference_temperature = 0.0;
+  std::vector<std::shared_ptr<const CreepLaw>> creep;
+
+  bool creeps() const { return !creep.empty(); }
+  /// State variables a point: 6 (creep strain) + all internal ones; 0 for an elastic material.
+  int n_state() const;
+};
+
+}  // namespace creepcontact::material

@@ -1,0 +1,32 @@
+#pragma once
+/// The creep laws by name: what a configuration may ask for, and how each is made.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "creepcontact/material/creep_law.hpp"
+
+namespace creepcontact::material {
+
+struct ParameterInfo {
+  std::string key;          ///< as in the configuration
+  std::string description;  ///< with units in terms of stress, time
+  double minimum = 0;       ///< smallest admissible value ...
+  bool strict = true;       ///< ... exclusive
+};
+
+struct LawInfo {
+  std::string name;
+  std::string formula;  ///< one line, plain text
+  std::string source;   ///< author, year
+  std::vector<ParameterInfo> parameters;
+  std::unique_ptr<CreepLaw> (*make)(std::vector<Function> parameters);  ///< in the order of `parameters`
+};
+
+const std::vector<LawInfo>& creep_laws();
+/// @returns nullptr if there is none of this name
+const LawInfo* find_creep_law(const std::string& name);
+
+}  // namespace creepcontact::material

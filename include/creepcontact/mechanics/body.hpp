@@ -1,0 +1,56 @@
+#pragma once
+/// One elastic body with its supports, loads and factored stiffness: K u = F(t) + integral B^T H (eps_c + eps_th).
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/material/material.hpp"
+#include "creepcontact/mechanics/constraints.hpp"
+#include "creepcontact/mechanics/discretization.hpp"
+#include "creepcontact/mechanics/loads.hpp"
+
+namespace creepcontact::mechanics {
+
+class Body {
+ public:
+  /// @param temperature  of x, y, z, t; nullopt where none is given (thermal strain then zero, T = reference)
+  Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
+       std::optional<Function> temperature);
+
+  void add_load(std::unique_ptr<Load> load);
+
+  const std::string& name() const;
+  const mesh::Mesh& mesh() const;
+  const material::Material& material() const;
+  const Discretization& discretization() const;
+  const Constraints& constraints() const;
+  const std::vector<Support>& supports() const;
+
+  /// Orders, analyses and factors the stiffness of the free unknowns.
+  /// @param trailing  free unknowns to be eliminated last (those of the contact surfaces)
+  /// @throws ModelError naming the body and its free motion, or the place of a mechanism, if the stiffness is singular
+  void factorize(std::vector<std::int64_t> trailing);
+  /// As factorize, but the analysis only: bytes of the factor for `check`.
+  std::int64_t estimate_factor_bytes() const;
+  linalg::SupernodalCholesky& factor();
+
+  /// Temperature at the integration points at time t; empty if none is given. Valid until the next call.
+  std::span<const double> temperature(double t);
+  /// Sets the time of loads, supports and temperature for the calls below (no work if unchanged).
+  void set_time(double t);
+  ElasticState elastic() const;
+  /// right_hand_side (n_free) = T^T (F(t) + integral B^T H (creep + thermal strain) - K prescribed(t))
+  void right_hand_side(CreepStrainView creep, std::span<double> right_hand_side) const;
+  /// T^T integral B^T H v alone (Jacobian products): no loads, no prescribed values.
+  void initial_strain_force(CreepStrainView strain, std::span<double> right_hand_side) const;
+  std::span<const double> prescribed() const;  ///< 3 n_nodes at the set time
+  /// External forces F(t) at the set time, 3 n_nodes.
+  std::span<const double> external_forces() const;
+  /// Nodal residual integral B^T sigma - F(t) (3 n_nodes): reactions at held nodes, contact forces at contact nodes.
+  void residual_forces(std::span<const double> stress, std::span<double> forces) const;
+};
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,73 @@
+#pragma once
+/// Supports of a body. Every support, by component or along a normal, is a condition n . u = g(x, t) at a node; the
+/// conditions of a node are gathered into an orthonormal frame whose leading directions are held, the others free.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/mesh/mesh.hpp"
+
+namespace creepcontact::mechanics {
+
+/// n . u = value at these nodes. `directions` has one entry, or one a node (unit vectors).
+struct Support {
+  std::string on;  ///< name for messages and reactions
+  std::vector<std::int64_t> nodes;
+  std::vector<Vector3> directions;
+  Function value;  ///< of x, y, z, t
+};
+
+class Constraints {
+ public:
+  /// @throws ModelError if two supports of a node contradict each other (same direction, different values at t = 0),
+  ///         naming both
+  Constraints(const std::vector<Vector3>& nodes, const std::vector<Support>& supports);
+
+  std::int64_t n_free() const;
+  std::int64_t n_full() const;  ///< 3 n_nodes
+  /// Free unknowns of a node in its frame, -1 where held.
+  const std::array<std::int64_t, 3>& free_index(std::int64_t node) const;
+  /// Columns are the directions that free_index() numbers; identity at unsupported nodes.
+  Matrix3 frame(std::int64_t node) const;
+  /// Node of every free unknown (for ordering).
+  const std::vector<std::int64_t>& node_of_free() const;
+
+  /// full (3 n_nodes, Cartesian) -> free (forces: T^T f). Overwrites.
+  void restrict_to_free(std::span<const double> full, std::span<double> free) const;
+  /// free -> full displacement: u = T free + prescribed(t). Overwrites.
+  void expand(std::span<const double> free, std::span<const double> prescribed, std::span<double> full) const;
+  /// The prescribed part of the displacement at time t (3 n_nodes). @returns false if it is all zero
+  bool prescribed(double t, std::span<double> full) const;
+  bool has_nonzero_values() const;
+  /// T^T K T for the lower triangle of a full matrix, lower triangle again.
+  linalg::SparseMatrix reduce(const linalg::SparseMatrix& lower) const;
+  /// Sparse rows over full dofs -> rows over free dofs (C T), and for constraint right-hand sides the caller applies
+  /// the rows to prescribed(t) itself.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> reduce_rows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const;
+  /// Rank of the held directions at a node: 0 ... 3, and the held directions (leading columns of the frame).
+  int n_held(std::int64_t node) const;
+
+ private:
+  struct Node;
+  // implementation chooses its storage
+};
+
+/// A motion that the supports leave free: translation, or rotation about an axis.
+struct RigidMotion {
+  Vector3 translation = Vector3::Zero();  ///< of the point `centre`
+  Vector3 rotation = Vector3::Zero();
+  Vector3 centre = Vector3::Zero();
+  /// "translation along z", "rotation about the axis (0, 0, 1) through (0, 0, 5)"
+  std::string describe() const;
+  /// Displacement of a point.
+  Vector3 displacement(const Vector3& x) const { return translation + rotation.cross(x - centre); }
+};
+
+/// Basis of the free rigid-body motions: empty for a body that is held. Prefers pure translations and rotations about
+/// coordinate directions where such a basis exists, so that it reads well.
+std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints);
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,74 @@
+#pragma once
+/// Integration-point geometry of a body and the element loops on it: strain, stress, nodal forces, stiffness.
+/// Displacements and nodal forces are 3 n_nodes (node by node); stresses and strains n_points x 6 in Mandel order.
+
+#include <span>
+#include <vector>
+
+#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/material/material.hpp"
+#include "creepcontact/mesh/mesh.hpp"
+
+namespace creepcontact::mechanics {
+
+using material::Moduli;
+
+/// Creep strain inside a state vector: point p's six components start at data[p * stride]. Empty data: no creep strain.
+struct CreepStrainView {
+  const double* data = nullptr;
+  std::size_t stride = 6;
+};
+
+/// Isotropic elastic constants: one for all points, or one a point.
+/// Thermal strain (isotropic, a number a point) may be empty.
+struct ElasticState {
+  std::span<const Moduli> moduli;
+  std::span<const double> thermal_strain;
+  const Moduli& at(std::size_t point) const { return moduli[moduli.size() == 1 ? 0 : point]; }
+};
+
+class Discretization {
+ public:
+  /// @throws ModelError if an element is inverted (Jacobian <= 0), naming it and the place
+  explicit Discretization(const mesh::Mesh& mesh);
+
+  std::size_t n_nodes() const;
+  std::size_t n_elements() const;
+  std::size_t n_points() const;
+  std::span<const Vector3> point_coordinates() const;
+  /// Volume that belongs to a point.
+  std::span<const double> weights() const;
+  /// Points of an element are contiguous: element e owns points [first_point(e), first_point(e+1)).
+  std::size_t first_point(std::size_t element) const;
+  std::span<const std::int64_t> element_nodes(std::size_t element) const;
+  mesh::CellType element_type(std::size_t element) const;
+
+  /// Total strain of a displacement. @param strain n_points x 6
+  void strain(std::span<const double> u, std::span<double> strain) const;
+  /// sigma = H (B u - creep strain - thermal strain). @param stress n_points x 6
+  void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
+              std::span<double> stress) const;
+  /// forces += integral B^T stress
+  void add_internal_force(std::span<const double> stress, std::span<double> forces) const;
+  /// forces += integral B^T H (creep strain + thermal strain)
+  void add_initial_strain_force(const ElasticState& elastic, CreepStrainView creep, std::span<double> forces) const;
+  /// forces += integral N^T b, b a force per volume at every point (n_points)
+  void add_body_force(std::span<const Vector3> force_density, std::span<double> forces) const;
+
+  /// Stiffness over all 3 n_nodes dofs, lower triangle.
+  linalg::SparseMatrix stiffness(const ElasticState& elastic) const;
+
+  /// Point values (n_points x width) to nodes by element-wise least squares/extrapolation and averaging (n_nodes x width).
+  void to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const;
+  /// Values at points as means over each element (n_elements x width), volume weighted.
+  void to_elements(std::span<const double> point_values, int width, std::span<double> element_values) const;
+
+ private:
+  struct Block;
+  std::vector<std::shared_ptr<const Block>> blocks_;
+  std::size_t n_nodes_ = 0, n_elements_ = 0, n_points_ = 0;
+  std::vector<Vector3> coordinates_;
+  std::vector<double> weights_;
+};
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,72 @@
+#pragma once
+/// Mesh with named groups: nodes, cells in blocks of one type, groups of cells (Gmsh physical groups).
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "creepcontact/base/tensor.hpp"
+#include "creepcontact/mesh/cell_type.hpp"
+
+namespace creepcontact::mesh {
+
+/// Cells of one type; `connectivity` is n_cells x n_nodes(type), row by row, node indices from 0.
+struct CellBlock {
+  CellType type{};
+  std::vector<std::int64_t> connectivity;
+
+  std::size_t size() const { return connectivity.size() / static_cast<std::size_t>(n_nodes(type)); }
+  std::span<const std::int64_t> cell(std::size_t i) const {
+    const auto n = static_cast<std::size_t>(n_nodes(type));
+    return {connectivity.data() + i * n, n};
+  }
+};
+
+struct CellRef {
+  std::size_t block = 0, cell = 0;
+};
+
+/// A named set of cells of one dimension (0 point, 1 curve, 2 surface, 3 volume). A cell may be in several groups.
+struct Group {
+  std::string name;
+  int dimension = 0;
+  std::vector<CellRef> cells;
+};
+
+struct Mesh {
+  std::vector<Vector3> nodes;
+  std::vector<CellBlock> blocks;
+  std::map<std::string, Group> groups;  // by name
+
+  /// @throws ModelError naming the groups that exist and the nearest name.
+  /// @param dimension  -1: any
+  const Group& group(const std::string& name, int dimension = -1) const;
+};
+
+/// A face of a volume cell, seen from outside the cell (right-hand rule gives the outward normal).
+struct Face {
+  CellType type{};
+  std::vector<std::int64_t> nodes;
+};
+
+/// The cells of some volume groups as a mesh of its own.
+/// Nodes are renumbered from 0; `parent_node[i]` is the number in the parent. Volume blocks hold this body's cells only.
+/// Groups of lower dimension are kept as far as all their nodes belong to the body.
+struct BodyMesh {
+  Mesh mesh;
+  std::vector<std::int64_t> parent_node;
+};
+/// @throws ModelError if a region is missing, empty or not of dimension 3
+BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions);
+
+/// Faces of this mesh's volume cells that lie on a surface group, oriented outward.
+/// A group that lies inside the body (between two of its cells) is an error.
+/// @throws ModelError if a surface cell is no face of any volume cell
+std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface);
+
+/// Distinct nodes of a group of any dimension, ascending.
+std::vector<std::int64_t> group_nodes(const Mesh& mesh, const std::string& name);
+
+}  // namespace creepcontact::mesh

@@ -1,0 +1,75 @@
+#pragma once
+/// Time integration behind one interface: the article's Euler schemes and SUNDIALS.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "creepcontact/ode/system.hpp"
+
+namespace creepcontact::ode {
+
+/// What an accepted step was like.
+struct StepReport {
+  double time = 0;            ///< at its end
+  double step = 0;
+  int order = 0;
+  double error_estimate = 0;  ///< weighted root mean square in units of the tolerance; 0 if the method has none
+};
+
+/// Settings of all integrators, each using its own; defaults are the configuration's.
+struct IntegratorOptions {
+  double tolerance = 1e-4;            ///< relative accuracy; absolute tolerance = tolerance * System::scale()
+  double step = 0;                    ///< Euler: fixed step; 0: the stable step times step_factor
+  double step_factor = 1.0;
+  double beta = 1.0;                  ///< beta_euler, >= 0.5
+  double inner_tolerance = 1e-10;     ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
+  int max_inner_iterations = 200;     ///< beta_euler
+  double residual_correction = 0.0;   ///< gamma of the nodal-force residual (Euler schemes)
+  double end_time = 0;                ///< end of the run, bounds the first step
+};
+
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  virtual std::string name() const = 0;
+
+  /// Starts (or starts anew after a jump) from (t, y).
+  /// @param step  proposed first step, 0: let the integrator choose
+  virtual void initialize(double t, std::span<const double> y, double step = 0) = 0;
+
+  /// One accepted step; never goes beyond t_limit, ends on it exactly if it gets there.
+  /// @throws SolverError with advice if no step can be made; state() is then the last accepted one.
+  virtual StepReport step(double t_limit) = 0;
+
+  /// True if interpolate() is as accurate as the method: output times then need no step of their own.
+  virtual bool interpolates() const { return false; }
+  /// State at t within the last step. @param y size of the system
+  virtual void interpolate(double t, std::span<double> y) const = 0;
+
+  virtual double time() const = 0;
+  virtual std::span<const double> state() const = 0;
+  virtual double next_step() const = 0;  ///< proposal for the next step (restart)
+
+  struct Counters {
+    std::int64_t steps = 0;
+    std::int64_t rejected_steps = 0;       ///< error test
+    std::int64_t convergence_failures = 0; ///< nonlinear iteration
+  };
+  virtual Counters counters() const = 0;  ///< since construction, over all initialize() calls
+};
+
+struct IntegratorInfo {
+  std::string name;
+  std::string description;
+  std::unique_ptr<Integrator> (*make)(System& system, const IntegratorOptions& options);
+};
+
+/// All integrators, by name: what a configuration may ask for.
+const std::vector<IntegratorInfo>& integrators();
+/// @throws std::out_of_range if there is none of this name
+std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const IntegratorOptions& options);
+
+}  // namespace creepcontact::ode

@@ -1,0 +1,55 @@
+#pragma once
+/// A system of ordinary differential equations dy/dt = f(t, y) as the integrators see it.
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+
+namespace creepcontact::ode {
+
+/// A failure that a smaller step may mend (contact not converged, overflow): integrators retry.
+struct RecoverableError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// f is a pure function of (t, y): what accept() stores may change the cost of an evaluation, not its value.
+class System {
+ public:
+  virtual ~System() = default;
+  virtual std::size_t size() const = 0;
+
+  /// rate = f(t, y). @throws RecoverableError; any other exception ends the run.
+  virtual void rate(double t, std::span<const double> y, std::span<double> rate) = 0;
+
+  /// product = (df/dy)(t, y) v. Called at the point of the last rate() as a rule; another point is evaluated first.
+  virtual void jacobian_times(double t, std::span<const double> y, std::span<const double> v,
+                              std::span<double> product) = 0;
+
+  /// Keeps what precondition() needs about the point (t, y); the point of the last rate() as a rule.
+  virtual void prepare_preconditioner(double t, std::span<const double> y) = 0;
+  /// z = (I - gamma J_local)^-1 r, J_local the point-wise part of df/dy at the prepared point.
+  virtual void precondition(double gamma, std::span<const double> r, std::span<double> z) = 0;
+
+  /// Largest step at which explicit Euler is stable at (t, y) (Cormeau 1975); infinity if nothing creeps.
+  virtual double stable_step(double t, std::span<const double> y) = 0;
+
+  /// Error of y_i that the user takes for one unit of relative accuracy: absolute tolerance = tolerance * scale()[i].
+  virtual std::span<const double> scale() const = 0;
+
+  /// (t, y) is an accepted step: warm starts are taken from here.
+  virtual void accept(double t, std::span<const double> y) = 0;
+
+  // Counters of all that was asked so far, for reports.
+  struct Counters {
+    std::int64_t rate_evaluations = 0;
+    std::int64_t jacobian_products = 0;
+    std::int64_t elastic_solves = 0;
+    std::int64_t contact_solves = 0;
+    std::int64_t schwarz_iterations = 0;
+    std::int64_t factorizations = 0;
+    std::int64_t active_contacts = 0;  ///< at the last evaluation
+  };
+  virtual Counters counters() const = 0;
+};
+
+}  // namespace creepcontact::ode
