@@ -1,0 +1,140 @@
+#include "creepcontact/base/function.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace creepcontact {
+namespace {
+
+const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
+
+std::string message_of(const std::string& text, const std::vector<std::string>& allowed = place_and_time) {
+  try {
+    Function::expression(text, allowed);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Function, DefaultIsTheConstantZero) {
+  const Function f;
+  EXPECT_EQ(f({.x = 3}), 0.0);
+  EXPECT_TRUE(f.is_constant());
+  EXPECT_TRUE(f.is_zero());
+  EXPECT_TRUE(f.breakpoints().empty());
+}
+
+TEST(Function, NumberIsAConstant) {
+  const Function f = 2.5;
+  EXPECT_EQ(f({}), 2.5);
+  EXPECT_TRUE(f.is_constant());
+  EXPECT_FALSE(f.is_zero());
+  EXPECT_EQ(f.text(), "2.5");
+}
+
+TEST(Function, EvaluatesEveryVariable) {
+  const auto f =
+      Function::expression("x + 10*y + 100*z + 1e3*t + 1e4*T + 1e5*q + 1e6*eps", {"x", "y", "z", "t", "T", "q", "eps"});
+  EXPECT_DOUBLE_EQ(f({.x = 1, .y = 2, .z = 3, .t = 4, .T = 5, .q = 6, .eps = 7}), 7654321.0);
+  EXPECT_DOUBLE_EQ(f({.x = 1}), 1.0) << "values of the call before must not stay";
+}
+
+TEST(Function, KnowsTheParsersFunctions) {
+  const auto ramp = Function::expression("100*min(t/10, 1)", {"t"});
+  EXPECT_DOUBLE_EQ(ramp({.t = 5}), 50);
+  EXPECT_DOUBLE_EQ(ramp({.t = 50}), 100);
+  const auto ternary = Function::expression("t <= 2 ? -1 : max(x, 2)^3", place_and_time);
+  EXPECT_DOUBLE_EQ(ternary({.x = 5, .t = 2}), -1);
+  EXPECT_DOUBLE_EQ(ternary({.x = 5, .t = 3}), 125);
+  EXPECT_DOUBLE_EQ(Function::expression("exp(x)*sinh(y)", place_and_time)({.x = 1, .y = 2}),
+                   std::exp(1) * std::sinh(2));
+  EXPECT_DOUBLE_EQ(Function::expression("2*pi*x + _pi", {"x"})({.x = 1}), 3 * std::numbers::pi);
+}
+
+TEST(Function, DependenciesAreThoseThatOccur) {
+  const auto place = Function::expression("sin(y)", place_and_time);
+  EXPECT_TRUE(place.depends_on_place());
+  EXPECT_FALSE(place.depends_on_time());
+  EXPECT_FALSE(place.depends_on_temperature());
+  EXPECT_FALSE(place.is_constant());
+  const auto both = Function::expression("exp(T)*t", {"x", "t", "T"});
+  EXPECT_FALSE(both.depends_on_place()) << "the x of exp is no variable";
+  EXPECT_TRUE(both.depends_on_time());
+  EXPECT_TRUE(both.depends_on_temperature());
+}
+
+TEST(Function, ConstantExpressionsAreFolded) {
+  const auto f = Function::expression("2*(3 - 3)", place_and_time);
+  EXPECT_TRUE(f.is_constant());
+  EXPECT_TRUE(f.is_zero());
+  EXPECT_EQ(f.text(), "2*(3 - 3)");
+}
+
+TEST(Function, ErrorsNameTheTokenThePositionAndWhatIsAllowed) {
+  const std::string message = message_of("10 + w*t");
+  EXPECT_NE(message.find("\"w\""), std::string::npos) << message;
+  EXPECT_NE(message.find("position 5"), std::string::npos) << message;
+  EXPECT_NE(message.find("x, y, z, t"), std::string::npos) << message;
+  EXPECT_NE(message_of("2*T"), "") << "a variable that exists but is not allowed here";
+  EXPECT_NE(message_of("2*x", {}).find("none"), std::string::npos);
+}
+
+TEST(Function, MalformedExpressionsAreRefused) {
+  for (const char* text : {"", "2*(x", "x +", "sni(x)", "x y", "1, 2", "x = 3", "1/0", "min()"})
+    EXPECT_NE(message_of(text), "") << text;
+  EXPECT_THROW(Function::expression("1", {"banana"}), std::invalid_argument);
+  for (const char* text : {"x == 3", "x <= 3", "x >= 3", "x != 3"}) EXPECT_EQ(message_of(text), "") << text;
+}
+
+TEST(Function, TableIsLinearInsideAndConstantOutside) {
+  const auto f = Function::table("t", {0, 10, 30}, {1, 2, -2});
+  EXPECT_DOUBLE_EQ(f({.t = -5}), 1);
+  EXPECT_DOUBLE_EQ(f({.t = 0}), 1);
+  EXPECT_DOUBLE_EQ(f({.t = 5}), 1.5);
+  EXPECT_DOUBLE_EQ(f({.t = 10}), 2);
+  EXPECT_DOUBLE_EQ(f({.t = 25}), -1);
+  EXPECT_DOUBLE_EQ(f({.t = 30}), -2);
+  EXPECT_DOUBLE_EQ(f({.t = 1e9}), -2);
+  EXPECT_TRUE(std::isnan(f({.t = std::nan("")})));
+  EXPECT_TRUE(f.depends_on_time());
+  EXPECT_EQ(f.breakpoints(), (std::vector<double>{0, 10, 30}));
+}
+
+TEST(Function, TableInTemperatureHasNoBreakpoints) {
+  const auto f = Function::table("T", {20, 500}, {2.1e5, 1.7e5});
+  EXPECT_DOUBLE_EQ(f({.t = 500, .T = 260}), 1.9e5);
+  EXPECT_TRUE(f.depends_on_temperature());
+  EXPECT_FALSE(f.depends_on_time());
+  EXPECT_TRUE(f.breakpoints().empty());
+}
+
+TEST(Function, TableOfOneValueIsAConstant) {
+  EXPECT_TRUE(Function::table("t", {3}, {7}).is_constant());
+  const auto level = Function::table("T", {0, 1}, {0, 0});
+  EXPECT_TRUE(level.is_zero());
+}
+
+TEST(Function, TableMistakesAreRefused) {
+  EXPECT_THROW(Function::table("x", {0, 1}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {}, {}), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {0, 1}, {0}), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {0, 1, 1}, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {1, 0}, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {0, std::nan("")}, {0, 1}), std::invalid_argument);
+}
+
+TEST(Function, CopiesAreIndependentOfTheOriginalsLife) {
+  Function copy;
+  {
+    const auto original = Function::expression("x^2", {"x"});
+    copy = original;
+  }
+  EXPECT_DOUBLE_EQ(copy({.x = 3}), 9);
+}
+
+}  // namespace
+}  // namespace creepcontact
