@@ -1,0 +1,71 @@
+#pragma once
+/// Fields for ParaView: fields.pvd and fields/<name>_NNNN.vtu (XML, appended, zlib-compressed).
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "creepcontact/io/csv_file.hpp"
+#include "creepcontact/mesh/mesh.hpp"
+
+namespace creepcontact::io {
+
+/// Points and cells of all bodies; the caller merges them. Node numbering within the cells is Gmsh's.
+struct FieldMesh {
+  std::vector<Vector3> points;
+  std::vector<mesh::CellBlock> blocks;
+
+  /// Appends a body's points and its cells of dimension 3; values of point and cell data go in the same order.
+  void append(const mesh::Mesh& body);
+  std::size_t n_cells() const;
+};
+
+/// `values` is n x components, row by row; n = points of the mesh, or cells in the order of its blocks.
+/// Symmetric tensors have 6 components in the order xx, yy, zz, xy, yz, zx, as ParaView names them (not Mandel: no
+/// sqrt2).
+struct FieldData {
+  std::string name;
+  int components = 1;  ///< 1, 3 or 6
+  std::vector<double> values;
+  std::vector<std::string> component_names = {};  ///< none, or one a component
+};
+
+/// Writes one .vtu a time and keeps fields.pvd, the list of them, complete; both appear under their names when whole.
+class FieldWriter {
+ public:
+  /// Compresses the geometry once, for all times. Beginning anew removes nothing but overwrites files of the same name;
+  /// resuming keeps the entries of fields.pvd up to `last_time`.
+  /// @param directory  of fields.pvd; @param name  stem of the .vtu files; @param units  echoed as field data `units`
+  /// @throws ConfigError if the directories cannot be made or, resuming, fields.pvd cannot be understood
+  FieldWriter(std::filesystem::path directory, std::string name, const FieldMesh& mesh, const std::string& units,
+              Continuation continuation = {});
+
+  /// @returns path of the .vtu written
+  /// @throws std::invalid_argument if the size of an array fits neither the mesh nor its components
+  /// @throws Error if the disk does not take the file
+  /// Cost: compression of the arrays, some 50 MB/s.
+  std::filesystem::path write(double time, const std::vector<FieldData>& point_data,
+                              const std::vector<FieldData>& cell_data);
+
+ private:
+  struct Entry {
+    double time;
+    std::string file;
+  };
+  /// An array as it stands in the file: attributes and encoded bytes.
+  struct EncodedArray {
+    std::string type, name;
+    int components;
+    std::string data;
+  };
+  void write_collection() const;
+
+  std::filesystem::path directory_;
+  std::string name_, units_;
+  std::size_t n_points_, n_cells_;
+  EncodedArray points_;
+  std::vector<EncodedArray> cells_;  // connectivity, offsets, types
+  std::vector<Entry> entries_;
+};
+
+}  // namespace creepcontact::io

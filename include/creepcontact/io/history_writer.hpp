@@ -1,0 +1,25 @@
+#pragma once
+/// history.csv: the probes at every output time.
+
+#include <span>
+
+#include "creepcontact/io/csv_file.hpp"
+
+namespace creepcontact::io {
+
+/// Columns `time,<probe names>`; numbers are the shortest text that reads back to the same double.
+class HistoryWriter {
+ public:
+  /// @throws ConfigError  as CsvFile
+  HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& probes,
+                Continuation continuation = {});
+
+  /// @param values  one a probe, in the order of the names; @throws Error if the disk does not take the row
+  void write(double time, std::span<const double> values);
+
+ private:
+  CsvFile file_;
+  std::string row_;
+};
+
+}  // namespace creepcontact::io

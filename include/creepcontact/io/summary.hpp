@@ -1,0 +1,40 @@
+#pragma once
+/// summary.json: how a run went and what it cost.
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace creepcontact::io {
+
+/// The members carry the names they have in the file.
+struct Summary {
+  enum class Status { completed, failed, interrupted };
+  struct Body {
+    std::int64_t dofs = 0, elements = 0, integration_points = 0;
+  };
+  struct WallSeconds {
+    double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;
+  };
+
+  Status status = Status::completed;
+  std::string message;  ///< written only if not empty
+  std::string title, units, version;
+  std::string integrator;
+  double time_reached = 0;
+  std::int64_t steps = 0, rejected_steps = 0;
+  std::int64_t rhs_evaluations = 0, jacobian_products = 0;
+  std::int64_t elastic_solves = 0;  ///< one = one forward and backward pass through the factor of every body
+  std::int64_t contact_solves = 0, schwarz_iterations = 0;
+  std::int64_t factorizations = 0;
+  std::map<std::string, Body> bodies;
+  WallSeconds wall_seconds;
+  double peak_memory_mb = 0;
+};
+
+/// Replaces the file as a whole. Cost: small; may be called at every output time.
+/// @throws Error if the disk does not take it
+void write_summary(const std::filesystem::path& path, const Summary& summary);
+
+}  // namespace creepcontact::io
