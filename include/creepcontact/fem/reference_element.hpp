@@ -5,6 +5,7 @@
 
 #include "creepcontact/base/tensor.hpp"
 #include "creepcontact/fem/quadrature.hpp"
+#include "creepcontact/mesh/cell_faces.hpp"
 #include "creepcontact/mesh/cell_type.hpp"
 
 namespace creepcontact::fem {
@@ -15,10 +16,8 @@ using mesh::CellType;
 /// Reference domains: line, quad, hex [-1,1]^d; triangle, tetrahedron unit simplex; wedge = unit triangle x [-1,1].
 class ReferenceElement {
  public:
-  struct Face {
-    CellType type{};
-    std::vector<int> nodes;  ///< local nodes in Gmsh order of `type`; normal by right-hand rule points out of the cell
-  };
+  /// Local nodes in Gmsh order of the face's `type`; the normal by the right-hand rule points out of the cell.
+  using Face = mesh::LocalFace;
 
   virtual ~ReferenceElement() = default;
   CellType type() const { return type_; }
@@ -28,8 +27,8 @@ class ReferenceElement {
   const Eigen::MatrixX3d& nodes() const { return nodes_; }
   /// Faces of volume cells; empty for others.
   const std::vector<Face>& faces() const { return faces_; }
-  /// Rule for stiffness, stress and creep state: tet4 1, tet10 4, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 9 points;
-  /// surfaces: a rule exact for a pressure that varies like the shape functions.
+  /// Rule for stiffness, stress and creep state: tet4 1, tet10 4, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 9
+  /// points; surfaces: a rule exact for a pressure that varies like the shape functions, on curved faces too.
   const QuadratureRule& rule() const { return rule_; }
   /// True where the volumetric strain is averaged over the element (B-bar): hex8, wedge6.
   bool averages_volumetric_strain() const { return type_ == CellType::hex8 || type_ == CellType::wedge6; }

@@ -1,0 +1,74 @@
+#include "creepcontact/fem/reference_element.hpp"
+
+#include <array>
+#include <memory>
+#include <stdexcept>
+
+#include "polynomial_element.hpp"
+#include "reference_nodes.hpp"
+
+namespace creepcontact::fem {
+
+namespace {
+
+constexpr std::array all_types{CellType::line2, CellType::line3, CellType::tri3,   CellType::tri6,   CellType::quad4,
+                               CellType::quad8, CellType::quad9, CellType::tet4,   CellType::tet10,  CellType::hex8,
+                               CellType::hex20, CellType::hex27, CellType::wedge6, CellType::wedge15};
+
+/// Volumes: the points that carry the creep state. Curves and surfaces: exact for N_i N_j times the element's own
+/// (curved, polynomial) normal vector.
+QuadratureRule stiffness_rule(CellType type) {
+  switch (type) {
+    case CellType::line2:
+      return gauss_line(2);
+    case CellType::line3:
+      return gauss_line(3);
+    case CellType::tri3:
+      return triangle(2);
+    case CellType::tri6:
+      return triangle(6);
+    case CellType::quad4:
+      return gauss_quadrilateral(2);
+    case CellType::quad8:
+    case CellType::quad9:
+      return gauss_quadrilateral(4);
+    case CellType::tet4:
+      return tetrahedron(1);
+    case CellType::tet10:
+      return tetrahedron(2);
+    case CellType::hex8:
+    case CellType::hex20:
+      return gauss_hexahedron(2);
+    case CellType::hex27:
+      return gauss_hexahedron(3);
+    case CellType::wedge6:
+      return wedge(2, 2);
+    case CellType::wedge15:
+      return wedge(2, 3);
+    case CellType::point1:
+      break;
+  }
+  throw std::invalid_argument("no quadrature for a point");
+}
+
+using Table = std::array<std::unique_ptr<const ReferenceElement>, all_types.size() + 1>;
+
+Table make_table() {
+  Table table;
+  for (const CellType type : all_types) {
+    table[static_cast<std::size_t>(type)] =
+        std::make_unique<PolynomialElement>(type, reference_nodes(type), mesh::cell_faces(type), stiffness_rule(type));
+  }
+  return table;
+}
+
+}  // namespace
+
+const ReferenceElement& reference_element(CellType type) {
+  static const Table table = make_table();
+  const auto& element = table[static_cast<std::size_t>(type)];
+  if (!element) throw std::invalid_argument("no reference element for a point");
+  return *element;
+}
+
+}  // namespace creepcontact::fem

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "elements.hpp"
+
+namespace creepcontact::fem {
+namespace {
+
+using testing::gradient_at;
+using testing::inner_points;
+using testing::shape_at;
+
+class Element : public ::testing::TestWithParam<CellType> {
+ protected:
+  const ReferenceElement& element_ = reference_element(GetParam());
+  int order_ = mesh::order(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(AllTypes, Element, ::testing::ValuesIn(testing::all_types), testing::type_name);
+
+TEST_P(Element, has_one_instance_of_its_type) {
+  EXPECT_EQ(element_.type(), GetParam());
+  EXPECT_EQ(&element_, &reference_element(GetParam()));
+  EXPECT_EQ(element_.nodes().rows(), element_.n_nodes());
+}
+
+TEST_P(Element, shape_function_is_one_at_its_node_and_zero_at_the_others) {
+  for (int j = 0; j < element_.n_nodes(); ++j) {
+    const Eigen::VectorXd shape = shape_at(element_, element_.nodes().row(j));
+    EXPECT_LT((shape - Eigen::VectorXd::Unit(element_.n_nodes(), j)).lpNorm<Eigen::Infinity>(), 1e-15) << "node " << j;
+  }
+}
+
+TEST_P(Element, shape_functions_are_a_partition_of_unity) {
+  for (const Vector3& xi : inner_points(GetParam())) {
+    EXPECT_NEAR(shape_at(element_, xi).sum(), 1, 2e-15);
+    EXPECT_LT(gradient_at(element_, xi).colwise().sum().norm(), 2e-14);
+  }
+}
+
+TEST_P(Element, gradient_agrees_with_central_differences) {
+  const double h = 1e-5;
+  for (const Vector3& xi : inner_points(GetParam())) {
+    const Eigen::MatrixX3d gradient = gradient_at(element_, xi);
+    for (int d = 0; d < 3; ++d) {
+      if (d >= element_.dimension()) {
+        EXPECT_TRUE(gradient.col(d).isZero(0));
+        continue;
+      }
+      const Vector3 step = h * Vector3::Unit(d);
+      const Eigen::VectorXd difference = (shape_at(element_, xi + step) - shape_at(element_, xi - step)) / (2 * h);
+      EXPECT_LT((gradient.col(d) - difference).lpNorm<Eigen::Infinity>(), 1e-9);
+    }
+  }
+}
+
+TEST_P(Element, reproduces_every_polynomial_of_its_order) {
+  const auto power = [](const Vector3& x, int a, int b, int c) {
+    return std::pow(x[0], a) * std::pow(x[1], b) * std::pow(x[2], c);
+  };
+  const int dimension = element_.dimension();
+  for (int a = 0; a <= order_; ++a) {
+    for (int b = 0; b <= (dimension > 1 ? order_ - a : 0); ++b) {
+      for (int c = 0; c <= (dimension > 2 ? order_ - a - b : 0); ++c) {
+        Eigen::VectorXd nodal(element_.n_nodes());
+        for (int i = 0; i < nodal.size(); ++i) nodal[i] = power(element_.nodes().row(i), a, b, c);
+        for (const Vector3& xi : inner_points(GetParam())) {
+          EXPECT_NEAR(shape_at(element_, xi).dot(nodal), power(xi, a, b, c), 5e-15) << a << b << c;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Element, rule_lies_inside_and_measures_the_domain) {
+  const int dimension = element_.dimension(), corners = mesh::n_corners(GetParam());
+  const double measure = testing::tetrahedral(GetParam()) ? 1. / 6
+                         : corners == 6                   ? 1.0
+                         : corners == 3                   ? 0.5
+                                                          : std::pow(2, dimension);
+  EXPECT_NEAR(element_.rule().weights.sum(), measure, 1e-14);
+  const auto& points = element_.rule().points;
+  const bool unit_triangle = testing::simplex_plane(GetParam()), unit_tetrahedron = testing::tetrahedral(GetParam());
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (unit_triangle) {
+      EXPECT_LT(points(i, 0) + points(i, 1), 1);
+      EXPECT_GT(points.row(i).head<2>().minCoeff(), 0);
+      EXPECT_LT(std::abs(points(i, 2)), 1);
+    } else if (unit_tetrahedron) {
+      EXPECT_LT(points.row(i).sum(), 1);
+      EXPECT_GT(points.row(i).minCoeff(), 0);
+    } else {
+      EXPECT_LT(points.row(i).lpNorm<Eigen::Infinity>(), 1);
+    }
+  }
+}
+
+TEST(StiffnessRule, has_the_number_of_points_that_carry_the_creep_state) {
+  const std::map<CellType, int> expected{{CellType::tet4, 1},   {CellType::tet10, 4},  {CellType::hex8, 8},
+                                         {CellType::hex20, 8},  {CellType::hex27, 27}, {CellType::wedge6, 6},
+                                         {CellType::wedge15, 9}};
+  for (const auto& [type, n] : expected) EXPECT_EQ(reference_element(type).rule().size(), n) << mesh::name(type);
+}
+
+TEST(SurfaceRule, integrates_products_of_shape_functions_on_a_curved_face_exactly) {
+  for (const CellType type : {CellType::tri3, CellType::tri6, CellType::quad4, CellType::quad8, CellType::quad9}) {
+    const ReferenceElement& face = reference_element(type);
+    Eigen::MatrixX3d position = face.nodes();
+    position.col(2) = 0.3 * (3.0 * Eigen::VectorXd::LinSpaced(position.rows(), 1, 9)).array().sin();
+    position.col(0).array() += 0.1 * position.col(2).array();
+    const auto integral = [&](const QuadratureRule& rule) {
+      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(face.n_nodes(), 3 * face.n_nodes());
+      for (int q = 0; q < rule.size(); ++q) {
+        const Eigen::VectorXd shape = shape_at(face, rule.points.row(q));
+        const Matrix3 tangents = position.transpose() * gradient_at(face, rule.points.row(q));
+        const Vector3 normal = rule.weights[q] * tangents.col(0).cross(tangents.col(1));
+        for (int d = 0; d < 3; ++d)
+          sum.middleCols(d * face.n_nodes(), face.n_nodes()) += normal[d] * shape * shape.transpose();
+      }
+      return sum;
+    };
+    const QuadratureRule finer = mesh::n_corners(type) == 3 ? triangle(8) : gauss_quadrilateral(5);
+    EXPECT_LT((integral(face.rule()) - integral(finer)).lpNorm<Eigen::Infinity>(), 1e-14) << mesh::name(type);
+  }
+}
+
+TEST(ReferenceElement, averages_the_volumetric_strain_of_linear_bricks_and_wedges) {
+  for (const CellType type : testing::all_types) {
+    EXPECT_EQ(reference_element(type).averages_volumetric_strain(), type == CellType::hex8 || type == CellType::wedge6);
+  }
+}
+
+TEST(ReferenceElement, does_not_exist_for_a_point) {
+  EXPECT_THROW(reference_element(CellType::point1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace creepcontact::fem
