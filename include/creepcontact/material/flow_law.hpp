@@ -1,5 +1,6 @@
 #pragma once
-/// Laws whose creep strain rate is coaxial with the stress deviator: rate = 3/2 (f/q) s, f = f(q, ...) the equivalent rate.
+/// Laws whose creep strain rate is coaxial with the stress deviator: rate = 3/2 (f/q) s, f = f(q, ...) the equivalent
+/// rate.
 
 #include "creepcontact/material/creep_law.hpp"
 

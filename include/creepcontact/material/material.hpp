@@ -25,9 +25,9 @@ inline Tensor6 stress(const Moduli& h, const Tensor6& elastic_strain) {
 
 struct Material {
   std::string name;
-  Function young_modulus;             ///< of T
-  Function poisson_ratio;             ///< of T
-  Function thermal_expansion = 0.0;   ///< secant, of T: thermal strain = alpha(T) (T - reference_temperature)
+  Function young_modulus;            ///< of T
+  Function poisson_ratio;            ///< of T
+  Function thermal_expansion = 0.0;  ///< secant, of T: thermal strain = alpha(T) (T - reference_temperature)
   double reference_temperature = 0.0;
   std::vector<std::shared_ptr<const CreepLaw>> creep;
 

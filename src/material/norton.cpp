@@ -1,0 +1,24 @@
+#include "creepcontact/material/norton.hpp"
+
+#include "creepcontact/material/power.hpp"
+
+namespace creepcontact::material {
+
+EquivalentRate Norton::equivalent_rate(double q, const Point& at) const {
+  const double A = at.parameters[0], n = at.parameters[1];
+  const double secant = A * power(q, n - 1.0);
+  return {secant * q, n * secant};
+}
+
+LawInfo norton_info() {
+  return {"norton",
+          "rate = A q^n",
+          "F. H. Norton, 1929",
+          {{"A", "rate at unit equivalent stress [1/(time stress^n)]", 0.0, false},
+           {"n", "stress exponent [-]", 1.0, false}},
+          [](std::vector<Function> p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Norton>(std::move(p.at(0)), std::move(p.at(1)));
+          }};
+}
+
+}  // namespace creepcontact::material

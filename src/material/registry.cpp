@@ -1,0 +1,24 @@
+#include "creepcontact/material/registry.hpp"
+
+#include <algorithm>
+
+#include "creepcontact/material/garofalo.hpp"
+#include "creepcontact/material/norton.hpp"
+
+namespace creepcontact::material {
+
+const std::vector<LawInfo>& creep_laws() {
+  static const std::vector<LawInfo> laws{
+      norton_info(),
+      garofalo_info(),
+  };
+  return laws;
+}
+
+const LawInfo* find_creep_law(const std::string& name) {
+  const auto& laws = creep_laws();
+  const auto found = std::find_if(laws.begin(), laws.end(), [&](const LawInfo& law) { return law.name == name; });
+  return found == laws.end() ? nullptr : &*found;
+}
+
+}  // namespace creepcontact::material

@@ -1,0 +1,82 @@
+// Numbers of the single laws.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "creepcontact/material/garofalo.hpp"
+#include "creepcontact/material/norton.hpp"
+#include "creepcontact/material/power.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+Point at(const std::vector<double>& parameters) {
+  return {.parameters = parameters.data()};
+}
+
+TEST(Power, WholeExponentsAgreeWithTheLibrary) {
+  for (const double base : {0.0, 0.3, 1.0, 7.7, 250.0})
+    for (const double n : {0.0, 1.0, 2.0, 5.0, 7.0, 12.0, 64.0})
+      EXPECT_NEAR(power(base, n), std::pow(base, n), 1e-13 * std::pow(base, n)) << base << "^" << n;
+}
+
+TEST(Power, OtherExponentsAreTheLibrarys) {
+  for (const double n : {-2.0, 0.5, 4.2, 65.0, 1e10}) EXPECT_EQ(power(1.5, n), std::pow(1.5, n));
+}
+
+TEST(Power, TooLargeIsInfinite) {
+  EXPECT_EQ(power(1e200, 7.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(power(1e-200, 7.0), 0.0);
+}
+
+TEST(Norton, UniaxialTestOfNafems) {
+  // NAFEMS R0027: 200 MPa give 0.01 per hour along and -0.005 across the load.
+  const std::vector<double> parameters{3.125e-14, 5.0};
+  const Tensor6 stress = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
+  const Point point{.stress = stress.data(), .parameters = parameters.data()};
+  Tensor6 rate = Tensor6::Zero();
+  Norton(parameters[0], parameters[1]).rate(point, rate.data(), nullptr);
+  const Tensor6 expected = (Tensor6() << 0.01, -0.005, -0.005, 0, 0, 0).finished();
+  EXPECT_LT((rate - expected).norm(), 1e-15);
+}
+
+TEST(Norton, PureShear) {
+  // q = sqrt(3) tau; the shear rate (tensor component) is 3/2 A q^(n-1) tau.
+  const std::vector<double> parameters{1e-10, 3.5};
+  const double tau = 40.0, q = std::sqrt(3.0) * tau;
+  const Tensor6 stress = (Tensor6() << 0, 0, 0, tensor::sqrt2 * tau, 0, 0).finished();
+  const Point point{.stress = stress.data(), .parameters = parameters.data()};
+  Tensor6 rate = Tensor6::Zero();
+  Norton(parameters[0], parameters[1]).rate(point, rate.data(), nullptr);
+  const double expected = 1.5 * 1e-10 * std::pow(q, 2.5) * tau;
+  EXPECT_NEAR(tensor::to_matrix(rate)(0, 1), expected, 1e-13 * expected);
+}
+
+TEST(Norton, LinearCreepHasItsTangentAtZeroStress) {
+  const std::vector<double> parameters{1e-12, 1.0};
+  const Tensor6 stress = Tensor6::Zero();
+  const Point point{.stress = stress.data(), .parameters = parameters.data()};
+  const StressTangent c = Norton(parameters[0], parameters[1]).stress_tangent(point);
+  EXPECT_DOUBLE_EQ(c.deviatoric, 1.5e-12);
+  EXPECT_EQ(c.radial, 0.0);
+}
+
+TEST(Norton, TooLargeAStressGivesInfinity) {
+  const std::vector<double> parameters{1e-14, 7.0};
+  const EquivalentRate f = Norton(parameters[0], parameters[1]).equivalent_rate(1e60, at(parameters));
+  EXPECT_EQ(f.value, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(f.slope, std::numeric_limits<double>::infinity());
+}
+
+TEST(Garofalo, IsNortonAtLowStressAndExponentialAtHighStress) {
+  const std::vector<double> parameters{1e-6, 0.02, 5.0};
+  const Garofalo law(parameters[0], parameters[1], parameters[2]);
+  const double low = 1e-6 * std::pow(0.02 * 0.01, 5);
+  EXPECT_NEAR(law.equivalent_rate(0.01, at(parameters)).value, low, 1e-6 * low);
+  const double high = 1e-6 * std::exp(5 * 0.02 * 1000) / 32;
+  EXPECT_NEAR(law.equivalent_rate(1000, at(parameters)).value, high, 1e-12 * high);
+}
+
+}  // namespace
+}  // namespace creepcontact::material
