@@ -1,1 +1,31 @@
-# filled in below
+# cmake --install: program, example configurations, headers, libraries and the CMake package `creepcontact`
+# (find_package(creepcontact), targets creepcontact::base, creepcontact::simulation, ...).
+include(CMakePackageConfigHelpers)
+
+if(TARGET creepcontact)
+  install(TARGETS creepcontact RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/creepcontact/configs PATTERN results EXCLUDE)
+install(DIRECTORY include/creepcontact DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+get_property(modules GLOBAL PROPERTY CREEPCONTACT_MODULES)
+foreach(target IN LISTS modules ITEMS creepcontact_options)
+  string(REPLACE creepcontact_ "" export_name ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name})
+endforeach()
+install(TARGETS ${modules} creepcontact_options EXPORT creepcontactTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/creepcontact)
+install(EXPORT creepcontactTargets NAMESPACE creepcontact:: DESTINATION ${package_dir})
+# The package finds its libraries as the build does, so it carries the same file.
+file(WRITE ${CMAKE_BINARY_DIR}/creepcontactConfig.cmake
+"if(NOT TARGET CHOLMOD::CHOLMOD)
+  include(\${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake)
+endif()
+include(\${CMAKE_CURRENT_LIST_DIR}/creepcontactTargets.cmake)
+")
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/creepcontactConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/creepcontactConfig.cmake ${CMAKE_BINARY_DIR}/creepcontactConfigVersion.cmake
+              cmake/dependencies.cmake
+        DESTINATION ${package_dir})
