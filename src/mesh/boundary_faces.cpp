@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/mesh/cell_faces.hpp"
+#include "creepcontact/mesh/mesh.hpp"
+#include "face_key.hpp"
+
+namespace creepcontact::mesh {
+namespace {
+
+std::string place(const Mesh& mesh, std::span<const std::int64_t> nodes) {
+  Vector3 centre = Vector3::Zero();
+  for (std::int64_t node : nodes) centre += mesh.nodes[static_cast<std::size_t>(node)];
+  centre /= static_cast<double>(nodes.size());
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", centre[0], centre[1], centre[2]);
+}
+
+Face global_face(const LocalFace& local, std::span<const std::int64_t> cell) {
+  Face face{local.type, {}};
+  face.nodes.reserve(local.nodes.size());
+  for (int node : local.nodes) face.nodes.push_back(cell[static_cast<std::size_t>(node)]);
+  return face;
+}
+
+}  // namespace
+
+std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
+  const Group& group = mesh.group(surface, 2);
+  std::unordered_map<FaceKey, std::size_t, FaceKeyHash> index;  // position of the surface cell in the result
+  index.reserve(group.cells.size());
+  std::vector<CellRef> wanted;
+  for (const CellRef& ref : group.cells) {
+    const CellBlock& block = mesh.blocks[ref.block];
+    if (index.emplace(face_key(block.type, block.cell(ref.cell)), wanted.size()).second) wanted.push_back(ref);
+  }
+
+  std::vector<Face> faces(wanted.size());
+  for (const CellBlock& block : mesh.blocks) {
+    const auto& locals = cell_faces(block.type);
+    for (std::size_t c = 0; c < block.size() && !locals.empty(); ++c) {
+      const auto cell = block.cell(c);
+      for (const LocalFace& local : locals) {
+        const auto found = index.find(face_key(local.type, [&](int i) {
+          return cell[static_cast<std::size_t>(local.nodes[static_cast<std::size_t>(i)])];
+        }));
+        if (found == index.end()) continue;
+        Face& face = faces[found->second];
+        if (!face.nodes.empty()) {
+          throw ModelError(
+              fmt::format("surface '{}' lies inside the body, between two of its cells, at {}; it has to "
+                          "be on the boundary",
+                          surface, place(mesh, face.nodes)));
+        }
+        face = global_face(local, cell);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (!faces[i].nodes.empty()) continue;
+    const CellBlock& block = mesh.blocks[wanted[i].block];
+    const auto cell = block.cell(wanted[i].cell);
+    throw ModelError(fmt::format("surface '{}': the {} at {} is no face of any volume cell", surface, name(block.type),
+                                 place(mesh, cell)));
+  }
+  return faces;
+}
+
+}  // namespace creepcontact::mesh

@@ -1,0 +1,163 @@
+#include "creepcontact/mesh/mesh.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "creepcontact/base/error.hpp"
+#include "unit/mesh/reference_cells.hpp"
+
+namespace creepcontact::mesh {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Two unit hexahedra on top of each other, sharing the nodes 4..7; groups "lower", "upper" and their surfaces.
+Mesh two_blocks() {
+  Mesh mesh;
+  for (double z : {0.0, 1.0, 2.0}) {
+    for (auto [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) mesh.nodes.emplace_back(x, y, z);
+  }
+  mesh.blocks.push_back({CellType::line2, {0, 4, 4, 8}});
+  mesh.blocks.push_back({CellType::quad4, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}});
+  mesh.blocks.push_back({CellType::hex8, {0, 1, 2, 3, 4, 5, 6, 7, 4, 5, 6, 7, 8, 9, 10, 11}});
+  const auto add = [&](const char* name, int dimension, std::vector<CellRef> cells) {
+    mesh.groups[name] = {name, dimension, std::move(cells)};
+  };
+  add("edge", 1, {{0, 0}, {0, 1}});
+  add("bottom", 2, {{1, 0}});
+  add("interface", 2, {{1, 1}});
+  add("ends", 2, {{1, 0}, {1, 2}});
+  add("lower", 3, {{2, 0}});
+  add("upper", 3, {{2, 1}});
+  return mesh;
+}
+
+std::string message(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+Vector3 normal(const Mesh& mesh, const Face& face) {
+  const auto at = [&](int i) { return mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])]; };
+  return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+}
+
+TEST(Mesh, FindsGroups) {
+  const Mesh mesh = two_blocks();
+  EXPECT_EQ(mesh.group("lower").dimension, 3);
+  EXPECT_EQ(mesh.group("edge", 1).cells.size(), 2u);
+}
+
+TEST(Mesh, MissingGroupSuggestsTheNearestAndListsThoseOfItsDimension) {
+  const Mesh mesh = two_blocks();
+  EXPECT_EQ(message([&] { mesh.group("botom", 2); }),
+            "the mesh has no physical surface 'botom'; did you mean 'bottom'?; there are: bottom, ends, interface");
+  const std::string far = message([&] { mesh.group("symmetry"); });
+  EXPECT_THAT(far, testing::Not(HasSubstr("did you mean")));
+  EXPECT_THAT(far, HasSubstr("bottom, edge, ends, interface, lower, upper"));
+  EXPECT_EQ(message([&] { Mesh().group("x", 3); }), "the mesh has no physical volume 'x'; there are: none");
+}
+
+TEST(Mesh, GroupOfAnotherDimensionIsNamed) {
+  const Mesh mesh = two_blocks();
+  EXPECT_EQ(message([&] { mesh.group("bottom", 3); }),
+            "'bottom' is a physical surface, not a volume; there are: lower, upper");
+}
+
+TEST(Mesh, GroupNodesAreDistinctAndAscending) {
+  EXPECT_THAT(group_nodes(two_blocks(), "edge"), ElementsAre(0, 4, 8));
+  EXPECT_THAT(group_nodes(two_blocks(), "ends"), ElementsAre(0, 1, 2, 3, 8, 9, 10, 11));
+}
+
+TEST(Extract, KeepsTheBodyAndWhatLiesOnIt) {
+  const Mesh parent = two_blocks();
+  const BodyMesh body = extract(parent, {"upper"});
+  EXPECT_THAT(body.parent_node, ElementsAre(4, 5, 6, 7, 8, 9, 10, 11));
+  ASSERT_EQ(body.mesh.nodes.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i)
+    EXPECT_EQ(body.mesh.nodes[i], parent.nodes[static_cast<std::size_t>(body.parent_node[i])]);
+  const CellRef hexahedron = body.mesh.group("upper", 3).cells.at(0);
+  EXPECT_THAT(body.mesh.blocks[hexahedron.block].cell(hexahedron.cell), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+  EXPECT_EQ(body.mesh.groups.count("lower"), 0u);
+  EXPECT_EQ(body.mesh.groups.count("bottom"), 0u);
+  EXPECT_EQ(body.mesh.group("ends", 2).cells.size(), 1u);
+  EXPECT_THAT(group_nodes(body.mesh, "edge"), ElementsAre(0, 4));
+}
+
+TEST(Extract, JoinsRegionsWithoutDoublingCells) {
+  Mesh parent = two_blocks();
+  parent.groups["all"] = {"all", 3, {{2, 0}, {2, 1}}};
+  const BodyMesh body = extract(parent, {"all", "lower"});
+  EXPECT_EQ(body.mesh.nodes.size(), 12u);
+  EXPECT_EQ(body.mesh.group("all").cells.size(), 2u);
+  EXPECT_EQ(body.mesh.blocks.back().size(), 2u);
+}
+
+TEST(Extract, MissingOrWrongRegionIsAnError) {
+  EXPECT_THAT(message([] { extract(two_blocks(), {"uper"}); }), HasSubstr("did you mean 'upper'?"));
+  EXPECT_THAT(message([] { extract(two_blocks(), {"bottom"}); }), HasSubstr("is a physical surface, not a volume"));
+  Mesh empty = two_blocks();
+  empty.groups["hollow"] = {"hollow", 3, {}};
+  EXPECT_EQ(message([&] { extract(empty, {"hollow"}); }), "physical volume 'hollow' has no cells");
+}
+
+// A tetrahedron in a bent interface: the neighbour's face (1, 2, 3) has its nodes in the body but is no face of it.
+TEST(Extract, LeavesOutFacesOfTheNeighbourAcrossABentInterface) {
+  Mesh mesh;
+  mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, -1, -1}, {-1, 0, 0}};
+  mesh.blocks.push_back({CellType::tri3, {1, 2, 3}});
+  mesh.blocks.push_back({CellType::tet4, {0, 1, 2, 3, 0, 2, 1, 4, 0, 3, 2, 5}});
+  mesh.groups["face"] = {"face", 2, {{0, 0}}};
+  mesh.groups["inner"] = {"inner", 3, {{1, 0}}};
+  mesh.groups["outer"] = {"outer", 3, {{1, 1}, {1, 2}}};
+  EXPECT_EQ(extract(mesh, {"inner"}).mesh.groups.count("face"), 1u);
+  EXPECT_EQ(extract(mesh, {"outer"}).mesh.groups.count("face"), 0u);
+}
+
+TEST(BoundaryFaces, PointOutOfEachOfTwoBodiesThatShareNodes) {
+  const Mesh parent = two_blocks();
+  for (const auto& [region, z] : {std::pair{"lower", 1.0}, {"upper", -1.0}}) {
+    const Mesh body = extract(parent, {region}).mesh;
+    const auto faces = boundary_faces(body, "interface");
+    ASSERT_EQ(faces.size(), 1u);
+    EXPECT_EQ(faces[0].type, CellType::quad4);
+    EXPECT_EQ(normal(body, faces[0]), Vector3(0, 0, z));
+  }
+}
+
+TEST(BoundaryFaces, SurfaceInsideTheBodyIsAnError) {
+  EXPECT_THAT(message([] { boundary_faces(two_blocks(), "interface"); }), HasSubstr("lies inside the body"));
+}
+
+TEST(BoundaryFaces, SurfaceCellThatIsNoFaceIsAnError) {
+  Mesh mesh = two_blocks();
+  mesh.blocks[1].connectivity = {0, 1, 6, 7};
+  mesh.groups = {{"cut", {"cut", 2, {{1, 0}}}}};
+  EXPECT_EQ(message([&] { boundary_faces(mesh, "cut"); }),
+            "surface 'cut': the quad4 at (0.5, 0.5, 0.5) is no face of any volume cell");
+}
+
+// Surface cells of order 1 on quadratic cells: the faces come with the cell's own mid nodes.
+TEST(BoundaryFaces, LinearSurfaceCellsFindQuadraticFaces) {
+  for (CellType type : {CellType::hex20, CellType::hex27}) {
+    Mesh mesh;
+    mesh.nodes = test::reference_nodes(type);
+    mesh.blocks.push_back({type, {}});
+    for (int i = 0; i < n_nodes(type); ++i) mesh.blocks[0].connectivity.push_back(i);
+    mesh.blocks.push_back({CellType::quad4, {6, 5, 4, 7}});
+    mesh.groups["top"] = {"top", 2, {{1, 0}}};
+    const auto faces = boundary_faces(mesh, "top");
+    ASSERT_EQ(faces.size(), 1u);
+    EXPECT_EQ(static_cast<int>(faces[0].nodes.size()), type == CellType::hex20 ? 8 : 9);
+    EXPECT_EQ(normal(mesh, faces[0]), Vector3(0, 0, 1));
+    for (std::int64_t node : faces[0].nodes) EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(node)][2], 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::mesh
