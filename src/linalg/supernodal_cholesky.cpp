@@ -1,0 +1,176 @@
+#include "creepcontact/linalg/supernodal_cholesky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "blas_threads.hpp"
+#include "cholmod_context.hpp"
+#include "ordering.hpp"
+
+namespace creepcontact::linalg {
+
+namespace {
+
+constexpr double least_rcond = 1e-12;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
+                     std::span<const std::int64_t> trailing) {
+  if (lower.rows() != lower.cols() || lower.rows() == 0) throw std::invalid_argument("the matrix must be square");
+  if (!lower.isCompressed()) throw std::invalid_argument("the matrix must be compressed");
+  if (block_of.size() != at(lower.rows())) throw std::invalid_argument("one block number an unknown is needed");
+  std::vector<bool> seen(block_of.size(), false);
+  for (const std::int64_t unknown : trailing) {
+    if (unknown < 0 || unknown >= lower.rows()) throw std::invalid_argument("trailing unknown outside the matrix");
+    if (seen[at(unknown)]) throw std::invalid_argument("trailing unknown named twice");
+    seen[at(unknown)] = true;
+  }
+}
+
+}  // namespace
+
+struct SupernodalCholesky::Impl {
+  Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of, std::span<const std::int64_t> trailing);
+  void factorize(const SparseMatrix& lower);
+
+  std::int64_t* permutation() const { return integers(factor->Perm); }
+  template <typename Visit>
+  void for_each_column(std::int64_t first, Visit visit) const;
+  std::int64_t weakest_row() const;
+
+  CholmodContext context;
+  FactorPointer factor{nullptr, FreeFactor{nullptr}};
+  std::int64_t n_entries;
+  std::int64_t n_trailing;
+  double rcond = 0;
+  std::vector<double> vector, update;  // kept workspace of the solves
+  cholmod_dense vector_view{}, update_view{};
+};
+
+SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
+                               std::span<const std::int64_t> trailing)
+    : n_entries(lower.nonZeros()), n_trailing(std::ssize(trailing)) {
+  BlasThreads::initialize();
+  const std::vector<std::int64_t> order = elimination_order(lower, block_of, trailing, context);
+  const SparseMatrix links = missing_links(lower, order, trailing.size(), context);
+  const SparseMatrix linked = links.nonZeros() > 0 ? SparseMatrix(lower + links) : SparseMatrix();
+  cholmod_sparse pattern = view(links.nonZeros() > 0 ? linked : lower);
+  pattern.xtype = CHOLMOD_PATTERN;
+  factor = FactorPointer(cholmod_l_analyze_p(&pattern, cholmod_integers(order.data()), nullptr, 0, context.get()),
+                         {context.get()});
+  context.check("analyse");
+  if (!std::equal(trailing.begin(), trailing.end(), permutation() + (lower.rows() - n_trailing))) {
+    throw std::logic_error("CHOLMOD moved the trailing unknowns");
+  }
+  vector.resize(factor->n);
+  update.resize(std::max<std::size_t>(factor->maxesize, 1));
+  vector_view = view(vector);
+  update_view = view(update);
+}
+
+void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
+  if (at(lower.rows()) != factor->n || lower.nonZeros() != n_entries || !lower.isCompressed()) {
+    throw std::invalid_argument("the pattern is not the one analysed");
+  }
+  rcond = 0;
+  cholmod_sparse matrix = view(lower);
+  {
+    const BlasThreads threads;
+    cholmod_l_factorize(&matrix, factor.get(), context.get());
+  }
+  context.check("factorise");
+  // A failed pivot is a warning to CHOLMOD; round-off may also carry it past the pivots of a singular matrix.
+  if (factor->minor < factor->n) throw SingularMatrix{permutation()[factor->minor], 0};
+  const double estimate = cholmod_l_rcond(factor.get(), context.get());
+  if (!(estimate >= least_rcond)) throw SingularMatrix{weakest_row(), estimate};
+  rcond = estimate;
+}
+
+/// visit(column, rows, values): rows and values of the factor's column from its diagonal on.
+template <typename Visit>
+void SupernodalCholesky::Impl::for_each_column(std::int64_t first, Visit visit) const {
+  const std::int64_t *start = integers(factor->super), *row_start = integers(factor->pi),
+                     *value_start = integers(factor->px), *rows = integers(factor->s);
+  const double* values = static_cast<const double*>(factor->x);
+  for (std::size_t s = 0; s < factor->nsuper; ++s) {
+    const std::int64_t n_rows = row_start[s + 1] - row_start[s];
+    for (std::int64_t column = std::max(first, start[s]); column < start[s + 1]; ++column) {
+      const std::int64_t k = column - start[s];  // the columns of a supernode are the first of its rows
+      const auto length = at(n_rows - k);
+      visit(column, std::span(rows + row_start[s] + k, length),
+            std::span(values + value_start[s] + k * (n_rows + 1), length));
+    }
+  }
+}
+
+std::int64_t SupernodalCholesky::Impl::weakest_row() const {
+  std::int64_t weakest = 0;
+  double least = HUGE_VAL;
+  for_each_column(0, [&](std::int64_t column, auto, std::span<const double> values) {
+    if (std::isnan(least) || values[0] >= least) return;
+    least = values[0];
+    weakest = column;
+  });
+  return permutation()[weakest];
+}
+
+SupernodalCholesky::SupernodalCholesky(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
+                                       std::span<const std::int64_t> trailing) {
+  check_arguments(lower, block_of, trailing);
+  impl_ = std::make_unique<Impl>(lower, block_of, trailing);
+}
+
+SupernodalCholesky::~SupernodalCholesky() = default;
+SupernodalCholesky::SupernodalCholesky(SupernodalCholesky&&) noexcept = default;
+SupernodalCholesky& SupernodalCholesky::operator=(SupernodalCholesky&&) noexcept = default;
+
+void SupernodalCholesky::factorize(const SparseMatrix& lower) {
+  impl_->factorize(lower);
+}
+
+std::int64_t SupernodalCholesky::size() const {
+  return static_cast<std::int64_t>(impl_->factor->n);
+}
+std::int64_t SupernodalCholesky::trailing_size() const {
+  return impl_->n_trailing;
+}
+
+void SupernodalCholesky::forward(std::span<const double> b, std::span<double> y) {
+  std::vector<double>& work = impl_->vector;
+  const std::int64_t* permutation = impl_->permutation();
+  for (std::size_t k = 0; k < work.size(); ++k) work[k] = b[at(permutation[k])];
+  cholmod_l_super_lsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
+  std::copy(work.begin(), work.end(), y.begin());
+}
+
+void SupernodalCholesky::backward(std::span<const double> y, std::span<double> x) {
+  std::vector<double>& work = impl_->vector;
+  const std::int64_t* permutation = impl_->permutation();
+  std::copy_n(y.begin(), work.size(), work.begin());
+  cholmod_l_super_ltsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
+  for (std::size_t k = 0; k < work.size(); ++k) x[at(permutation[k])] = work[k];
+}
+
+Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {
+  const std::int64_t first = size() - trailing_size();
+  Eigen::MatrixXd block = Eigen::MatrixXd::Zero(trailing_size(), trailing_size());
+  impl_->for_each_column(first,
+                         [&](std::int64_t column, std::span<const std::int64_t> rows, std::span<const double> values) {
+                           for (std::size_t i = 0; i < rows.size(); ++i)
+                             block(rows[i] - first, column - first) = values[i];
+                         });
+  return block;
+}
+
+std::int64_t SupernodalCholesky::factor_bytes() const {
+  return static_cast<std::int64_t>(impl_->factor->xsize * sizeof(double));
+}
+double SupernodalCholesky::rcond() const {
+  return impl_->rcond;
+}
+
+}  // namespace creepcontact::linalg
