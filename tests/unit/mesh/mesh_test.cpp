@@ -1,7 +1,8 @@
 #include "creepcontact/mesh/mesh.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <functional>
 
 #include "creepcontact/base/error.hpp"
 #include "unit/mesh/reference_cells.hpp"
@@ -9,8 +10,7 @@
 namespace creepcontact::mesh {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using Indices = std::vector<std::int64_t>;
 
 // Two unit hexahedra on top of each other, sharing the nodes 4..7; groups "lower", "upper" and their surfaces.
 Mesh two_blocks() {
@@ -42,6 +42,10 @@ std::string message(const std::function<void()>& action) {
   return "nothing was thrown";
 }
 
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 Vector3 normal(const Mesh& mesh, const Face& face) {
   const auto at = [&](int i) { return mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])]; };
   return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
@@ -58,8 +62,8 @@ TEST(Mesh, MissingGroupSuggestsTheNearestAndListsThoseOfItsDimension) {
   EXPECT_EQ(message([&] { mesh.group("botom", 2); }),
             "the mesh has no physical surface 'botom'; did you mean 'bottom'?; there are: bottom, ends, interface");
   const std::string far = message([&] { mesh.group("symmetry"); });
-  EXPECT_THAT(far, testing::Not(HasSubstr("did you mean")));
-  EXPECT_THAT(far, HasSubstr("bottom, edge, ends, interface, lower, upper"));
+  EXPECT_FALSE(contains(far, "did you mean"));
+  EXPECT_TRUE(contains(far, "bottom, edge, ends, interface, lower, upper"));
   EXPECT_EQ(message([&] { Mesh().group("x", 3); }), "the mesh has no physical volume 'x'; there are: none");
 }
 
@@ -70,23 +74,24 @@ TEST(Mesh, GroupOfAnotherDimensionIsNamed) {
 }
 
 TEST(Mesh, GroupNodesAreDistinctAndAscending) {
-  EXPECT_THAT(group_nodes(two_blocks(), "edge"), ElementsAre(0, 4, 8));
-  EXPECT_THAT(group_nodes(two_blocks(), "ends"), ElementsAre(0, 1, 2, 3, 8, 9, 10, 11));
+  EXPECT_EQ(group_nodes(two_blocks(), "edge"), (Indices{0, 4, 8}));
+  EXPECT_EQ(group_nodes(two_blocks(), "ends"), (Indices{0, 1, 2, 3, 8, 9, 10, 11}));
 }
 
 TEST(Extract, KeepsTheBodyAndWhatLiesOnIt) {
   const Mesh parent = two_blocks();
   const BodyMesh body = extract(parent, {"upper"});
-  EXPECT_THAT(body.parent_node, ElementsAre(4, 5, 6, 7, 8, 9, 10, 11));
+  EXPECT_EQ(body.parent_node, (Indices{4, 5, 6, 7, 8, 9, 10, 11}));
   ASSERT_EQ(body.mesh.nodes.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(body.mesh.nodes[i], parent.nodes[static_cast<std::size_t>(body.parent_node[i])]);
   const CellRef hexahedron = body.mesh.group("upper", 3).cells.at(0);
-  EXPECT_THAT(body.mesh.blocks[hexahedron.block].cell(hexahedron.cell), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+  const auto cell = body.mesh.blocks[hexahedron.block].cell(hexahedron.cell);
+  EXPECT_EQ(Indices(cell.begin(), cell.end()), (Indices{0, 1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(body.mesh.groups.count("lower"), 0u);
   EXPECT_EQ(body.mesh.groups.count("bottom"), 0u);
   EXPECT_EQ(body.mesh.group("ends", 2).cells.size(), 1u);
-  EXPECT_THAT(group_nodes(body.mesh, "edge"), ElementsAre(0, 4));
+  EXPECT_EQ(group_nodes(body.mesh, "edge"), (Indices{0, 4}));
 }
 
 TEST(Extract, JoinsRegionsWithoutDoublingCells) {
@@ -99,8 +104,8 @@ TEST(Extract, JoinsRegionsWithoutDoublingCells) {
 }
 
 TEST(Extract, MissingOrWrongRegionIsAnError) {
-  EXPECT_THAT(message([] { extract(two_blocks(), {"uper"}); }), HasSubstr("did you mean 'upper'?"));
-  EXPECT_THAT(message([] { extract(two_blocks(), {"bottom"}); }), HasSubstr("is a physical surface, not a volume"));
+  EXPECT_TRUE(contains(message([] { extract(two_blocks(), {"uper"}); }), "did you mean 'upper'?"));
+  EXPECT_TRUE(contains(message([] { extract(two_blocks(), {"bottom"}); }), "is a physical surface, not a volume"));
   Mesh empty = two_blocks();
   empty.groups["hollow"] = {"hollow", 3, {}};
   EXPECT_EQ(message([&] { extract(empty, {"hollow"}); }), "physical volume 'hollow' has no cells");
@@ -131,7 +136,7 @@ TEST(BoundaryFaces, PointOutOfEachOfTwoBodiesThatShareNodes) {
 }
 
 TEST(BoundaryFaces, SurfaceInsideTheBodyIsAnError) {
-  EXPECT_THAT(message([] { boundary_faces(two_blocks(), "interface"); }), HasSubstr("lies inside the body"));
+  EXPECT_TRUE(contains(message([] { boundary_faces(two_blocks(), "interface"); }), "lies inside the body"));
 }
 
 TEST(BoundaryFaces, SurfaceCellThatIsNoFaceIsAnError) {
