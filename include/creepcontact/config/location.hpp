@@ -6,10 +6,10 @@
 namespace creepcontact::config {
 
 struct Location {
-  std::string file;  ///< or the override, "--set key=value"
-  int line = 0;      ///< from 1; 0 if it comes from an override or from nowhere
+  std::string file = {};  ///< or the override, "--set key=value"
+  int line = 0;           ///< from 1; 0 if it comes from an override or from nowhere
   int column = 0;
-  std::string key;  ///< full key: "materials.disc.creep[0].n"
+  std::string key = {};  ///< full key: "materials.disc.creep[0].n"
 
   /// Begin of a message: "shrink_fit.toml:14:3: materials.disc.creep[0].n: ", as far as known.
   std::string prefix() const;
@@ -18,7 +18,7 @@ struct Location {
 /// The name of something that stands elsewhere: a physical group, a body, a material.
 struct Reference {
   std::string name;  ///< empty: not given
-  Location location;
+  Location location = {};
   bool given() const { return !name.empty(); }
 };
 

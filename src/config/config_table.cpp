@@ -1,0 +1,42 @@
+/// The document as a whole.
+
+#include <map>
+#include <stdexcept>
+
+#include "creepcontact/config/schema.hpp"
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+
+const Material& Config::material(const std::string& name) const {
+  for (const Material& candidate : materials) {
+    if (candidate.name == name) return candidate;
+  }
+  throw std::out_of_range("no material '" + name + "'");
+}
+
+Value<Config> config_table(const Vocabulary& vocabulary) {
+  return table<Config>({
+      field<Config>("title", &Config::title, text(), "what the run is about"),
+      field<Config>("units", &Config::units, text(), "the consistent set of units; echoed into every output"),
+      field<Config>("mesh", &Config::mesh, mesh_table(), "the mesh of all bodies", Presence::required),
+      field<Config>("bodies", &Config::bodies, named(body_table()), "the bodies by name", Presence::required),
+      field<Config>("materials", &Config::materials, named(material_table(vocabulary)), "the materials by name",
+                    Presence::required),
+      field<Config>("supports", &Config::supports, tables(support_table()), "prescribed displacements"),
+      field<Config>("loads", &Config::loads, tables(load_table()), "external forces"),
+      field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies"),
+      field<Config>("contacts", &Config::contacts, tables(contact_table()), "contact between bodies"),
+      field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(), "how contact is solved"),
+      field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required),
+      field<Config>("output", &Config::output, output_table(), "results"),
+      field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of history.csv"),
+  });
+}
+
+std::vector<KeyInfo> schema(const Vocabulary& vocabulary) {
+  return config_table(vocabulary).keys;
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,103 @@
+/// [[contacts]] and [contact_solver]
+
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+struct Gap {
+  bool geometric = false;
+  Function function = 0.0;
+};
+
+Value<Gap> gap_value() {
+  const Value<Function> given = function(place_and_time);
+  Value<Gap> value{.type = given.type + ", or \"geometric\"", .read = {}};
+  value.read = [given](const Item& item, Context& context) -> std::optional<Gap> {
+    if (item.node->value<std::string>() == "geometric") return Gap{.geometric = true};
+    const auto found = given.read(item, context);
+    if (!found) return std::nullopt;
+    return Gap{false, *found};
+  };
+  value.show = [given](const Gap& shown) { return shown.geometric ? "\"geometric\"" : given.show(shown.function); };
+  return value;
+}
+
+Value<std::array<Reference, 2>> two_surfaces() {
+  const std::string type = "two physical surfaces";
+  Value<std::array<Reference, 2>> value{.type = type, .read = {}};
+  value.read = [type](const Item& item, Context& context) -> std::optional<std::array<Reference, 2>> {
+    const toml::array* array = item.node->as_array();
+    if (!array || array->size() != 2) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    const auto found = list(reference("a physical surface")).read(item, context);
+    if (!found) return std::nullopt;
+    if ((*found)[0].name == (*found)[1].name) {
+      context.errors.add(item.location, fmt::format("'{}' twice", (*found)[0].name), type);
+    }
+    return std::array{(*found)[0], (*found)[1]};
+  };
+  return value;
+}
+
+struct ContactKeys : Contact {
+  std::string slave_name = "auto";
+  Gap initial_gap{geometric_gap, gap};
+};
+
+std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context& context) {
+  keys.location = item.location;
+  keys.geometric_gap = keys.initial_gap.geometric;
+  keys.gap = keys.initial_gap.function;
+  if (!keys.between[0].given()) return std::nullopt;  // reported
+  const std::string& first = keys.between[0].name;
+  const std::string& second = keys.between[1].name;
+  if (keys.name.empty()) keys.name = first + '-' + second;
+  if (keys.slave_name == first) keys.slave = 0;
+  if (keys.slave_name == second) keys.slave = 1;
+  if (keys.slave < 0 && keys.slave_name != "auto") {
+    context.errors.add_unknown(item.child("slave").location, fmt::format("unknown surface '{}'", keys.slave_name),
+                               keys.slave_name, {"auto", first, second});
+  }
+  return Contact(std::move(keys));
+}
+
+}  // namespace
+
+Value<Contact> contact_table() {
+  const auto type =
+      choice<ContactType>("contact type", {{"unilateral", ContactType::unilateral}, {"tied", ContactType::tied}});
+  const auto keys = table<ContactKeys>({
+      field<ContactKeys>("name", &ContactKeys::name, name("a name"), "for messages; not given: the two surfaces"),
+      field<ContactKeys>("between", &ContactKeys::between, two_surfaces(), "the surfaces", Presence::required),
+      field<ContactKeys>("type", &ContactKeys::type, type, "unilateral: may open; tied: may not open or slide"),
+      field<ContactKeys>("slave", &ContactKeys::slave_name, name("\"auto\" or one of the two surfaces"),
+                         "the surface that the multipliers live on"),
+      field<ContactKeys>("gap", &ContactKeys::initial_gap, gap_value(),
+                         "initial normal distance, negative: interference; \"geometric\": measured from the mesh"),
+  });
+  return converted<Contact>(keys, make_contact);
+}
+
+Value<ContactSolver> contact_solver_table() {
+  const auto method =
+      choice<ContactMethod>("method", {{"schwarz", ContactMethod::schwarz}, {"active_set", ContactMethod::active_set}});
+  const auto acceleration = choice<Acceleration>("acceleration", {{"none", Acceleration::none},
+                                                                  {"aitken", Acceleration::aitken},
+                                                                  {"anderson", Acceleration::anderson},
+                                                                  {"cg", Acceleration::cg}});
+  const Range relaxation{.min = 0, .max = 1, .open_min = true};
+  return table<ContactSolver>({
+      field<ContactSolver>("method", &ContactSolver::method, method, "algorithm"),
+      field<ContactSolver>("alpha", &ContactSolver::alpha, word_or_number("diagonal", relaxation),
+                           "schwarz: iteration parameter of both bodies; \"diagonal\": from their stiffness"),
+      field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration, "schwarz: acceleration"),
+      field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)), "relative"),
+      field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1), "bound on the iterations"),
+  });
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,87 @@
+#include "cross_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace creepcontact::config {
+namespace {
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& all) {
+  std::vector<std::string> names;
+  for (const T& one : all) names.push_back(one.name);
+  return names;
+}
+
+/// A name among `names`; silent if there are none, for then their table is missing and has been reported.
+void check_name(const Reference& used, const std::string& what, const std::vector<std::string>& names,
+                Diagnostics& errors) {
+  if (!used.given() || names.empty()) return;
+  if (std::find(names.begin(), names.end(), used.name) != names.end()) return;
+  errors.add_unknown(used.location, fmt::format("unknown {} '{}'", what, used.name), used.name, names);
+}
+
+/// Names that are used as keys of results and messages.
+template <class T>
+void check_unique(const std::vector<T>& all, Diagnostics& errors) {
+  std::map<std::string, const T*> first;
+  for (const T& one : all) {
+    const auto [found, is_new] = first.emplace(one.name, &one);
+    if (is_new || one.name.empty()) continue;
+    errors.add(one.location, fmt::format("the name '{}' is that of {} too", one.name, found->second->location.key),
+               "names that differ");
+  }
+}
+
+void check_regions(const std::vector<Body>& bodies, Diagnostics& errors) {
+  std::map<std::string, std::string> owner;
+  for (const Body& body : bodies) {
+    for (const Reference& region : body.region) {
+      const auto [found, is_new] = owner.emplace(region.name, body.name);
+      if (is_new) continue;
+      errors.add(region.location, fmt::format("volume '{}' belongs to body '{}' already", region.name, found->second),
+                 "every volume once");
+    }
+  }
+}
+
+/// Without [temperature] a material is at its reference temperature, which must then be the user's choice.
+void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
+  if (root.has("temperature")) return;
+  const auto check = [&](const Function& function, const Location& where) {
+    if (!function.depends_on_temperature()) return;
+    errors.add(where, "depends on T, which is not known", "with [temperature] or a reference_temperature");
+  };
+  for (const Material& material : config.materials) {
+    const Item table = root.child("materials").child(material.name);
+    if (table.has("reference_temperature")) continue;
+    check(material.young_modulus, table.child("young_modulus").location);
+    check(material.poisson_ratio, table.child("poisson_ratio").location);
+    for (const CreepMechanism& mechanism : material.creep) {
+      for (const CreepParameter& parameter : mechanism.parameters) {
+        for (const Function& value : parameter.values) check(value, parameter.location);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
+  const std::vector<std::string> bodies = names_of(config.bodies);
+  const std::vector<std::string> materials = names_of(config.materials);
+  for (const Body& body : config.bodies) check_name(body.material, "material", materials, errors);
+  for (const Support& support : config.supports) check_name(support.body, "body", bodies, errors);
+  for (const Load& load : config.loads) check_name(load.body, "body", bodies, errors);
+  for (const Probe& probe : config.probes) check_name(probe.body, "body", bodies, errors);
+  check_unique(config.contacts, errors);
+  check_unique(config.probes, errors);
+  check_regions(config.bodies, errors);
+  check_temperature(config, root, errors);
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,48 @@
+#include "diagnostics.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "creepcontact/base/error.hpp"
+#include "suggestion.hpp"
+
+namespace creepcontact::config {
+
+std::string Location::prefix() const {
+  std::string text = file;
+  if (line > 0) text += fmt::format(":{}:{}", line, column);
+  if (!text.empty()) text += ": ";
+  if (!key.empty()) text += key + ": ";
+  return text;
+}
+
+void Diagnostics::add(const Location& where, const std::string& found, const std::string& allowed) {
+  problems_.push_back({where, allowed.empty() ? found : fmt::format("{}; allowed: {}", found, allowed)});
+}
+
+void Diagnostics::add_unknown(const Location& where, const std::string& found, const std::string& name,
+                              const std::vector<std::string>& names, const std::string& allowed) {
+  const std::string all = allowed.empty() ? fmt::format("{}", fmt::join(names, ", ")) : allowed;
+  if (names.empty()) return add(where, found, all);
+  problems_.push_back({where, fmt::format("{}; did you mean '{}'? (allowed: {})", found, nearest(name, names), all)});
+}
+
+void Diagnostics::throw_if_any() const {
+  if (problems_.empty()) return;
+  std::vector<Problem> sorted = problems_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Problem& a, const Problem& b) {
+    const bool a_placed = a.where.line > 0, b_placed = b.where.line > 0;  // overrides come last
+    return std::tuple(!a_placed, a.where.line, a.where.column) < std::tuple(!b_placed, b.where.line, b.where.column);
+  });
+  std::string message;
+  for (const Problem& problem : sorted) {
+    if (!message.empty()) message += '\n';
+    message += problem.where.prefix() + problem.text;
+  }
+  throw ConfigError(message);
+}
+
+}  // namespace creepcontact::config

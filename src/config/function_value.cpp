@@ -1,0 +1,114 @@
+/// Function values: a number, an expression, or a table in t or T.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "table.hpp"
+#include "value.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+/// What one key allows.
+struct Allowed {
+  std::vector<std::string> variables;
+  Range range;
+
+  bool has(const std::string& variable) const {
+    return std::find(variables.begin(), variables.end(), variable) != variables.end();
+  }
+  std::vector<std::string> table_variables() const {
+    std::vector<std::string> names;
+    for (const char* name : {"t", "T"}) {
+      if (has(name)) names.emplace_back(name);
+    }
+    return names;
+  }
+  std::string describe() const {
+    std::string text = range.describe();
+    text += fmt::format(", an expression in {}", fmt::join(variables, ", "));
+    for (const std::string& name : table_variables())
+      text += fmt::format(", a table {{ {} = [...], values = [...] }}", name);
+    return text;
+  }
+};
+
+std::optional<Function> read_expression(const Item& item, const std::string& written, const Allowed& allowed,
+                                        Context& context) {
+  try {
+    const Function function = Function::expression(written, allowed.variables);
+    if (!function.is_constant() || (std::isfinite(function({})) && allowed.range.contains(function({})))) {
+      return function;
+    }
+    context.errors.add(item.location, fmt::format("expression '{}' is {}", written, function({})), allowed.describe());
+  } catch (const std::invalid_argument& error) {
+    context.errors.add(item.location, fmt::format("expression '{}': {}", written, error.what()), allowed.describe());
+  }
+  return std::nullopt;
+}
+
+bool increasing(const Item& item, const std::vector<double>& abscissae, Context& context) {
+  for (std::size_t i = 1; i < abscissae.size(); ++i) {
+    if (abscissae[i] > abscissae[i - 1]) continue;
+    context.errors.add(item.element(i).location,
+                       fmt::format("{} after {}: the points of a table must increase", abscissae[i], abscissae[i - 1]));
+    return false;
+  }
+  return true;
+}
+
+std::optional<Function> read_points(const Item& item, const Allowed& allowed, Context& context) {
+  std::vector<std::string> keys = allowed.table_variables();
+  if (keys.empty()) {
+    context.errors.add(item.location, describe(*item.node), allowed.describe());
+    return std::nullopt;
+  }
+  const std::vector<std::string> variables = keys;
+  keys.emplace_back("values");
+  bool right = known_keys_only(item, keys, context);
+  const auto given = std::find_if(variables.begin(), variables.end(), [&](const auto& name) { return item.has(name); });
+  if (given == variables.end() || !item.has("values")) {
+    // a mistyped key has been named already
+    if (right) context.errors.add(item.location, "an incomplete table", allowed.describe());
+    return std::nullopt;
+  }
+  if (std::all_of(variables.begin(), variables.end(), [&](const auto& name) { return item.has(name); }) &&
+      variables.size() > 1) {
+    context.errors.add(item.location, "a table in both t and T", allowed.describe());
+    return std::nullopt;
+  }
+  const Item points = item.child(*given);
+  const auto abscissae = list(number()).read(points, context);
+  const auto values = list(number(allowed.range)).read(item.child("values"), context);
+  if (!abscissae || !values || !right) return std::nullopt;
+  if (abscissae->size() != values->size() || abscissae->empty()) {
+    context.errors.add(item.location, fmt::format("{} points and {} values", abscissae->size(), values->size()),
+                       "as many values as points, at least one");
+    return std::nullopt;
+  }
+  if (!increasing(points, *abscissae, context)) return std::nullopt;
+  return Function::table(*given, *abscissae, *values);
+}
+
+}  // namespace
+
+Value<Function> function(const std::vector<std::string>& variables, Range range) {
+  const Allowed allowed{variables, range};
+  Value<Function> value{.type = allowed.describe(), .read = {}};
+  value.read = [allowed](const Item& item, Context& context) -> std::optional<Function> {
+    if (const auto* string = item.node->as_string()) return read_expression(item, string->get(), allowed, context);
+    if (item.node->is_table()) return read_points(item, allowed, context);
+    const auto found = item.node->is_number() ? item.node->value<double>() : std::nullopt;
+    if (found && std::isfinite(*found) && allowed.range.contains(*found)) return Function(*found);
+    context.errors.add(item.location, describe(*item.node), allowed.describe());
+    return std::nullopt;
+  };
+  value.show = [](const Function& shown) { return shown.text(); };
+  return value;
+}
+
+}  // namespace creepcontact::config

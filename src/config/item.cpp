@@ -1,0 +1,45 @@
+#include "item.hpp"
+
+#include <fmt/format.h>
+
+namespace creepcontact::config {
+
+Location locate(const toml::source_region& source, const std::string& key, const Location& fallback) {
+  Location location = fallback;
+  location.key = key;
+  if (source.begin.line == 0) return location;
+  location.file = source.path ? *source.path : std::string();
+  const bool in_file = !location.file.starts_with(override_prefix);
+  location.line = in_file ? static_cast<int>(source.begin.line) : 0;
+  location.column = in_file ? static_cast<int>(source.begin.column) : 0;
+  return location;
+}
+
+std::string join_key(const std::string& parent, std::string_view key) {
+  return parent.empty() ? std::string(key) : fmt::format("{}.{}", parent, key);
+}
+
+Item Item::child(std::string_view key) const {
+  const toml::table* table = node ? node->as_table() : nullptr;
+  const toml::node* found = table ? table->get(key) : nullptr;
+  const std::string path = join_key(location.key, key);
+  return {found, locate(found ? found->source() : toml::source_region{}, path, location)};
+}
+
+Item Item::element(std::size_t index) const {
+  const toml::node& found = *node->as_array()->get(index);
+  return {&found, locate(found.source(), fmt::format("{}[{}]", location.key, index), location)};
+}
+
+std::string describe(const toml::node& node) {
+  if (const auto* text = node.as_string()) return fmt::format("string '{}'", text->get());
+  if (const auto* integer = node.as_integer()) return fmt::format("number {}", integer->get());
+  if (const auto* number = node.as_floating_point()) return fmt::format("number {}", number->get());
+  if (const auto* boolean = node.as_boolean()) return fmt::format("boolean {}", boolean->get());
+  if (const auto* array = node.as_array()) {
+    return array->empty() ? "an empty list" : fmt::format("a list of {}", array->size());
+  }
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,109 @@
+/// [[loads]]: one kind each, and the place that this kind acts on
+
+#include <fmt/ranges.h>
+
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+using Functions3 = std::array<Function, 3>;
+
+struct LoadKeys {
+  Reference on, body;
+  std::optional<std::array<double, 3>> at;
+  std::optional<double> tolerance;
+  std::optional<Function> pressure;
+  std::optional<Functions3> traction, force, body_force;
+  std::optional<Rotation> rotation;
+};
+
+/// Where a kind of load acts.
+struct Kind {
+  std::string name;
+  std::string place;  ///< the key that it needs
+};
+const std::vector<Kind> kinds{
+    {"pressure", "on"}, {"traction", "on"}, {"force", "at"}, {"body_force", "body"}, {"rotation", "body"}};
+
+std::vector<std::string> kind_names() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds) names.push_back(kind.name);
+  return names;
+}
+
+/// "body" beside another place restricts the load to that body.
+void check_place(const Item& item, const Kind& kind, Context& context) {
+  if (!item.has(kind.place)) {
+    context.errors.add(item.location, fmt::format("'{}' without '{}'", kind.name, kind.place),
+                       fmt::format("'{}' acts {} '{}'", kind.name, kind.place == "body" ? "in a" : "", kind.place));
+  }
+  for (const std::string& key : given_keys(item, {"on", "at"})) {
+    if (key == kind.place) continue;
+    context.errors.add(item.child(key).location, fmt::format("'{}' does not act '{}' something", kind.name, key),
+                       fmt::format("'{}'", kind.place));
+  }
+  if (item.has("tolerance") && kind.place != "at") {
+    context.errors.add(item.child("tolerance").location, "has no meaning here", "beside 'at' only");
+  }
+}
+
+std::optional<Load> make_load(LoadKeys keys, const Item& item, Context& context) {
+  const std::vector<std::string> given = given_keys(item, kind_names());
+  if (given.size() != 1) {
+    context.errors.add(item.location,
+                       given.empty() ? "no load" : fmt::format("several loads: {}", fmt::join(given, ", ")),
+                       fmt::format("exactly one of {}", fmt::join(kind_names(), ", ")));
+    return std::nullopt;
+  }
+  for (const Kind& kind : kinds) {
+    if (kind.name == given.front()) check_place(item, kind, context);
+  }
+  Load load{std::move(keys.on), std::move(keys.body), {}, item.location};
+  if (keys.pressure) load.kind = Pressure{*keys.pressure};
+  if (keys.traction) load.kind = Traction{*keys.traction};
+  if (keys.force && keys.at) load.kind = PointForce{*keys.at, keys.tolerance, *keys.force};
+  if (keys.body_force) load.kind = BodyForce{*keys.body_force};
+  if (keys.rotation) load.kind = *keys.rotation;
+  return load;
+}
+
+Value<Rotation> rotation_table() {
+  const auto keys = table<Rotation>({
+      field<Rotation>("axis", &Rotation::axis, triple(number()), "direction of the axis, of any length"),
+      field<Rotation>("origin", &Rotation::origin, triple(number()), "a point of the axis"),
+      field<Rotation>("angular_velocity", &Rotation::angular_velocity, function({"t"}), "radians per time",
+                      Presence::required),
+      field<Rotation>("density", &Rotation::density, function(place_and_time, at_least(0)), "mass per volume",
+                      Presence::required),
+  });
+  return converted<Rotation>(keys, [](Rotation found, const Item& item, Context& context) -> std::optional<Rotation> {
+    if (found.axis == std::array<double, 3>{}) {
+      context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
+    }
+    return found;
+  });
+}
+
+}  // namespace
+
+Value<Load> load_table() {
+  const Value<Functions3> vector = triple(function(place_and_time));
+  const auto keys = table<LoadKeys>({
+      field<LoadKeys>("on", &LoadKeys::on, reference("a physical surface"), "where pressure and traction act"),
+      field<LoadKeys>("at", &LoadKeys::at, triple(number()), "where a force acts: the mesh node nearest to this point"),
+      field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)),
+                      "largest distance of that node; not given: 1e-6 of the model size"),
+      field<LoadKeys>("body", &LoadKeys::body, reference("the name of a body"),
+                      "where body_force and rotation act; beside 'on' and 'at': in this body only"),
+      field<LoadKeys>("pressure", &LoadKeys::pressure, function(place_and_time), "towards the body, per area"),
+      field<LoadKeys>("traction", &LoadKeys::traction, vector, "force per area"),
+      field<LoadKeys>("force", &LoadKeys::force, vector, "force at a point"),
+      field<LoadKeys>("body_force", &LoadKeys::body_force, vector, "force per volume"),
+      field<LoadKeys>("rotation", &LoadKeys::rotation, rotation_table(), "centrifugal force"),
+  });
+  return converted<Load>(keys, make_load);
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,115 @@
+/// [materials.<name>] and its creep mechanisms
+
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+Range range_of(const LawKey& key) {
+  return key.strict ? greater(key.minimum) : at_least(key.minimum);
+}
+
+std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key, Context& context) {
+  const Value<Function> value = function(key.variables, range_of(key));
+  CreepParameter parameter{key.name, {}, item.location};
+  if (key.list) {
+    const auto values = list(value).read(item, context);
+    if (!values) return std::nullopt;
+    if (values->empty()) {
+      context.errors.add(item.location, "an empty list", "at least one value");
+      return std::nullopt;
+    }
+    parameter.values = *values;
+  } else {
+    const auto one = value.read(item, context);
+    if (!one) return std::nullopt;
+    parameter.values = {*one};
+  }
+  return parameter;
+}
+
+void check_lengths(const CreepMechanism& mechanism, const Law& law, Context& context) {
+  const CreepParameter* first = nullptr;
+  for (const LawKey& key : law.keys) {
+    for (const CreepParameter& parameter : mechanism.parameters) {
+      if (!key.list || parameter.key != key.name) continue;
+      if (!first) first = &parameter;
+      if (parameter.values.size() == first->values.size()) continue;
+      context.errors.add(parameter.location, fmt::format("a list of {}", parameter.values.size()),
+                         fmt::format("as many values as '{}' has: {}", first->key, first->values.size()));
+    }
+  }
+}
+
+std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context& context) {
+  std::vector<std::string> names{"law"};
+  std::vector<KeyInfo> required;
+  for (const LawKey& key : law.keys) {
+    names.push_back(key.name);
+    required.push_back({key.name, function(key.variables, range_of(key)).type, true, "", key.description});
+  }
+  known_keys_only(item, names, context);
+  require_keys(item, required, context);
+  CreepMechanism mechanism{law.name, {}, item.location};
+  for (const LawKey& key : law.keys) {
+    const Item found = item.child(key.name);
+    if (!found.node) continue;
+    if (auto parameter = read_parameter(found, key, context)) mechanism.parameters.push_back(std::move(*parameter));
+  }
+  check_lengths(mechanism, law, context);
+  return mechanism;
+}
+
+/// The keys depend on `law`, so this is no plain table.
+Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
+  std::vector<std::string> names;
+  for (const Law& law : laws) names.push_back(law.name);
+  const Value<std::string> law_name = choice("creep law", names);
+  Value<CreepMechanism> value{.type = "a table", .read = {}};
+  value.keys.push_back({"law", law_name.type, true, "", "creep law; the other keys are the law's own"});
+  for (const Law& law : laws) {
+    for (const LawKey& key : law.keys) {
+      const std::string type = function(key.variables, range_of(key)).type;
+      value.keys.push_back({key.name, key.list ? "a list, each " + type : type, true, "",
+                            fmt::format("{}: {}", law.name, key.description)});
+    }
+  }
+  value.read = [=](const Item& item, Context& context) -> std::optional<CreepMechanism> {
+    if (!item.node->is_table()) {
+      context.errors.add(item.location, describe(*item.node), "a table");
+      return std::nullopt;
+    }
+    require_keys(item, {value.keys.front()}, context);
+    const Item chosen = item.child("law");
+    const auto index = chosen.node ? read_choice(chosen, context, "creep law", names) : std::nullopt;
+    if (!index) return std::nullopt;  // which keys are right is not known
+    return read_law(item, laws[*index], context);
+  };
+  return value;
+}
+
+}  // namespace
+
+Value<Material> material_table(const Vocabulary& vocabulary) {
+  const std::vector<std::string> T{"T"};
+  const Range compressible{.min = -1.0, .max = 0.5, .open_min = true, .open_max = true};
+  const auto keys = table<Material>({
+      field<Material>("young_modulus", &Material::young_modulus, function(T, greater(0)), "Young's modulus",
+                      Presence::required),
+      field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio",
+                      Presence::required),
+      field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
+                      "secant coefficient of thermal expansion"),
+      field<Material>("reference_temperature", &Material::reference_temperature, number(),
+                      "temperature without thermal strain"),
+      field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
+                      "creep mechanisms; their rates add"),
+  });
+  return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
+    material.location = item.location;
+    return material;
+  });
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,92 @@
+/// [mesh] and [bodies.<name>]
+
+#include <map>
+
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+/// Any names, each a number.
+Value<std::map<std::string, double>> numbers_by_name() {
+  using Map = std::map<std::string, double>;
+  Value<Map> value{.type = "a table of numbers", .read = {}};
+  value.read = [type = value.type](const Item& item, Context& context) -> std::optional<Map> {
+    const toml::table* numbers = item.node->as_table();
+    if (!numbers) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    Map all;
+    for (const auto& [key, node] : *numbers) {
+      if (const auto found = number().read(item.child(key.str()), context)) all.emplace(key.str(), *found);
+    }
+    return all;
+  };
+  return value;
+}
+
+Value<std::vector<Reference>> one_or_more_volumes() {
+  const std::string type = "a physical volume or a list of them";
+  Value<std::vector<Reference>> value{.type = type, .read = {}};
+  value.read = [type](const Item& item, Context& context) -> std::optional<std::vector<Reference>> {
+    if (item.node->is_array()) {
+      auto all = list(reference("a physical volume")).read(item, context);
+      if (!all || !all->empty()) return all;
+    } else if (item.node->is_string()) {
+      if (const auto one = reference(type).read(item, context)) return std::vector{*one};
+      return std::nullopt;
+    }
+    context.errors.add(item.location, describe(*item.node), type);
+    return std::nullopt;
+  };
+  return value;
+}
+
+}  // namespace
+
+std::vector<std::string> given_keys(const Item& item, const std::vector<std::string>& keys) {
+  std::vector<std::string> given;
+  for (const std::string& key : keys) {
+    if (item.has(key)) given.push_back(key);
+  }
+  return given;
+}
+
+Value<Mesh> mesh_table() {
+  const auto keys = table<Mesh>({
+      field<Mesh>("file", &Mesh::file, path(), "geometry (.geo, meshed in process) or mesh (.msh 2.2 or 4.1)",
+                  Presence::required),
+      field<Mesh>("order", &Mesh::order, integer(1, 2), "order of the elements; .geo only"),
+      field<Mesh>("parameters", &Mesh::parameters, numbers_by_name(),
+                  "overrides constants made with DefineConstant; .geo only"),
+  });
+  return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
+    mesh.location = item.child("file").location;
+    const std::string extension = mesh.file.extension().string();
+    if (!mesh.file.empty() && extension != ".geo" && extension != ".msh") {
+      context.errors.add(mesh.location, fmt::format("'{}'", mesh.file.filename().string()), "a .geo or .msh file");
+    }
+    if (extension == ".msh") {
+      for (const std::string& key : given_keys(item, {"order", "parameters"})) {
+        context.errors.add(item.child(key).location, "has no effect on a finished mesh", "with a .geo file only");
+      }
+    }
+    return mesh;
+  });
+}
+
+Value<Body> body_table() {
+  const auto keys = table<Body>({
+      field<Body>("region", &Body::region, one_or_more_volumes(), "what the body fills", Presence::required),
+      field<Body>("material", &Body::material, reference("the name of a material"), "one of the materials",
+                  Presence::required),
+  });
+  return converted<Body>(keys, [](Body body, const Item& item, Context&) -> std::optional<Body> {
+    body.location = item.location;
+    return body;
+  });
+}
+
+}  // namespace creepcontact::config

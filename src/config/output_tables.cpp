@@ -1,0 +1,93 @@
+/// [output] and [[probes]]
+
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+Value<std::string> quantity_name(const std::vector<Quantity>& quantities) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+  const std::string type = "a quantity; `creepcontact list quantities` shows all";
+  Value<std::string> value = text();
+  value.type = type;
+  value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
+    const auto found = name(type).read(item, context);
+    if (!found || std::find(names.begin(), names.end(), *found) != names.end()) return found;
+    context.errors.add_unknown(item.location, fmt::format("unknown quantity '{}'", *found), *found, names, type);
+    return std::nullopt;
+  };
+  return value;
+}
+
+/// Heads a column of history.csv.
+Value<std::string> column_name() {
+  const std::string type = "a name without comma, quotation mark or line break, other than 'time'";
+  return converted<std::string>(
+      name(type), [type](std::string found, const Item& item, Context& context) -> std::optional<std::string> {
+        if (found != "time" && found.find_first_of(",\"\r\n") == std::string::npos) return found;
+        context.errors.add(item.location, fmt::format("'{}'", found), type);
+        return std::nullopt;
+      });
+}
+
+void check_place(const Item& item, Context& context) {
+  const bool on = item.has("on"), at = item.has("at"), body = item.has("body");
+  if (on && at) {
+    context.errors.add(item.location, "both 'on' and 'at'", "'on', 'at', or 'body' alone");
+  } else if (!on && !at && !body) {
+    context.errors.add(item.location, "no place", "'on', 'at', or 'body'");
+  }
+  if (at && !on && item.has("reduce")) {
+    context.errors.add(item.child("reduce").location, "has no meaning at a point", "with 'on' or 'body' alone");
+  }
+}
+
+void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Context& context) {
+  if (quantity.surface_only && (item.has("at") || !item.has("on"))) {
+    context.errors.add(item.child("quantity").location, fmt::format("'{}' at a point or in a body", quantity.name),
+                       fmt::format("'{}' on a surface: 'on'", quantity.name));
+  }
+  if (!quantity.sum_only) return;
+  if (item.has("reduce") && probe.reduce != Reduce::sum) {
+    context.errors.add(item.child("reduce").location, describe(*item.child("reduce").node),
+                       fmt::format("\"sum\" with '{}'", quantity.name));
+  }
+  probe.reduce = Reduce::sum;
+}
+
+}  // namespace
+
+Value<Output> output_table() {
+  return table<Output>({
+      field<Output>("directory", &Output::directory, path(),
+                    "where results go; not given: results/<name of the configuration>"),
+      field<Output>("fields", &Output::fields, boolean(), "write fields.pvd and fields/*.vtu"),
+  });
+}
+
+Value<Probe> probe_table(const Vocabulary& vocabulary) {
+  const auto reduce = choice<Reduce>(
+      "reduction", {{"mean", Reduce::mean}, {"max", Reduce::max}, {"min", Reduce::min}, {"sum", Reduce::sum}});
+  const auto keys = table<Probe>({
+      field<Probe>("name", &Probe::name, column_name(), "heads its column of history.csv", Presence::required),
+      field<Probe>("quantity", &Probe::quantity, quantity_name(vocabulary.quantities), "what is recorded",
+                   Presence::required),
+      field<Probe>("on", &Probe::on, reference("a physical surface"), "over this surface"),
+      field<Probe>("at", &Probe::at, triple(number()), "at this point"),
+      field<Probe>("body", &Probe::body, reference("the name of a body"),
+                   "alone: over this body; beside 'on' and 'at': in this body"),
+      field<Probe>("reduce", &Probe::reduce, reduce, "over a surface or body; \"mean\" is weighted by area or volume"),
+  });
+  return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {
+    probe.location = item.location;
+    check_place(item, context);
+    for (const Quantity& quantity : vocabulary.quantities) {
+      if (quantity.name == probe.quantity) check_quantity(probe, quantity, item, context);
+    }
+    return probe;
+  });
+}
+
+}  // namespace creepcontact::config

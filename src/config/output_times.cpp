@@ -1,0 +1,90 @@
+#include "output_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "table.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+Value<OutputSeries> series_table() {
+  const auto spacing = choice<Spacing>("spacing", {{"log", Spacing::logarithmic}, {"linear", Spacing::linear}});
+  const auto keys = table<OutputSeries>({
+      field<OutputSeries>("first", &OutputSeries::first, number(greater(0)),
+                          "first time after 0; spacing \"linear\" has end / count by default"),
+      field<OutputSeries>("count", &OutputSeries::count, integer(2), "number of times after 0", Presence::required),
+      field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "of the times from first to the end"),
+  });
+  return converted<OutputSeries>(
+      keys, [](OutputSeries series, const Item& item, Context& context) -> std::optional<OutputSeries> {
+        if (series.spacing == Spacing::logarithmic && !item.has("first")) {
+          context.errors.add(item.location, "spacing \"log\" without 'first'", "a first time > 0");
+          return std::nullopt;
+        }
+        return series;
+      });
+}
+
+std::vector<double> points(const OutputSeries& series, double end) {
+  const double first = series.first.value_or(end / series.count);
+  std::vector<double> times;
+  for (int i = 0; i + 1 < series.count; ++i) {
+    const double fraction = static_cast<double>(i) / (series.count - 1);
+    times.push_back(series.spacing == Spacing::logarithmic ? first * std::pow(end / first, fraction)
+                                                           : first + (end - first) * fraction);
+  }
+  return times;
+}
+
+}  // namespace
+
+Value<OutputTimes> output_times() {
+  const auto times = list(converted<PlacedTime>(number(at_least(0)), [](double time, const Item& item, Context&) {
+    return std::optional(PlacedTime{time, item.location});
+  }));
+  const auto series = series_table();
+  Value<OutputTimes> value{.type = "a list of times, or { first, count, spacing }", .read = {}};
+  value.keys = series.keys;
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<OutputTimes> {
+    if (item.node->is_array()) {
+      const auto found = times.read(item, context);
+      if (found) return OutputTimes(*found);
+    } else if (item.node->is_table()) {
+      const auto found = series.read(item, context);
+      if (found) return OutputTimes(*found);
+    } else {
+      context.errors.add(item.location, describe(*item.node), type);
+    }
+    return std::nullopt;
+  };
+  value.show = [](const OutputTimes&) { return std::string("[]"); };
+  return value;
+}
+
+std::vector<double> resolve(const OutputTimes& times, double end, const Location& where, Context& context) {
+  std::vector<double> all{0.0, end};
+  const std::string allowed = Range{.min = 0, .max = end}.describe("times");
+  if (const auto* series = std::get_if<OutputSeries>(&times)) {
+    if (series->first && *series->first >= end) {
+      Location first = where;
+      first.key = join_key(where.key, "first");
+      context.errors.add(first, fmt::format("number {}", *series->first), fmt::format("before time.end = {}", end));
+      return all;
+    }
+    const std::vector<double> inner = points(*series, end);
+    all.insert(all.end(), inner.begin(), inner.end());
+  } else {
+    for (const PlacedTime& placed : std::get<std::vector<PlacedTime>>(times)) {
+      if (placed.time > end) {
+        context.errors.add(placed.location, fmt::format("number {} is beyond time.end", placed.time), allowed);
+      }
+      all.push_back(placed.time);
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+}  // namespace creepcontact::config

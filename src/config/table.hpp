@@ -1,0 +1,169 @@
+#pragma once
+/// Tables of keys, and lists: kinds of values made of kinds of values. A Field binds a key to a member of a struct,
+/// whose default-constructed value is the key's default.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+#include "value.hpp"
+
+namespace creepcontact::config {
+
+enum class Presence { optional, required };
+
+template <class S>
+struct Field {
+  KeyInfo info;
+  std::vector<KeyInfo> keys;  ///< below it
+  std::function<void(const Item&, Context&, S&)> read;
+};
+
+/// Names every key that is not among `keys`. @returns true if there is none
+bool known_keys_only(const Item& table, const std::vector<std::string>& keys, Context& context);
+/// Names the required keys that are missing.
+void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& context);
+/// `keys` below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
+void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all);
+
+/// @param member  of S, or a callable from S& to a reference; a T or an optional<T>
+template <class S, class Member, class T>
+Field<S> field(const std::string& name, Member member, const Value<T>& value, const std::string& description,
+               Presence presence = Presence::optional) {
+  Field<S> made{{name, value.type, presence == Presence::required, "", description}, value.keys, {}};
+  made.read = [=](const Item& item, Context& context, S& into) {
+    if (auto found = value.read(item, context)) std::invoke(member, into) = std::move(*found);
+  };
+  S defaults{};
+  const auto& initial = std::invoke(member, defaults);
+  if constexpr (std::is_convertible_v<decltype(initial), const T&>) {
+    if (presence == Presence::optional) made.info.default_value = value.show(initial);
+  }
+  return made;
+}
+
+template <class S>
+Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a table") {
+  Value<S> value{.type = type, .read = {}};
+  std::vector<std::string> names;
+  std::vector<KeyInfo> own;
+  for (const Field<S>& entry : fields) {
+    names.push_back(entry.info.path);
+    own.push_back(entry.info);
+    value.keys.push_back(entry.info);
+    append_below(entry.info.path, entry.keys, value.keys);
+  }
+  value.read = [=](const Item& item, Context& context) -> std::optional<S> {
+    if (!item.node->is_table()) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    known_keys_only(item, names, context);
+    require_keys(item, own, context);
+    S into{};
+    for (const Field<S>& entry : fields) {
+      const Item found = item.child(entry.info.path);
+      if (found.node) entry.read(found, context, into);
+    }
+    return into;
+  };
+  return value;
+}
+
+/// Reads an A, then makes the B of it. @param convert  (A, Item, Context&) -> optional<B>
+template <class B, class A, class Convert>
+Value<B> converted(const Value<A>& from, Convert convert) {
+  Value<B> value{.type = from.type, .read = {}};
+  value.keys = from.keys;
+  value.read = [=](const Item& item, Context& context) -> std::optional<B> {
+    auto found = from.read(item, context);
+    if (!found) return std::nullopt;
+    return convert(std::move(*found), item, context);
+  };
+  return value;
+}
+
+/// What a list with a wrong entry yields: nothing, or the entries that are right (so that checks go on with those).
+enum class Partial { dropped, kept };
+
+template <class T>
+Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dropped) {
+  Value<std::vector<T>> value{.type = "a list, each " + entry.type, .read = {}};
+  append_below("[]", entry.keys, value.keys);
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
+    const toml::array* array = item.node->as_array();
+    if (!array) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    std::vector<T> all;
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      if (auto found = entry.read(item.element(i), context)) all.push_back(std::move(*found));
+    }
+    if (partial == Partial::dropped && all.size() != array->size()) return std::nullopt;
+    return all;
+  };
+  value.show = [entry](const std::vector<T>& shown) {
+    std::string text;
+    for (const T& one : shown) text += (text.empty() ? "" : ", ") + entry.show(one);
+    return '[' + text + ']';
+  };
+  return value;
+}
+
+/// [[array.of.tables]]
+template <class T>
+Value<std::vector<T>> tables(const Value<T>& entry) {
+  Value<std::vector<T>> value = list(entry, Partial::kept);
+  value.show = [](const std::vector<T>&) { return std::string(); };
+  return value;
+}
+
+template <class T>
+Value<std::array<T, 3>> triple(const Value<T>& entry) {
+  Value<std::array<T, 3>> value{.type = "[x, y, z], each " + entry.type, .read = {}};
+  value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::array<T, 3>> {
+    const toml::array* array = item.node->as_array();
+    if (!array || array->size() != 3) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    auto found = list(entry).read(item, context);
+    if (!found) return std::nullopt;
+    return std::array<T, 3>{(*found)[0], (*found)[1], (*found)[2]};
+  };
+  value.show = [entry](const std::array<T, 3>& shown) {
+    return fmt::format("[{}, {}, {}]", entry.show(shown[0]), entry.show(shown[1]), entry.show(shown[2]));
+  };
+  return value;
+}
+
+/// Tables by a name of the user's, in the order of the file. T has members name and location.
+template <class T>
+Value<std::vector<T>> named(const Value<T>& entry) {
+  Value<std::vector<T>> value{.type = "tables by name", .read = {}};
+  append_below("<name>", entry.keys, value.keys);
+  value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
+    const toml::table* tables = item.node->as_table();
+    if (!tables || tables->empty()) {
+      context.errors.add(item.location, tables ? "an empty table" : describe(*item.node), type);
+      return std::nullopt;
+    }
+    std::vector<T> all;
+    for (const auto& [key, node] : *tables) {
+      if (auto found = entry.read(item.child(key.str()), context)) {
+        found->name = key.str();
+        all.push_back(std::move(*found));
+      }
+    }
+    std::stable_sort(all.begin(), all.end(), [](const T& a, const T& b) {
+      return std::pair(a.location.line, a.location.column) < std::pair(b.location.line, b.location.column);
+    });
+    return all;
+  };
+  return value;
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,30 @@
+#pragma once
+/// The tables of the configuration. Each says its keys once: name, kind of value, struct member (and so the default),
+/// description.
+
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/config/vocabulary.hpp"
+#include "value.hpp"
+
+namespace creepcontact::config {
+
+Value<Mesh> mesh_table();
+Value<Body> body_table();
+Value<Material> material_table(const Vocabulary& vocabulary);
+Value<Support> support_table();
+Value<Load> load_table();
+Value<Temperature> temperature_table();
+Value<Contact> contact_table();
+Value<ContactSolver> contact_solver_table();
+Value<Time> time_table(const Vocabulary& vocabulary);
+Value<Output> output_table();
+Value<Probe> probe_table(const Vocabulary& vocabulary);
+Value<Config> config_table(const Vocabulary& vocabulary);
+
+/// Variables of functions of place and time.
+inline const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
+
+/// Which of `keys` the table has.
+std::vector<std::string> given_keys(const Item& item, const std::vector<std::string>& keys);
+
+}  // namespace creepcontact::config

@@ -1,0 +1,46 @@
+/// [time]
+
+#include "output_times.hpp"
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+struct TimeKeys : Time {
+  OutputTimes wanted;
+};
+
+std::optional<Time> make_time(TimeKeys keys, const Item& item, Context& context) {
+  keys.location = item.location;
+  std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
+  if (keys.end > 0) keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
+  return Time(std::move(keys));
+}
+
+}  // namespace
+
+Value<Time> time_table(const Vocabulary& vocabulary) {
+  const auto keys = table<TimeKeys>({
+      field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required),
+      field<TimeKeys>("integrator", &TimeKeys::integrator, choice("integrator", vocabulary.integrators),
+                      "method of time integration"),
+      field<TimeKeys>("tolerance", &TimeKeys::tolerance, number(greater(0)),
+                      "relative accuracy of the stress; the Euler schemes do not use it"),
+      field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and the end always are"),
+      field<TimeKeys>("step", &TimeKeys::step, word_or_number("stable", greater(0)),
+                      "Euler schemes: fixed step; \"stable\": the stable step times step_factor"),
+      field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(greater(0)), "Euler schemes, step \"stable\""),
+      field<TimeKeys>("beta", &TimeKeys::beta, number({.min = 0.5, .max = 1}),
+                      "beta_euler: 0.5 the trapezoidal rule, 1 implicit Euler"),
+      field<TimeKeys>("inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
+                      "beta_euler: bound on the change of creep strain in the last inner iteration"),
+      field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number(at_least(0)),
+                      "Euler schemes: fraction of the nodal-force residual that the next step corrects"),
+      field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
+                      "times of jumps and kinks in expressions; those of tables are known"),
+  });
+  return converted<Time>(keys, make_time);
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,149 @@
+#include "value.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace creepcontact::config {
+
+bool Range::contains(double value) const {
+  const bool above = open_min ? value > min : value >= min;
+  return above && (open_max ? value < max : value <= max);
+}
+
+std::string Range::describe(const std::string& what) const {
+  const bool bounded_below = std::isfinite(min), bounded_above = std::isfinite(max);
+  if (bounded_below && bounded_above) {
+    return fmt::format("{} in {}{}, {}{}", what, open_min ? '(' : '[', min, max, open_max ? ')' : ']');
+  }
+  if (bounded_below) return fmt::format("{} {} {}", what, open_min ? ">" : ">=", min);
+  if (bounded_above) return fmt::format("{} {} {}", what, open_max ? "<" : "<=", max);
+  return what;
+}
+
+Value<std::string> text() {
+  Value<std::string> value{.type = "a string", .read = {}};
+  value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::string> {
+    if (const auto* string = item.node->as_string()) return string->get();
+    context.errors.add(item.location, describe(*item.node), type);
+    return std::nullopt;
+  };
+  value.show = [](const std::string& string) { return string.empty() ? string : '"' + string + '"'; };
+  return value;
+}
+
+Value<std::string> name(const std::string& what) {
+  Value<std::string> value = text();
+  value.type = what;
+  value.read = [what](const Item& item, Context& context) -> std::optional<std::string> {
+    const auto found = reference(what).read(item, context);
+    if (!found) return std::nullopt;
+    return found->name;
+  };
+  return value;
+}
+
+Value<Reference> reference(const std::string& what) {
+  Value<Reference> value{.type = what, .read = {}};
+  value.read = [what](const Item& item, Context& context) -> std::optional<Reference> {
+    const auto* string = item.node->as_string();
+    if (string && !string->get().empty()) return Reference{string->get(), item.location};
+    context.errors.add(item.location, string ? "an empty string" : describe(*item.node), what);
+    return std::nullopt;
+  };
+  return value;
+}
+
+Value<double> number(Range range, const std::string& type) {
+  Value<double> value{.type = type.empty() ? range.describe() : type, .read = {}};
+  value.read = [range, type = value.type](const Item& item, Context& context) -> std::optional<double> {
+    const auto found = item.node->is_number() ? item.node->value<double>() : std::nullopt;
+    if (found && std::isfinite(*found) && range.contains(*found)) return found;
+    context.errors.add(item.location, describe(*item.node), type);
+    return std::nullopt;
+  };
+  value.show = [](const double& shown) { return fmt::format("{}", shown); };
+  return value;
+}
+
+Value<int> integer(int min, int max) {
+  Range range = at_least(min);
+  if (max < std::numeric_limits<int>::max()) range.max = max;
+  Value<int> value{.type = range.describe("an integer"), .read = {}};
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<int> {
+    const auto* found = item.node->as_integer();
+    if (found && found->get() >= min && found->get() <= max) return static_cast<int>(found->get());
+    context.errors.add(item.location, describe(*item.node), type);
+    return std::nullopt;
+  };
+  value.show = [](const int& shown) { return fmt::format("{}", shown); };
+  return value;
+}
+
+Value<bool> boolean() {
+  Value<bool> value{.type = "true or false", .read = {}};
+  value.read = [type = value.type](const Item& item, Context& context) -> std::optional<bool> {
+    if (const auto* found = item.node->as_boolean()) return found->get();
+    context.errors.add(item.location, describe(*item.node), type);
+    return std::nullopt;
+  };
+  value.show = [](const bool& shown) { return fmt::format("{}", shown); };
+  return value;
+}
+
+Value<std::filesystem::path> path() {
+  Value<std::filesystem::path> value{.type = "a path, relative to the configuration file", .read = {}};
+  value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::filesystem::path> {
+    const auto name = reference(type).read(item, context);
+    if (!name) return std::nullopt;
+    return (context.directory / name->name).lexically_normal();
+  };
+  value.show = [](const std::filesystem::path& shown) { return shown.string(); };
+  return value;
+}
+
+std::optional<std::size_t> read_choice(const Item& item, Context& context, const std::string& what,
+                                       const std::vector<std::string>& names) {
+  const auto* word = item.node->as_string();
+  const auto found = word ? std::find(names.begin(), names.end(), word->get()) : names.end();
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  if (word) {
+    context.errors.add_unknown(item.location, fmt::format("unknown {} '{}'", what, word->get()), word->get(), names);
+  } else {
+    context.errors.add(item.location, describe(*item.node), choice(what, names).type);
+  }
+  return std::nullopt;
+}
+
+Value<std::string> choice(const std::string& what, const std::vector<std::string>& names) {
+  Value<std::string> value = text();
+  value.type = fmt::format("\"{}\"", fmt::join(names, "\", \""));
+  value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
+    const auto index = read_choice(item, context, what, names);
+    if (!index) return std::nullopt;
+    return names[*index];
+  };
+  return value;
+}
+
+Value<std::optional<double>> word_or_number(const std::string& word, Range range) {
+  const Value<double> given = number(range, range.describe() + " or \"" + word + '"');
+  Value<std::optional<double>> value{.type = given.type, .read = {}};
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::optional<double>> {
+    if (item.node->value<std::string>() == word) return std::optional<double>();
+    if (const auto* wrong = item.node->as_string()) {
+      context.errors.add_unknown(item.location, fmt::format("unknown value '{}'", wrong->get()), wrong->get(), {word},
+                                 type);
+      return std::nullopt;
+    }
+    const auto found = given.read(item, context);
+    if (!found) return std::nullopt;
+    return found;
+  };
+  value.show = [=](const std::optional<double>& shown) { return shown ? given.show(*shown) : '"' + word + '"'; };
+  return value;
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,91 @@
+#pragma once
+/// Kinds of values: what is allowed, how it is read, how a default of it is written. They combine into tables
+/// (table.hpp).
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+#include "creepcontact/config/schema.hpp"
+#include "diagnostics.hpp"
+#include "item.hpp"
+
+namespace creepcontact::config {
+
+struct Context {
+  std::filesystem::path directory;  ///< of the configuration file
+  Diagnostics errors;
+};
+
+template <class T>
+struct Value {
+  std::string type;  ///< what is allowed, in words
+  /// nullopt if it is wrong: the error then stands in the context
+  std::function<std::optional<T>(const Item&, Context&)> read;
+  std::function<std::string(const T&)> show = [](const T&) { return std::string(); };
+  std::vector<KeyInfo> keys = {};  ///< of a table
+};
+
+/// Interval of numbers, closed unless said otherwise.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool open_min = false, open_max = false;
+  bool contains(double value) const;
+  /// "a number", "a number > 0", "a number in (0, 1]"
+  std::string describe(const std::string& what = "a number") const;
+};
+inline Range greater(double min) {
+  return {.min = min, .open_min = true};
+}
+inline Range at_least(double min) {
+  return {.min = min};
+}
+
+Value<std::string> text();
+/// A string that is not empty. @param what  it names, in messages
+Value<std::string> name(const std::string& what);
+/// The same with its place.
+Value<Reference> reference(const std::string& what);
+/// @param type  not given: from the range
+Value<double> number(Range range = {}, const std::string& type = {});
+Value<int> integer(int min, int max = std::numeric_limits<int>::max());
+/// A word that stands for "not given", or a number.
+Value<std::optional<double>> word_or_number(const std::string& word, Range range);
+Value<bool> boolean();
+/// Made relative to the working directory.
+Value<std::filesystem::path> path();
+/// @param variables  that an expression may use
+/// @param range      of constants and of the values of tables
+Value<Function> function(const std::vector<std::string>& variables, Range range = {});
+
+/// One of some words. @param what  in messages: "unknown <what> 'abc'"
+std::optional<std::size_t> read_choice(const Item& item, Context& context, const std::string& what,
+                                       const std::vector<std::string>& names);
+Value<std::string> choice(const std::string& what, const std::vector<std::string>& names);
+
+template <class Enum>
+Value<Enum> choice(const std::string& what, const std::vector<std::pair<std::string, Enum>>& meanings) {
+  std::vector<std::string> names;
+  for (const auto& [name, meaning] : meanings) names.push_back(name);
+  Value<Enum> value{.type = choice(what, names).type, .read = {}};
+  value.read = [=](const Item& item, Context& context) -> std::optional<Enum> {
+    const auto index = read_choice(item, context, what, names);
+    if (!index) return std::nullopt;
+    return meanings[*index].second;
+  };
+  value.show = [=](const Enum& wanted) {
+    for (const auto& [name, meaning] : meanings) {
+      if (meaning == wanted) return '"' + name + '"';
+    }
+    return std::string();
+  };
+  return value;
+}
+
+}  // namespace creepcontact::config

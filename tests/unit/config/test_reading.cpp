@@ -1,0 +1,195 @@
+#include "config_fixture.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+const std::string full = R"toml(title = "Shrink fit"
+units = "mm, N"
+[mesh]
+file = "/data/fit.geo"
+order = 1
+parameters = { h = 5, w = 2.5 }
+[bodies.shaft]
+region = "shaft"
+material = "rotor"
+[bodies.ring]
+region = ["ring_a", "ring_b"]
+material = "disc"
+[materials.rotor]
+young_modulus = { T = [20, 500], values = [2.1e5, 1.7e5] }
+poisson_ratio = 0.3
+thermal_expansion = "1e-5 + 1e-9*T"
+reference_temperature = 20
+[materials.disc]
+young_modulus = 1.8e5
+poisson_ratio = 0.3
+[[materials.disc.creep]]
+n = 7.0
+law = "norton"
+A = "1e-20*exp(T/100)"
+[[materials.disc.creep]]
+law = "hereditary"
+compliances = [1, 2.5]
+times = [10, 100]
+[[materials.disc.creep]]
+law = "expression"
+rate = "q*eps + t + T"
+[[supports]]
+on = "symmetry"
+body = "shaft"
+displacement = { x = 0, normal = "0.1*t" }
+[[loads]]
+on = "bore"
+pressure = "100*min(t/10, 1)"
+[[loads]]
+on = "end"
+body = "ring"
+traction = [0, "x", { t = [0, 1], values = [0, 5] }]
+[[loads]]
+at = [10.0, 0, 5]
+tolerance = 0.5
+force = [0, 0, -100]
+[[loads]]
+body = "ring"
+body_force = [0, 0, -7.7e-5]
+[[loads]]
+body = "ring"
+rotation = { axis = [1, 0, 0], angular_velocity = "314*t", density = 7.8e-9 }
+[temperature]
+value = "500 + 20*z"
+[[contacts]]
+name = "fit"
+between = ["shaft_outer", "ring_bore"]
+type = "tied"
+slave = "ring_bore"
+gap = -0.05
+[[contacts]]
+between = ["a", "b"]
+gap = "geometric"
+[contact_solver]
+method = "active_set"
+alpha = 0.5
+acceleration = "aitken"
+[time]
+end = 1e4
+integrator = "beta_euler"
+output = [100, 1, 10, 10]
+step = 1
+breakpoints = [100, 20]
+[output]
+directory = "../out"
+fields = false
+[[probes]]
+name = "p"
+quantity = "contact_pressure"
+on = "shaft_outer"
+reduce = "max"
+[[probes]]
+name = "area"
+quantity = "contact_area"
+on = "shaft_outer"
+[[probes]]
+name = "s"
+quantity = "stress_xx"
+at = [0, 120, 0]
+body = "ring"
+)toml";
+
+TEST(ConfigReading, MeshAndBodiesInTheOrderOfTheFile) {
+  const Config config = parse_text(full);
+  EXPECT_EQ(config.title, "Shrink fit");
+  EXPECT_EQ(config.units, "mm, N");
+  EXPECT_EQ(config.mesh.file, "/data/fit.geo");
+  EXPECT_EQ(config.mesh.order, 1);
+  EXPECT_EQ(config.mesh.parameters.at("h"), 5.0);
+  ASSERT_EQ(config.bodies.size(), 2u);
+  EXPECT_EQ(config.bodies[0].name, "shaft");
+  EXPECT_EQ(config.bodies[1].region[1].name, "ring_b");
+  EXPECT_EQ(config.bodies[1].region[1].location.prefix(), "cases/block.toml:11:21: bodies.ring.region[1]: ");
+  EXPECT_EQ(config.materials[0].name, "rotor");
+}
+
+TEST(ConfigReading, MaterialsAndLawsInTheOrderOfTheVocabulary) {
+  const Config config = parse_text(full);
+  const Material& rotor = config.material("rotor");
+  EXPECT_DOUBLE_EQ(rotor.young_modulus({.T = 260}), 1.9e5);
+  EXPECT_DOUBLE_EQ(rotor.thermal_expansion({.T = 100}), 1.01e-5);
+  EXPECT_EQ(rotor.reference_temperature, 20.0);
+  const Material& disc = config.material("disc");
+  ASSERT_EQ(disc.creep.size(), 3u);
+  ASSERT_EQ(disc.creep[0].parameters.size(), 2u);
+  EXPECT_EQ(disc.creep[0].parameters[0].key, "A");
+  EXPECT_EQ(disc.creep[0].parameters[1].key, "n");
+  EXPECT_EQ(disc.creep[0].parameters[1].values.at(0)({}), 7.0);
+  EXPECT_EQ(disc.creep[1].parameters[0].values.at(1)({}), 2.5);
+  EXPECT_EQ(disc.creep[2].parameters[0].values.at(0)({.t = 1, .T = 10, .q = 100, .eps = 10}), 1011.0);
+}
+
+TEST(ConfigReading, SupportsAndLoads) {
+  const Config config = parse_text(full);
+  const Support& support = config.supports.at(0);
+  EXPECT_EQ(support.on.name, "symmetry");
+  EXPECT_EQ(support.body.name, "shaft");
+  EXPECT_TRUE(support.displacement[0].has_value());
+  EXPECT_FALSE(support.displacement[1].has_value());
+  EXPECT_DOUBLE_EQ((*support.normal)({.t = 2}), 0.2);
+  ASSERT_EQ(config.loads.size(), 5u);
+  EXPECT_DOUBLE_EQ(std::get<Pressure>(config.loads[0].kind).value({.t = 5}), 50.0);
+  EXPECT_EQ(config.loads[1].body.name, "ring");
+  EXPECT_DOUBLE_EQ(std::get<Traction>(config.loads[1].kind).value[2]({.t = 0.5}), 2.5);
+  EXPECT_EQ(std::get<PointForce>(config.loads[2].kind).at[2], 5.0);
+  EXPECT_EQ(std::get<PointForce>(config.loads[2].kind).tolerance, 0.5);
+  EXPECT_EQ(std::get<BodyForce>(config.loads[3].kind).value[2]({}), -7.7e-5);
+  const Rotation& rotation = std::get<Rotation>(config.loads[4].kind);
+  EXPECT_EQ(rotation.axis[0], 1.0);
+  EXPECT_EQ(rotation.origin[2], 0.0);
+  EXPECT_DOUBLE_EQ(rotation.angular_velocity({.t = 2}), 628.0);
+  EXPECT_DOUBLE_EQ(config.temperature->value({.z = 5}), 600.0);
+}
+
+TEST(ConfigReading, ContactTimeAndOutput) {
+  const Config config = parse_text(full);
+  EXPECT_EQ(config.contacts[0].type, ContactType::tied);
+  EXPECT_EQ(config.contacts[0].slave, 1);
+  EXPECT_EQ(config.contacts[0].gap({}), -0.05);
+  EXPECT_EQ(config.contacts[1].name, "a-b");
+  EXPECT_EQ(config.contacts[1].slave, -1);
+  EXPECT_TRUE(config.contacts[1].geometric_gap);
+  EXPECT_EQ(config.contact_solver.alpha, 0.5);
+  EXPECT_EQ(config.contact_solver.acceleration, Acceleration::aitken);
+  EXPECT_EQ(config.time.output, (std::vector<double>{0, 1, 10, 100, 1e4}));
+  EXPECT_EQ(config.time.step, 1.0);
+  EXPECT_EQ(config.time.breakpoints, (std::vector<double>{20, 100}));
+  EXPECT_EQ(config.output.directory, "out");
+  EXPECT_FALSE(config.output.fields);
+  EXPECT_EQ(config.probes[0].reduce, Reduce::max);
+  EXPECT_EQ(config.probes[1].reduce, Reduce::sum);
+  EXPECT_EQ((*config.probes[2].at)[1], 120.0);
+}
+
+TEST(ConfigReading, OutputTimeSeries) {
+  const std::vector<double> log =
+      parse_text(minimal + "output = { first = 1, count = 3, spacing = \"log\" }").time.output;
+  ASSERT_EQ(log.size(), 4u);
+  EXPECT_EQ(log[0], 0.0);
+  EXPECT_EQ(log[1], 1.0);
+  EXPECT_NEAR(log[2], 10.0, 1e-13);
+  EXPECT_EQ(log[3], 100.0);
+  EXPECT_EQ(parse_text(minimal + "output = { first = 20, count = 3 }").time.output,
+            (std::vector<double>{0, 20, 60, 100}));
+  EXPECT_EQ(parse_text(minimal + "output = { count = 4, spacing = \"linear\" }").time.output,
+            (std::vector<double>{0, 25, 50, 75, 100}));
+}
+
+TEST(ConfigReading, FileThatIsNotThere) {
+  try {
+    read("no_such.toml", test_vocabulary());
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(error.exit_status(), 2);
+    EXPECT_STREQ(error.what(), "no_such.toml: cannot be read: No such file or directory");
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::config
