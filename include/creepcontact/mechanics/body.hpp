@@ -14,12 +14,21 @@
 
 namespace creepcontact::mechanics {
 
+/// Movable; what the accessors refer to stays where it is. The functions that compute forces share buffers: not safe
+/// for two threads on one body, but different bodies may be used side by side.
 class Body {
  public:
+  /// The time is 0 until set_time() is called.
   /// @param temperature  of x, y, z, t; nullopt where none is given (thermal strain then zero, T = reference)
+  /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants are not
+  ///         admissible, or they depend on a temperature that changes in time
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
        std::optional<Function> temperature);
+  ~Body();
+  Body(Body&&) noexcept;
+  Body& operator=(Body&&) noexcept;
 
+  /// A load on the volume refers to discretization() of this body.
   void add_load(std::unique_ptr<Load> load);
 
   const std::string& name() const;
@@ -35,13 +44,16 @@ class Body {
   void factorize(std::vector<std::int64_t> trailing);
   /// As factorize, but the analysis only: bytes of the factor for `check`.
   std::int64_t estimate_factor_bytes() const;
+  /// Valid after factorize().
   linalg::SupernodalCholesky& factor();
 
   /// Temperature at the integration points at time t; empty if none is given. Valid until the next call.
   std::span<const double> temperature(double t);
   /// Sets the time of loads, supports and temperature for the calls below (no work if unchanged).
   void set_time(double t);
+  /// Elastic constants and thermal strain at the set time.
   ElasticState elastic() const;
+  /// Cost: one element loop; no allocation.
   /// right_hand_side (n_free) = T^T (F(t) + integral B^T H (creep + thermal strain) - K prescribed(t))
   void right_hand_side(CreepStrainView creep, std::span<double> right_hand_side) const;
   /// T^T integral B^T H v alone (Jacobian products): no loads, no prescribed values.
@@ -51,6 +63,10 @@ class Body {
   std::span<const double> external_forces() const;
   /// Nodal residual integral B^T sigma - F(t) (3 n_nodes): reactions at held nodes, contact forces at contact nodes.
   void residual_forces(std::span<const double> stress, std::span<double> forces) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace creepcontact::mechanics

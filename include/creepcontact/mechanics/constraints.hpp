@@ -22,8 +22,8 @@ struct Support {
 
 class Constraints {
  public:
-  /// @throws ModelError if two supports of a node contradict each other (same direction, different values at t = 0),
-  ///         naming both
+  /// @throws ModelError if two supports of a node contradict each other (same direction, different values at t = 0,
+  ///         at t = 1 or at a breakpoint), naming both
   Constraints(const std::vector<Vector3>& nodes, const std::vector<Support>& supports);
 
   std::int64_t n_free() const;
@@ -43,16 +43,38 @@ class Constraints {
   bool prescribed(double t, std::span<double> full) const;
   bool has_nonzero_values() const;
   /// T^T K T for the lower triangle of a full matrix, lower triangle again.
+  /// @param lower  pattern in whole 3 x 3 blocks of nodes, as Discretization::stiffness() makes it
   linalg::SparseMatrix reduce(const linalg::SparseMatrix& lower) const;
   /// Sparse rows over full dofs -> rows over free dofs (C T), and for constraint right-hand sides the caller applies
   /// the rows to prescribed(t) itself.
-  Eigen::SparseMatrix<double, Eigen::RowMajor> reduce_rows(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> reduce_rows(
+      const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const;
   /// Rank of the held directions at a node: 0 ... 3, and the held directions (leading columns of the frame).
   int n_held(std::int64_t node) const;
 
  private:
-  struct Node;
-  // implementation chooses its storage
+  /// One independent condition of a node: it adds value(x, t) * displacement to the prescribed displacement.
+  struct Condition {
+    std::int64_t node = 0;
+    Vector3 place, displacement;
+  };
+  struct ConditionsOfSupport {
+    Function value;
+    std::vector<Condition> conditions;
+  };
+  struct Frame {
+    Matrix3 axes = Matrix3::Identity();
+    int n_held = 0;
+  };
+  /// nullptr where the node is not supported
+  const Frame* frame_or_null(std::int64_t node) const;
+  void number_free(std::int64_t n_nodes);
+
+  std::vector<ConditionsOfSupport> supports_;
+  std::vector<std::int64_t> frame_of_node_;  // index into frames_, -1: not supported
+  std::vector<Frame> frames_;
+  std::vector<std::array<std::int64_t, 3>> free_index_;
+  std::vector<std::int64_t> node_of_free_;
 };
 
 /// A motion that the supports leave free: translation, or rotation about an axis.

@@ -2,6 +2,7 @@
 /// Integration-point geometry of a body and the element loops on it: strain, stress, nodal forces, stiffness.
 /// Displacements and nodal forces are 3 n_nodes (node by node); stresses and strains n_points x 6 in Mandel order.
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,9 @@
 namespace creepcontact::mechanics {
 
 using material::Moduli;
+
+class ElementBlock;  // the elements of one type (implementation)
+class NodeEntries;   // which element forces belong to a node (implementation)
 
 /// Creep strain inside a state vector: point p's six components start at data[p * stride]. Empty data: no creep strain.
 struct CreepStrainView {
@@ -27,8 +31,11 @@ struct ElasticState {
   const Moduli& at(std::size_t point) const { return moduli[moduli.size() == 1 ? 0 : point]; }
 };
 
+/// The loops run on all cores; results are bitwise the same for any number of threads. The functions that add nodal
+/// forces share a buffer: not safe for two threads on one object.
 class Discretization {
  public:
+  /// Takes the volume cells of the mesh, block by block; cells of lower dimension are ignored.
   /// @throws ModelError if an element is inverted (Jacobian <= 0), naming it and the place
   explicit Discretization(const mesh::Mesh& mesh);
 
@@ -58,17 +65,22 @@ class Discretization {
   /// Stiffness over all 3 n_nodes dofs, lower triangle.
   linalg::SparseMatrix stiffness(const ElasticState& elastic) const;
 
-  /// Point values (n_points x width) to nodes by element-wise least squares/extrapolation and averaging (n_nodes x width).
+  /// Point values (n_points x width) to nodes by element-wise least squares/extrapolation and averaging (n_nodes x
+  /// width).
   void to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const;
   /// Values at points as means over each element (n_elements x width), volume weighted.
   void to_elements(std::span<const double> point_values, int width, std::span<double> element_values) const;
 
  private:
-  struct Block;
-  std::vector<std::shared_ptr<const Block>> blocks_;
+  const ElementBlock& block_of(std::size_t element) const;
+  void gather(std::span<double> forces) const;
+
+  std::vector<std::shared_ptr<const ElementBlock>> blocks_;
+  std::shared_ptr<const NodeEntries> entries_;
   std::size_t n_nodes_ = 0, n_elements_ = 0, n_points_ = 0;
   std::vector<Vector3> coordinates_;
   std::vector<double> weights_;
+  mutable std::vector<double> element_forces_;  // of every (element, local node), before they are summed at the nodes
 };
 
 }  // namespace creepcontact::mechanics

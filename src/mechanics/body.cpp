@@ -1,0 +1,183 @@
+#include "creepcontact/mechanics/body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "thermal_state.hpp"
+
+namespace creepcontact::mechanics {
+
+struct Body::Impl {
+  Impl(std::string name_in, mesh::Mesh mesh_in, material::Material material_in, std::vector<Support> supports_in,
+       std::optional<Function> temperature)
+      : name(std::move(name_in)),
+        mesh(std::move(mesh_in)),
+        material(std::move(material_in)),
+        supports(std::move(supports_in)),
+        discretization(mesh),
+        constraints(mesh.nodes, supports),
+        thermal(std::move(temperature), discretization),
+        moduli(thermal.moduli(material)),
+        external(3 * mesh.nodes.size()),
+        prescribed(3 * mesh.nodes.size()),
+        known(3 * mesh.nodes.size()),
+        forces(3 * mesh.nodes.size()),
+        stress(constraints.has_nonzero_values() ? 6 * discretization.n_points() : 0) {}
+
+  ElasticState isothermal() const { return {moduli, {}}; }
+  linalg::SparseMatrix free_stiffness() const { return constraints.reduce(discretization.stiffness(isothermal())); }
+  void set_time(double t);
+  [[noreturn]] void report_singular(const linalg::SingularMatrix& error) const;
+
+  std::string name;
+  mesh::Mesh mesh;
+  material::Material material;
+  std::vector<Support> supports;
+  Discretization discretization;
+  Constraints constraints;
+  ThermalState thermal;
+  std::vector<Moduli> moduli;
+  std::vector<std::unique_ptr<Load>> loads;
+  std::optional<linalg::SupernodalCholesky> factor;
+
+  // At the set time: known = external + integral B^T H thermal strain - K prescribed.
+  std::optional<double> time;
+  std::span<const double> thermal_strain;
+  std::vector<double> external, prescribed, known;
+  mutable std::vector<double> forces;  // work space, 3 n_nodes
+  std::vector<double> stress;          // of the prescribed displacement
+};
+
+void Body::Impl::set_time(double t) {
+  if (time == t) return;
+  time.reset();  // stays unset if something below throws
+  thermal_strain = thermal.strain(material, t);
+  std::fill(external.begin(), external.end(), 0.0);
+  for (const auto& load : loads) load->add(t, external);
+  known = external;
+  if (!thermal_strain.empty()) discretization.add_initial_strain_force({moduli, thermal_strain}, {}, known);
+  if (constraints.prescribed(t, prescribed)) {
+    discretization.stress(prescribed, isothermal(), {}, stress);
+    std::fill(forces.begin(), forces.end(), 0.0);
+    discretization.add_internal_force(stress, forces);
+    for (std::size_t i = 0; i < known.size(); ++i) known[i] -= forces[i];
+  }
+  time = t;
+}
+
+void Body::Impl::report_singular(const linalg::SingularMatrix& error) const {
+  const auto& node_of_free = constraints.node_of_free();
+  const bool located = error.row >= 0 && error.row < constraints.n_free();
+  std::string place;
+  if (located) {
+    const Vector3& x = mesh.nodes[static_cast<std::size_t>(node_of_free[static_cast<std::size_t>(error.row)])];
+    place = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
+  }
+  throw ModelError(
+      fmt::format("body '{}': the stiffness is singular{} (reciprocal condition {:.2g}); a part of the body hangs on "
+                  "too few nodes, or the elements there are too thin or the material almost incompressible",
+                  name, place, error.rcond));
+}
+
+Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
+           std::optional<Function> temperature)
+    : impl_(std::make_unique<Impl>(std::move(name), std::move(mesh), std::move(material), std::move(supports),
+                                   std::move(temperature))) {
+  impl_->set_time(0.0);
+}
+Body::~Body() = default;
+Body::Body(Body&&) noexcept = default;
+Body& Body::operator=(Body&&) noexcept = default;
+
+void Body::add_load(std::unique_ptr<Load> load) {
+  Impl& body = *impl_;
+  std::fill(body.forces.begin(), body.forces.end(), 0.0);
+  load->add(body.time.value_or(0.0), body.forces);
+  for (std::size_t i = 0; i < body.forces.size(); ++i) {
+    body.external[i] += body.forces[i];
+    body.known[i] += body.forces[i];
+  }
+  body.loads.push_back(std::move(load));
+}
+
+const std::string& Body::name() const {
+  return impl_->name;
+}
+const mesh::Mesh& Body::mesh() const {
+  return impl_->mesh;
+}
+const material::Material& Body::material() const {
+  return impl_->material;
+}
+const Discretization& Body::discretization() const {
+  return impl_->discretization;
+}
+const Constraints& Body::constraints() const {
+  return impl_->constraints;
+}
+const std::vector<Support>& Body::supports() const {
+  return impl_->supports;
+}
+
+void Body::factorize(std::vector<std::int64_t> trailing) {
+  const auto motions = free_rigid_motions(impl_->mesh.nodes, impl_->constraints);
+  if (!motions.empty()) {
+    std::string list;
+    for (const RigidMotion& motion : motions) list += (list.empty() ? "" : ", ") + motion.describe();
+    throw ModelError(fmt::format("body '{}' can move freely: {}; add supports", impl_->name, list));
+  }
+  const linalg::SparseMatrix stiffness = impl_->free_stiffness();
+  impl_->factor.emplace(stiffness, impl_->constraints.node_of_free(), trailing);
+  try {
+    impl_->factor->factorize(stiffness);
+  } catch (const linalg::SingularMatrix& error) {
+    impl_->factor.reset();
+    impl_->report_singular(error);
+  }
+}
+
+std::int64_t Body::estimate_factor_bytes() const {
+  return linalg::SupernodalCholesky(impl_->free_stiffness(), impl_->constraints.node_of_free(), {}).factor_bytes();
+}
+
+linalg::SupernodalCholesky& Body::factor() {
+  return *impl_->factor;
+}
+
+std::span<const double> Body::temperature(double t) {
+  return impl_->thermal.temperature(t);
+}
+void Body::set_time(double t) {
+  impl_->set_time(t);
+}
+ElasticState Body::elastic() const {
+  return {impl_->moduli, impl_->thermal_strain};
+}
+
+void Body::right_hand_side(CreepStrainView creep, std::span<double> right_hand_side) const {
+  impl_->forces = impl_->known;
+  if (creep.data != nullptr) impl_->discretization.add_initial_strain_force(impl_->isothermal(), creep, impl_->forces);
+  impl_->constraints.restrict_to_free(impl_->forces, right_hand_side);
+}
+
+void Body::initial_strain_force(CreepStrainView strain, std::span<double> right_hand_side) const {
+  std::fill(impl_->forces.begin(), impl_->forces.end(), 0.0);
+  impl_->discretization.add_initial_strain_force(impl_->isothermal(), strain, impl_->forces);
+  impl_->constraints.restrict_to_free(impl_->forces, right_hand_side);
+}
+
+std::span<const double> Body::prescribed() const {
+  return impl_->prescribed;
+}
+std::span<const double> Body::external_forces() const {
+  return impl_->external;
+}
+
+void Body::residual_forces(std::span<const double> stress, std::span<double> forces) const {
+  std::transform(impl_->external.begin(), impl_->external.end(), forces.begin(), [](double f) { return -f; });
+  impl_->discretization.add_internal_force(stress, forces);
+}
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,92 @@
+#include "creepcontact/mechanics/constraints.hpp"
+
+namespace creepcontact::mechanics {
+
+namespace {
+
+/// The 3 x 3 blocks of one block column, from the diagonal downwards, of a lower triangle in whole node blocks.
+class BlockColumn {
+ public:
+  BlockColumn(const linalg::SparseMatrix& lower, std::int64_t node) : lower_(lower), node_(node) {}
+
+  std::int64_t size() const { return (start(1) - start(0)) / 3; }
+  std::int64_t row_node(std::int64_t i) const { return lower_.innerIndexPtr()[start(0) + 3 * i] / 3; }
+  Matrix3 block(std::int64_t i) const {
+    Matrix3 block;
+    for (int j = 0; j < 3; ++j) {
+      const double* value = lower_.valuePtr() + start(j) + 3 * i - j;  // column j of the diagonal block begins at row j
+      for (int k = i == 0 ? j : 0; k < 3; ++k) block(k, j) = value[k];
+    }
+    if (i == 0) block.triangularView<Eigen::StrictlyUpper>() = block.transpose();
+    return block;
+  }
+
+ private:
+  std::int64_t start(int column) const { return lower_.outerIndexPtr()[3 * node_ + column]; }
+  const linalg::SparseMatrix& lower_;
+  std::int64_t node_;
+};
+
+}  // namespace
+
+linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) const {
+  const auto n_nodes = static_cast<std::int64_t>(frame_of_node_.size());
+  linalg::SparseMatrix reduced(n_free(), n_free());
+  std::int64_t* column_start = reduced.outerIndexPtr();
+  for (std::int64_t b = 0; b < n_nodes; ++b) {
+    const BlockColumn column(lower, b);
+    std::int64_t rows = 0;
+    for (std::int64_t i = 0; i < column.size(); ++i) rows += 3 - n_held(column.row_node(i));
+    for (int j = n_held(b); j < 3; ++j, --rows) {
+      const std::int64_t free = free_index(b)[static_cast<std::size_t>(j)];
+      column_start[free + 1] = column_start[free] + rows;
+    }
+  }
+  reduced.resizeNonZeros(column_start[n_free()]);
+
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < n_nodes; ++b) {
+    const int held_b = n_held(b);
+    if (held_b == 3) continue;
+    const BlockColumn column(lower, b);
+    const Frame* frame_b = frame_or_null(b);
+    std::array<std::int64_t, 3> next{};
+    for (std::size_t j = static_cast<std::size_t>(held_b); j < 3; ++j) next[j] = column_start[free_index(b)[j]];
+    for (std::int64_t i = 0; i < column.size(); ++i) {
+      const std::int64_t a = column.row_node(i);
+      const Frame* frame_a = frame_or_null(a);
+      Matrix3 block = column.block(i);
+      if (frame_a) block = (frame_a->axes.transpose() * block).eval();
+      if (frame_b) block = (block * frame_b->axes).eval();
+      for (int j = held_b; j < 3; ++j) {
+        std::int64_t& position = next[static_cast<std::size_t>(j)];
+        for (int k = a == b ? j : n_held(a); k < 3; ++k, ++position) {
+          reduced.innerIndexPtr()[position] = free_index(a)[static_cast<std::size_t>(k)];
+          reduced.valuePtr()[position] = block(k, j);
+        }
+      }
+    }
+  }
+  return reduced;
+}
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> Constraints::reduce_rows(
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const {
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < rows.outerSize(); ++i) {
+    for (Rows::InnerIterator it(rows, i); it; ++it) {
+      const std::int64_t node = it.col() / 3;
+      const Matrix3 axes = frame(node);
+      for (int k = n_held(node); k < 3; ++k) {
+        const double value = it.value() * axes(it.col() % 3, k);
+        if (value != 0) entries.emplace_back(i, static_cast<int>(free_index(node)[static_cast<std::size_t>(k)]), value);
+      }
+    }
+  }
+  Rows reduced(rows.rows(), static_cast<int>(n_free()));
+  reduced.setFromTriplets(entries.begin(), entries.end());
+  return reduced;
+}
+
+}  // namespace creepcontact::mechanics

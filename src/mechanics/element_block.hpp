@@ -1,0 +1,83 @@
+#pragma once
+/// The volume elements of one type with the geometry of their integration points.
+///
+/// Kept per point: inverse Jacobian and weight (80 bytes) rather than all shape-function gradients (480 bytes for
+/// hex20). The loops are bound by memory, so multiplying the table of reference derivatives, which stays in the
+/// cache, by the inverse Jacobian is cheaper than reading the products.
+
+#include <memory>
+
+#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/mechanics/discretization.hpp"
+
+namespace creepcontact::mechanics {
+
+struct PointGeometry {
+  double inverse[9];  ///< d xi_k / d x_j at [3 k + j]
+  double weight;      ///< volume that belongs to the point
+};
+
+/// Where the block starts in the numbering of the body.
+struct BlockStart {
+  std::size_t element = 0;
+  std::size_t point = 0;
+  std::size_t entry = 0;  ///< of the rows (element, local node), 3 numbers each, of the buffer of element forces
+};
+
+/// Immutable after construction. Element arguments are numbers within the block; point arrays belong to the body.
+class ElementBlock {
+ public:
+  /// @throws ModelError if an element is inverted
+  static std::unique_ptr<const ElementBlock> make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
+                                                  BlockStart start);
+  virtual ~ElementBlock() = default;
+
+  mesh::CellType type() const { return reference_.type(); }
+  std::size_t n_elements() const { return connectivity_.size() / n_nodes_; }
+  std::size_t n_nodes() const { return n_nodes_; }
+  std::size_t n_points() const { return n_points_; }  ///< per element
+  const BlockStart& start() const { return start_; }
+  std::span<const std::int64_t> nodes(std::size_t e) const { return {connectivity_.data() + e * n_nodes_, n_nodes_}; }
+  const std::vector<std::int64_t>& connectivity() const { return connectivity_; }
+  /// n_elements x n_points of this block
+  const std::vector<PointGeometry>& geometry() const { return geometry_; }
+  /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
+  /// corners, or onto all shape functions where there are as many points.
+  const Eigen::MatrixXd& extrapolation() const { return extrapolation_; }
+  /// Coordinates of a point of an element.
+  Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;
+
+  // The loops over all elements of the block; see Discretization. Element forces: n_entries x 3 of the body.
+  virtual void strain(std::span<const double> u, std::span<double> strain) const = 0;
+  virtual void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
+                      std::span<double> stress) const = 0;
+  virtual void internal_force(std::span<const double> stress, std::span<double> element_forces) const = 0;
+  virtual void initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
+                                    std::span<double> element_forces) const = 0;
+
+  void body_force(std::span<const Vector3> force_density, std::span<double> element_forces) const;
+  /// 3 n_nodes square, node by node.
+  Eigen::MatrixXd element_stiffness(std::size_t e, const ElasticState& elastic) const;
+
+ protected:
+  ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start);
+
+  const fem::ReferenceElement& reference() const { return reference_; }
+  /// Reference derivatives, n_points x n_nodes x 3.
+  const std::vector<double>& derivatives() const { return derivatives_; }
+
+ private:
+  void tabulate();
+  void measure(const std::vector<Vector3>& nodes);
+
+  const fem::ReferenceElement& reference_;
+  BlockStart start_;
+  std::size_t n_nodes_, n_points_;
+  std::vector<std::int64_t> connectivity_;
+  std::vector<PointGeometry> geometry_;
+  std::vector<double> derivatives_;
+  Eigen::MatrixXd shape_;  // n_nodes x n_points
+  Eigen::MatrixXd extrapolation_;
+};
+
+}  // namespace creepcontact::mechanics

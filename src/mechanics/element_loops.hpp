@@ -1,0 +1,176 @@
+#pragma once
+/// The element loops of one element type, with the numbers of nodes and points known to the compiler.
+///
+/// Displacement gradient at a point: du_i/dx_j = sum_k (sum_a u_ai dN_a/dxi_k) dxi_k/dx_j. The three displacement
+/// components (padded to four) are the vector lanes, so no reduction has to be reassociated.
+/// B-bar (Hughes 1980): the volumetric strain is the element's mean; in the transpose the pressure is.
+
+#include <algorithm>
+#include <array>
+
+#include "element_block.hpp"
+
+namespace creepcontact::mechanics {
+
+template <int n_nodes_v, int n_points_v, bool averages>
+class ElementLoops final : public ElementBlock {
+ public:
+  ElementLoops(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
+      : ElementBlock(cells, nodes, start) {
+    std::copy(derivatives().begin(), derivatives().end(), table_.begin());
+  }
+
+  void strain(std::span<const double> u, std::span<double> strain) const override {
+    for_each_element([&](std::size_t e) { element_strain(e, u.data(), strain.data() + first_component(e)); });
+  }
+
+  void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
+              std::span<double> stress) const override {
+    for_each_element([&](std::size_t e) {
+      Values strain;
+      element_strain(e, u.data(), strain.data());
+      add_stress_free_strain<-1>(e, elastic, creep, strain);
+      hooke(e, elastic, strain.data(), stress.data() + first_component(e));
+    });
+  }
+
+  void internal_force(std::span<const double> stress, std::span<double> element_forces) const override {
+    for_each_element([&](std::size_t e) {
+      Values values;
+      std::copy_n(stress.data() + first_component(e), values.size(), values.data());
+      element_force(e, values, element_forces.data());
+    });
+  }
+
+  void initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
+                            std::span<double> element_forces) const override {
+    for_each_element([&](std::size_t e) {
+      Values values{};
+      add_stress_free_strain<1>(e, elastic, creep, values);
+      hooke(e, elastic, values.data(), values.data());
+      element_force(e, values, element_forces.data());
+    });
+  }
+
+ private:
+  static constexpr std::size_t N = n_nodes_v, P = n_points_v;
+  using Values = std::array<double, 6 * P>;  // a tensor at every point of an element
+  using Lanes = Eigen::Array4d;
+
+  template <typename Work>
+  void for_each_element(const Work& work) const {
+    const std::size_t n = n_elements();
+#pragma omp parallel for schedule(static)
+    for (std::size_t e = 0; e < n; ++e) work(e);
+  }
+
+  std::size_t first_component(std::size_t e) const {
+    return 6 * (start().point + e * P);
+  }
+
+  /// Replaces the trace (of strain, of stress) at the points by its mean over the element.
+  static void average_trace(const PointGeometry* at, double* values) {
+    double sum = 0, volume = 0;
+    for (std::size_t p = 0; p < P; ++p) {
+      const double* v = values + 6 * p;
+      sum += at[p].weight * (v[0] + v[1] + v[2]);
+      volume += at[p].weight;
+    }
+    const double mean = sum / volume;
+    for (std::size_t p = 0; p < P; ++p) {
+      double* v = values + 6 * p;
+      const double shift = (mean - (v[0] + v[1] + v[2])) / 3.0;
+      for (std::size_t i = 0; i < 3; ++i) v[i] += shift;
+    }
+  }
+
+  void element_strain(std::size_t e, const double* u, double* strain) const {
+    std::array<Lanes, N> nodal;
+    const std::int64_t* cell = connectivity().data() + e * N;
+    for (std::size_t a = 0; a < N; ++a) {
+      const double* at_node = u + 3 * cell[a];
+      nodal[a] = Lanes(at_node[0], at_node[1], at_node[2], 0.0);
+    }
+    const PointGeometry* at = geometry().data() + e * P;
+    for (std::size_t p = 0; p < P; ++p) {
+      Lanes d0 = Lanes::Zero(), d1 = Lanes::Zero(), d2 = Lanes::Zero();
+      const double* table = table_.data() + p * N * 3;
+      for (std::size_t a = 0; a < N; ++a, table += 3) {
+        d0 += table[0] * nodal[a];
+        d1 += table[1] * nodal[a];
+        d2 += table[2] * nodal[a];
+      }
+      const double* inverse = at[p].inverse;
+      const Lanes x = inverse[0] * d0 + inverse[3] * d1 + inverse[6] * d2;  // du/dx
+      const Lanes y = inverse[1] * d0 + inverse[4] * d1 + inverse[7] * d2;
+      const Lanes z = inverse[2] * d0 + inverse[5] * d1 + inverse[8] * d2;
+      constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+      double* out = strain + 6 * p;
+      out[0] = x[0];
+      out[1] = y[1];
+      out[2] = z[2];
+      out[3] = half_sqrt2 * (x[1] + y[0]);
+      out[4] = half_sqrt2 * (y[2] + z[1]);
+      out[5] = half_sqrt2 * (z[0] + x[2]);
+    }
+    if constexpr (averages) average_trace(at, strain);
+  }
+
+  template <int sign>
+  void add_stress_free_strain(std::size_t e, const ElasticState& elastic, CreepStrainView creep, Values& strain) const {
+    const std::size_t first = start().point + e * P;
+    if (creep.data != nullptr) {
+      for (std::size_t p = 0; p < P; ++p) {
+        const double* c = creep.data + (first + p) * creep.stride;
+        for (std::size_t i = 0; i < 6; ++i) strain[6 * p + i] += sign * c[i];
+      }
+    }
+    if (!elastic.thermal_strain.empty()) {
+      for (std::size_t p = 0; p < P; ++p)
+        for (std::size_t i = 0; i < 3; ++i) strain[6 * p + i] += sign * elastic.thermal_strain[first + p];
+    }
+  }
+
+  /// In place is allowed.
+  void hooke(std::size_t e, const ElasticState& elastic, const double* strain, double* stress) const {
+    for (std::size_t p = 0; p < P; ++p) {
+      const Moduli& h = elastic.at(start().point + e * P + p);
+      const double* in = strain + 6 * p;
+      double* out = stress + 6 * p;
+      const double spherical = h.lambda * (in[0] + in[1] + in[2]);
+      for (std::size_t i = 0; i < 6; ++i) out[i] = 2.0 * h.mu * in[i] + (i < 3 ? spherical : 0.0);
+    }
+  }
+
+  void element_force(std::size_t e, Values& stress, double* element_forces) const {
+    const PointGeometry* at = geometry().data() + e * P;
+    if constexpr (averages) average_trace(at, stress.data());
+    std::array<Lanes, 3 * P> flux;  // weight * stress . grad xi_k
+    for (std::size_t p = 0; p < P; ++p) {
+      constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+      const double* s = stress.data() + 6 * p;
+      const double xy = half_sqrt2 * s[3], yz = half_sqrt2 * s[4], zx = half_sqrt2 * s[5];
+      const Lanes x = at[p].weight * Lanes(s[0], xy, zx, 0.0);
+      const Lanes y = at[p].weight * Lanes(xy, s[1], yz, 0.0);
+      const Lanes z = at[p].weight * Lanes(zx, yz, s[2], 0.0);
+      const double* inverse = at[p].inverse;
+      for (std::size_t k = 0; k < 3; ++k)
+        flux[3 * p + k] = inverse[3 * k] * x + inverse[3 * k + 1] * y + inverse[3 * k + 2] * z;
+    }
+    double* out = element_forces + 3 * (start().entry + e * N);
+    for (std::size_t a = 0; a < N; ++a, out += 3) {
+      Lanes force = Lanes::Zero();
+      for (std::size_t p = 0; p < P; ++p) {
+        const double* table = table_.data() + (p * N + a) * 3;
+        force += table[0] * flux[3 * p] + table[1] * flux[3 * p + 1] + table[2] * flux[3 * p + 2];
+      }
+      out[0] = force[0];
+      out[1] = force[1];
+      out[2] = force[2];
+    }
+  }
+
+  std::array<double, P * N * 3> table_{};
+};
+
+}  // namespace creepcontact::mechanics

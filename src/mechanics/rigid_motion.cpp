@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/mechanics/constraints.hpp"
+
+namespace creepcontact::mechanics {
+
+namespace {
+
+/// For unit directions and motions; rotations are measured by the displacement at the body's outer reach.
+constexpr double tolerance = 1e-9;
+
+/// Orthonormal basis of the null space of the columns of A, by singular values.
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& a) {
+  if (a.rows() == 0) return Eigen::MatrixXd::Identity(a.cols(), a.cols());
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullV);
+  const auto& values = svd.singularValues();
+  const double limit = tolerance * std::max(1.0, values[0]);
+  const Eigen::Index rank = (values.array() > limit).count();
+  return svd.matrixV().rightCols(a.cols() - rank);
+}
+
+Vector3 readable(Vector3 v) {
+  Eigen::Index largest = 0;
+  v.cwiseAbs().maxCoeff(&largest);
+  if (v[largest] < 0) v = -v;
+  return (v.array().abs() < 1e-12).select(0.0, v);
+}
+
+/// Basis of the space spanned by some columns: first the coordinate directions in it, then what is left.
+std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
+  if (columns.cols() == 0) return {};
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU);
+  const Eigen::Index rank = (svd.singularValues().array() > tolerance).count();
+  const Eigen::Matrix3Xd space = svd.matrixU().leftCols(rank);
+  std::vector<Vector3> basis;
+  const auto without_basis = [&](Vector3 v) {
+    v = (space * (space.transpose() * v)).eval();
+    for (const Vector3& b : basis) v -= b * b.dot(v);
+    return v;
+  };
+  for (int i = 0; i < 3; ++i) {
+    if ((space * (space.transpose() * Vector3::Unit(i)) - Vector3::Unit(i)).norm() < 1e-8)
+      basis.push_back(Vector3::Unit(i));
+  }
+  while (static_cast<Eigen::Index>(basis.size()) < rank) {
+    Vector3 best = Vector3::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const Vector3 rest = without_basis(Vector3::Unit(i));
+      if (rest.norm() > best.norm() * (1 + 1e-8)) best = rest;
+    }
+    basis.push_back(readable(best.normalized()));
+  }
+  return basis;
+}
+
+Eigen::Matrix3Xd as_columns(const std::vector<Vector3>& vectors) {
+  Eigen::Matrix3Xd columns(3, vectors.size());
+  for (std::size_t i = 0; i < vectors.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = vectors[i];
+  return columns;
+}
+
+std::string along(const Vector3& direction) {
+  for (int i = 0; i < 3; ++i)
+    if ((direction.cwiseAbs() - Vector3::Unit(i)).norm() < 1e-8) return std::string(1, "xyz"[i]);
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", direction[0], direction[1], direction[2]);
+}
+
+}  // namespace
+
+std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints) {
+  Vector3 centre = Vector3::Zero();
+  for (const Vector3& x : nodes) centre += x / static_cast<double>(nodes.size());
+  double size = 0;
+  for (const Vector3& x : nodes) size = std::max(size, (x - centre).norm());
+
+  // q . (t + w x r) = 0 for every held direction q; unknowns t and size * w.
+  std::vector<Eigen::Matrix<double, 6, 1>> held;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto node = static_cast<std::int64_t>(i);
+    const Matrix3 frame = constraints.n_held(node) > 0 ? constraints.frame(node) : Matrix3::Identity();
+    for (int k = 0; k < constraints.n_held(node); ++k) {
+      const Vector3 q = frame.col(k);
+      held.emplace_back();
+      held.back() << q, (nodes[i] - centre).cross(q) / size;
+    }
+  }
+  Eigen::MatrixXd rows(held.size(), 6);
+  for (std::size_t i = 0; i < held.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = held[i].transpose();
+  const Eigen::MatrixXd free = null_space(rows);
+  if (free.cols() == 0) return {};
+
+  std::vector<RigidMotion> motions;
+  // Pure translations: the combinations of free motions that do not rotate.
+  const std::vector<Vector3> translations = readable_basis(free.topRows<3>() * null_space(free.bottomRows<3>()));
+  for (const Vector3& direction : translations) motions.push_back({direction, Vector3::Zero(), centre});
+  // Rotations are determined up to those translations.
+  const Eigen::Matrix3Xd t = as_columns(translations);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rotation_part;
+  rotation_part.setThreshold(tolerance);
+  rotation_part.compute(free.bottomRows<3>());
+  for (const Vector3& axis : readable_basis(free.bottomRows<3>())) {
+    const Eigen::VectorXd combination = rotation_part.solve(axis);
+    Vector3 shift = size * (free.topRows<3>() * combination);
+    shift -= t * (t.transpose() * shift);
+    RigidMotion motion{axis * axis.dot(shift), axis, centre + axis.cross(shift)};
+    if (motion.translation.norm() < 1e-8 * size) motion.translation.setZero();
+    motion.centre = (motion.centre.array().abs() < 1e-9 * size).select(0.0, motion.centre);
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+std::string RigidMotion::describe() const {
+  const double angle = rotation.norm();
+  if (angle == 0) return "translation along " + along(translation.normalized());
+  // The motion turns about the line on which the displacement is parallel to the axis.
+  const Vector3 axis = rotation / angle;
+  const Vector3 through = centre + axis.cross(translation) / angle;
+  std::string text = fmt::format("rotation about the axis ({:.4g}, {:.4g}, {:.4g}) through ({:.6g}, {:.6g}, {:.6g})",
+                                 axis[0], axis[1], axis[2], through[0], through[1], through[2]);
+  const double pitch = axis.dot(translation) / angle;
+  if (pitch != 0) text += fmt::format(" with a shift of {:.4g} along it per radian", pitch);
+  return text;
+}
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,132 @@
+#include <omp.h>
+
+#include <algorithm>
+
+#include "element_block.hpp"
+#include "node_entries.hpp"
+
+namespace creepcontact::mechanics {
+
+Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
+  const auto n = static_cast<Eigen::Index>(n_nodes_), n_dofs = 3 * n, n_p = static_cast<Eigen::Index>(n_points_);
+  const bool averages = reference_.averages_volumetric_strain();
+  // Shape-function gradients, a column a point; weights of the terms lambda tr tr and 2 mu e:e.
+  Eigen::MatrixXd gradients(n_dofs, n_p);
+  Eigen::VectorXd lambda(n_p), mu(n_p), mean = Eigen::VectorXd::Zero(n_dofs);
+  double volume = 0, bulk = 0;
+  for (Eigen::Index p = 0; p < n_p; ++p) {
+    const std::size_t point = e * n_points_ + static_cast<std::size_t>(p);
+    const PointGeometry& at = geometry_[point];
+    const Moduli& h = elastic.at(start_.point + point);
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inverse(at.inverse);
+    const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[static_cast<std::size_t>(p) * n_nodes_ * 3], 3, n);
+    Eigen::Map<Eigen::Matrix3Xd>(gradients.col(p).data(), 3, n).noalias() = inverse.transpose() * table;
+    mu[p] = at.weight * h.mu;
+    // B-bar: the deviatoric part of the point's own strain, and the bulk modulus times the mean volumetric strain.
+    lambda[p] = at.weight * (averages ? -2.0 / 3.0 * h.mu : h.lambda);
+    bulk += at.weight * (h.lambda + 2.0 / 3.0 * h.mu);
+    volume += at.weight;
+    mean += at.weight * gradients.col(p);
+  }
+  const Eigen::MatrixXd shear = gradients * mu.asDiagonal() * gradients.transpose();
+  Eigen::MatrixXd stiffness = gradients * lambda.asDiagonal() * gradients.transpose();
+  if (averages) stiffness += bulk / (volume * volume) * mean * mean.transpose();
+  for (Eigen::Index b = 0; b < n; ++b) {
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const auto from = shear.block<3, 3>(3 * a, 3 * b);
+      stiffness.block<3, 3>(3 * a, 3 * b) += from.transpose() + from.trace() * Matrix3::Identity();
+    }
+  }
+  return stiffness;
+}
+
+namespace {
+
+/// Sorted nodes not below `node` that share an element with it.
+using Neighbours = std::vector<std::vector<std::int64_t>>;
+
+linalg::SparseMatrix pattern(const Neighbours& neighbours) {
+  const auto n = static_cast<std::int64_t>(neighbours.size());
+  linalg::SparseMatrix matrix(3 * n, 3 * n);
+  std::int64_t* column_start = matrix.outerIndexPtr();
+  for (std::int64_t b = 0; b < n; ++b) {
+    const auto blocks = static_cast<std::int64_t>(neighbours[static_cast<std::size_t>(b)].size());
+    for (std::int64_t j = 0; j < 3; ++j)
+      column_start[3 * b + j + 1] = column_start[3 * b + j] + std::max<std::int64_t>(0, 3 * blocks - j);
+  }
+  matrix.resizeNonZeros(column_start[3 * n]);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < n; ++b) {
+    for (std::int64_t j = 0; j < 3; ++j) {
+      std::int64_t* row = matrix.innerIndexPtr() + column_start[3 * b + j];
+      for (const std::int64_t a : neighbours[static_cast<std::size_t>(b)])
+        for (std::int64_t i = a == b ? j : 0; i < 3; ++i) *row++ = 3 * a + i;
+    }
+  }
+  std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
+  return matrix;
+}
+
+/// Adds the columns of an element matrix that belong to nodes with node % n_owners == owner.
+void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes, const Neighbours& neighbours,
+             std::int64_t owner, std::int64_t n_owners, linalg::SparseMatrix& matrix) {
+  for (std::size_t cb = 0; cb < nodes.size(); ++cb) {
+    const std::int64_t b = nodes[cb];
+    if (b % n_owners != owner) continue;
+    const auto& list = neighbours[static_cast<std::size_t>(b)];
+    for (std::size_t ca = 0; ca < nodes.size(); ++ca) {
+      const std::int64_t a = nodes[ca];
+      if (a < b) continue;
+      const std::int64_t position = std::lower_bound(list.begin(), list.end(), a) - list.begin();
+      for (std::int64_t j = 0; j < 3; ++j) {
+        // The block on the diagonal is a lower triangle: its columns, and what follows, begin j rows higher.
+        double* value = matrix.valuePtr() + matrix.outerIndexPtr()[3 * b + j] + 3 * position - j;
+        for (std::int64_t i = a == b ? j : 0; i < 3; ++i)
+          value[i] += element(3 * static_cast<Eigen::Index>(ca) + i, 3 * static_cast<Eigen::Index>(cb) + j);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) const {
+  Neighbours neighbours(n_nodes_);
+  // Entries are numbered block by block, so the element of an entry follows by division.
+  const auto element_of_entry = [&](std::size_t entry) {
+    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), entry,
+                                        [](std::size_t i, const auto& block) { return i < block->start().entry; });
+    const ElementBlock& block = **(after - 1);
+    return block.nodes((entry - block.start().entry) / block.n_nodes());
+  };
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::size_t node = 0; node < n_nodes_; ++node) {
+    auto& list = neighbours[node];
+    for (const std::size_t entry : entries_->of(node))
+      for (const std::int64_t other : element_of_entry(entry))
+        if (other >= static_cast<std::int64_t>(node)) list.push_back(other);
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  linalg::SparseMatrix matrix = pattern(neighbours);
+
+  // Element matrices of a chunk side by side, then every thread adds the columns of its own nodes, element by element:
+  // no locks, and the order of summation is that of the elements.
+  constexpr std::size_t chunk = 512;
+  std::vector<Eigen::MatrixXd> elements(chunk);
+  const int n_owners = omp_get_max_threads();
+  for (const auto& block : blocks_) {
+    for (std::size_t first = 0; first < block->n_elements(); first += chunk) {
+      const std::size_t count = std::min(chunk, block->n_elements() - first);
+#pragma omp parallel for schedule(static)
+      for (std::size_t i = 0; i < count; ++i) elements[i] = block->element_stiffness(first + i, elastic);
+#pragma omp parallel for schedule(static)
+      for (int owner = 0; owner < n_owners; ++owner)
+        for (std::size_t i = 0; i < count; ++i)
+          scatter(elements[i], block->nodes(first + i), neighbours, owner, n_owners, matrix);
+    }
+  }
+  return matrix;
+}
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <map>
+
+#include "creepcontact/fem/reference_element.hpp"
+#include "separated_load.hpp"
+
+namespace creepcontact::mechanics {
+
+namespace {
+
+/// Shape functions and derivatives of a face type at the points of its rule.
+struct FaceTable {
+  std::vector<Eigen::VectorXd> shapes;
+  std::vector<Eigen::MatrixX3d> gradients;
+  Eigen::VectorXd weights;
+};
+
+FaceTable make_table(mesh::CellType type) {
+  const auto& reference = fem::reference_element(type);
+  FaceTable table{{}, {}, reference.rule().weights};
+  for (Eigen::Index p = 0; p < table.weights.size(); ++p) {
+    const Vector3 xi = reference.rule().points.row(p).transpose();
+    reference.shape(xi, table.shapes.emplace_back(reference.n_nodes()));
+    reference.gradient(xi, table.gradients.emplace_back(reference.n_nodes(), 3));
+  }
+  return table;
+}
+
+/// Over faces: the field is the inward normal (pressure), or a direction.
+class SurfaceIntegral final : public SpatialIntegral {
+ public:
+  /// @param direction  zero: the inward normal
+  SurfaceIntegral(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, const Vector3& direction) {
+    for (const mesh::Face& face : faces) nodes_.insert(nodes_.end(), face.nodes.begin(), face.nodes.end());
+    std::sort(nodes_.begin(), nodes_.end());
+    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    for (const mesh::Face& face : faces) {
+      if (!tables_.contains(face.type)) tables_.emplace(face.type, make_table(face.type));
+      add_points(mesh, face, direction);
+    }
+  }
+
+  const std::vector<std::int64_t>& nodes() const override { return nodes_; }
+
+  void add(const Function& f, double t, std::span<double> values) const override {
+    for (const Point& point : points_) {
+      const Vector3 force = evaluate(f, point.place, t) * point.field;
+      for (Eigen::Index a = 0; a < point.shape->size(); ++a) {
+        const std::size_t local = local_nodes_[point.first_node + static_cast<std::size_t>(a)];
+        Eigen::Map<Vector3>(&values[3 * local]) += (*point.shape)[a] * force;
+      }
+    }
+  }
+
+ private:
+  struct Point {
+    Vector3 place;
+    Vector3 field;                 // direction times area
+    const Eigen::VectorXd* shape;  // owned by tables_
+    std::size_t first_node;        // of the face, in local_nodes_
+  };
+
+  void add_points(const mesh::Mesh& mesh, const mesh::Face& face, const Vector3& direction) {
+    const std::size_t first_node = local_nodes_.size();
+    Eigen::Matrix3Xd x(3, face.nodes.size());
+    for (std::size_t a = 0; a < face.nodes.size(); ++a) {
+      x.col(static_cast<Eigen::Index>(a)) = mesh.nodes[static_cast<std::size_t>(face.nodes[a])];
+      const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), face.nodes[a]);
+      local_nodes_.push_back(static_cast<std::size_t>(found - nodes_.begin()));
+    }
+    const FaceTable& table = tables_.at(face.type);
+    for (std::size_t p = 0; p < table.shapes.size(); ++p) {
+      const Matrix3 tangents = x * table.gradients[p];
+      const Vector3 area = table.weights[static_cast<Eigen::Index>(p)] * tangents.col(0).cross(tangents.col(1));
+      const Vector3 field = direction.isZero() ? Vector3(-area) : Vector3(area.norm() * direction);
+      points_.push_back({x * table.shapes[p], field, &table.shapes[p], first_node});
+    }
+  }
+
+  std::vector<std::int64_t> nodes_;
+  std::vector<std::size_t> local_nodes_;  // of all faces, one after the other, as positions in nodes_
+  std::map<mesh::CellType, FaceTable> tables_;
+  std::vector<Point> points_;
+};
+
+/// A force at one node along one direction.
+class NodalForce final : public SpatialIntegral {
+ public:
+  NodalForce(const mesh::Mesh& mesh, std::int64_t node, const Vector3& direction)
+      : nodes_{node}, place_(mesh.nodes[static_cast<std::size_t>(node)]), direction_(direction) {}
+
+  const std::vector<std::int64_t>& nodes() const override { return nodes_; }
+  void add(const Function& f, double t, std::span<double> values) const override {
+    Eigen::Map<Vector3>(values.data()) += evaluate(f, place_, t) * direction_;
+  }
+
+ private:
+  std::vector<std::int64_t> nodes_;
+  Vector3 place_, direction_;
+};
+
+}  // namespace
+
+std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, std::vector<mesh::Face> faces, Function pressure) {
+  return std::make_unique<SeparatedLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Zero()),
+                                         std::move(pressure));
+}
+
+std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, std::vector<mesh::Face> faces,
+                                    std::array<Function, 3> traction) {
+  std::vector<std::unique_ptr<Load>> parts;
+  for (int i = 0; i < 3; ++i) {
+    Function& component = traction[static_cast<std::size_t>(i)];
+    if (component.is_zero()) continue;
+    parts.push_back(std::make_unique<SeparatedLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Unit(i)),
+                                                    std::move(component)));
+  }
+  return std::make_unique<SumOfLoads>(std::move(parts));
+}
+
+std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std::array<Function, 3> force) {
+  std::vector<std::unique_ptr<Load>> parts;
+  for (int i = 0; i < 3; ++i) {
+    parts.push_back(std::make_unique<SeparatedLoad>(std::make_unique<NodalForce>(mesh, node, Vector3::Unit(i)),
+                                                    std::move(force[static_cast<std::size_t>(i)])));
+  }
+  return std::make_unique<SumOfLoads>(std::move(parts));
+}
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,75 @@
+#include "thermal_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::mechanics {
+
+namespace {
+
+Moduli moduli_at(const material::Material& material, double temperature) {
+  const double young_modulus = material.young_modulus({.T = temperature});
+  const double poisson_ratio = material.poisson_ratio({.T = temperature});
+  if (!(young_modulus > 0) || !(poisson_ratio > -1 && poisson_ratio < 0.5)) {
+    throw ModelError(
+        fmt::format("material '{}' at the temperature {:g}: young_modulus {:g} must be positive and poisson_ratio {:g} "
+                    "between -1 and 0.5 (excluded); mend the functions of T",
+                    material.name, temperature, young_modulus, poisson_ratio));
+  }
+  return material::lame(young_modulus, poisson_ratio);
+}
+
+}  // namespace
+
+ThermalState::ThermalState(std::optional<Function> temperature, const Discretization& discretization)
+    : field_(std::move(temperature)), places_(discretization.point_coordinates()) {}
+
+std::span<const double> ThermalState::temperature(double t) {
+  if (!field_) return {};
+  const bool current = temperature_time_ && (*temperature_time_ == t || !changes_in_time());
+  if (!current) {
+    temperature_.resize(places_.size());
+    if (field_->depends_on_place()) {
+      for (std::size_t p = 0; p < places_.size(); ++p)
+        temperature_[p] = (*field_)({.x = places_[p][0], .y = places_[p][1], .z = places_[p][2], .t = t});
+    } else {
+      std::fill(temperature_.begin(), temperature_.end(), (*field_)({.t = t}));
+    }
+    temperature_time_ = t;
+  }
+  return temperature_;
+}
+
+std::span<const double> ThermalState::strain(const material::Material& material, double t) {
+  if (!field_ || material.thermal_expansion.is_zero()) return {};
+  const bool current = strain_time_ && (*strain_time_ == t || !changes_in_time());
+  if (!current) {
+    const auto at_points = temperature(t);
+    strain_.resize(at_points.size());
+    for (std::size_t p = 0; p < strain_.size(); ++p)
+      strain_[p] = material.thermal_expansion({.T = at_points[p]}) * (at_points[p] - material.reference_temperature);
+    strain_time_ = t;
+  }
+  return strain_;
+}
+
+std::vector<Moduli> ThermalState::moduli(const material::Material& material) {
+  const bool varies =
+      material.young_modulus.depends_on_temperature() || material.poisson_ratio.depends_on_temperature();
+  if (!varies || !field_) return {moduli_at(material, material.reference_temperature)};
+  if (changes_in_time()) {
+    throw ModelError(fmt::format(
+        "material '{}': a stiffness that changes in time is not supported yet, but young_modulus or poisson_ratio "
+        "depends on T and the temperature '{}' on t; give constants, or a steady temperature field",
+        material.name, field_->text()));
+  }
+  if (!field_->depends_on_place()) return {moduli_at(material, (*field_)({}))};
+  std::vector<Moduli> moduli;
+  for (const double at_point : temperature(0.0)) moduli.push_back(moduli_at(material, at_point));
+  return moduli;
+}
+
+}  // namespace creepcontact::mechanics

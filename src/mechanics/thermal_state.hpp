@@ -1,0 +1,36 @@
+#pragma once
+/// Temperature of a body at its integration points, and what the material makes of it.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+#include "creepcontact/material/material.hpp"
+#include "creepcontact/mechanics/discretization.hpp"
+
+namespace creepcontact::mechanics {
+
+class ThermalState {
+ public:
+  /// @param temperature  of x, y, z, t; nullopt: the reference temperature of every material, no thermal strain
+  ThermalState(std::optional<Function> temperature, const Discretization& discretization);
+
+  /// One value a point; empty without a temperature. Cost: none if t is that of the last call or the field is steady.
+  std::span<const double> temperature(double t);
+  /// alpha(T) (T - reference), one value a point; empty if the material does not expand or there is no temperature.
+  std::span<const double> strain(const material::Material& material, double t);
+  /// Elastic constants: one entry if they are the same everywhere.
+  /// @throws ModelError if they are not admissible or would change in time
+  std::vector<Moduli> moduli(const material::Material& material);
+
+  bool changes_in_time() const { return field_ && field_->depends_on_time(); }
+
+ private:
+  std::optional<Function> field_;
+  std::span<const Vector3> places_;
+  std::vector<double> temperature_, strain_;
+  std::optional<double> temperature_time_, strain_time_;  // of the values kept
+};
+
+}  // namespace creepcontact::mechanics
