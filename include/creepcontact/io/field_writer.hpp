@@ -30,6 +30,14 @@ struct FieldData {
   std::vector<std::string> component_names = {};  ///< none, or one a component
 };
 
+/// An array as it stands in a .vtu: VTK's name of the number type, and the bytes compressed and encoded.
+struct EncodedArray {
+  std::string type, name;
+  int components = 1;
+  std::string data;
+  std::vector<std::string> component_names = {};
+};
+
 /// Writes one .vtu a time and keeps fields.pvd, the list of them, complete; both appear under their names when whole.
 class FieldWriter {
  public:
@@ -52,13 +60,8 @@ class FieldWriter {
     double time;
     std::string file;
   };
-  /// An array as it stands in the file: attributes and encoded bytes.
-  struct EncodedArray {
-    std::string type, name;
-    int components;
-    std::string data;
-  };
   void write_collection() const;
+  void read_collection(double last_time);
 
   std::filesystem::path directory_;
   std::string name_, units_;

@@ -1,0 +1,121 @@
+#include "creepcontact/io/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/io/replace_file.hpp"
+#include "hdf5_file.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
+constexpr std::string_view magic = "creepcontact checkpoint 1\n";
+
+/// The user block: what the bytes behind it must be like. Padded with zeros.
+std::string seal(std::uint64_t n_bytes, std::uint32_t crc) {
+  std::string text = fmt::format("{}bytes {}\ncrc32 {:08x}\n", magic, n_bytes, crc);
+  text.resize(seal_size, '\0');
+  return text;
+}
+
+/// The seal that a file ought to have, from the bytes behind its place.
+std::string computed_seal(std::istream& stream) {
+  stream.seekg(seal_size);
+  std::vector<char> buffer(std::size_t{1} << 20);
+  std::uint64_t n_bytes = 0;
+  uLong crc = ::crc32(0, nullptr, 0);
+  while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), stream.gcount() > 0) {
+    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(buffer.data()), static_cast<uInt>(stream.gcount()));
+    n_bytes += static_cast<std::uint64_t>(stream.gcount());
+  }
+  stream.clear();
+  return seal(n_bytes, static_cast<std::uint32_t>(crc));
+}
+
+void write_content(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  const Hdf5Silence silence;
+  Hdf5Handle file = create_hdf5(path, seal_size);
+  write_array(file, "fingerprint", std::span<const char>(checkpoint.fingerprint));
+  write_array(file, "time", std::array{checkpoint.time});
+  write_array(file, "next_step", std::array{checkpoint.next_step});
+  write_array(file, "state", checkpoint.state);
+  {
+    const Hdf5Handle counters = create_group(file, "counters");
+    for (const auto& [name, value] : checkpoint.counters) write_array(counters, name, std::array{value});
+    const Hdf5Handle arrays = create_group(file, "arrays");
+    for (const auto& [name, values] : checkpoint.arrays) write_array(arrays, name, values);
+  }
+  file.close("write the file");
+}
+
+Checkpoint read_content(const std::filesystem::path& path) {
+  const Hdf5Silence silence;
+  const Hdf5Handle file = open_hdf5(path);
+  Checkpoint checkpoint;
+  const std::vector<char> fingerprint = read_array<char>(file, "fingerprint");
+  checkpoint.fingerprint.assign(fingerprint.begin(), fingerprint.end());
+  checkpoint.time = read_array<double>(file, "time").at(0);
+  checkpoint.next_step = read_array<double>(file, "next_step").at(0);
+  checkpoint.state = read_array<double>(file, "state");
+  const Hdf5Handle counters = open_group(file, "counters");
+  for (const std::string& name : member_names(counters))
+    checkpoint.counters[name] = read_array<std::int64_t>(counters, name).at(0);
+  const Hdf5Handle arrays = open_group(file, "arrays");
+  for (const std::string& name : member_names(arrays)) checkpoint.arrays[name] = read_array<double>(arrays, name);
+  return checkpoint;
+}
+
+/// The whole file is compared with its seal before HDF5 sees it: the library may crash on damaged structures.
+void check_seal(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw ConfigError(fmt::format("cannot read the checkpoint '{}': {}", path.string(), std::strerror(errno)));
+  std::string found(seal_size, '\0');
+  stream.read(found.data(), seal_size);
+  const bool complete = stream.gcount() == static_cast<std::streamsize>(seal_size);
+  stream.clear();
+  if (!found.starts_with(magic))
+    throw ConfigError(fmt::format("'{}' is no checkpoint of this version of creepcontact", path.string()));
+  if (!complete || found != computed_seal(stream)) {
+    throw ConfigError(
+        fmt::format("the checkpoint '{}' is cut short or damaged (its checksum is wrong); run without "
+                    "--resume to begin anew",
+                    path.string()));
+  }
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+  const std::filesystem::path part = aside(path);
+  try {
+    write_content(part, checkpoint);
+  } catch (const Hdf5Error& error) {
+    throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), error.what()), 4);
+  }
+  std::fstream stream(part, std::ios::binary | std::ios::in | std::ios::out);
+  const std::string text = computed_seal(stream);
+  stream.seekp(0);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream) throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), std::strerror(errno)), 4);
+  move_into_place(path);
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+  check_seal(path);
+  try {
+    return read_content(path);
+  } catch (const std::exception& error) {
+    throw ConfigError(fmt::format("the checkpoint '{}' lacks a part: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace creepcontact::io

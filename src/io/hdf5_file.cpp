@@ -1,0 +1,91 @@
+#include "hdf5_file.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+hid_t native(double) {
+  return H5T_NATIVE_DOUBLE;
+}
+hid_t native(std::int64_t) {
+  return H5T_NATIVE_INT64;
+}
+hid_t native(char) {
+  return H5T_NATIVE_CHAR;
+}
+
+template <typename T>
+void write_values(hid_t parent, const std::string& name, std::span<const T> values) {
+  const std::string action = "write '" + name + "'";
+  const hsize_t size = values.size();
+  const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, action);
+  Hdf5Handle set(H5Dcreate2(parent, name.c_str(), native(T{}), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+                 action);
+  if (!values.empty() && H5Dwrite(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    throw Hdf5Error("cannot " + action);
+  set.close(action);
+}
+
+}  // namespace
+
+Hdf5Handle create_hdf5(const std::filesystem::path& path, hsize_t user_block) {
+  const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "create the file");
+  H5Pset_userblock(properties, user_block);
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, H5P_DEFAULT), H5Fclose, "create the file"};
+}
+
+Hdf5Handle open_hdf5(const std::filesystem::path& path) {
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file"};
+}
+
+Hdf5Handle create_group(hid_t parent, const std::string& name) {
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "write '" + name + "'"};
+}
+
+Hdf5Handle open_group(hid_t parent, const std::string& name) {
+  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "read '" + name + "'"};
+}
+
+std::vector<std::string> member_names(hid_t group) {
+  H5G_info_t info{};
+  if (H5Gget_info(group, &info) < 0) throw Hdf5Error("cannot list a group");
+  std::vector<std::string> names;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const auto get = [&](char* text, std::size_t size) {
+      const ssize_t length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT);
+      if (length < 0) throw Hdf5Error("cannot list a group");
+      return static_cast<std::size_t>(length);
+    };
+    std::string name(get(nullptr, 0), '\0');
+    get(name.data(), name.size() + 1);
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+void write_array(hid_t parent, const std::string& name, std::span<const double> values) {
+  write_values(parent, name, values);
+}
+void write_array(hid_t parent, const std::string& name, std::span<const std::int64_t> values) {
+  write_values(parent, name, values);
+}
+void write_array(hid_t parent, const std::string& name, std::span<const char> values) {
+  write_values(parent, name, values);
+}
+
+template <typename T>
+std::vector<T> read_array(hid_t parent, const std::string& name) {
+  const std::string action = "read '" + name + "'";
+  const Hdf5Handle set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, action);
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, action);
+  const hssize_t size = H5Sget_simple_extent_npoints(space);
+  if (size < 0) throw Hdf5Error("cannot " + action);
+  std::vector<T> values(static_cast<std::size_t>(size));
+  if (!values.empty() && H5Dread(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    throw Hdf5Error("cannot " + action);
+  return values;
+}
+template std::vector<double> read_array(hid_t, const std::string&);
+template std::vector<std::int64_t> read_array(hid_t, const std::string&);
+template std::vector<char> read_array(hid_t, const std::string&);
+
+}  // namespace creepcontact::io
