@@ -52,7 +52,7 @@ void write_content(const std::filesystem::path& path, const Checkpoint& checkpoi
     const Hdf5Handle arrays = create_group(file, "arrays");
     for (const auto& [name, values] : checkpoint.arrays) write_array(arrays, name, values);
   }
-  file.close("write the file");
+  file.finish("write the file");
 }
 
 Checkpoint read_content(const std::filesystem::path& path) {

@@ -22,7 +22,7 @@ void write_values(hid_t parent, const std::string& name, std::span<const T> valu
                  action);
   if (!values.empty() && H5Dwrite(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     throw Hdf5Error("cannot " + action);
-  set.close(action);
+  set.finish(action);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class Hdf5Handle {
   Hdf5Handle& operator=(const Hdf5Handle&) = delete;
   operator hid_t() const { return id_; }  // NOLINT(google-explicit-constructor): it is one
   /// Closes now. @throws Hdf5Error if buffered data could not be written
-  void close(const std::string& action) {
+  void finish(const std::string& action) {
     if (close_(std::exchange(id_, -1)) < 0) throw Hdf5Error("cannot " + action);
   }
 

@@ -1,0 +1,79 @@
+#include "creepcontact/io/summary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "creepcontact/io/replace_file.hpp"
+#include "unit/io/temporary_directory.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+class SummaryFile : public testing::Test {
+ protected:
+  nlohmann::json written(const Summary& summary) {
+    write_summary(directory_ / "summary.json", summary);
+    return nlohmann::json::parse(test::read_text(directory_ / "summary.json"));
+  }
+  test::TemporaryDirectory directory_;
+};
+
+TEST_F(SummaryFile, HasEveryEntryOfTheContract) {
+  Summary summary;
+  summary.status = Summary::Status::completed;
+  summary.integrator = "cvode_bdf";
+  summary.version = "0.1.0";
+  summary.units = "mm, N";
+  summary.time_reached = 1e4;
+  summary.steps = 1;
+  summary.rejected_steps = 2;
+  summary.rhs_evaluations = 3;
+  summary.jacobian_products = 4;
+  summary.elastic_solves = 5;
+  summary.contact_solves = 6;
+  summary.schwarz_iterations = 7;
+  summary.factorizations = 8;
+  summary.bodies["ring"] = {10, 11, 12};
+  summary.wall_seconds = {1, 2, 3, 4, 5, 6};
+  summary.peak_memory_mb = 99.5;
+  const nlohmann::json expected = nlohmann::json::parse(R"({
+    "title": "", "units": "mm, N", "version": "0.1.0", "status": "completed", "time_reached": 1e4,
+    "integrator": "cvode_bdf", "steps": 1, "rejected_steps": 2, "rhs_evaluations": 3, "jacobian_products": 4,
+    "elastic_solves": 5, "contact_solves": 6, "schwarz_iterations": 7, "factorizations": 8,
+    "bodies": {"ring": {"dofs": 10, "elements": 11, "integration_points": 12}},
+    "wall_seconds": {"total": 1.0, "factorize": 2.0, "solve": 3.0, "material": 4.0, "contact": 5.0, "output": 6.0},
+    "peak_memory_mb": 99.5})");
+  EXPECT_EQ(written(summary), expected);
+}
+
+TEST_F(SummaryFile, TellsFailuresAndInterruptions) {
+  Summary summary;
+  summary.status = Summary::Status::failed;
+  summary.message = "contact: no convergence";
+  EXPECT_EQ(written(summary)["status"], "failed");
+  EXPECT_EQ(written(summary)["message"], "contact: no convergence");
+  summary.status = Summary::Status::interrupted;
+  EXPECT_EQ(written(summary)["status"], "interrupted");
+  EXPECT_TRUE(written(summary)["bodies"].is_object());
+}
+
+TEST_F(SummaryFile, TextInAnotherEncodingIsReplacedNotFatal) {
+  Summary summary;
+  summary.title = "caf\xe9";
+  EXPECT_EQ(written(summary)["title"], "caf\xEF\xBF\xBD");
+}
+
+TEST_F(SummaryFile, ReplacesWithoutLeavingAnythingAside) {
+  written({});
+  written({});
+  EXPECT_FALSE(std::filesystem::exists(aside(directory_ / "summary.json")));
+}
+
+TEST_F(SummaryFile, ADirectoryThatIsNotThereIsAnError) {
+  EXPECT_TRUE(test::contains(test::message_of<Error>([&] { write_summary(directory_ / "none/summary.json", {}); }),
+                             "No such file or directory"));
+}
+
+}  // namespace
+}  // namespace creepcontact::io
