@@ -94,8 +94,7 @@ SparseMatrix missing_links(const SparseMatrix& lower, const Indices& order, std:
   };
   // A leading root that hangs at a later trailing unknown, or at none, goes below the first one.
   for (std::size_t j = 0; j < first; ++j) {
-    const bool root = parent[j] < 0 || at(parent[j]) >= first;
-    if (root && (parent[j] < 0 || at(parent[j]) != first)) link(first, j);
+    if (parent[j] < 0 || at(parent[j]) > first) link(first, j);
   }
   const bool moved = !entries.empty();
   for (std::size_t j = first; j + 1 < n; ++j) {

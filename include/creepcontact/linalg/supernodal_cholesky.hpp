@@ -24,6 +24,8 @@ class SupernodalCholesky {
   /// @param lower     n x n, lower triangle
   /// @param block_of  n entries: unknowns with the same number (the dofs of a node) are ordered as one vertex by METIS
   /// @param trailing  unknowns to be eliminated last, in this order (may be empty)
+  /// @throws std::invalid_argument if sizes do not agree or a trailing unknown is named twice; SolverError if memory
+  ///         is short
   SupernodalCholesky(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                      std::span<const std::int64_t> trailing);
   ~SupernodalCholesky();
@@ -31,17 +33,18 @@ class SupernodalCholesky {
   SupernodalCholesky& operator=(SupernodalCholesky&&) noexcept;
 
   /// Numeric factorisation; the pattern must be the one analysed. All cores are used.
-  /// @throws SingularMatrix (a plain struct: the caller knows the body and names it)
+  /// @throws SingularMatrix (a plain struct: the caller knows the body and names it); factorize() may then be called
+  ///         again; SolverError if memory is short
   void factorize(const SparseMatrix& lower);
 
   std::int64_t size() const;
   std::int64_t trailing_size() const;
 
   /// y = L^-1 P b. The last trailing_size() entries of y belong to the trailing unknowns, in their order.
-  /// Cost: one pass through the factor; no allocation after the first call. Not safe for two threads on one object;
-  /// different objects may be used side by side.
+  /// b and y may be the same array. Cost: one pass through the factor; no allocation. Not safe for two threads on one
+  /// object; different objects may be used side by side.
   void forward(std::span<const double> b, std::span<double> y);
-  /// x = P^T L^-T y
+  /// x = P^T L^-T y; x and y may be the same array.
   void backward(std::span<const double> y, std::span<double> x);
 
   /// L22, trailing_size() square, lower triangular (upper part zero). Cost: a copy.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <utility>
 
 #include "matrices.hpp"
 
@@ -109,6 +110,19 @@ TEST(SupernodalCholesky, with_parts_connected_by_trailing_unknowns_alone) {
   check(problem, {7, 8});
   check(problem, {8, 7});
   check(problem, {8, 3, 7});
+}
+
+TEST(SupernodalCholesky, with_a_part_that_hangs_at_a_later_trailing_unknown) {
+  // Unknown 0 touches 2 and not 1; postordered by weight, either of 0 and 1 may come first.
+  for (const auto& [light, heavy] : {std::pair{0, 1}, std::pair{1, 0}}) {
+    Eigen::MatrixXd dense = 3 * Eigen::MatrixXd::Identity(5, 5);
+    for (const Eigen::Index neighbour : {2, 3, 4}) dense(heavy, neighbour) = dense(neighbour, heavy) = 0.5;
+    dense(light, 2) = dense(2, light) = 0.5;
+    Problem problem{testing::lower_of(dense), {}};
+    problem.node_of = all_of(problem);
+    check(problem, {1, 2, 3, 4});
+    check(problem, {2, 1, 4, 3});
+  }
 }
 
 TEST(SupernodalCholesky, of_a_diagonal_matrix_and_of_one_unknown) {
