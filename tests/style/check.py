@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+"""House rules of the source tree. usage: check.py RULE ROOT; exit status 0 kept, 1 broken, 77 could not be checked."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+SKIPPED = 77
+MAX_LINES = 300
+
+# What a module may include besides itself; what those rest on comes with them.
+MODULE_USES = {
+    "base": [],
+    "mesh": ["base"],
+    "fem": ["mesh"],
+    "linalg": ["base"],
+    "material": ["base"],
+    "mechanics": ["fem", "material", "linalg"],
+    "contact": ["mechanics"],
+    "ode": ["base"],
+    "config": ["base"],
+    "io": ["mesh", "base"],
+    "simulation": ["mechanics", "contact", "ode", "config", "io"],
+    "cli": ["simulation", "config"],
+}
+# Libraries that one module alone may see, by how their headers begin.
+LIBRARY_HOME = {
+    "toml++/": "config",
+    "toml.hpp": "config",
+    **{f"{part}/": "ode" for part in ("arkode", "cvode", "cvodes", "ida", "kinsol", "nvector", "sundials", "sunlinsol",
+                                      "sunmatrix", "sunnonlinsol")},
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+# Put together here so that this file keeps the rule itself.
+# A path that goes on from a name, as in docs/work/, is relative.
+MACHINE_PATHS = re.compile(r"(?<![\w.})])/(?:" + "|".join(["work/", "tmp/b_", "home/[a-z]", "root/"]) + ")")
+BUILD_DIRECTORIES = {".git", "build", "results", "__pycache__"}
+
+
+def allowed_modules(module):
+    """The module itself and all that it rests on."""
+    found, pending = set(), [module]
+    while pending:
+        current = pending.pop()
+        if current not in found:
+            found.add(current)
+            pending += MODULE_USES[current]
+    return found
+
+
+def tracked_files(root):
+    """What git tracks; all but build directories where there is no git."""
+    if shutil.which("git") and (root / ".git").exists():
+        listed = subprocess.run(["git", "-c", f"safe.directory={root}", "-C", str(root), "ls-files", "-z"],
+                                capture_output=True, text=True)
+        if listed.returncode == 0:
+            return [path for name in listed.stdout.split("\0") if name and (path := root / name).is_file()]
+    files = []
+    for directory, subdirectories, names in os.walk(root):
+        subdirectories[:] = [d for d in subdirectories if d not in BUILD_DIRECTORIES]
+        files += [Path(directory) / name for name in names]
+    return files
+
+
+def cpp_files(root, *folders):
+    return sorted(path for folder in folders for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".cpp"))
+
+
+def module_sources(root):
+    """(module, file, line number, bracket, included name) of every include in the modules."""
+    for tree in ("include/creepcontact", "src"):
+        for path in cpp_files(root, tree):
+            parts = path.relative_to(root / tree).parts
+            if len(parts) < 2:
+                yield None, path, 0, "", ""
+                continue
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if match := INCLUDE.match(line):
+                    yield parts[0], path, number, *match.groups()
+
+
+def module_includes(root):
+    for module, path, number, bracket, name in module_sources(root):
+        where = f"{path.relative_to(root)}:{number}"
+        if module not in MODULE_USES:
+            yield f"{where}: no module of the architecture; known are {', '.join(MODULE_USES)}"
+        elif name.startswith("creepcontact/"):
+            other = name.split("/")[1]
+            if bracket == "<":
+                yield f'{where}: write #include "{name}"'
+            if other not in allowed_modules(module):
+                allowed = ", ".join(sorted(allowed_modules(module)))
+                yield f"{where}: module '{module}' includes '{other}'; it may include {allowed}"
+        elif bracket == '"' and ("/" in name or not (path.parent / name).is_file()):
+            yield f'{where}: "{name}" is neither "creepcontact/<module>/<file>.hpp" nor a file beside this one'
+
+
+def library_includes(root):
+    for module, path, number, _, name in module_sources(root):
+        for start, home in LIBRARY_HOME.items():
+            if name.startswith(start) and module != home:
+                yield f"{path.relative_to(root)}:{number}: <{name}> belongs to module '{home}' alone"
+
+
+def formatting(root):
+    tool = shutil.which("clang-format")
+    if tool is None:
+        print("skipped: clang-format is not installed (Debian package clang-format)")
+        sys.exit(SKIPPED)
+    files = [str(path.relative_to(root)) for path in cpp_files(root, "include", "src", "tests")]
+    checked = subprocess.run([tool, "--dry-run", "-Werror", "--style=file", *files], cwd=root, capture_output=True,
+                             text=True)
+    if checked.returncode != 0:
+        broken = sorted(set(re.findall(r"^(\S+?):\d+:\d+: error", checked.stderr, re.MULTILINE)))
+        yield from (f"{name}: run clang-format -i on it" for name in broken or [checked.stderr.strip()])
+
+
+def file_length(root):
+    for path in tracked_files(root):
+        if path.suffix in (".hpp", ".cpp", ".py", ".cmake"):
+            lines = path.read_bytes().count(b"\n")
+            if lines > MAX_LINES:
+                yield f"{path.relative_to(root)}: {lines} lines; cut it where a second idea begins ({MAX_LINES} allowed)"
+
+
+def machine_paths(root):
+    for path in tracked_files(root):
+        try:
+            text = path.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            if match := MACHINE_PATHS.search(line):
+                yield f"{path.relative_to(root)}:{number}: '{match.group()}' is a path of somebody's machine"
+
+
+RULES = {rule.__name__: rule for rule in (module_includes, library_includes, formatting, file_length, machine_paths)}
+
+
+def main(arguments):
+    if len(arguments) != 2 or arguments[0] not in RULES:
+        print(f"usage: check.py ({'|'.join(RULES)}) ROOT", file=sys.stderr)
+        return 2
+    broken = list(RULES[arguments[0]](Path(arguments[1]).resolve()))
+    print("\n".join(broken) if broken else "kept")
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

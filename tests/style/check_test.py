@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""The house rules find what breaks them."""
+
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import check
+
+
+class Rules(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name).resolve()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def broken(self, rule):
+        return list(check.RULES[rule](self.root))
+
+    def test_a_module_may_include_what_it_rests_on(self):
+        self.write("src/contact/a.cpp", '#include "creepcontact/mesh/mesh.hpp"\n#include "b.hpp"\n#include <vector>\n')
+        self.write("src/contact/b.hpp", "")
+        self.assertEqual(self.broken("module_includes"), [])
+
+    def test_a_module_may_not_include_what_rests_on_it(self):
+        self.write("include/creepcontact/ode/a.hpp", '#pragma once\n#include "creepcontact/fem/quadrature.hpp"\n')
+        self.assertIn("ode/a.hpp:2", self.broken("module_includes")[0])
+
+    def test_headers_of_other_modules_come_by_their_public_name(self):
+        self.write("src/fem/a.cpp", '#include "../mesh/b.hpp"\n#include "gone.hpp"\n'
+                                    "#include <creepcontact/mesh/mesh.hpp>\n")
+        self.write("src/mesh/b.hpp", "")
+        self.assertEqual(len(self.broken("module_includes")), 3)
+
+    def test_a_folder_that_is_no_module(self):
+        self.write("src/helpers/a.cpp", "#include <vector>\n")
+        self.write("src/b.cpp", "")
+        self.assertEqual(len(self.broken("module_includes")), 2)
+
+    def test_libraries_stay_at_home(self):
+        self.write("src/config/a.cpp", "#include <toml++/toml.h>\n")
+        self.write("src/ode/a.cpp", "#include <cvode/cvode.h>\n")
+        self.assertEqual(self.broken("library_includes"), [])
+        self.write("src/simulation/a.cpp", "#include <toml++/toml.h>\n#include <nvector/nvector_serial.h>\n")
+        self.assertEqual(len(self.broken("library_includes")), 2)
+
+    @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
+    def test_formatting(self):
+        self.write(".clang-format", "BasedOnStyle: Google\n")
+        self.write("src/base/a.cpp", "int a;\n")
+        self.assertEqual(self.broken("formatting"), [])
+        self.write("src/base/b.cpp", "int  a ;\n")
+        self.assertIn("src/base/b.cpp", self.broken("formatting")[0])
+
+    def test_length(self):
+        self.write("src/base/a.cpp", "\n" * check.MAX_LINES)
+        self.assertEqual(self.broken("file_length"), [])
+        self.write("src/base/b.cpp", "\n" * (check.MAX_LINES + 1))
+        self.assertEqual(len(self.broken("file_length")), 1)
+
+    def test_machine_paths(self):
+        self.write("README.md", "see docs/work/flow.md\nsee /" + "work/flow.md\n")
+        self.assertEqual(self.broken("machine_paths"), ["README.md:2: '/" + "work/' is a path of somebody's machine"])
+
+
+if __name__ == "__main__":
+    unittest.main()
