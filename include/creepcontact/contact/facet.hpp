@@ -1,0 +1,65 @@
+#pragma once
+/// Geometry of one face of a contact surface: position, normal, projection onto a plane and back.
+
+#include <vector>
+
+#include "creepcontact/contact/polygon.hpp"
+#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/mesh/mesh.hpp"
+
+namespace creepcontact::contact {
+
+using ShapeValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
+
+/// A plane with two axes; lengths and areas in it are true ones.
+struct Plane {
+  Vector3 origin, normal, axis1, axis2;
+
+  static Plane through(const Vector3& origin, const Vector3& normal);
+  Eigen::Vector2d project(const Vector3& x) const { return {axis1.dot(x - origin), axis2.dot(x - origin)}; }
+};
+
+/// Face with its nodes' coordinates. Faces are seen from outside their body.
+class Facet {
+ public:
+  Facet(const mesh::Mesh& mesh, const mesh::Face& face);
+
+  const fem::ReferenceElement& element() const { return *element_; }
+  /// Linear element on the corners: carries the multipliers.
+  const fem::ReferenceElement& corner_element() const { return *corner_element_; }
+  const std::vector<std::int64_t>& nodes() const { return nodes_; }
+  int n_nodes() const { return static_cast<int>(nodes_.size()); }
+  int n_corners() const { return n_corners_; }
+
+  Vector3 position(const Vector3& xi) const;
+  /// Normal times the surface Jacobian |dx/dxi1 x dx/dxi2|.
+  Vector3 area_vector(const Vector3& xi) const;
+  Vector3 centre() const { return position(centre_xi_); }
+  /// Longest distance between two corners.
+  double diameter() const { return diameter_; }
+  const Eigen::AlignedBox3d& box() const { return box_; }
+
+  /// The face as straight-edged convex pieces, projected; counter-clockwise seen against the plane's normal.
+  /// One piece where the face's edges project to straight lines, else a subdivision of the face (edges to 4th order).
+  /// @param flipped  true for a face seen from behind (the master, whose normal opposes the plane's)
+  std::vector<Polygon> pieces(const Plane& plane, bool flipped) const;
+
+  /// Reference coordinates of the point of the face that projects onto p (Newton). @returns false if there is none
+  bool unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi) const;
+
+ private:
+  bool has_curved_edges(const Plane& plane) const;
+
+  const fem::ReferenceElement* element_;
+  const fem::ReferenceElement* corner_element_;
+  std::vector<std::int64_t> nodes_;
+  int n_corners_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 9, 3> x_;
+  Vector3 centre_xi_;
+  double diameter_ = 0;
+  Eigen::AlignedBox3d box_;
+};
+
+std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces);
+
+}  // namespace creepcontact::contact

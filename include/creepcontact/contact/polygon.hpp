@@ -1,0 +1,18 @@
+#pragma once
+/// Convex polygons in a plane: what remains of one face under another.
+
+#include <Eigen/Dense>
+#include <vector>
+
+namespace creepcontact::contact {
+
+using Polygon = std::vector<Eigen::Vector2d>;
+
+/// Signed area, positive for counter-clockwise order.
+double area(const Polygon& polygon);
+
+/// Intersection of two convex counter-clockwise polygons (Sutherland and Hodgman 1974); empty if they do not overlap.
+/// @param result  overwritten; @param work  scratch
+void clip(const Polygon& subject, const Polygon& window, Polygon& result, Polygon& work);
+
+}  // namespace creepcontact::contact

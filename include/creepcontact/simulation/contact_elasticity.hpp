@@ -1,0 +1,76 @@
+#pragma once
+/// Elastic equilibrium of all bodies in contact for given creep strains: the map (t, creep strain) -> stress whose
+/// value the creep rate needs.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "creepcontact/base/stopwatch.hpp"
+#include "creepcontact/contact/frozen_system.hpp"
+#include "creepcontact/simulation/model.hpp"
+
+namespace creepcontact::simulation {
+
+/// Mechanical state of one body.
+struct BodyState {
+  std::vector<double> displacement;  ///< 3 n_nodes
+  std::vector<double> stress;        ///< n_points x 6, Mandel order
+};
+
+class ContactElasticity {
+ public:
+  using CreepViews = std::vector<mechanics::CreepStrainView>;  // one a body
+
+  /// Factorises all bodies. @param model and watch must outlive the object
+  ContactElasticity(Model& model, Stopwatch& watch);
+
+  /// Equilibrium at time t for these creep strains; a pure function of both, contact warm-started from keep_warm().
+  /// Results below are valid until the next call.
+  /// @throws SolverError if the contact iteration does not converge
+  /// Cost: one forward and one backward solve a body.
+  /// Source: Stankevich (2012), steps 8-11 of the implicit scheme.
+  void solve(double t, const CreepViews& creep);
+  const std::vector<BodyState>& states() const { return states_; }
+  /// Multipliers (contact pressures) and weighted gaps of all contact rows.
+  const Eigen::VectorXd& multipliers() const { return last_.multiplier; }
+  const Eigen::VectorXd& gaps() const { return gaps_; }
+  std::size_t active_contacts() const { return last_.active.size(); }
+
+  /// Change of stress for a change of creep strain with the contact set of the last solve frozen.
+  /// @param stress  one a body, n_points x 6. Cost: as solve().
+  void linearized(const CreepViews& creep_change, std::vector<std::vector<double>>& stress);
+
+  /// The last solution becomes the start of the contact iterations to come (call at accepted steps only).
+  void keep_warm() { warm_ = last_; }
+
+  const contact::CondensedInterface& interface() const { return interface_; }
+  const Model& model() const { return model_; }
+
+  struct Counters {
+    std::int64_t elastic_solves = 0, contact_solves = 0, schwarz_iterations = 0, factorizations = 0;
+  };
+  const Counters& counters() const { return counters_; }
+
+ private:
+  struct Work {
+    std::vector<double> right_hand_side, factored, free;  // n_free
+    std::vector<double> displacement;                     // 3 n_nodes, of linearized()
+    std::vector<double> no_displacement;                  // zeros
+  };
+  void forward(std::size_t body);
+  void backward(std::size_t body, const Eigen::VectorXd& multiplier);
+
+  Model& model_;
+  Stopwatch& watch_;
+  contact::CondensedInterface interface_;
+  std::unique_ptr<contact::ContactSolver> solver_;
+  contact::FrozenSystem frozen_;
+  contact::ContactState last_, warm_;
+  Eigen::VectorXd gaps_;
+  std::vector<BodyState> states_;
+  std::vector<Work> work_;
+  Counters counters_;
+};
+
+}  // namespace creepcontact::simulation

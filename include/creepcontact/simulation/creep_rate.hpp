@@ -1,0 +1,55 @@
+#pragma once
+/// Creep of all bodies as a differential equation: y = creep strains and internal variables of every integration point,
+/// f(t, y) = the laws' rates at the stress of the elastic contact equilibrium.
+
+#include <vector>
+
+#include "creepcontact/ode/system.hpp"
+#include "creepcontact/simulation/contact_elasticity.hpp"
+#include "creepcontact/simulation/material_points.hpp"
+#include "creepcontact/simulation/state_layout.hpp"
+
+namespace creepcontact::simulation {
+
+class CreepRate final : public ode::System {
+ public:
+  /// Solves for the elastic stress at the times that matter, to set the error scale.
+  /// @param end  end of the run. @param elasticity, watch must outlive the object
+  CreepRate(ContactElasticity& elasticity, Stopwatch& watch, double end);
+
+  std::size_t size() const override { return layout_.size(); }
+  void rate(double t, std::span<const double> y, std::span<double> rate) override;
+  /// J v = C H (B du - v) + (internal couplings), K du = B^T H v with the contact set frozen.
+  void jacobian_times(double t, std::span<const double> y, std::span<const double> v,
+                      std::span<double> product) override;
+  void prepare_preconditioner(double t, std::span<const double> y) override;
+  void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
+  double stable_step(double t, std::span<const double> y) override;
+  std::span<const double> scale() const override { return scale_; }
+  void accept(double t, std::span<const double> y) override;
+  Counters counters() const override;
+
+  /// Equilibrium for a state, for output: fills elasticity().states().
+  void equilibrium(double t, std::span<const double> y);
+  ContactElasticity& elasticity() { return elasticity_; }
+  const StateLayout& layout() const { return layout_; }
+
+ private:
+  /// Stress at (t, y): solved, or kept from the last call if that was at the same point.
+  void evaluate(double t, std::span<const double> y);
+  void set_scale(double end);
+
+  ContactElasticity& elasticity_;
+  Stopwatch& watch_;
+  StateLayout layout_;
+  std::vector<MaterialPoints> points_;  // one a body
+  std::vector<double> scale_;
+  bool evaluated_ = false;
+  double time_ = 0;
+  std::vector<double> state_;  // of the last evaluation
+  std::vector<mechanics::CreepStrainView> views_;
+  std::vector<std::vector<double>> stress_change_;
+  std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;
+};
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,50 @@
+#pragma once
+/// The creep laws of one body at all its integration points: rates, their derivative, and the point-wise
+/// preconditioner.
+
+#include <span>
+#include <vector>
+
+#include "creepcontact/mechanics/body.hpp"
+
+namespace creepcontact::simulation {
+
+class MaterialPoints {
+ public:
+  /// @param body must outlive the object
+  explicit MaterialPoints(mechanics::Body& body);
+
+  bool empty() const { return stride_ == 0; }
+  /// Parameters of the laws at the temperature of time t (no work where it does not change).
+  void set_time(double t);
+
+  // Stress: n_points x 6. States and rates: n_points x stride, this body's part of y.
+  void rate(std::span<const double> stress, const double* state, double* rate) const;
+  void derivative(std::span<const double> stress, const double* state, std::span<const double> d_stress,
+                  const double* d_state, double* d_rate) const;
+  /// Keeps d(rate)/d(stress) of this point for precondition().
+  void linearize(std::span<const double> stress, const double* state);
+  /// z = (I + gamma C H)^-1 r, closed form of Sherman and Morrison for isotropic laws.
+  void precondition(double gamma, const double* r, double* z) const;
+  /// Largest eigenvalue of C H over the points: 2 divided by it is the Cormeau step.
+  double stiffest_rate(std::span<const double> stress, const double* state) const;
+
+ private:
+  struct Local {
+    double direction[6];  // of the stress deviator, unit length
+    double deviatoric, radial, volumetric;
+  };
+  material::Point point(std::size_t p, std::span<const double> stress, const double* state) const;
+  material::StressTangent tangent(material::Point at) const;
+
+  mechanics::Body& body_;
+  std::size_t n_points_, stride_;
+  std::size_t n_parameters_ = 0;  // of all mechanisms
+  bool uniform_ = true;           // one set of parameters serves all points
+  double time_ = 0;
+  std::vector<double> parameters_;   // (1 or n_points) x n_parameters
+  std::vector<double> temperature_;  // empty, or n_points
+  std::vector<Local> locals_;
+};
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,97 @@
+#include "creepcontact/simulation/contact_elasticity.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
+  const auto lap = watch.lap(Part::factorize);
+  return contact::CondensedInterface(model.bodies, std::move(model.pairs));
+}
+
+}  // namespace
+
+ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
+    : model_(model),
+      watch_(watch),
+      interface_(factorize(model, watch)),
+      solver_(make_contact_solver(model, interface_.problem())),
+      frozen_(interface_.problem()) {
+  counters_.factorizations = static_cast<std::int64_t>(model.bodies.size());
+  for (const auto& body : model.bodies) {
+    const auto n_free = static_cast<std::size_t>(body->constraints().n_free());
+    const auto n_full = static_cast<std::size_t>(body->constraints().n_full());
+    const std::size_t n_stress = 6 * body->discretization().n_points();
+    states_.push_back({std::vector<double>(n_full), std::vector<double>(n_stress)});
+    work_.push_back({std::vector<double>(n_free), std::vector<double>(n_free), std::vector<double>(n_free),
+                     std::vector<double>(n_full), std::vector<double>(n_full)});
+  }
+}
+
+void ContactElasticity::forward(std::size_t body) {
+  const auto lap = watch_.lap(Part::solve);
+  model_.bodies[body]->factor().forward(work_[body].right_hand_side, work_[body].factored);
+}
+
+void ContactElasticity::backward(std::size_t body, const Eigen::VectorXd& multiplier) {
+  interface_.add_multipliers(body, multiplier, work_[body].factored);
+  const auto lap = watch_.lap(Part::solve);
+  model_.bodies[body]->factor().backward(work_[body].factored, work_[body].free);
+}
+
+void ContactElasticity::solve(double t, const CreepViews& creep) {
+  const std::size_t n_bodies = model_.bodies.size();
+  for (std::size_t b = 0; b < n_bodies; ++b) {
+    {
+      const auto lap = watch_.lap(Part::material);
+      model_.bodies[b]->set_time(t);
+      model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
+    }
+    forward(b);
+  }
+  if (interface_.n_rows() > 0) {
+    const auto lap = watch_.lap(Part::contact);
+    gaps_ = interface_.initial_gap(t);
+    for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, gaps_);
+    contact::ContactResult result = solver_->solve(gaps_, warm_);
+    counters_.schwarz_iterations += result.iterations;
+    ++counters_.contact_solves;
+    last_ = std::move(result.state);
+    gaps_ += interface_.problem().total * last_.multiplier;
+  }
+  for (std::size_t b = 0; b < n_bodies; ++b) {
+    backward(b, last_.multiplier);
+    const auto lap = watch_.lap(Part::material);
+    const mechanics::Body& body = *model_.bodies[b];
+    body.constraints().expand(work_[b].free, body.prescribed(), states_[b].displacement);
+    body.discretization().stress(states_[b].displacement, body.elastic(), creep[b], states_[b].stress);
+  }
+  ++counters_.elastic_solves;
+}
+
+void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<std::vector<double>>& stress) {
+  const std::size_t n_bodies = model_.bodies.size();
+  for (std::size_t b = 0; b < n_bodies; ++b) {
+    {
+      const auto lap = watch_.lap(Part::material);
+      model_.bodies[b]->initial_strain_force(creep_change[b], work_[b].right_hand_side);
+    }
+    forward(b);
+  }
+  Eigen::VectorXd multiplier;
+  if (interface_.n_rows() > 0) {
+    const auto lap = watch_.lap(Part::contact);
+    Eigen::VectorXd gap = Eigen::VectorXd::Zero(interface_.n_rows());
+    for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, gap);
+    multiplier = frozen_.solve(last_.active, gap);
+  }
+  for (std::size_t b = 0; b < n_bodies; ++b) {
+    backward(b, multiplier);
+    const auto lap = watch_.lap(Part::material);
+    const mechanics::Body& body = *model_.bodies[b];
+    body.constraints().expand(work_[b].free, work_[b].no_displacement, work_[b].displacement);
+    body.discretization().stress(work_[b].displacement, {body.elastic().moduli, {}}, creep_change[b], stress[b]);
+  }
+  ++counters_.elastic_solves;
+}
+
+}  // namespace creepcontact::simulation

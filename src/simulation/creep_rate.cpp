@@ -1,0 +1,151 @@
+#include "creepcontact/simulation/creep_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+/// Root mean square of the equivalent stress over the points of a body.
+double typical_stress(const BodyState& state) {
+  double sum = 0;
+  const std::size_t n = state.stress.size() / 6;
+  for (std::size_t p = 0; p < n; ++p) {
+    const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
+    sum += q * q;
+  }
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+double young_modulus(const material::Moduli& h) {
+  return h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu);
+}
+
+constexpr double least_share_of_stress = 1e-2;  // of the most stressed body: others need no finer resolution
+
+}  // namespace
+
+CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, double end)
+    : elasticity_(elasticity),
+      watch_(watch),
+      layout_(elasticity.model()),
+      scale_(layout_.size()),
+      state_(layout_.size()) {
+  for (const auto& body : elasticity.model().bodies) {
+    points_.emplace_back(*body);
+    stress_change_.emplace_back(6 * body->discretization().n_points());
+  }
+  if (size() > 0) set_scale(end);
+}
+
+void CreepRate::set_scale(double end) {
+  const auto& bodies = elasticity_.model().bodies;
+  std::vector<double> times{0.0, end};
+  for (const double t : elasticity_.model().breakpoints)
+    if (t > 0 && t < end) times.push_back(t);
+  std::vector<double> stress(bodies.size(), 0.0);
+  layout_.views(state_, views_);  // no creep strain
+  for (const double t : times) {
+    elasticity_.solve(t, views_);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      stress[b] = std::max(stress[b], typical_stress(elasticity_.states()[b]));
+  }
+  const double largest = *std::max_element(stress.begin(), stress.end());
+  if (!(largest > 0))
+    throw ModelError("nothing loads the bodies: no load, support, temperature or gap gives any stress");
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double value =
+        std::max(stress[b], least_share_of_stress * largest) / young_modulus(bodies[b]->elastic().at(0));
+    std::fill_n(scale_.begin() + static_cast<std::ptrdiff_t>(layout_.offset(b)),
+                layout_.stride(b) * bodies[b]->discretization().n_points(), value);
+  }
+}
+
+void CreepRate::evaluate(double t, std::span<const double> y) {
+  if (evaluated_ && t == time_ && std::equal(y.begin(), y.end(), state_.begin())) return;
+  evaluated_ = false;
+  std::copy(y.begin(), y.end(), state_.begin());
+  layout_.views(state_, views_);
+  try {
+    elasticity_.solve(t, views_);
+  } catch (const SolverError& error) {
+    throw ode::RecoverableError(error.what());
+  }
+  for (MaterialPoints& points : points_) points.set_time(t);
+  time_ = t;
+  evaluated_ = true;
+}
+
+void CreepRate::equilibrium(double t, std::span<const double> y) {
+  evaluate(t, y);
+}
+
+void CreepRate::rate(double t, std::span<const double> y, std::span<double> rate) {
+  evaluate(t, y);
+  ++rate_evaluations_;
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      points_[b].rate(elasticity_.states()[b].stress, y.data() + layout_.offset(b), rate.data() + layout_.offset(b));
+  const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), static_cast<Eigen::Index>(rate.size())).sum();
+  if (!std::isfinite(sum)) throw ode::RecoverableError("the creep rate overflows");
+}
+
+void CreepRate::jacobian_times(double t, std::span<const double> y, std::span<const double> v,
+                               std::span<double> product) {
+  evaluate(t, y);
+  ++jacobian_products_;
+  layout_.views(v, views_);
+  elasticity_.linearized(views_, stress_change_);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      points_[b].derivative(elasticity_.states()[b].stress, y.data() + layout_.offset(b), stress_change_[b],
+                            v.data() + layout_.offset(b), product.data() + layout_.offset(b));
+}
+
+void CreepRate::prepare_preconditioner(double t, std::span<const double> y) {
+  evaluate(t, y);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty()) points_[b].linearize(elasticity_.states()[b].stress, y.data() + layout_.offset(b));
+}
+
+void CreepRate::precondition(double gamma, std::span<const double> r, std::span<double> z) {
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty()) points_[b].precondition(gamma, r.data() + layout_.offset(b), z.data() + layout_.offset(b));
+}
+
+double CreepRate::stable_step(double t, std::span<const double> y) {
+  evaluate(t, y);
+  double stiffest = 0;
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      stiffest =
+          std::max(stiffest, points_[b].stiffest_rate(elasticity_.states()[b].stress, y.data() + layout_.offset(b)));
+  return stiffest > 0 ? 2 / stiffest : std::numeric_limits<double>::infinity();
+}
+
+void CreepRate::accept(double /*t*/, std::span<const double> /*y*/) {
+  // The last evaluation is at or beside the accepted point: its contact state is the nearest one at hand.
+  elasticity_.keep_warm();
+}
+
+ode::System::Counters CreepRate::counters() const {
+  const ContactElasticity::Counters& elastic = elasticity_.counters();
+  Counters result;
+  result.rate_evaluations = rate_evaluations_;
+  result.jacobian_products = jacobian_products_;
+  result.elastic_solves = elastic.elastic_solves;
+  result.contact_solves = elastic.contact_solves;
+  result.schwarz_iterations = elastic.schwarz_iterations;
+  result.factorizations = elastic.factorizations;
+  result.active_contacts = static_cast<std::int64_t>(elasticity_.active_contacts());
+  return result;
+}
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,96 @@
+#include "field_arrays.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+void append_components(const Tensor6& mandel, std::vector<double>& values) {
+  for (int k = 0; k < 6; ++k) values.push_back(k < 3 ? mandel[k] : mandel[k] / tensor::sqrt2);
+}
+
+/// Pressure and gap at the multiplier nodes of all pairs; middle nodes of quadratic faces stay 0 and are filled below.
+void add_contact(const Snapshot& snapshot, io::FieldData& pressure, io::FieldData& gap) {
+  const ContactElasticity& elasticity = snapshot.elasticity();
+  std::vector<std::size_t> first_node;
+  std::size_t count = 0;
+  for (const auto& body : elasticity.model().bodies) {
+    first_node.push_back(count);
+    count += body->mesh().nodes.size();
+  }
+  for (const contact::Pair& pair : elasticity.interface().pairs()) {
+    const bool tied = pair.coupling.type == contact::ContactType::tied;
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+      const contact::MultiplierNode& node = pair.coupling.nodes[i];
+      const int row = pair.first_row + static_cast<int>(tied ? 3 * i : i);
+      const std::size_t at = first_node[pair.slave_body] + static_cast<std::size_t>(node.node);
+      pressure.values[at] =
+          tied ? -node.normal.dot(elasticity.multipliers().segment<3>(row)) : elasticity.multipliers()[row];
+      gap.values[at] = tied ? 0.0 : elasticity.gaps()[row] / pair.coupling.area[i];
+    }
+    // The multipliers are linear along the edges of a quadratic face.
+    const mesh::Mesh& mesh = elasticity.model().bodies[pair.slave_body]->mesh();
+    for (const mesh::Face& face : mesh::boundary_faces(mesh, pair.slave_surface)) {
+      const int corners = mesh::n_corners(face.type);
+      for (int e = 0; e < corners && mesh::order(face.type) == 2; ++e) {
+        const auto node = [&](int k) {
+          return first_node[pair.slave_body] + static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(k)]);
+        };
+        for (io::FieldData* data : {&pressure, &gap})
+          data->values[node(corners + e)] = 0.5 * (data->values[node(e)] + data->values[node((e + 1) % corners)]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<io::FieldData> point_arrays(const Snapshot& snapshot) {
+  io::FieldData displacement{"displacement", 3, {}}, stress{"stress", 6, {}}, creep{"creep_strain", 6, {}};
+  io::FieldData von_mises{"von_mises", 1, {}}, equivalent{"creep_strain_equivalent", 1, {}};
+  io::FieldData temperature{"temperature", 1, {}}, body_id{"body", 1, {}};
+  const auto& bodies = snapshot.elasticity().model().bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyFields& fields = snapshot.fields(b);
+    for (std::size_t i = 0; i < fields.n_nodes(); ++i) {
+      const Sample sample = fields.at_node(i);
+      displacement.values.insert(displacement.values.end(), sample.displacement.begin(), sample.displacement.end());
+      append_components(sample.stress, stress.values);
+      append_components(sample.creep_strain, creep.values);
+      von_mises.values.push_back(tensor::von_mises(sample.stress));
+      equivalent.values.push_back(tensor::equivalent_strain(sample.creep_strain));
+      temperature.values.push_back(sample.temperature);
+      body_id.values.push_back(static_cast<double>(b));
+    }
+  }
+  std::vector<io::FieldData> result{displacement, stress, creep, von_mises, equivalent, temperature, body_id};
+  if (snapshot.elasticity().interface().n_rows() > 0) {
+    const std::size_t n = body_id.values.size();
+    io::FieldData pressure{"contact_pressure", 1, std::vector<double>(n)}, gap{"gap", 1, std::vector<double>(n)};
+    add_contact(snapshot, pressure, gap);
+    result.push_back(std::move(pressure));
+    result.push_back(std::move(gap));
+  }
+  return result;
+}
+
+std::vector<io::FieldData> cell_arrays(const Snapshot& snapshot) {
+  io::FieldData stress{"stress", 6, {}}, creep{"creep_strain", 6, {}}, von_mises{"von_mises", 1, {}};
+  io::FieldData body_id{"body", 1, {}};
+  const auto& bodies = snapshot.elasticity().model().bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyFields& fields = snapshot.fields(b);
+    const mechanics::Discretization& discretization = bodies[b]->discretization();
+    std::vector<double> stress_means(6 * discretization.n_elements()), creep_means(6 * discretization.n_elements());
+    discretization.to_elements(fields.point_values(BodyFields::stress), 6, stress_means);
+    discretization.to_elements(fields.point_values(BodyFields::creep_strain), 6, creep_means);
+    for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
+      const Tensor6 mean = Eigen::Map<const Tensor6>(stress_means.data() + 6 * e);
+      append_components(mean, stress.values);
+      append_components(Eigen::Map<const Tensor6>(creep_means.data() + 6 * e), creep.values);
+      von_mises.values.push_back(tensor::von_mises(mean));
+      body_id.values.push_back(static_cast<double>(b));
+    }
+  }
+  return {stress, creep, von_mises, body_id};
+}
+
+}  // namespace creepcontact::simulation

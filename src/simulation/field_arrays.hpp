@@ -1,0 +1,17 @@
+#pragma once
+/// Nodal and element arrays of a snapshot as the field files take them; bodies one after the other.
+
+#include <vector>
+
+#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/simulation/snapshot.hpp"
+
+namespace creepcontact::simulation {
+
+/// displacement, stress, creep_strain, von_mises, creep_strain_equivalent, temperature (if given), contact_pressure and
+/// gap (0 off the slave surfaces), body.
+std::vector<io::FieldData> point_arrays(const Snapshot& snapshot);
+/// Element means: stress, creep_strain, von_mises, body.
+std::vector<io::FieldData> cell_arrays(const Snapshot& snapshot);
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,32 @@
+#include "interrupt.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+extern "C" void catch_signal(int) {
+  caught = 1;
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  caught = 0;
+  struct sigaction action {};
+  action.sa_handler = catch_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, &old_int_);
+  sigaction(SIGTERM, &action, &old_term_);
+}
+
+Interrupt::~Interrupt() {
+  sigaction(SIGINT, &old_int_, nullptr);
+  sigaction(SIGTERM, &old_term_, nullptr);
+}
+
+bool Interrupt::requested() const {
+  return caught != 0;
+}
+
+}  // namespace creepcontact::simulation

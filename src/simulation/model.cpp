@@ -1,0 +1,104 @@
+#include "creepcontact/simulation/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/io/gmsh_reader.hpp"
+#include "model_parts.hpp"
+
+namespace creepcontact::simulation {
+
+void Mistakes::collect(const config::Location& where, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const ModelError& error) {
+    const std::string prefix = where.prefix();
+    const std::string message = error.what();
+    // Some messages already begin with a place.
+    lines_.push_back(message.rfind(prefix, 0) == 0 ? message : prefix + message);
+  }
+}
+
+void Mistakes::raise() const {
+  if (empty()) return;
+  std::string all;
+  for (const std::string& line : lines_) all += (all.empty() ? "" : "\n") + line;
+  throw ModelError(all);
+}
+
+std::size_t Model::find_body(const std::string& name) const {
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body->name() == name; });
+  return static_cast<std::size_t>(found - bodies.begin());
+}
+
+std::vector<std::size_t> Model::bodies_with(const std::string& group) const {
+  std::vector<std::size_t> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& groups = bodies[b]->mesh().groups;
+    const auto found = groups.find(group);
+    if (found != groups.end() && !found->second.cells.empty()) result.push_back(b);
+  }
+  return result;
+}
+
+bool Model::creeps() const {
+  return std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body->material().creeps(); });
+}
+
+Model build_model(const config::Config& config) {
+  const mesh::Mesh whole =
+      io::read_mesh(config.mesh.file, {.order = config.mesh.order, .parameters = config.mesh.parameters});
+
+  Mistakes mistakes;
+  BodyMeshes meshes(config.bodies.size());
+  for (std::size_t b = 0; b < config.bodies.size(); ++b)
+    mistakes.collect(config.bodies[b].location, [&] {
+      std::vector<std::string> regions;
+      for (const config::Reference& region : config.bodies[b].region) regions.push_back(region.name);
+      meshes[b] = mesh::extract(whole, regions).mesh;
+    });
+  mistakes.raise();  // what follows looks for groups on the bodies
+
+  std::vector<std::vector<mechanics::Support>> supports(meshes.size());
+  for (const config::Support& support : config.supports)
+    mistakes.collect(support.on.location, [&] {
+      for (const std::size_t b : bodies_on(config, whole, meshes, support.on.name, support.body, -1))
+        for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
+    });
+
+  Model model;
+  std::optional<Function> temperature;
+  if (config.temperature) temperature = config.temperature->value;
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    mistakes.collect(config.bodies[b].location, [&] {
+      model.bodies.push_back(std::make_unique<mechanics::Body>(
+          config.bodies[b].name, meshes[b], make_material(config.material(config.bodies[b].material.name)), supports[b],
+          temperature));
+    });
+  mistakes.raise();
+
+  for (const config::Load& load : config.loads)
+    mistakes.collect(load.location, [&] { add_load(load, config, whole, meshes, model); });
+  for (const config::Contact& contact : config.contacts)
+    mistakes.collect(contact.location, [&] { model.pairs.push_back(make_pair(contact, config, whole, model)); });
+  mistakes.raise();
+
+  model.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
+  using To = contact::SchwarzOptions::Acceleration;
+  constexpr To accelerations[] = {To::none, To::aitken, To::anderson, To::cg};  // in the configuration's order
+  model.schwarz = {.alpha = config.contact_solver.alpha,
+                   .acceleration = accelerations[static_cast<int>(config.contact_solver.acceleration)],
+                   .tolerance = config.contact_solver.tolerance,
+                   .max_iterations = config.contact_solver.max_iterations};
+  model.breakpoints = breakpoints(config);
+  return model;
+}
+
+std::unique_ptr<contact::ContactSolver> make_contact_solver(const Model& model,
+                                                            const contact::ContactProblem& problem) {
+  return model.use_schwarz ? contact::schwarz_solver(problem, model.schwarz) : contact::active_set_solver(problem);
+}
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,143 @@
+#include "model_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::simulation {
+
+material::Material make_material(const config::Material& from) {
+  material::Material result;
+  result.name = from.name;
+  result.young_modulus = from.young_modulus;
+  result.poisson_ratio = from.poisson_ratio;
+  result.thermal_expansion = from.thermal_expansion;
+  result.reference_temperature = from.reference_temperature;
+  for (const config::CreepMechanism& mechanism : from.creep) {
+    std::vector<Function> parameters;
+    for (const config::CreepParameter& parameter : mechanism.parameters)
+      parameters.insert(parameters.end(), parameter.values.begin(), parameter.values.end());
+    result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(parameters)));
+  }
+  return result;
+}
+
+std::size_t body_index(const config::Config& config, const std::string& name) {
+  const auto found =
+      std::find_if(config.bodies.begin(), config.bodies.end(), [&](const auto& body) { return body.name == name; });
+  return static_cast<std::size_t>(found - config.bodies.begin());
+}
+
+std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                                   const std::string& group, const config::Reference& body, int dimension) {
+  whole.group(group, dimension);  // names the groups that exist if there is none of this name
+  std::vector<std::size_t> result;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (body.given() && b != body_index(config, body.name)) continue;
+    const auto found = meshes[b].groups.find(group);
+    if (found != meshes[b].groups.end() && !found->second.cells.empty()) result.push_back(b);
+  }
+  if (result.empty())
+    throw ModelError(body.given() ? fmt::format("group '{}' is not on body '{}'", group, body.name)
+                                  : fmt::format("group '{}' is on none of the bodies", group));
+  return result;
+}
+
+std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body) {
+  std::vector<mechanics::Support> result;
+  const std::vector<std::int64_t> nodes = mesh::group_nodes(body, support.on.name);
+  for (int k = 0; k < 3; ++k)
+    if (const auto& value = support.displacement[static_cast<std::size_t>(k)])
+      result.push_back({support.on.name, nodes, {Vector3(Vector3::Unit(k))}, *value});
+  if (support.normal) {
+    if (body.group(support.on.name).dimension != 2)
+      throw ModelError(fmt::format("group '{}' is no surface: it has no normal; give x, y or z", support.on.name));
+    const std::vector<mesh::Face> faces = mesh::boundary_faces(body, support.on.name);
+    result.push_back({support.on.name, nodes, mechanics::nodal_normals(body, faces, nodes), *support.normal});
+  }
+  return result;
+}
+
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const mesh::Mesh& whole,
+                        const Model& model) {
+  std::array<std::vector<std::size_t>, 2> owners;
+  for (std::size_t side = 0; side < 2; ++side) {
+    whole.group(contact.between[side].name, 2);
+    owners[side] = model.bodies_with(contact.between[side].name);
+    if (owners[side].empty())
+      throw ModelError(fmt::format("surface '{}' is on none of the bodies", contact.between[side].name));
+  }
+  // A surface meshed once between two bodies is on both: each side of the pair takes another of them.
+  std::array<std::size_t, 2> body{owners[0].front(), owners[1].front()};
+  if (body[0] == body[1]) {
+    if (owners[1].size() > 1)
+      body[1] = owners[1].back();
+    else if (owners[0].size() > 1)
+      body[0] = owners[0].back();
+    else
+      throw ModelError(
+          fmt::format("surfaces '{}' and '{}' belong to one and the same body '{}'; contact is between two "
+                      "bodies",
+                      contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
+  }
+  std::array<contact::Surface, 2> surfaces;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const mechanics::Body& owner = *model.bodies[body[side]];
+    surfaces[side].name = contact.between[side].name;
+    surfaces[side].mesh = &owner.mesh();
+    surfaces[side].constraints = &owner.constraints();
+    surfaces[side].faces = mesh::boundary_faces(owner.mesh(), contact.between[side].name);
+    surfaces[side].young_modulus = owner.material().young_modulus({.T = owner.material().reference_temperature});
+  }
+  const bool first_is_slave =
+      contact.slave >= 0 ? contact.slave == 0 : contact::first_is_better_slave(surfaces[0], surfaces[1]);
+  const std::size_t slave = first_is_slave ? 0 : 1;
+  const std::size_t master = 1 - slave;
+
+  contact::Pair pair;
+  pair.name = contact.name;
+  pair.slave_surface = surfaces[slave].name;
+  pair.master_surface = surfaces[master].name;
+  pair.slave_body = body[slave];
+  pair.master_body = body[master];
+  pair.coupling = contact::mortar_coupling(
+      surfaces[slave], surfaces[master],
+      contact.type == config::ContactType::tied ? contact::ContactType::tied : contact::ContactType::unilateral);
+  pair.gap = contact.gap;
+  pair.geometric_gap = contact.geometric_gap;
+  return pair;
+}
+
+std::vector<double> breakpoints(const config::Config& config) {
+  std::set<double> times(config.time.breakpoints.begin(), config.time.breakpoints.end());
+  const auto add = [&](const Function& function) {
+    for (const double t : function.breakpoints()) times.insert(t);
+  };
+  for (const config::Support& support : config.supports) {
+    for (const auto& value : support.displacement)
+      if (value) add(*value);
+    if (support.normal) add(*support.normal);
+  }
+  for (const config::Load& load : config.loads) {
+    if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) add(pressure->value);
+    if (const auto* rotation = std::get_if<config::Rotation>(&load.kind)) add(rotation->angular_velocity);
+    if (const auto* traction = std::get_if<config::Traction>(&load.kind))
+      for (const Function& value : traction->value) add(value);
+    if (const auto* force = std::get_if<config::PointForce>(&load.kind))
+      for (const Function& value : force->value) add(value);
+    if (const auto* force = std::get_if<config::BodyForce>(&load.kind))
+      for (const Function& value : force->value) add(value);
+  }
+  if (config.temperature) add(config.temperature->value);
+  for (const config::Contact& contact : config.contacts) add(contact.gap);
+  std::vector<double> result;
+  for (const double t : times)
+    if (t > 0 && t < config.time.end) result.push_back(t);
+  return result;
+}
+
+}  // namespace creepcontact::simulation

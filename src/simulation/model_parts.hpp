@@ -1,0 +1,49 @@
+#pragma once
+/// Pieces of build_model: each turns one kind of configuration entry into its counterpart in the model.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "creepcontact/mesh/mesh.hpp"
+#include "creepcontact/simulation/model.hpp"
+
+namespace creepcontact::simulation {
+
+/// Collects the mistakes of all entries, so that the user sees them in one go.
+class Mistakes {
+ public:
+  /// Runs `work`; a ModelError becomes one line that begins with the place in the configuration.
+  void collect(const config::Location& where, const std::function<void()>& work);
+  /// @throws ModelError with all lines, if there is any
+  void raise() const;
+  bool empty() const { return lines_.empty(); }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+material::Material make_material(const config::Material& material);
+
+/// Meshes of the bodies, in the order of the configuration.
+using BodyMeshes = std::vector<mesh::Mesh>;
+
+/// Bodies named by `body`, or else all that have the group. @throws ModelError if there is none
+std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                                   const std::string& group, const config::Reference& body, int dimension);
+std::size_t body_index(const config::Config& config, const std::string& name);
+
+/// Conditions that one [[supports]] entry puts on a body.
+std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body);
+
+void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+              Model& model);
+
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const mesh::Mesh& whole,
+                        const Model& model);
+
+/// Kinks in time of every function of the configuration, and the user's own breakpoints; ascending, within (0, end).
+std::vector<double> breakpoints(const config::Config& config);
+
+}  // namespace creepcontact::simulation

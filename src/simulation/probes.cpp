@@ -1,0 +1,73 @@
+#include "creepcontact/simulation/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "model_parts.hpp"
+#include "probe_kinds.hpp"
+
+namespace creepcontact::simulation {
+
+void Reduction::add(double value, double weight) {
+  sum_ += weight * value;
+  weight_ += weight;
+  max_ = std::max(max_, value);
+  min_ = std::min(min_, value);
+}
+
+double Reduction::result() const {
+  switch (kind_) {
+    case config::Reduce::mean:
+      return weight_ > 0 ? sum_ / weight_ : 0;
+    case config::Reduce::max:
+      return max_;
+    case config::Reduce::min:
+      return min_;
+    case config::Reduce::sum:
+      return sum_;
+  }
+  return 0;
+}
+
+std::vector<std::size_t> probe_bodies(const config::Probe& probe, const Model& model) {
+  std::vector<std::size_t> bodies = model.bodies_with(probe.on.name);
+  if (bodies.empty()) {
+    std::string names;
+    for (const auto& body : model.bodies)
+      for (const auto& [name, group] : body->mesh().groups)
+        if (group.dimension < 3 && names.find("'" + name + "'") == std::string::npos)
+          names += (names.empty() ? "'" : ", '") + name + "'";
+    throw ModelError(fmt::format("no body has a group '{}'; there are {}", probe.on.name, names));
+  }
+  if (!probe.body.given()) return bodies;
+  const std::size_t wanted = model.find_body(probe.body.name);
+  if (std::find(bodies.begin(), bodies.end(), wanted) == bodies.end())
+    throw ModelError(fmt::format("group '{}' is not on body '{}'", probe.on.name, probe.body.name));
+  return {wanted};
+}
+
+std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, const Model& model,
+                                                const std::vector<contact::Pair>& pairs) {
+  std::vector<std::unique_ptr<Probe>> result;
+  Mistakes mistakes;
+  for (const config::Probe& probe : config.probes)
+    mistakes.collect(probe.location, [&] {
+      const QuantityInfo::Kind kind = quantity(probe.quantity).kind;
+      if (kind == QuantityInfo::Kind::reaction)
+        result.push_back(reaction_probe(probe, model));
+      else if (kind != QuantityInfo::Kind::field)
+        result.push_back(contact_probe(probe, model, pairs));
+      else if (probe.at)
+        result.push_back(point_probe(probe, model));
+      else if (probe.on.given())
+        result.push_back(group_probe(probe, model));
+      else
+        result.push_back(body_probe(probe, model));
+    });
+  mistakes.raise();
+  return result;
+}
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,43 @@
+#include "results.hpp"
+
+#include <cmath>
+
+#include "creepcontact/simulation/quantities.hpp"
+#include "field_arrays.hpp"
+
+namespace creepcontact::simulation {
+
+Results::Results(const config::Config& config, const std::filesystem::path& directory,
+                 const ContactElasticity& elasticity, io::Continuation continuation)
+    : probes_(make_probes(config, elasticity.model(), elasticity.interface().pairs())) {
+  std::vector<std::string> names;
+  for (const config::Probe& probe : config.probes) names.push_back(probe.name);
+  history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation);
+  steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation);
+  if (config.output.fields) {
+    io::FieldMesh mesh;
+    for (const auto& body : elasticity.model().bodies) mesh.append(body->mesh());
+    fields_ = std::make_unique<io::FieldWriter>(directory, "fields", mesh, config.units, continuation);
+  }
+}
+
+void Results::output(const Snapshot& snapshot) {
+  values_.clear();
+  for (const auto& probe : probes_) values_.push_back(probe->value(snapshot));
+  history_->write(snapshot.time(), values_);
+  if (fields_) fields_->write(snapshot.time(), point_arrays(snapshot), cell_arrays(snapshot));
+}
+
+void Results::step(const ode::StepReport& report, const ode::System::Counters& before,
+                   const ode::System::Counters& after) {
+  steps_->write({.time = report.time,
+                 .step = report.step,
+                 .order = report.order,
+                 .rhs_evaluations = after.rate_evaluations - before.rate_evaluations,
+                 .elastic_solves = after.elastic_solves - before.elastic_solves,
+                 .schwarz_iterations = after.schwarz_iterations - before.schwarz_iterations,
+                 .active_contacts = after.active_contacts,
+                 .error_estimate = report.error_estimate});
+}
+
+}  // namespace creepcontact::simulation

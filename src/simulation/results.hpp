@@ -1,0 +1,38 @@
+#pragma once
+/// The result files of a run, written as it goes.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/history_writer.hpp"
+#include "creepcontact/io/step_writer.hpp"
+#include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/simulation/probes.hpp"
+
+namespace creepcontact::simulation {
+
+class Results {
+ public:
+  /// @param continuation  of an interrupted run, or none
+  Results(const config::Config& config, const std::filesystem::path& directory, const ContactElasticity& elasticity,
+          io::Continuation continuation);
+
+  /// A row of history.csv and a file of fields.
+  void output(const Snapshot& snapshot);
+  /// A row of steps.csv. @param before, after  counters around the step
+  void step(const ode::StepReport& report, const ode::System::Counters& before, const ode::System::Counters& after);
+  /// Last row of history.csv.
+  const std::vector<double>& last_values() const { return values_; }
+
+ private:
+  std::vector<std::unique_ptr<Probe>> probes_;
+  std::vector<double> values_;
+  std::unique_ptr<io::HistoryWriter> history_;
+  std::unique_ptr<io::StepWriter> steps_;
+  std::unique_ptr<io::FieldWriter> fields_;
+};
+
+}  // namespace creepcontact::simulation

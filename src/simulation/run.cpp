@@ -1,0 +1,125 @@
+#include "creepcontact/simulation/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <filesystem>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "time_loop.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void warn_of_locking(const Model& model) {
+  for (const auto& body : model.bodies) {
+    if (!body->material().creeps()) continue;
+    for (const mesh::CellBlock& block : body->mesh().blocks)
+      if (block.type == mesh::CellType::tet4 && block.size() > 0) {
+        log::warning(
+            "body '{}' has linear tetrahedra (tet4), which lock under creep: stresses will be wrong; mesh it with "
+            "quadratic ones (mesh.order = 2) or hexahedra",
+            body->name());
+        break;
+      }
+  }
+}
+
+io::Summary make_summary(const config::Config& config, const Model& model, const TimeLoop& loop,
+                         const Stopwatch& watch) {
+  io::Summary summary;
+  summary.title = config.title;
+  summary.units = config.units;
+  summary.version = CREEPCONTACT_VERSION;
+  summary.integrator = config.time.integrator;
+  summary.time_reached = loop.time();
+  const ode::Integrator::Counters steps = loop.integrator_counters();
+  const ode::System::Counters counters = loop.system_counters();
+  summary.steps = steps.steps;
+  summary.rejected_steps = steps.rejected_steps;
+  summary.rhs_evaluations = counters.rate_evaluations;
+  summary.jacobian_products = counters.jacobian_products;
+  summary.elastic_solves = counters.elastic_solves;
+  summary.contact_solves = counters.contact_solves;
+  summary.schwarz_iterations = counters.schwarz_iterations;
+  summary.factorizations = counters.factorizations;
+  for (const auto& body : model.bodies)
+    summary.bodies[body->name()] = {body->constraints().n_free(),
+                                    static_cast<std::int64_t>(body->discretization().n_elements()),
+                                    static_cast<std::int64_t>(body->discretization().n_points())};
+  summary.wall_seconds = {watch.total(),
+                          watch.seconds(Part::factorize),
+                          watch.seconds(Part::solve),
+                          watch.seconds(Part::material),
+                          watch.seconds(Part::contact),
+                          watch.seconds(Part::output)};
+  summary.peak_memory_mb = peak_memory_mb();
+  return summary;
+}
+
+}  // namespace
+
+RunResult run(const config::Config& config, const RunOptions& options) {
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  if (options.quiet) log::set_level(log::Level::warning);
+  Stopwatch watch;
+  const std::filesystem::path directory =
+      options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
+
+  Model model = build_model(config);
+  warn_of_locking(model);
+  for (const auto& body : model.bodies)
+    log::info("body '{}': {} elements, {} unknowns", body->name(), body->discretization().n_elements(),
+              body->constraints().n_free());
+  ContactElasticity elasticity(model, watch);
+  for (const contact::Pair& pair : elasticity.interface().pairs())
+    log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
+  CreepRate system(elasticity, watch, config.time.end);
+
+  std::error_code failure;
+  std::filesystem::create_directories(directory, failure);
+  if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
+  TimeLoop loop(config, system, watch, directory, options.resume, options.quiet);
+
+  const auto write_summary = [&](io::Summary::Status status, const std::string& message) {
+    io::Summary summary = make_summary(config, model, loop, watch);
+    summary.status = status;
+    summary.message = message;
+    io::write_summary(directory / "summary.json", summary);
+    return summary;
+  };
+  // Should the run be killed, its last summary says how far it came.
+  loop.after_output = [&] { write_summary(io::Summary::Status::interrupted, "killed after the last output time"); };
+
+  RunResult result;
+  io::Summary summary;
+  try {
+    if (loop.run() == TimeLoop::End::completed) {
+      summary = write_summary(io::Summary::Status::completed, "");
+    } else {
+      result = {130, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
+      summary = write_summary(io::Summary::Status::interrupted, result.message);
+    }
+  } catch (const SolverError& error) {
+    result = {error.exit_status(),
+              fmt::format("{}\nresults up to t = {:.6g} are in {}", error.what(), loop.time(), directory.string())};
+    write_summary(io::Summary::Status::failed, error.what());
+    return result;
+  }
+  if (!options.quiet)
+    fmt::print("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
+               result.exit_status == 0 ? "done" : "interrupted", summary.steps, summary.elastic_solves,
+               summary.schwarz_iterations, summary.wall_seconds.total, directory.string());
+  return result;
+}
+
+}  // namespace creepcontact::simulation

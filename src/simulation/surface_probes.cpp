@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "creepcontact/base/error.hpp"
+#include "probe_kinds.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+class ContactProbe final : public Probe {
+ public:
+  struct Side {
+    std::size_t pair, body;
+  };
+  ContactProbe(std::vector<Side> sides, const QuantityInfo& info, config::Reduce reduce)
+      : sides_(std::move(sides)), info_(info), reduce_(reduce) {}
+
+  double value(const Snapshot& snapshot) const override {
+    Reduction reduction(info_.kind == QuantityInfo::Kind::area ? config::Reduce::sum : reduce_);
+    double force = 0;
+    for (const Side& side : sides_) {
+      const contact::Pair& pair = snapshot.elasticity().interface().pairs()[side.pair];
+      if (info_.kind == QuantityInfo::Kind::force)
+        force += contact_force(snapshot, pair, side.body);
+      else
+        add_nodes(snapshot, pair, reduction);
+    }
+    return info_.kind == QuantityInfo::Kind::force ? force : reduction.result();
+  }
+
+ private:
+  void add_nodes(const Snapshot& snapshot, const contact::Pair& pair, Reduction& reduction) const {
+    const Eigen::VectorXd& multipliers = snapshot.elasticity().multipliers();
+    const Eigen::VectorXd& gaps = snapshot.elasticity().gaps();
+    const bool tied = pair.coupling.type == contact::ContactType::tied;
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+      const double area = pair.coupling.area[i];
+      const int row = pair.first_row + static_cast<int>(tied ? 3 * i : i);
+      const Vector3& normal = pair.coupling.nodes[i].normal;
+      // A tied surface carries a vector: its pressure is the part along the normal (tension negative).
+      const double pressure = tied ? -normal.dot(multipliers.segment<3>(row)) : multipliers[row];
+      const double gap = tied ? 0.0 : gaps[row] / area;
+      if (info_.kind == QuantityInfo::Kind::pressure)
+        reduction.add(pressure, area);
+      else if (info_.kind == QuantityInfo::Kind::gap)
+        reduction.add(gap, area);
+      else
+        reduction.add(tied || pressure > 0 ? 1.0 : 0.0, area);
+    }
+  }
+
+  double contact_force(const Snapshot& snapshot, const contact::Pair& pair, std::size_t body) const {
+    const contact::RowMatrix& rows = pair.slave_body == body ? pair.coupling.slave_rows : pair.coupling.master_rows;
+    const Eigen::VectorXd forces =
+        rows.transpose() * snapshot.elasticity().multipliers().segment(pair.first_row, pair.coupling.n_rows());
+    double sum = 0;
+    for (Eigen::Index i = info_.component; i < forces.size(); i += 3) sum += forces[i];
+    return sum;
+  }
+
+  std::vector<Side> sides_;
+  const QuantityInfo& info_;
+  config::Reduce reduce_;
+};
+
+class ReactionProbe final : public Probe {
+ public:
+  ReactionProbe(std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes, int component)
+      : nodes_(std::move(nodes)), component_(component) {}
+
+  double value(const Snapshot& snapshot) const override {
+    double sum = 0;
+    for (const auto& [body, nodes] : nodes_) {
+      const std::vector<double>& forces = snapshot.reactions(body);
+      for (const std::int64_t node : nodes) sum += forces[static_cast<std::size_t>(3 * node + component_)];
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes_;
+  int component_;
+};
+
+}  // namespace
+
+std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const Model& model,
+                                     const std::vector<contact::Pair>& pairs) {
+  std::vector<ContactProbe::Side> sides;
+  std::set<std::string> surfaces;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const contact::Pair& pair = pairs[p];
+    surfaces.insert({pair.slave_surface, pair.master_surface});
+    const auto wanted = [&](std::size_t body) {
+      return !probe.body.given() || model.bodies[body]->name() == probe.body.name;
+    };
+    if (pair.slave_surface == probe.on.name && wanted(pair.slave_body))
+      sides.push_back({p, pair.slave_body});
+    else if (pair.master_surface == probe.on.name && wanted(pair.master_body))
+      sides.push_back({p, pair.master_body});
+  }
+  if (sides.empty()) {
+    std::string names;
+    for (const std::string& name : surfaces) names += (names.empty() ? "'" : ", '") + name + "'";
+    throw ModelError(fmt::format("surface '{}' is in no contact; surfaces in contact: {}", probe.on.name,
+                                 names.empty() ? "none" : names));
+  }
+  return std::make_unique<ContactProbe>(std::move(sides), quantity(probe.quantity), probe.reduce);
+}
+
+std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const Model& model) {
+  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes;
+  for (const std::size_t b : probe_bodies(probe, model))
+    nodes.emplace_back(b, mesh::group_nodes(model.bodies[b]->mesh(), probe.on.name));
+  return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).component);
+}
+
+}  // namespace creepcontact::simulation
