@@ -28,7 +28,7 @@ std::string seal(std::uint64_t n_bytes, std::uint32_t crc) {
 /// The seal that a file ought to have, from the bytes behind its place.
 std::string computed_seal(std::istream& stream) {
   stream.seekg(seal_size);
-  std::vector<char> buffer(std::size_t{1} << 20);
+  std::vector<char> buffer(std::size_t{1} << 16);
   std::uint64_t n_bytes = 0;
   uLong crc = ::crc32(0, nullptr, 0);
   while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), stream.gcount() > 0) {

@@ -47,7 +47,8 @@ std::span<const int> vtk_order(CellType type) {
   // Edges of the bottom, of the top, upright ones; then, hex27 only, the faces -x +x -y +y -z +z and the middle.
   static constexpr std::array hex27{0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
                                     19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26};
-  static constexpr std::array wedge15{0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11};
+  // VTK wants the normal of a wedge's first triangle to point outward, Gmsh inward: both triangles are turned over.
+  static constexpr std::array wedge15{0, 2, 1, 3, 5, 4, 7, 9, 6, 13, 14, 12, 8, 11, 10};
   static const auto same = [] {
     std::array<int, 27> numbers{};
     std::iota(numbers.begin(), numbers.end(), 0);
@@ -60,8 +61,9 @@ std::span<const int> vtk_order(CellType type) {
     case CellType::hex20:
     case CellType::hex27:
       return std::span(hex27).first(n);
+    case CellType::wedge6:
     case CellType::wedge15:
-      return wedge15;
+      return std::span(wedge15).first(n);
     default:
       return std::span(same).first(n);
   }

@@ -147,11 +147,19 @@ class VtkOrder : public testing::TestWithParam<CellType> {
   test::TemporaryDirectory directory_;
 };
 
-TEST_P(VtkOrder, CornersKeepTheirPlaces) {
+// vtkWedge: "(0,1,2) is the base of the wedge which, using the right hand rule, forms a triangle whose normal points
+// outward". The corners of the other cells are those of Gmsh.
+TEST_P(VtkOrder, CornersAreOrientedAsVtkWantsThem) {
   const auto vtk = cell();
+  const int corners = mesh::n_corners(GetParam());
+  if (corners == 6) {
+    EXPECT_LT((vtk[1] - vtk[0]).cross(vtk[2] - vtk[0]).dot(vtk[3] - vtk[0]), 0);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(vtk[i] + Vector3(0, 0, 2), vtk[i + 3]);
+    return;
+  }
   const auto gmsh = mesh::test::reference_nodes(GetParam());
   ASSERT_EQ(vtk.size(), gmsh.size());
-  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh::n_corners(GetParam())); ++i) EXPECT_EQ(vtk[i], gmsh[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i) EXPECT_EQ(vtk[i], gmsh[i]);
 }
 
 TEST_P(VtkOrder, MidNodesLieWhereVtkExpectsThem) {
