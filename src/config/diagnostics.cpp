@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "creepcontact/base/error.hpp"
-#include "suggestion.hpp"
+#include "creepcontact/config/suggestion.hpp"
 
 namespace creepcontact::config {
 

@@ -37,12 +37,12 @@ std::vector<std::string> kind_names() {
 void check_place(const Item& item, const Kind& kind, Context& context) {
   if (!item.has(kind.place)) {
     context.errors.add(item.location, fmt::format("'{}' without '{}'", kind.name, kind.place),
-                       fmt::format("'{}' acts {} '{}'", kind.name, kind.place == "body" ? "in a" : "", kind.place));
+                       fmt::format("'{}' with '{}'", kind.name, kind.place));
   }
   for (const std::string& key : given_keys(item, {"on", "at"})) {
     if (key == kind.place) continue;
-    context.errors.add(item.child(key).location, fmt::format("'{}' does not act '{}' something", kind.name, key),
-                       fmt::format("'{}'", kind.place));
+    context.errors.add(item.child(key).location, fmt::format("'{}' with '{}'", kind.name, key),
+                       fmt::format("'{}' with '{}'", kind.name, kind.place));
   }
   if (item.has("tolerance") && kind.place != "at") {
     context.errors.add(item.child("tolerance").location, "has no meaning here", "beside 'at' only");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -24,8 +23,7 @@ class Override {
       errors_.add(where_, "no '='", "key.path=value");
       return;
     }
-    // contacts[0].gap as error messages write it, contacts.0.gap as TOML reads it
-    const std::string key = std::regex_replace(text.substr(0, equals), std::regex(R"(\[(\d+)\])"), ".$1");
+    const std::string key = indices_as_keys(text.substr(0, equals));
     if (!is_key(key)) {
       errors_.add(where_, "no valid key before the '='", "key.path=value");
       return;
@@ -38,6 +36,21 @@ class Override {
   }
 
  private:
+  /// contacts[0].gap, as messages write it, to contacts.0.gap
+  static std::string indices_as_keys(const std::string& key) {
+    std::string dotted;
+    bool quoted = false;
+    for (const char letter : key) {
+      quoted ^= letter == '"';
+      if (quoted || (letter != '[' && letter != ']')) {
+        dotted += letter;
+      } else if (letter == '[') {
+        dotted += '.';
+      }
+    }
+    return dotted;
+  }
+
   static bool is_key(const std::string& key) {
     try {
       return toml::parse(key + " = 0").size() == 1;

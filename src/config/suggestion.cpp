@@ -1,4 +1,4 @@
-#include "suggestion.hpp"
+#include "creepcontact/config/suggestion.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -30,8 +30,12 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view name, const std::vector<std::string>& names) {
+  constexpr std::size_t telling = 3;  // letters of a beginning that can be meant as one
+  const auto distance = [&](const std::string& candidate) {
+    return name.size() >= telling && candidate.starts_with(name) ? 0 : edit_distance(name, candidate);
+  };
   const auto found = std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-    return edit_distance(name, a) < edit_distance(name, b);
+    return distance(a) < distance(b);
   });
   return found == names.end() ? std::string() : *found;
 }

@@ -11,6 +11,17 @@ TEST(ConfigMistakes, Syntax) {
   EXPECT_EQ(lines[0].rfind(at_12, 0), 0u) << lines[0];
 }
 
+TEST(ConfigMistakes, SameTableTwice) {
+  expect_mistake(minimal + "[bodies.block]\nregion = \"b\"\n", at_12);
+}
+
+TEST(ConfigMistakes, OddDocuments) {
+  EXPECT_EQ(mistakes("").size(), 4u);
+  EXPECT_EQ(mistakes("mesh = 1979-05-27\nbodies = 1\nmaterials = []\ntime = {}\n").size(), 4u);
+  EXPECT_EQ(mistakes("\xff\xfe").size(), 1u);
+  expect_mistake(minimal + "[bodies.\"\"]\n", "cases/block.toml:12:", {"bodies.\"\".region=x"});
+}
+
 TEST(ConfigMistakes, UnknownKeyNamesTheNearest) {
   expect_mistake(minimal + "  integrater = \"cvode_bdf\"\n",
                  at_12 + "3: time.integrater: unknown key; did you mean 'integrator'? (allowed: end, integrator, ");

@@ -1,0 +1,18 @@
+#include <iostream>
+
+#include "command.hpp"
+#include "creepcontact/config/reader.hpp"
+#include "creepcontact/simulation/check.hpp"
+#include "creepcontact/simulation/vocabulary.hpp"
+
+namespace creepcontact::cli {
+
+int check(const Command& self, const Arguments& arguments) {
+  CommandLine line(self);
+  add_overrides(line);
+  if (!line.parse(arguments, "CONFIG.toml")) return 0;
+  std::cout << simulation::check(config::read(line.positional(), simulation::vocabulary(), overrides(line)));
+  return 0;
+}
+
+}  // namespace creepcontact::cli

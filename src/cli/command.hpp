@@ -1,0 +1,57 @@
+#pragma once
+/// The commands of the program, and what they share in reading their arguments.
+
+#include <boost/program_options.hpp>
+#include <string>
+#include <vector>
+
+namespace creepcontact::cli {
+
+using Arguments = std::vector<std::string>;
+
+struct Command {
+  std::string name;
+  std::string usage;    ///< what follows the name: "CONFIG.toml [options]"
+  std::string summary;  ///< one line
+  /// @returns the exit status; throws Error
+  int (*execute)(const Command& self, const Arguments& arguments);
+};
+
+int run(const Command& self, const Arguments& arguments);
+int check(const Command& self, const Arguments& arguments);
+int study(const Command& self, const Arguments& arguments);
+int list(const Command& self, const Arguments& arguments);
+
+/// Arguments of one command: options, and one positional argument that must be given.
+class CommandLine {
+ public:
+  explicit CommandLine(const Command& command);
+
+  boost::program_options::options_description_easy_init add_options() { return options_.add_options(); }
+
+  /// @param positional  name of the positional argument, for messages
+  /// @returns false if help was asked for and has been printed
+  /// @throws ConfigError for an unknown option (naming the nearest), a wrong or missing value
+  bool parse(const Arguments& arguments, const std::string& positional);
+
+  const std::string& positional() const { return positional_; }
+  bool has(const std::string& option) const { return values_.count(option) > 0; }
+  template <class T>
+  const T& get(const std::string& option) const {
+    return values_[option].as<T>();
+  }
+
+ private:
+  std::vector<std::string> option_names() const;
+
+  const Command& command_;
+  boost::program_options::options_description options_;
+  boost::program_options::variables_map values_;
+  std::string positional_;
+};
+
+/// Adds --set key.path=value.
+void add_overrides(CommandLine& line);
+std::vector<std::string> overrides(const CommandLine& line);
+
+}  // namespace creepcontact::cli

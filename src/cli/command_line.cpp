@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "command.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/config/suggestion.hpp"
+
+namespace creepcontact::cli {
+
+namespace po = boost::program_options;
+
+CommandLine::CommandLine(const Command& command) : command_(command), options_("Options") {
+  options_.add_options()("help,h", "show this help");
+}
+
+std::vector<std::string> CommandLine::option_names() const {
+  std::vector<std::string> names;
+  for (const auto& option : options_.options()) names.push_back("--" + option->long_name());
+  return names;
+}
+
+bool CommandLine::parse(const Arguments& arguments, const std::string& positional) {
+  po::options_description all(options_);
+  all.add_options()("positional", po::value<std::string>(&positional_));
+  po::positional_options_description positions;
+  positions.add("positional", 1);
+  const std::string help = fmt::format("; see creepcontact {} --help", command_.name);
+  try {
+    // a beginning of a name is no name: it would hide mistypes and change its meaning with every new option
+    const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), values_);
+    po::notify(values_);
+  } catch (const po::unknown_option& error) {
+    throw ConfigError(fmt::format("unknown option '{}'; did you mean '{}'?{}", error.get_option_name(),
+                                  config::nearest(error.get_option_name(), option_names()), help));
+  } catch (const po::too_many_positional_options_error&) {
+    throw ConfigError(fmt::format("{} takes one argument, {}{}", command_.name, positional, help));
+  } catch (const po::error& error) {
+    throw ConfigError(error.what() + help);
+  }
+  if (has("help")) {
+    std::cout << "creepcontact " << command_.name << ' ' << command_.usage << "\n\n"
+              << command_.summary << "\n\n"
+              << options_;
+    return false;
+  }
+  if (positional_.empty()) throw ConfigError(fmt::format("{} needs {}{}", command_.name, positional, help));
+  return true;
+}
+
+void add_overrides(CommandLine& line) {
+  line.add_options()("set", po::value<std::vector<std::string>>()->value_name("key.path=value"),
+                     "override a value of the configuration; may be repeated");
+}
+
+std::vector<std::string> overrides(const CommandLine& line) {
+  return line.has("set") ? line.get<std::vector<std::string>>("set") : std::vector<std::string>();
+}
+
+}  // namespace creepcontact::cli

@@ -1,0 +1,84 @@
+/// creepcontact: creep of bodies in contact.
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+#include "command.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/config/suggestion.hpp"
+
+namespace creepcontact::cli {
+namespace {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{
+      {"run", "CONFIG.toml [options]", "Computes what the configuration describes.", run},
+      {"check", "CONFIG.toml [options]", "Reads configuration and mesh and reports on them; computes nothing.", check},
+      {"study", "STUDY.toml [options]", "Runs a configuration with many settings (not available in this version).",
+       study},
+      {"list", "(integrators|laws|elements|quantities)", "Shows what a configuration may name.", list},
+  };
+  return all;
+}
+
+std::string help() {
+  std::string text = "creepcontact COMMAND [arguments]\n\nCreep of bodies in contact.\n\nCommands\n";
+  for (const Command& command : commands()) text += fmt::format("  {:<8}{}\n", command.name, command.summary);
+  text += "\nOptions\n  --help     show this help; after a command: help on it\n  --version  show the version\n";
+  return text;
+}
+
+int dispatch(const Arguments& arguments) {
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first == "--help" || first == "-h") {
+    std::cout << help();
+    return 0;
+  }
+  if (first == "--version") {
+    std::cout << "creepcontact " CREEPCONTACT_VERSION "\n";
+    return 0;
+  }
+  if (first.empty()) throw ConfigError("no command; see creepcontact --help");
+  std::vector<std::string> names;
+  for (const Command& command : commands()) {
+    if (command.name == first) return command.execute(command, Arguments(arguments.begin() + 1, arguments.end()));
+    names.push_back(command.name);
+  }
+  const bool is_option = first.front() == '-';
+  if (is_option) names = {"--help", "--version"};
+  throw ConfigError(fmt::format("unknown {} '{}'; did you mean '{}'? See creepcontact --help",
+                                is_option ? "option" : "command", first, config::nearest(first, names)));
+}
+
+/// Every line is an error of its own (a configuration may have many).
+void report(const std::string& message) {
+  std::istringstream lines(message);
+  for (std::string line; std::getline(lines, line);) std::cerr << "error: " << line << '\n';
+}
+
+/// Errors have their exit status; anything unforeseen counts as a failure of the solver.
+int guarded(const Arguments& arguments) {
+  constexpr int solver_failure = 4;
+  try {
+    return dispatch(arguments);
+  } catch (const Error& error) {
+    report(error.what());
+    return error.exit_status();
+  } catch (const std::bad_alloc&) {
+    report("out of memory; a coarser mesh needs less: creepcontact check CONFIG.toml estimates how much");
+  } catch (const std::exception& error) {
+    report(error.what());
+  }
+  return solver_failure;
+}
+
+}  // namespace
+}  // namespace creepcontact::cli
+
+int main(int argc, char** argv) {
+  return creepcontact::cli::guarded(creepcontact::cli::Arguments(argv + 1, argv + argc));
+}

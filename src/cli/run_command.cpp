@@ -1,0 +1,38 @@
+#include <iostream>
+
+#include "command.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/config/reader.hpp"
+#include "creepcontact/simulation/run.hpp"
+#include "creepcontact/simulation/vocabulary.hpp"
+
+namespace creepcontact::cli {
+
+namespace po = boost::program_options;
+
+int run(const Command& self, const Arguments& arguments) {
+  simulation::RunOptions options;
+  CommandLine line(self);
+  add_overrides(line);
+  line.add_options()("output,o", po::value(&options.output)->value_name("DIR"),
+                     "where results go, instead of the configuration's directory");
+  line.add_options()("threads,j", po::value(&options.threads)->value_name("N"),
+                     "number of threads; not given: as many as there are cores");
+  line.add_options()("resume", po::bool_switch(&options.resume), "go on from the checkpoint in the output directory");
+  line.add_options()("quiet,q", po::bool_switch(&options.quiet), "warnings and errors only");
+  if (!line.parse(arguments, "CONFIG.toml")) return 0;
+  if (line.has("threads") && options.threads < 1) throw ConfigError("--threads: expected a number > 0");
+
+  const config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
+  const simulation::RunResult result = simulation::run(config, options);
+  if (!result.message.empty()) {
+    if (result.exit_status != 0) {
+      std::cerr << "error: " << result.message << '\n';
+    } else if (!options.quiet) {
+      std::cout << result.message << '\n';
+    }
+  }
+  return result.exit_status;
+}
+
+}  // namespace creepcontact::cli

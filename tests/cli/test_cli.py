@@ -1,0 +1,164 @@
+"""The command line: help, version, lists, exit statuses and the errors of a configuration; nothing is computed."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
+COMMANDS = ("run", "check", "study", "list")
+
+WRONG = """[mesh]
+file = "block.msh"
+[bodies.block]
+region = "all"
+material = "stel"
+[materials.steel]
+young_modulus = -1
+poisson_ratio = 0.3
+[[materials.steel.creep]]
+  law = "norton"
+  A = 1e-20
+  exponent = 7
+[time]
+end = 10
+output = [1, 20]
+"""
+
+
+def call(*arguments, directory=None):
+    return subprocess.run([PROGRAM, *arguments], cwd=directory, capture_output=True, text=True, timeout=50)
+
+
+class CliTest(unittest.TestCase):
+    def expect_error(self, done, *texts, status=2):
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertEqual(done.stdout, "")
+        for line in done.stderr.splitlines():
+            self.assertTrue(line.startswith("error: "), line)
+        for text in texts:
+            self.assertIn(text, done.stderr)
+
+
+class Help(CliTest):
+    def test_program(self):
+        done = call("--help")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for command in COMMANDS:
+            self.assertRegex(done.stdout, rf"(?m)^  {command} ")
+
+    def test_every_command(self):
+        for command in COMMANDS:
+            done = call(command, "--help")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertTrue(done.stdout.startswith(f"creepcontact {command} "), done.stdout)
+
+    def test_options_of_run(self):
+        text = call("run", "--help").stdout
+        for option in ("--set", "--output", "--threads", "--resume", "--quiet"):
+            self.assertIn(option, text)
+
+
+class Version(CliTest):
+    def test_version(self):
+        done = call("--version")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"^creepcontact \d+\.\d+\.\d+\n$")
+
+
+class CommandErrors(CliTest):
+    def test_no_command(self):
+        self.expect_error(call(), "no command", "--help")
+
+    def test_unknown_command(self):
+        self.expect_error(call("chekc"), "unknown command 'chekc'; did you mean 'check'?")
+
+    def test_unknown_global_option(self):
+        self.expect_error(call("--versoin"), "unknown option '--versoin'; did you mean '--version'?")
+
+    def test_unknown_option_of_a_command(self):
+        self.expect_error(call("run", "a.toml", "--quite"), "unknown option '--quite'; did you mean '--quiet'?")
+
+    def test_abbreviated_option(self):
+        self.expect_error(call("run", "a.toml", "--out", "x"), "unknown option '--out'; did you mean '--output'?")
+
+    def test_missing_argument(self):
+        self.expect_error(call("run"), "run needs CONFIG.toml")
+        self.expect_error(call("run", "a.toml", "--output"), "--output")
+
+    def test_too_many_arguments(self):
+        self.expect_error(call("check", "a.toml", "b.toml"), "check takes one argument")
+
+    def test_wrong_number_of_threads(self):
+        self.expect_error(call("run", "a.toml", "--threads", "0"), "--threads")
+        self.expect_error(call("run", "a.toml", "--threads", "many"), "--threads", "many")
+
+
+class List(CliTest):
+    def test_lists(self):
+        for what, name in (("integrators", "cvode_bdf"), ("laws", "norton"), ("elements", "hex20"),
+                           ("quantities", "von_mises")):
+            done = call("list", what)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(name, done.stdout)
+
+    def test_unknown_list(self):
+        self.expect_error(call("list", "law"), "unknown list 'law'; did you mean 'laws'?")
+
+    def test_nothing_to_list(self):
+        self.expect_error(call("list"), "integrators, laws, elements, quantities")
+
+
+class Study(CliTest):
+    def test_not_yet(self):
+        self.expect_error(call("study", "a.toml"), "not available in this version")
+
+
+class ConfigErrors(CliTest):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.directory = pathlib.Path(scratch.name)
+        (self.directory / "wrong.toml").write_text(WRONG)
+
+    def expect_config_error(self, *arguments, texts):
+        for command in ("run", "check"):
+            self.expect_error(call(command, *arguments, directory=self.directory), *texts)
+
+    def test_no_file(self):
+        self.expect_config_error("none.toml", texts=["none.toml: cannot be read: No such file or directory"])
+
+    def test_directory(self):
+        self.expect_config_error(".", texts=["is a directory"])
+
+    def test_syntax(self):
+        (self.directory / "broken.toml").write_text('title = "a"\nend = = 3\n')
+        self.expect_config_error("broken.toml", texts=["error: broken.toml:2:7: "])
+
+    def test_every_mistake_in_one_go(self):
+        self.expect_config_error("wrong.toml", texts=[
+            "wrong.toml:5:12: bodies.block.material: unknown material 'stel'; did you mean 'steel'?",
+            "wrong.toml:7:17: materials.steel.young_modulus: number -1; allowed: a number > 0",
+            "wrong.toml:9:1: materials.steel.creep[0].n: missing",
+            "wrong.toml:12:3: materials.steel.creep[0].exponent: unknown key; did you mean 'n'?",
+            "wrong.toml:15:14: time.output[1]: number 20 is beyond time.end",
+        ])
+
+    def test_override(self):
+        self.expect_config_error("wrong.toml", "--set", "time.ende=3", "--set=time.beta=0.1", texts=[
+            "--set time.ende=3: time.ende: unknown key; did you mean 'end'?",
+            "--set time.beta=0.1: time.beta: number 0.1; allowed: a number in [0.5, 1]",
+            "wrong.toml:15:14: ",
+        ])
+
+    def test_unknown_law_and_integrator(self):
+        self.expect_config_error("wrong.toml", "--set", "time.integrator=cvode_bfd", "--set",
+                                 "materials.steel.creep.0.law=nortan", texts=[
+            "unknown integrator 'cvode_bfd'; did you mean 'cvode_bdf'?",
+            "unknown creep law 'nortan'; did you mean 'norton'?",
+        ])
+
+
+if __name__ == "__main__":
+    unittest.main()
