@@ -21,7 +21,7 @@ class ContactSolver {
 /// Parameters of the alternating Schwarz iteration; defaults as in the configuration.
 struct SchwarzOptions {
   enum class Acceleration { none, aitken, anderson, cg };
-  std::optional<double> alpha;  ///< the article's constant for both bodies; none: weights from the flexibilities
+  std::optional<double> alpha = {};  ///< the article's constant for both bodies; none: weights from the flexibilities
   Acceleration acceleration = Acceleration::cg;
   double tolerance = 1e-10;  ///< error of the multipliers relative to the largest one
   int max_iterations = 200;  ///< in one solve on a frozen set

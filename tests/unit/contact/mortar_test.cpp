@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include "assembly.hpp"
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact {
+namespace {
+
+using contact::ContactType;
+using mesh::CellType;
+
+struct PatchCase {
+  CellType lower, upper;
+  bool lower_is_slave;
+};
+
+std::string name_of(const testing::TestParamInfo<PatchCase>& info) {
+  return std::string(mesh::name(info.param.lower)) + "_" + std::string(mesh::name(info.param.upper)) +
+         (info.param.lower_is_slave ? "_lower_slave" : "_upper_slave");
+}
+
+class ContactPatch : public testing::TestWithParam<PatchCase> {};
+
+std::vector<PatchCase> patch_cases() {
+  std::vector<PatchCase> cases;
+  for (const CellType type : {CellType::tet4, CellType::tet10, CellType::hex8, CellType::hex20, CellType::hex27,
+                              CellType::wedge6, CellType::wedge15})
+    for (const bool lower : {true, false}) cases.push_back({type, type, lower});
+  cases.push_back({CellType::hex20, CellType::tet10, true});
+  cases.push_back({CellType::hex8, CellType::tet4, false});
+  return cases;
+}
+
+// Two boxes of equal modulus squeezed by 0.02: uniaxial stress E * 0.02 / 2 on any pair of meshes.
+TEST_P(ContactPatch, TransmitsUniformPressureOnNonMatchingMeshes) {
+  test::Assembly assembly({.type = GetParam().lower, .divisions = {3, 2, 2}},
+                          {.type = GetParam().upper, .divisions = {2, 3, 2}}, GetParam().lower_is_slave, -0.02);
+  const auto solver = contact::active_set_solver(assembly.interface->problem());
+  assembly.solve(*solver);
+  const double pressure = 200.0 * 0.02 / 2;
+  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  double resultant = 0;
+  for (int i = 0; i < coupling.n_rows(); ++i) {
+    EXPECT_NEAR(assembly.result.state.multiplier[i], pressure, 1e-8 * pressure);
+    resultant += coupling.area[static_cast<std::size_t>(i)] * assembly.result.state.multiplier[i];
+  }
+  EXPECT_NEAR(resultant, pressure, 1e-9 * pressure);
+  for (const auto& stress : assembly.stress)
+    for (std::size_t p = 0; p < stress.size(); p += 6) {
+      EXPECT_NEAR(stress[p + 2], -pressure, 1e-8 * pressure);
+      EXPECT_NEAR(stress[p], 0, 1e-8 * pressure);
+      EXPECT_NEAR(stress[p + 5], 0, 1e-8 * pressure);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllElements, ContactPatch, testing::ValuesIn(patch_cases()), name_of);
+
+TEST(Mortar, ForcesAreEqualOppositeAndMomentFree) {
+  const test::Assembly assembly({.type = CellType::hex20, .divisions = {3, 2, 1}},
+                                {.type = CellType::tet10, .divisions = {2, 2, 1}}, true, 0.0);
+  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  const Eigen::VectorXd multiplier = Eigen::VectorXd::LinSpaced(coupling.n_rows(), 1.0, 2.0);
+  Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
+  for (std::size_t b = 0; b < 2; ++b) {
+    std::vector<double> forces(3 * assembly.bodies[b]->mesh().nodes.size(), 0.0);
+    assembly.interface->add_contact_forces(b, multiplier, forces);
+    Vector3 own = Vector3::Zero();
+    for (std::size_t i = 0; i < forces.size() / 3; ++i) {
+      const Vector3 f(forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]);
+      own += f;
+      moment += assembly.bodies[b]->mesh().nodes[i].cross(f);
+    }
+    EXPECT_GT(std::abs(own.z()), 1.0);
+    EXPECT_LT(own.z() * (b == 0 ? 1 : -1), 0) << "contact pushes the lower box down, the upper one up";
+    force += own;
+  }
+  EXPECT_LT(force.norm(), 1e-13);
+  EXPECT_LT(moment.norm(), 1e-13);
+}
+
+TEST(Mortar, DualHatsMakeTheSlaveMatrixDiagonalAtCorners) {
+  const test::Assembly assembly({.divisions = {3, 2, 1}}, {.divisions = {2, 3, 1}}, true, 0.0);
+  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  double area = 0;
+  for (int i = 0; i < coupling.n_rows(); ++i) {
+    area += coupling.area[static_cast<std::size_t>(i)];
+    for (contact::RowMatrix::InnerIterator it(coupling.slave_rows, i); it; ++it) {
+      const bool own = it.col() == 3 * coupling.nodes[static_cast<std::size_t>(i)].node + 2;
+      EXPECT_NEAR(it.value(), own ? -coupling.area[static_cast<std::size_t>(i)] : 0.0, 1e-14);
+    }
+  }
+  EXPECT_NEAR(area, 1.0, 1e-13);
+}
+
+// The upper box covers only part of the lower one: rows that are hardly covered join their neighbours.
+TEST(Mortar, PatchTestHoldsWhereTheSlaveSticksOut) {
+  for (const double covered : {0.505, 0.6, 0.97}) {
+    const test::Assembly assembly({.divisions = {4, 4, 1}, .lengths = {1, 1, 1}},
+                                  {.divisions = {2, 3, 1}, .lengths = {covered, 1, 1}}, true, 0.0);
+    const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+    // A linear displacement of the master: its weighted gaps are those of a rigid slave under it.
+    const auto& master = assembly.bodies[1]->mesh();
+    Eigen::VectorXd u(3 * static_cast<Eigen::Index>(master.nodes.size()));
+    for (std::size_t i = 0; i < master.nodes.size(); ++i) u.segment<3>(3 * static_cast<Eigen::Index>(i)) << 0, 0, 1.0;
+    const Eigen::VectorXd gap = coupling.master_rows * u;
+    double sum = 0;
+    for (int i = 0; i < coupling.n_rows(); ++i) {
+      EXPECT_NEAR(gap[i], coupling.area[static_cast<std::size_t>(i)], 1e-12);
+      sum += gap[i];
+    }
+    EXPECT_NEAR(sum, covered, 1e-10);
+  }
+}
+
+TEST(Mortar, GapIsGivenAsFunctionOfPlaceAndTime) {
+  const test::Assembly assembly({.divisions = {3, 2, 1}}, {.divisions = {2, 3, 1}}, true, 0.0);
+  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  const Eigen::VectorXd constant = coupling.given_gap(Function::expression("0.5*t", {"t"}), 2.0);
+  const Eigen::VectorXd linear = coupling.given_gap(Function::expression("x*t", {"x", "t"}), 3.0);
+  EXPECT_NEAR(constant.sum(), 1.0, 1e-12);
+  EXPECT_NEAR(linear.sum(), 1.5, 1e-12);
+  EXPECT_NEAR(coupling.geometric_gap.cwiseAbs().maxCoeff(), 0.0, 1e-13);
+}
+
+TEST(Mortar, SurfacesThatDoNotFaceEachOtherAreAnError) {
+  const test::Assembly assembly({}, {}, true, 0.0);
+  try {
+    contact::mortar_coupling(assembly.surface(0, "z0"), assembly.surface(1, "z0"), ContactType::unilateral);
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("do not face each other"), std::string::npos);
+  }
+}
+
+TEST(Mortar, CoarserSurfaceIsTheBetterSlaveAndSofterWinsOverBoth) {
+  const test::Assembly assembly({.divisions = {4, 4, 1}}, {.divisions = {2, 2, 1}}, true, 0.0);
+  contact::Surface fine = assembly.surface(0, "z1"), coarse = assembly.surface(1, "z0");
+  EXPECT_FALSE(contact::first_is_better_slave(fine, coarse));
+  EXPECT_TRUE(contact::first_is_better_slave(coarse, fine));
+  coarse.young_modulus = 100;
+  EXPECT_TRUE(contact::first_is_better_slave(fine, coarse));
+}
+
+TEST(Mortar, TiedBoxesCarryTension) {
+  test::Assembly assembly({.type = CellType::hex20, .divisions = {3, 2, 1}}, {.divisions = {2, 3, 2}}, true, 0.02,
+                          ContactType::tied);
+  const auto solver = contact::schwarz_solver(assembly.interface->problem(), {});
+  assembly.solve(*solver);
+  for (const auto& stress : assembly.stress)
+    for (std::size_t p = 0; p < stress.size(); p += 6) EXPECT_NEAR(stress[p + 2], 2.0, 1e-7);
+}
+
+TEST(Mortar, BodiesOpenWhenPulledAndCloseWhenPushed) {
+  test::Assembly assembly({.divisions = {2, 2, 2}}, {.divisions = {3, 3, 2}}, false,
+                          Function::expression("0.01*cos(t)", {"t"}));
+  const auto solver = contact::schwarz_solver(assembly.interface->problem(), {});
+  assembly.solve(*solver, 0.0);
+  EXPECT_TRUE(assembly.result.state.active.empty());
+  EXPECT_EQ(assembly.result.state.multiplier.norm(), 0.0);
+  EXPECT_NEAR(assembly.gap.sum(), 0.01, 1e-12);
+  assembly.solve(*solver, 3.14159265358979);
+  EXPECT_NEAR(assembly.result.state.multiplier.minCoeff(), 1.0, 1e-9);
+  EXPECT_LT(assembly.gap.cwiseAbs().maxCoeff(), 1e-12);
+}
+
+}  // namespace
+}  // namespace creepcontact
