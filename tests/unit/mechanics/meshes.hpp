@@ -5,6 +5,9 @@
 #include <array>
 #include <map>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "creepcontact/mesh/cell_faces.hpp"
 #include "creepcontact/mesh/mesh.hpp"
@@ -58,6 +61,117 @@ inline std::vector<GridPoint> cell_nodes(CellType type, const std::vector<GridPo
   return nodes;
 }
 
+/// Nodes and cells of a box, added one after the other.
+class BoxBuilder {
+ public:
+  BoxBuilder(CellType type, std::array<int, 3> divisions) : type_(type), divisions_(divisions), volume_{type, {}} {}
+
+  void place_corners(const Vector3& lengths, const Vector3& origin, double distortion) {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> shift(-distortion, distortion);
+    for_each({divisions_[0] + 1, divisions_[1] + 1, divisions_[2] + 1}, [&](const GridPoint& index) {
+      Vector3 place(index[0], index[1], index[2]);
+      bool inside = distortion > 0;
+      for (std::size_t c = 0; c < 3; ++c) inside = inside && index[c] > 0 && index[c] < divisions_[c];
+      if (inside) place += Vector3(shift(generator), shift(generator), shift(generator));
+      for (std::size_t c = 0; c < 3; ++c) place[static_cast<int>(c)] /= divisions_[c];
+      corner_places_[{2 * index[0], 2 * index[1], 2 * index[2]}] = origin + place.cwiseProduct(lengths);
+    });
+  }
+
+  void add_cells() {
+    for_each(divisions_, [&](const GridPoint& index) {
+      for (const std::vector<int>& bits : corner_bits(type_)) {
+        std::vector<GridPoint> corners;
+        for (const int b : bits)
+          corners.push_back({2 * (index[0] + (b & 1)), 2 * (index[1] + (b >> 1 & 1)), 2 * (index[2] + (b >> 2))});
+        add_cell(cell_nodes(type_, corners));
+      }
+    });
+  }
+
+  mesh::Mesh build() && {
+    mesh::Group all{"volume", 3, {}};
+    for (std::size_t cell = 0; cell < volume_.size(); ++cell) all.cells.push_back({0, cell});
+    mesh_.groups["volume"] = all;
+    mesh_.blocks.push_back(std::move(volume_));
+    for (auto& [type, block] : surface_blocks_) {
+      for (const auto& [group, cell] : surface_cells_[type])
+        mesh_.groups.try_emplace(group, mesh::Group{group, 2, {}})
+            .first->second.cells.push_back({mesh_.blocks.size(), cell});
+      mesh_.blocks.push_back(std::move(block));
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  template <typename Work>
+  static void for_each(const GridPoint& counts, const Work& work) {
+    for (int k = 0; k < counts[2]; ++k)
+      for (int j = 0; j < counts[1]; ++j)
+        for (int i = 0; i < counts[0]; ++i) work(GridPoint{i, j, k});
+  }
+
+  void add_cell(const std::vector<GridPoint>& points) {
+    for (const GridPoint& point : points) volume_.connectivity.push_back(number(point));
+    for (const mesh::LocalFace& face : mesh::cell_faces(type_)) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        for (const int side : {0, 1}) {
+          const bool on_side = std::ranges::all_of(
+              face.nodes, [&](int n) { return points[static_cast<std::size_t>(n)][c] == 2 * side * divisions_[c]; });
+          if (!on_side) continue;
+          mesh::CellBlock& block = surface_blocks_.try_emplace(face.type, mesh::CellBlock{face.type, {}}).first->second;
+          surface_cells_[face.type].emplace_back(std::string(1, "xyz"[c]) + "01"[side], block.size());
+          for (const int n : face.nodes) block.connectivity.push_back(number(points[static_cast<std::size_t>(n)]));
+        }
+      }
+    }
+  }
+
+  std::int64_t number(const GridPoint& point) {
+    const auto [entry, is_new] = numbers_.try_emplace(point, static_cast<std::int64_t>(mesh_.nodes.size()));
+    if (is_new) mesh_.nodes.push_back(mean_of_corners(point));
+    return entry->second;
+  }
+
+  /// Of the 1, 2, 4 or 8 corners around a node, or of the two ends of a diagonal. All diagonals of the simplices, and
+  /// those of the wedges within the plane x, y, run in the direction (1, 1, 1) or its part within a face.
+  Vector3 mean_of_corners(const GridPoint& point) const {
+    const std::size_t n_diagonal = mesh::n_corners(type_) == 4 ? 3 : mesh::n_corners(type_) == 6 ? 2 : 0;
+    Vector3 sum = Vector3::Zero();
+    int count = 0;
+    for (int bits = 0; bits < 8; ++bits) {
+      GridPoint corner = point;
+      bool used = true;
+      int along_diagonal = -1;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const int up = bits >> c & 1;
+        if (point[c] % 2 == 0) {
+          used = used && up == 1;
+          continue;
+        }
+        corner[c] += 2 * up - 1;
+        if (c >= n_diagonal) continue;
+        used = used && (along_diagonal == -1 || along_diagonal == up);
+        along_diagonal = up;
+      }
+      if (!used) continue;
+      sum += corner_places_.at(corner);
+      ++count;
+    }
+    return sum / count;
+  }
+
+  CellType type_;
+  std::array<int, 3> divisions_;
+  std::map<GridPoint, Vector3> corner_places_;
+  std::map<GridPoint, std::int64_t> numbers_;
+  mesh::Mesh mesh_;
+  mesh::CellBlock volume_;
+  std::map<CellType, mesh::CellBlock> surface_blocks_;
+  std::map<CellType, std::vector<std::pair<std::string, std::size_t>>> surface_cells_;  // group, cell of the block
+};
+
 }  // namespace detail
 
 /// A box of nx x ny x nz grid cells of one element type.
@@ -66,110 +180,10 @@ inline std::vector<GridPoint> cell_nodes(CellType type, const std::vector<GridPo
 ///                    middle nodes stay in the middle of their corners
 inline mesh::Mesh box_mesh(CellType type, std::array<int, 3> divisions, const Vector3& lengths = Vector3::Ones(),
                            const Vector3& origin = Vector3::Zero(), double distortion = 0) {
-  using detail::GridPoint;
-  std::map<GridPoint, Vector3> corner_places;
-  std::mt19937 generator(7);
-  std::uniform_real_distribution<double> shift(-distortion, distortion);
-  for (int k = 0; k <= divisions[2]; ++k) {
-    for (int j = 0; j <= divisions[1]; ++j) {
-      for (int i = 0; i <= divisions[0]; ++i) {
-        const std::array index{i, j, k};
-        Vector3 place(i, j, k);
-        const bool inside = std::ranges::all_of(std::array{0, 1, 2}, [&](int c) {
-          const auto axis = static_cast<std::size_t>(c);
-          return index[axis] > 0 && index[axis] < divisions[axis];
-        });
-        if (inside && distortion > 0) place += Vector3(shift(generator), shift(generator), shift(generator));
-        for (int c = 0; c < 3; ++c) place[c] *= lengths[c] / divisions[static_cast<std::size_t>(c)];
-        corner_places[{2 * i, 2 * j, 2 * k}] = origin + place;
-      }
-    }
-  }
-
-  mesh::Mesh mesh;
-  std::map<GridPoint, std::int64_t> numbers;
-  const auto number = [&](const GridPoint& point) {
-    const auto [entry, is_new] = numbers.try_emplace(point, static_cast<std::int64_t>(mesh.nodes.size()));
-    if (is_new) {
-      // The mean of the corners around: 1, 2, 4 or 8 of them, or the 2 ends of a diagonal, which only simplices have.
-      const bool simplex = mesh::n_corners(type) == 4;
-      const bool diagonal_in_xy = mesh::n_corners(type) == 6 && point[0] % 2 != 0 && point[1] % 2 != 0;
-      const GridPoint odd{point[0] & 1, point[1] & 1, point[2] & 1};
-      Vector3 sum = Vector3::Zero();
-      int count = 0;
-      for (int bits = 0; bits < 8; ++bits) {
-        const GridPoint sign{bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1};
-        bool used = true;
-        for (std::size_t c = 0; c < 3; ++c) used = used && (odd[c] == 1 || sign[c] == 1);
-        if (simplex || diagonal_in_xy) {  // all diagonals run in the direction (1, 1, 1), within their plane
-          const std::size_t n = simplex ? 3 : 2;
-          int first = 0;
-          for (std::size_t c = 0; c < n; ++c) {
-            if (odd[c] == 0) continue;
-            if (first == 0) first = sign[c];
-            used = used && sign[c] == first;
-          }
-        }
-        if (!used) continue;
-        sum +=
-            corner_places.at({point[0] + odd[0] * sign[0], point[1] + odd[1] * sign[1], point[2] + odd[2] * sign[2]});
-        ++count;
-      }
-      mesh.nodes.push_back(sum / count);
-    }
-    return entry->second;
-  };
-
-  mesh::CellBlock volume{type, {}};
-  std::map<CellType, mesh::CellBlock> surface_blocks;
-  struct SurfaceCell {
-    std::string group;
-    CellType type;
-    std::size_t cell;
-  };
-  std::vector<SurfaceCell> surface_cells;
-  for (int k = 0; k < divisions[2]; ++k) {
-    for (int j = 0; j < divisions[1]; ++j) {
-      for (int i = 0; i < divisions[0]; ++i) {
-        for (const std::vector<int>& bits : detail::corner_bits(type)) {
-          std::vector<GridPoint> corners;
-          for (const int b : bits) corners.push_back({2 * (i + (b & 1)), 2 * (j + (b >> 1 & 1)), 2 * (k + (b >> 2))});
-          const std::vector<GridPoint> points = detail::cell_nodes(type, corners);
-          for (const GridPoint& point : points) volume.connectivity.push_back(number(point));
-          for (const mesh::LocalFace& face : mesh::cell_faces(type)) {
-            for (std::size_t c = 0; c < 3; ++c) {
-              for (const int side : {0, 1}) {
-                const bool on_side = std::ranges::all_of(face.nodes, [&](int n) {
-                  return points[static_cast<std::size_t>(n)][c] == 2 * side * divisions[c];
-                });
-                if (!on_side) continue;
-                mesh::CellBlock& block =
-                    surface_blocks.try_emplace(face.type, mesh::CellBlock{face.type, {}}).first->second;
-                surface_cells.push_back({std::string(1, "xyz"[c]) + (side == 0 ? "0" : "1"), face.type, block.size()});
-                for (const int n : face.nodes)
-                  block.connectivity.push_back(number(points[static_cast<std::size_t>(n)]));
-              }
-            }
-          }
-        }
-      }
-    }
-  }
-
-  mesh::Group all{"volume", 3, {}};
-  for (std::size_t cell = 0; cell < volume.size(); ++cell) all.cells.push_back({0, cell});
-  mesh.groups["volume"] = all;
-  mesh.blocks.push_back(std::move(volume));
-  std::map<CellType, std::size_t> block_numbers;
-  for (auto& [face_type, block] : surface_blocks) {
-    block_numbers[face_type] = mesh.blocks.size();
-    mesh.blocks.push_back(std::move(block));
-  }
-  for (const SurfaceCell& cell : surface_cells) {
-    mesh::Group& group = mesh.groups.try_emplace(cell.group, mesh::Group{cell.group, 2, {}}).first->second;
-    group.cells.push_back({block_numbers[cell.type], cell.cell});
-  }
-  return mesh;
+  detail::BoxBuilder builder(type, divisions);
+  builder.place_corners(lengths, origin, distortion);
+  builder.add_cells();
+  return std::move(builder).build();
 }
 
 /// The mesh with its nodes moved to map(x); middle nodes too, so that faces may become curved.

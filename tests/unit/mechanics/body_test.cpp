@@ -1,0 +1,186 @@
+/// The body: errors of the model, time, supports along inclined normals, temperature.
+#include "creepcontact/mechanics/body.hpp"
+
+#include <gtest/gtest.h>
+
+#include "creepcontact/base/error.hpp"
+#include "meshes.hpp"
+#include "solve.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+using mechanics::Body;
+using mechanics::Support;
+
+template <typename Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Body, NamesItsFreeMotions) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1}, {2, 2, 2}, {-1, -1, -1});
+  Body body("ring", box, elastic_material(), {support(box, "z0", Vector3::UnitZ())}, std::nullopt);
+  EXPECT_EQ(message_of([&] { body.factorize({}); }),
+            "body 'ring' can move freely: translation along x, translation along y, rotation about the axis (0, 0, 1) "
+            "through (0, 0, 0); add supports");
+}
+
+/// Two blocks that share an edge only: no free rigid motion of the whole, but a hinge.
+TEST(Body, LocatesAMechanism) {
+  mesh::Mesh mesh = box_mesh(CellType::hex8, {2, 1, 2});
+  auto& cells = mesh.blocks[0].connectivity;
+  const std::vector<std::int64_t> first(cells.begin(), cells.begin() + 8), last(cells.end() - 8, cells.end());
+  mesh.blocks[0].connectivity = first;
+  mesh.blocks[0].connectivity.insert(mesh.blocks[0].connectivity.end(), last.begin(), last.end());
+  mesh.groups["volume"].cells.resize(2);
+  const mesh::Mesh hinged = mesh::extract(mesh, {"volume"}).mesh;
+  std::vector<Support> supports;
+  for (int i = 0; i < 3; ++i) supports.push_back(support(hinged, "x0", Vector3::Unit(i)));
+  Body body("chain", hinged, elastic_material(), supports, std::nullopt);
+  const std::string message = message_of([&] { body.factorize({}); });
+  EXPECT_NE(message.find("body 'chain': the stiffness is singular at the node ("), std::string::npos) << message;
+}
+
+TEST(Body, FollowsTimeInLoadsAndSupports) {
+  const mesh::Mesh bar = box_mesh(CellType::hex20, {2, 1, 1}, {2, 1, 1});
+  std::vector<Support> supports = symmetry_supports(bar);
+  supports.push_back(support(bar, "x1", Vector3::UnitX(), Function::expression("0.01*t", {"t"})));
+  Body body("bar", bar, elastic_material(), supports, std::nullopt);
+  body.add_load(mechanics::pressure_load(bar, mesh::boundary_faces(bar, "y1"), Function::expression("3*t", {"t"})));
+  body.factorize({});
+  for (const double t : {1.0, 0.5, 2.0, 0.0}) {
+    body.set_time(t);
+    const std::vector<double> stress = stress_of(body, solve(body));
+    for (const Tensor6& s : as_tensors(stress)) {
+      EXPECT_NEAR(s[1], -3 * t, 1e-11);
+      EXPECT_NEAR(s[0], 200 * 0.005 * t + 0.3 * -3 * t, 1e-11);
+      EXPECT_NEAR(s.tail<4>().norm(), 0, 1e-11);
+    }
+  }
+}
+
+/// A box turned in space, on supports along its own normals, pressed: the turned solution of the straight box.
+TEST(Body, SlidesOnInclinedSupports) {
+  const Matrix3 turn = Eigen::AngleAxisd(0.7, Vector3(1, 2, -1).normalized()).toRotationMatrix();
+  const mesh::Mesh box =
+      mapped(box_mesh(CellType::tet10, {2, 2, 2}), [&](const Vector3& x) { return Vector3(turn * x); });
+  std::vector<Support> supports;
+  int axis = 0;
+  for (const auto* surface : {"x0", "y0", "z0"}) {
+    const auto nodes = mesh::group_nodes(box, surface);
+    supports.push_back({surface, nodes, mechanics::nodal_normals(box, mesh::boundary_faces(box, surface), nodes), 0.0});
+    EXPECT_LT((supports.back().directions[0] + turn.col(axis++)).norm(), 1e-14);
+  }
+  Body body("box", box, elastic_material(), supports, std::nullopt);
+  body.add_load(mechanics::pressure_load(box, mesh::boundary_faces(box, "z1"), 5.0));
+  body.factorize({});
+  const std::vector<double> u = solve(body);
+  const Matrix3 strain = turn * Vector3(0.3, 0.3, -1).asDiagonal() * turn.transpose() * 5.0 / 200.0;
+  const std::vector<double> exact = nodal_field(box, [&](const Vector3& x) { return Vector3(strain * x); });
+  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(u[i], exact[i], 1e-14);
+}
+
+TEST(Body, RightHandSideIsLinearInTheCreepStrain) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {2, 2, 2});
+  material::Material material = elastic_material();
+  material.thermal_expansion = 1e-5;
+  std::vector<Support> supports = symmetry_supports(box);
+  supports.push_back(support(box, "x1", Vector3::UnitX(), 0.01));
+  Body body("block", box, material, supports, Function(100.0));
+  body.add_load(mechanics::volume_load(body.discretization(), {0.0, 1.0, 0.0}));
+  std::vector<double> creep(6 * body.discretization().n_points());
+  for (std::size_t i = 0; i < creep.size(); ++i) creep[i] = std::sin(static_cast<double>(i));
+  const auto n = static_cast<std::size_t>(body.constraints().n_free());
+  std::vector<double> with(n), without(n), alone(n);
+  body.right_hand_side({creep.data(), 6}, with);
+  body.right_hand_side({}, without);
+  body.initial_strain_force({creep.data(), 6}, alone);
+  EXPECT_GT(largest(without), 0.01);
+  for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(with[i], without[i] + alone[i], 1e-11);
+}
+
+TEST(Body, TakesTheElasticConstantsOfASteadyTemperature) {
+  const mesh::Mesh bar = box_mesh(CellType::hex8, {2, 1, 1}, {2, 1, 1});
+  material::Material material = elastic_material();
+  material.young_modulus = Function::expression("200 - T", {"T"});
+  Body body("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
+  body.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
+  EXPECT_EQ(body.elastic().moduli.size(), body.discretization().n_points());
+  material.poisson_ratio = 0.0;
+  Body slender("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
+  slender.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
+  slender.factorize({});
+  const std::vector<double> u = solve(slender);
+  for (const std::int64_t node : mesh::group_nodes(bar, "x1"))
+    EXPECT_NEAR(u[3 * static_cast<std::size_t>(node)], 1.0 / 200 + 1.0 / 100, 1e-13);
+  Body uniform("bar", bar, material, symmetry_supports(bar), Function(50.0));
+  ASSERT_EQ(uniform.elastic().moduli.size(), 1u);
+  EXPECT_NEAR(uniform.elastic().at(3).mu, 75.0, 1e-12);
+}
+
+TEST(Body, RefusesAStiffnessThatChangesInTime) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
+  material::Material material = elastic_material();
+  material.young_modulus = Function::table("T", {0, 100}, {200, 100});
+  const std::string message = message_of([&] { Body("b", box, material, {}, Function::expression("20*t", {"t"})); });
+  EXPECT_NE(message.find("a stiffness that changes in time is not supported yet"), std::string::npos) << message;
+  EXPECT_NE(message.find("steady temperature field"), std::string::npos) << message;
+}
+
+TEST(Body, RefusesInadmissibleElasticConstants) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
+  EXPECT_NE(message_of([&] { Body("b", box, elastic_material(200, 0.5), {}, std::nullopt); }), "");
+  EXPECT_NE(message_of([&] { Body("b", box, elastic_material(0, 0.3), {}, std::nullopt); }), "");
+}
+
+TEST(Body, KnowsItsTemperature) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
+  Body body("b", box, elastic_material(), {}, Function::expression("x + 10*t", {"x", "t"}));
+  for (const double t : {0.0, 2.0}) {
+    const auto temperature = body.temperature(t);
+    for (std::size_t p = 0; p < temperature.size(); ++p)
+      EXPECT_NEAR(temperature[p], body.discretization().point_coordinates()[p][0] + 10 * t, 1e-14);
+  }
+  Body cold("b", box, elastic_material(), {}, std::nullopt);
+  EXPECT_TRUE(cold.temperature(1.0).empty());
+}
+
+TEST(Body, EstimatesTheMemoryOfItsFactor) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {4, 4, 4});
+  Body body("b", box, elastic_material(), symmetry_supports(box), std::nullopt);
+  const std::int64_t estimate = body.estimate_factor_bytes();
+  body.factorize({});
+  EXPECT_EQ(estimate, body.factor().factor_bytes());
+}
+
+/// The trailing unknowns: L22 L22^T is the inverse of the compliance seen from them.
+TEST(Body, EliminatesTheContactUnknownsLast) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {2, 2, 2});
+  Body body("b", box, elastic_material(), symmetry_supports(box), std::nullopt);
+  std::vector<std::int64_t> trailing;
+  for (const std::int64_t node : mesh::group_nodes(box, "x1"))
+    trailing.push_back(body.constraints().free_index(node)[2]);
+  body.factorize(trailing);
+  const Eigen::MatrixXd l = body.factor().trailing_factor();
+  const auto n = static_cast<std::size_t>(body.constraints().n_free());
+  const auto m = static_cast<Eigen::Index>(trailing.size());
+  Eigen::MatrixXd compliance(m, m);
+  for (Eigen::Index j = 0; j < m; ++j) {
+    std::vector<double> b(n, 0.0), y(n);
+    b[static_cast<std::size_t>(trailing[static_cast<std::size_t>(j)])] = 1;
+    body.factor().forward(b, y);
+    body.factor().backward(y, b);
+    for (Eigen::Index i = 0; i < m; ++i)
+      compliance(i, j) = b[static_cast<std::size_t>(trailing[static_cast<std::size_t>(i)])];
+  }
+  EXPECT_LT((l * l.transpose() * compliance - Eigen::MatrixXd::Identity(m, m)).norm(), 1e-11);
+}
+
+}  // namespace
+}  // namespace creepcontact::test

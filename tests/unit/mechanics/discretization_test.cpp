@@ -1,0 +1,242 @@
+/// Element loops and stiffness, for every element type.
+#include "creepcontact/mechanics/discretization.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <random>
+
+#include "creepcontact/base/error.hpp"
+#include "meshes.hpp"
+#include "solve.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+using mechanics::CreepStrainView;
+using mechanics::Discretization;
+using mechanics::ElasticState;
+using mechanics::Moduli;
+
+std::vector<double> noise(std::size_t n, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> values(n);
+  for (double& value : values) value = uniform(generator);
+  return values;
+}
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  return Eigen::VectorXd::Map(a.data(), static_cast<Eigen::Index>(a.size()))
+      .dot(Eigen::VectorXd::Map(b.data(), static_cast<Eigen::Index>(b.size())));
+}
+
+class ElementLoops : public testing::TestWithParam<CellType> {
+ protected:
+  mesh::Mesh mesh_ = box_mesh(GetParam(), {2, 3, 2}, {1.0, 1.5, 0.8}, {0.1, 0.2, 0.3}, 0.2);
+  Discretization body_{mesh_};
+  std::size_t n_dofs_ = 3 * body_.n_nodes(), n_values_ = 6 * body_.n_points();
+
+  std::vector<double> strain(const std::vector<double>& u) const {
+    std::vector<double> result(n_values_);
+    body_.strain(u, result);
+    return result;
+  }
+  /// Elastic constants that differ from point to point.
+  std::vector<Moduli> varied_moduli() const {
+    std::vector<Moduli> moduli;
+    for (std::size_t p = 0; p < body_.n_points(); ++p)
+      moduli.push_back(material::lame(100.0 + static_cast<double>(p % 7), 0.2 + 0.01 * static_cast<double>(p % 5)));
+    return moduli;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Types, ElementLoops, testing::ValuesIn(volume_types),
+                         [](const auto& type) { return std::string(mesh::name(type.param)); });
+
+TEST_P(ElementLoops, WeightsFillTheVolume) {
+  EXPECT_NEAR(std::accumulate(body_.weights().begin(), body_.weights().end(), 0.0), 1.0 * 1.5 * 0.8, 1e-13);
+  EXPECT_EQ(body_.first_point(body_.n_elements()), body_.n_points());
+  Vector3 moment = Vector3::Zero();
+  for (std::size_t p = 0; p < body_.n_points(); ++p) moment += body_.weights()[p] * body_.point_coordinates()[p];
+  EXPECT_LT((moment / 1.2 - Vector3(0.6, 0.95, 0.7)).norm(), 1e-13);
+}
+
+TEST_P(ElementLoops, RigidMotionGivesNoStrain) {
+  const std::vector<double> u = nodal_field(
+      mesh_, [](const Vector3& x) { return Vector3(Vector3(1, -2, 3) + Vector3(0.3, 0.5, -0.7).cross(x)); });
+  EXPECT_LT(largest(strain(u)), 1e-13);
+}
+
+TEST_P(ElementLoops, LinearDisplacementGivesItsGradient) {
+  Matrix3 gradient;
+  gradient << 1, 2, 3, -4, 5, 6, 0.5, -1, 2;
+  const std::vector<double> u = nodal_field(mesh_, [&](const Vector3& x) { return Vector3(gradient * x); });
+  for (const Tensor6& e : as_tensors(strain(u))) EXPECT_LT((e - tensor::from_matrix(gradient)).norm(), 1e-12);
+}
+
+TEST_P(ElementLoops, InternalForceIsTheTransposeOfStrain) {
+  const std::vector<double> u = noise(n_dofs_, 1), stress = noise(n_values_, 2);
+  std::vector<double> forces(n_dofs_, 0.0);
+  body_.add_internal_force(stress, forces);
+  const std::vector<double> e = strain(u);
+  double work = 0;
+  for (std::size_t i = 0; i < n_values_; ++i) work += body_.weights()[i / 6] * stress[i] * e[i];
+  EXPECT_NEAR(dot(forces, u), work, 1e-12 * std::sqrt(dot(e, e)));
+}
+
+TEST_P(ElementLoops, StressIsHookesLawOfTheElasticStrain) {
+  const std::vector<double> u = noise(n_dofs_, 3), creep = noise(9 * body_.n_points(), 4);
+  const std::vector<double> thermal = noise(body_.n_points(), 5);
+  const std::vector<Moduli> moduli = varied_moduli();
+  std::vector<double> stress(n_values_);
+  body_.stress(u, {moduli, thermal}, {creep.data(), 9}, stress);
+  const auto strains = as_tensors(strain(u)), stresses = as_tensors(stress);
+  for (std::size_t p = 0; p < body_.n_points(); ++p) {
+    const Tensor6 elastic = strains[p] - Tensor6::Map(&creep[9 * p]) - thermal[p] * tensor::identity();
+    EXPECT_LT((stresses[p] - material::stress(moduli[p], elastic)).norm(), 1e-10);
+  }
+}
+
+TEST_P(ElementLoops, InitialStrainForceIsThatOfItsStress) {
+  const std::vector<double> creep = noise(n_values_, 6), thermal = noise(body_.n_points(), 7);
+  const std::vector<Moduli> moduli = varied_moduli();
+  const ElasticState elastic{moduli, thermal};
+  const std::vector<double> zero(n_dofs_, 0.0);
+  std::vector<double> stress(n_values_), expected(n_dofs_, 1.0), forces(n_dofs_, 1.0);
+  body_.stress(zero, elastic, {creep.data(), 6}, stress);
+  for (double& s : stress) s = -s;
+  body_.add_internal_force(stress, expected);
+  body_.add_initial_strain_force(elastic, {creep.data(), 6}, forces);
+  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(forces[i], expected[i], 1e-11);
+}
+
+TEST_P(ElementLoops, StiffnessIsTheElementLoop) {
+  const std::vector<Moduli> moduli = varied_moduli();
+  const auto lower = body_.stiffness({moduli, {}});
+  const std::vector<double> u = noise(n_dofs_, 8);
+  std::vector<double> stress(n_values_), forces(n_dofs_, 0.0);
+  body_.stress(u, {moduli, {}}, {}, stress);
+  body_.add_internal_force(stress, forces);
+  const Eigen::VectorXd product =
+      lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(n_dofs_));
+  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-10);
+}
+
+TEST_P(ElementLoops, StiffnessIsSortedLowerAndHasSixZeroModes) {
+  const mesh::Mesh small = box_mesh(GetParam(), {2, 2, 1}, Vector3::Ones(), Vector3::Zero(), 0.0);
+  const Discretization body(small);
+  const std::array moduli{material::lame(1.0, 0.3)};
+  const auto lower = body.stiffness({moduli, {}});
+  for (std::int64_t j = 0; j < lower.cols(); ++j) {
+    std::int64_t previous = j - 1;
+    for (linalg::SparseMatrix::InnerIterator it(lower, j); it; ++it) {
+      EXPECT_GT(it.row(), previous);
+      previous = it.row();
+    }
+    EXPECT_EQ(lower.innerIndexPtr()[lower.outerIndexPtr()[j]], j);
+  }
+  const Eigen::MatrixXd full = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(full, Eigen::EigenvaluesOnly).eigenvalues();
+  EXPECT_LT(std::abs(values[5]), 1e-12 * values[values.size() - 1]);
+  EXPECT_LT(std::abs(values[0]), 1e-12 * values[values.size() - 1]);
+  EXPECT_GT(values[6], 1e-5 * values[values.size() - 1]);
+}
+
+TEST_P(ElementLoops, ResultsDoNotDependOnTheNumberOfThreads) {
+  const std::array moduli{material::lame(3.0, 0.3)};
+  const std::vector<double> creep = noise(n_values_, 9);
+  const auto compute = [&](int threads) {
+    omp_set_num_threads(threads);
+    std::vector<double> forces(n_dofs_, 0.0);
+    body_.add_initial_strain_force({moduli, {}}, {creep.data(), 6}, forces);
+    const auto matrix = body_.stiffness({moduli, {}});
+    forces.insert(forces.end(), matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
+    return forces;
+  };
+  const int threads = omp_get_max_threads();
+  const std::vector<double> one = compute(1), three = compute(3);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one, three);
+}
+
+TEST_P(ElementLoops, LinearPointValuesReachTheNodesExactly) {
+  if (GetParam() == CellType::tet4) GTEST_SKIP() << "one point an element: constants only";
+  std::vector<double> values;
+  const auto field = [](const Vector3& x) { return std::array{1 + x[0] - 2 * x[1] + 3 * x[2], 5.0}; };
+  for (const Vector3& x : body_.point_coordinates()) values.insert(values.end(), {field(x)[0], field(x)[1]});
+  std::vector<double> nodal(2 * body_.n_nodes(), 7.0);
+  body_.to_nodes(values, 2, nodal);
+  for (std::size_t i = 0; i < body_.n_nodes(); ++i) {
+    // Distorted linear shape functions reproduce a linear field; the middle nodes lie in the middle of corners.
+    EXPECT_NEAR(nodal[2 * i], field(mesh_.nodes[i])[0], 1e-12);
+    EXPECT_NEAR(nodal[2 * i + 1], 5.0, 1e-12);
+  }
+}
+
+TEST_P(ElementLoops, ElementValuesAreMeans) {
+  std::vector<double> values(body_.n_points()), means(body_.n_elements());
+  for (std::size_t p = 0; p < values.size(); ++p) values[p] = body_.point_coordinates()[p][0];
+  body_.to_elements(values, 1, means);
+  double moment = 0;
+  for (std::size_t e = 0; e < body_.n_elements(); ++e) {
+    double volume = 0;
+    for (std::size_t p = body_.first_point(e); p < body_.first_point(e + 1); ++p) volume += body_.weights()[p];
+    moment += volume * means[e];
+  }
+  EXPECT_NEAR(moment, 1.2 * 0.6, 1e-13);
+}
+
+TEST(Discretization, TetrahedraCarryTheirConstantToTheNodes) {
+  const mesh::Mesh mesh = box_mesh(CellType::tet4, {1, 1, 1});
+  const Discretization body(mesh);
+  std::vector<double> nodal(body.n_nodes());
+  body.to_nodes(std::vector<double>(body.n_points(), 4.0), 1, nodal);
+  for (const double value : nodal) EXPECT_NEAR(value, 4.0, 1e-14);
+}
+
+TEST(Discretization, NumbersTheElementsOfSeveralBlocksOneAfterTheOther) {
+  mesh::Mesh mesh = box_mesh(CellType::hex8, {2, 1, 1});
+  const auto last = std::vector<std::int64_t>(mesh.blocks[0].cell(1).begin(), mesh.blocks[0].cell(1).end());
+  mesh.blocks[0].connectivity.resize(8);
+  mesh.blocks.push_back({CellType::wedge6,
+                         {last[0], last[1], last[2], last[4], last[5], last[6],  //
+                          last[0], last[2], last[3], last[4], last[6], last[7]}});
+  const Discretization body(mesh);
+  EXPECT_EQ(body.n_elements(), 3u);
+  EXPECT_EQ(body.n_points(), 20u);
+  EXPECT_EQ(body.first_point(1), 8u);
+  EXPECT_EQ(body.first_point(2), 14u);
+  EXPECT_EQ(body.element_type(0), CellType::hex8);
+  EXPECT_EQ(body.element_type(2), CellType::wedge6);
+  EXPECT_EQ(body.element_nodes(2)[1], last[2]);
+  const std::array moduli{material::lame(1.0, 0.3)};
+  const std::vector<double> u = noise(3 * body.n_nodes(), 10);
+  std::vector<double> stress(6 * body.n_points()), forces(u.size(), 0.0);
+  body.stress(u, {moduli, {}}, {}, stress);
+  body.add_internal_force(stress, forces);
+  const Eigen::VectorXd product = body.stiffness({moduli, {}}).selfadjointView<Eigen::Lower>() *
+                                  Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(u.size()));
+  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-12);
+}
+
+TEST(Discretization, NamesAnInvertedElementAndItsPlace) {
+  mesh::Mesh mesh = box_mesh(CellType::hex8, {2, 1, 1}, Vector3::Ones(), {10, 0, 0});
+  auto& cell = mesh.blocks[0].connectivity;
+  std::swap_ranges(cell.begin() + 8, cell.begin() + 12, cell.begin() + 12);
+  try {
+    const Discretization body(mesh);
+    FAIL() << "no error";
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("element 1 (hex8) at (10.6"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Discretization, RefusesAMeshWithoutVolume) {
+  mesh::Mesh mesh = box_mesh(CellType::hex8, {1, 1, 1});
+  mesh.blocks.erase(mesh.blocks.begin());
+  EXPECT_THROW(Discretization{mesh}, ModelError);
+}
+
+}  // namespace
+}  // namespace creepcontact::test

@@ -1,0 +1,126 @@
+/// Free rigid-body motions of many supports, in words.
+#include <gtest/gtest.h>
+
+#include "meshes.hpp"
+#include "solve.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+using mechanics::Constraints;
+using mechanics::Support;
+using Words = std::vector<std::string>;
+
+const mesh::Mesh& box() {
+  static const mesh::Mesh mesh = box_mesh(CellType::hex8, {2, 2, 2}, {2, 2, 2}, {0, 0, 4});  // centre (1, 1, 5)
+  return mesh;
+}
+
+std::vector<std::string> free_motions(const std::vector<Vector3>& nodes, const std::vector<Support>& supports) {
+  const Constraints constraints(nodes, supports);
+  std::vector<std::string> words;
+  for (const auto& motion : free_rigid_motions(nodes, constraints)) {
+    words.push_back(motion.describe());
+    for (const Support& s : supports) {
+      for (std::size_t i = 0; i < s.nodes.size(); ++i) {
+        const Vector3& n = s.directions[s.directions.size() == 1 ? 0 : i];
+        EXPECT_NEAR(n.dot(motion.displacement(nodes[static_cast<std::size_t>(s.nodes[i])])), 0.0, 1e-10)
+            << words.back();
+      }
+    }
+  }
+  return words;
+}
+
+std::vector<std::string> free_motions(const std::vector<Support>& supports) {
+  return free_motions(box().nodes, supports);
+}
+
+Support on(const std::string& surface, const Vector3& direction) {
+  return support(box(), surface, direction);
+}
+
+std::vector<std::int64_t> nodes_at(const Vector3& place) {
+  for (std::size_t i = 0; i < box().nodes.size(); ++i)
+    if ((box().nodes[i] - place).norm() < 1e-12) return {static_cast<std::int64_t>(i)};
+  return {};
+}
+
+TEST(RigidMotions, OfAFreeBody) {
+  EXPECT_EQ(free_motions({}), (Words{"translation along x", "translation along y", "translation along z",
+                                     "rotation about the axis (1, 0, 0) through (1, 1, 5)",
+                                     "rotation about the axis (0, 1, 0) through (1, 1, 5)",
+                                     "rotation about the axis (0, 0, 1) through (1, 1, 5)"}));
+}
+
+TEST(RigidMotions, OnOneSymmetryPlane) {
+  EXPECT_EQ(free_motions({on("z0", Vector3::UnitZ())}), (Words{"translation along x", "translation along y",
+                                                               "rotation about the axis (0, 0, 1) through (1, 1, 5)"}));
+}
+
+TEST(RigidMotions, OnTwoSymmetryPlanes) {
+  EXPECT_EQ(free_motions({on("z0", Vector3::UnitZ()), on("x0", Vector3::UnitX())}), (Words{"translation along y"}));
+}
+
+TEST(RigidMotions, OnThreeSymmetryPlanes) {
+  EXPECT_EQ(free_motions(symmetry_supports(box())), (Words{}));
+}
+
+TEST(RigidMotions, OfAClampedBody) {
+  EXPECT_EQ(free_motions({on("x0", Vector3::UnitX()), on("x0", Vector3::UnitY()), on("x0", Vector3::UnitZ())}),
+            (Words{}));
+}
+
+TEST(RigidMotions, AboutAFixedPoint) {
+  std::vector<Support> supports;
+  for (int i = 0; i < 3; ++i) supports.push_back({"corner", nodes_at({2, 0, 4}), {Vector3::Unit(i)}, 0.0});
+  EXPECT_EQ(free_motions(supports), (Words{"rotation about the axis (1, 0, 0) through (1, 0, 4)",
+                                           "rotation about the axis (0, 1, 0) through (2, 1, 4)",
+                                           "rotation about the axis (0, 0, 1) through (2, 0, 5)"}));
+}
+
+TEST(RigidMotions, AboutAnObliqueHinge) {
+  std::vector<Support> supports;
+  for (int i = 0; i < 3; ++i) {
+    supports.push_back({"one end", nodes_at({0, 0, 4}), {Vector3::Unit(i)}, 0.0});
+    supports.push_back({"other end", nodes_at({2, 2, 4}), {Vector3::Unit(i)}, 0.0});
+  }
+  EXPECT_EQ(free_motions(supports), (Words{"rotation about the axis (0.7071, 0.7071, 0) through (1, 1, 4)"}));
+}
+
+TEST(RigidMotions, OnAnInclinedPlane) {
+  const mesh::Mesh tilted = mapped(box(), [](const Vector3& x) {
+    return Vector3(Eigen::AngleAxisd(0.5, Vector3::UnitX()) * (x - Vector3(1, 1, 5)));
+  });
+  const Vector3 normal(0, -std::sin(0.5), std::cos(0.5));
+  EXPECT_EQ(free_motions(tilted.nodes, {support(tilted, "z0", normal)}),
+            (Words{"translation along x", "translation along (0, 0.8776, 0.4794)",
+                   "rotation about the axis (0, -0.4794, 0.8776) through (0, 0, 0)"}));
+}
+
+/// A ring held radially on its bore slides and turns; held at one end it only turns.
+TEST(RigidMotions, OfARingOnAShaft) {
+  std::vector<Vector3> nodes;
+  Support radial{"bore", {}, {}, 0.0}, end{"end", {}, {Vector3::UnitZ()}, 0.0};
+  for (int layer = 0; layer < 2; ++layer) {
+    for (int i = 0; i < 12; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 12;
+      radial.nodes.push_back(static_cast<std::int64_t>(nodes.size()));
+      radial.directions.emplace_back(std::cos(angle), std::sin(angle), 0);
+      nodes.emplace_back(3 * std::cos(angle), 3 * std::sin(angle), layer);
+      if (layer == 0) end.nodes.push_back(radial.nodes.back());
+    }
+  }
+  EXPECT_EQ(free_motions(nodes, {radial}),
+            (Words{"translation along z", "rotation about the axis (0, 0, 1) through (0, 0, 0.5)"}));
+  EXPECT_EQ(free_motions(nodes, {radial, end}), (Words{"rotation about the axis (0, 0, 1) through (0, 0, 0.5)"}));
+}
+
+TEST(RigidMotions, DescribeAScrew) {
+  const mechanics::RigidMotion screw{{0, 0, 0.5}, {0, 0, 2}, {1, 0, 0}};
+  EXPECT_EQ(screw.describe(),
+            "rotation about the axis (0, 0, 1) through (1, 0, 0) with a shift of 0.25 along it per radian");
+}
+
+}  // namespace
+}  // namespace creepcontact::test
