@@ -1,6 +1,6 @@
 // A disc shrunk onto a hollow shaft: a quarter of a slice, meshed with hexahedra.
 // The two bodies have nodes of their own on the fit; their divisions need not match.
-SetFactory("Built-in");
+SetFactory("OpenCASCADE"); // which leaves the coinciding surfaces of the two bodies apart
 DefineConstant[
   bore      = {40,  Name "Parameters/inner radius of the shaft"},
   fit       = {60,  Name "Parameters/radius of the fit"},
