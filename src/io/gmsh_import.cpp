@@ -180,9 +180,11 @@ mesh::Mesh import_model(const std::string& file, bool cells_may_repeat) {
       continue;
     }
     const auto place = [](const mesh::CellRef& ref) { return std::pair(ref.block, ref.cell); };
-    std::ranges::sort(filled.cells, {}, place);
-    const auto repeated = std::ranges::unique(filled.cells, {}, place);
-    filled.cells.erase(repeated.begin(), repeated.end());
+    auto& refs = filled.cells;
+    std::sort(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    refs.erase(
+        std::unique(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return place(a) == place(b); }),
+        refs.end());
     has_volume |= group.dimension == 3;
     result.groups.emplace(group.name, std::move(filled));
   }

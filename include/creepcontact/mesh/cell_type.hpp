@@ -6,9 +6,21 @@
 namespace creepcontact::mesh {
 
 enum class CellType {
-  point1, line2, line3,
-  tri3, tri6, quad4, quad8, quad9,
-  tet4, tet10, hex8, hex20, hex27, wedge6, wedge15
+  point1,
+  line2,
+  line3,
+  tri3,
+  tri6,
+  quad4,
+  quad8,
+  quad9,
+  tet4,
+  tet10,
+  hex8,
+  hex20,
+  hex27,
+  wedge6,
+  wedge15
 };
 
 int dimension(CellType type);

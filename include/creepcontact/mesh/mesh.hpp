@@ -52,8 +52,8 @@ struct Face {
 };
 
 /// The cells of some volume groups as a mesh of its own.
-/// Nodes are renumbered from 0; `parent_node[i]` is the number in the parent. Volume blocks hold this body's cells only.
-/// Groups of lower dimension are kept as far as all their nodes belong to the body.
+/// Nodes are renumbered from 0; `parent_node[i]` is the number in the parent. Volume blocks hold this body's cells
+/// only. Groups of lower dimension are kept as far as all their nodes belong to the body.
 struct BodyMesh {
   Mesh mesh;
   std::vector<std::int64_t> parent_node;
