@@ -12,6 +12,9 @@
 
 namespace creepcontact::mechanics {
 
+/// Below so many elements or nodes, a loop is done before other threads have woken up.
+inline constexpr std::size_t parallel_threshold = 128;
+
 struct PointGeometry {
   double inverse[9];  ///< d xi_k / d x_j at [3 k + j]
   double weight;      ///< volume that belongs to the point

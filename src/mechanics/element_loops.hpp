@@ -60,7 +60,7 @@ class ElementLoops final : public ElementBlock {
   template <typename Work>
   void for_each_element(const Work& work) const {
     const std::size_t n = n_elements();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
     for (std::size_t e = 0; e < n; ++e) work(e);
   }
 

@@ -55,7 +55,7 @@ linalg::SparseMatrix pattern(const Neighbours& neighbours) {
       column_start[3 * b + j + 1] = column_start[3 * b + j] + std::max<std::int64_t>(0, 3 * blocks - j);
   }
   matrix.resizeNonZeros(column_start[3 * n]);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (neighbours.size() >= parallel_threshold)
   for (std::int64_t b = 0; b < n; ++b) {
     for (std::int64_t j = 0; j < 3; ++j) {
       std::int64_t* row = matrix.innerIndexPtr() + column_start[3 * b + j];
@@ -99,7 +99,7 @@ linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) cons
     const ElementBlock& block = **(after - 1);
     return block.nodes((entry - block.start().entry) / block.n_nodes());
   };
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 256) if (n_nodes_ >= parallel_threshold)
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     auto& list = neighbours[node];
     for (const std::size_t entry : entries_->of(node))
@@ -114,13 +114,13 @@ linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) cons
   // no locks, and the order of summation is that of the elements.
   constexpr std::size_t chunk = 512;
   std::vector<Eigen::MatrixXd> elements(chunk);
-  const int n_owners = omp_get_max_threads();
+  const int n_owners = n_elements_ >= parallel_threshold ? omp_get_max_threads() : 1;
   for (const auto& block : blocks_) {
     for (std::size_t first = 0; first < block->n_elements(); first += chunk) {
       const std::size_t count = std::min(chunk, block->n_elements() - first);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n_owners > 1)
       for (std::size_t i = 0; i < count; ++i) elements[i] = block->element_stiffness(first + i, elastic);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n_owners > 1)
       for (int owner = 0; owner < n_owners; ++owner)
         for (std::size_t i = 0; i < count; ++i)
           scatter(elements[i], block->nodes(first + i), neighbours, owner, n_owners, matrix);

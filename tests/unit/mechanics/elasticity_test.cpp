@@ -98,13 +98,13 @@ TEST(Elasticity, OneElementWithThreeSymmetryPlanesIsNotSingular) {
   }
 }
 
-/// Thick cylinder sector, nearly incompressible, plane strain: the bore displacement against Lame.
-TEST(Elasticity, BBarDoesNotLockWhereTheMaterialIsNearlyIncompressible) {
+/// Thick cylinder sector, nearly incompressible, plane strain: the bore displacement relative to Lame's.
+double bore_displacement_ratio(CellType type) {
   constexpr double a = 1.0, b = 2.0, young = 200.0, nu = 0.4999, angle = std::numbers::pi / 6;
-  const mesh::Mesh sector = mapped(box_mesh(CellType::hex8, {10, 6, 1}, {b - a, angle, 0.2}), [&](const Vector3& x) {
+  const mesh::Mesh sector = mapped(box_mesh(type, {10, 6, 1}, {b - a, angle, 0.2}), [&](const Vector3& x) {
     return Vector3((a + x[0]) * std::cos(x[1]), (a + x[0]) * std::sin(x[1]), x[2]);
   });
-  std::vector<mechanics::Support> supports{
+  const std::vector<mechanics::Support> supports{
       support(sector, "y0", Vector3::UnitY()), support(sector, "y1", {-std::sin(angle), std::cos(angle), 0}),
       support(sector, "z0", Vector3::UnitZ()), support(sector, "z1", Vector3::UnitZ())};
   Body body("ring", sector, elastic_material(young, nu), supports, std::nullopt);
@@ -112,20 +112,18 @@ TEST(Elasticity, BBarDoesNotLockWhereTheMaterialIsNearlyIncompressible) {
   body.factorize({});
   const std::vector<double> u = solve(body);
   const double exact = (1 + nu) / young * a * a / (b * b - a * a) * ((1 - 2 * nu) * a + b * b / a);
-  for (const std::int64_t node : mesh::group_nodes(sector, "x0")) {
+  const auto bore = mesh::group_nodes(sector, "x0");
+  double sum = 0;
+  for (const std::int64_t node : bore) {
     const Vector3& x = sector.nodes[static_cast<std::size_t>(node)];
-    const double radial = Eigen::Map<const Vector3>(&u[3 * static_cast<std::size_t>(node)]).dot(x) / a;
-    EXPECT_NEAR(radial, exact, 0.01 * exact);
+    sum += Vector3::Map(&u[3 * static_cast<std::size_t>(node)]).dot(x) / a;
   }
+  return sum / static_cast<double>(bore.size()) / exact;
 }
 
-TEST(Elasticity, AveragedWedgesFollowAnIncompressibleExtension) {
-  const mesh::Mesh bar = box_mesh(CellType::wedge6, {3, 3, 3}, Vector3::Ones(), Vector3::Zero(), 0.15);
-  Body body("bar", bar, elastic_material(200.0, 0.4999), symmetry_supports(bar), std::nullopt);
-  body.add_load(mechanics::pressure_load(bar, mesh::boundary_faces(bar, "x1"), 2.0));
-  body.factorize({});
-  const std::vector<double> stress = stress_of(body, solve(body));
-  for (const auto& s : as_tensors(stress)) EXPECT_NEAR(s[0], -2.0, 1e-8);
+TEST(Elasticity, BBarDoesNotLockWhereTheMaterialIsNearlyIncompressible) {
+  EXPECT_NEAR(bore_displacement_ratio(CellType::hex8), 1.0, 0.01);
+  EXPECT_NEAR(bore_displacement_ratio(CellType::hex20), 1.0, 1e-3);
 }
 
 }  // namespace
