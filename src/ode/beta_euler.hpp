@@ -1,0 +1,34 @@
+#pragma once
+/// Implicit Euler with parameter beta (generalised trapezoidal rule), solved by fixed-point iterations:
+///   y_{n+1} = y_n + dt [(1 - beta) f(t_n, y_n) + beta f(t_{n+1}, y_{n+1})].
+/// Source: Stankevich (2012), implicit scheme.
+
+#include "euler_scheme.hpp"
+#include "load_strain.hpp"
+
+namespace creepcontact::ode {
+
+/// Order 2 for beta = 1/2, else 1. Cost: one rate evaluation an inner iteration; the last one of a step serves as
+/// f(t_n, y_n) of the next. The iterations contract only for beta dt |lambda| < 1, lambda the fastest relaxation of
+/// the system, that is for dt < (stable step of explicit Euler) / (2 beta).
+class BetaEuler final : public EulerScheme {
+ public:
+  /// @throws ConfigError for beta < 0.5 (not stable) or > 1, and for settings out of range
+  BetaEuler(System& system, const IntegratorOptions& options);
+  std::string name() const override { return "beta_euler"; }
+  void initialize(double t, std::span<const double> y, double step = 0) override;
+
+ protected:
+  void attempt(const StepClock::Target& target) override;
+  int order() const override { return options_.beta == 0.5 ? 2 : 1; }
+  void accepted() override { load_strain_.accept(candidate_, load_); }
+
+ private:
+  [[noreturn]] void give_up(const char* what, double dt, int iterations, double change);
+
+  LoadStrain load_strain_;
+  std::vector<double> load_;     ///< e^(k), the argument of the last rate evaluation
+  std::vector<double> iterate_;  ///< y^(k+1) under construction
+};
+
+}  // namespace creepcontact::ode

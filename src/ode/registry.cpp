@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "arkode_integrator.hpp"
+#include "beta_euler.hpp"
+#include "creepcontact/ode/integrator.hpp"
+#include "cvode_integrator.hpp"
+#include "explicit_euler.hpp"
+
+namespace creepcontact::ode {
+
+namespace {
+template <typename Scheme>
+std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& options) {
+  return std::make_unique<Scheme>(system, options);
+}
+}  // namespace
+
+const std::vector<IntegratorInfo>& integrators() {
+  static const std::vector<IntegratorInfo> all = {
+      {"explicit_euler", "explicit Euler, fixed step or the Cormeau step (Stankevich 2012)", make<ExplicitEuler>},
+      {"beta_euler", "implicit Euler with beta >= 0.5, fixed-point inner iterations (Stankevich 2012)",
+       make<BetaEuler>},
+      {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control: the default", CvodeIntegrator::bdf},
+      {"cvode_adams", "CVODE Adams of order 1 to 12, fixed-point iterations, error control: for slow creep",
+       CvodeIntegrator::adams},
+      {"arkode_erk", "ARKODE Bogacki-Shampine 3(2), explicit, error control: for times short against the relaxation",
+       ArkodeIntegrator::explicit_rk},
+      {"arkode_dirk", "ARKODE ESDIRK 3(2), implicit, Newton-Krylov, error control: restarts without loss of order",
+       ArkodeIntegrator::diagonally_implicit_rk},
+  };
+  return all;
+}
+
+std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const IntegratorOptions& options) {
+  const auto& all = integrators();
+  const auto found = std::ranges::find(all, name, &IntegratorInfo::name);
+  if (found == all.end()) throw std::out_of_range(fmt::format("no integrator named '{}'", name));
+  return found->make(system, options);
+}
+
+}  // namespace creepcontact::ode

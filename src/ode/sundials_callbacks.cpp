@@ -1,0 +1,84 @@
+#include "sundials_callbacks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "sundials_vector.hpp"
+
+namespace creepcontact::ode {
+
+namespace {
+SundialsCallbacks& object(void* self) {
+  return *static_cast<SundialsCallbacks*>(self);
+}
+}  // namespace
+
+template <typename Call>
+int SundialsCallbacks::guarded(Call call) noexcept {
+  try {
+    call();
+    return 0;
+  } catch (const RecoverableError& error) {
+    recoverable_ = error.what();
+    return 1;
+  } catch (...) {
+    fatal_ = std::current_exception();
+    return -1;
+  }
+}
+
+int SundialsCallbacks::rate(realtype t, N_Vector y, N_Vector rate, void* self) {
+  SundialsCallbacks& me = object(self);
+  return me.guarded([&] { me.system_.rate(t, view(y, me.size_), view(rate, me.size_)); });
+}
+
+int SundialsCallbacks::weights(N_Vector, N_Vector weights, void* self) {
+  N_VScale(1.0, object(self).weights_, weights);
+  return 0;
+}
+
+int SundialsCallbacks::jacobian_times(N_Vector v, N_Vector product, realtype t, N_Vector y, N_Vector, void* self,
+                                      N_Vector) {
+  SundialsCallbacks& me = object(self);
+  return me.guarded(
+      [&] { me.system_.jacobian_times(t, view(y, me.size_), view(v, me.size_), view(product, me.size_)); });
+}
+
+int SundialsCallbacks::prepare_preconditioner(realtype t, N_Vector y, N_Vector, booleantype reuse, booleantype* renewed,
+                                              realtype, void* self) {
+  *renewed = SUNFALSE;
+  if (reuse) return 0;  // only gamma has changed, and precondition() is told of it
+  SundialsCallbacks& me = object(self);
+  *renewed = SUNTRUE;
+  return me.guarded([&] { me.system_.prepare_preconditioner(t, view(y, me.size_)); });
+}
+
+int SundialsCallbacks::precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype gamma, realtype, int,
+                                    void* self) {
+  SundialsCallbacks& me = object(self);
+  return me.guarded([&] { me.system_.precondition(gamma, view(r, me.size_), view(z, me.size_)); });
+}
+
+void SundialsCallbacks::message(int code, const char*, const char*, char* text, void* self) {
+  if (code < 0) object(self).guarded([&] { object(self).message_ = text; });
+}
+
+void SundialsCallbacks::clear() {
+  fatal_ = nullptr;
+  recoverable_.clear();
+  message_.clear();
+}
+
+void SundialsCallbacks::rethrow() {
+  if (fatal_) std::rethrow_exception(std::exchange(fatal_, nullptr));
+}
+
+std::string SundialsCallbacks::details() const {
+  std::string text = recoverable_.empty() ? "" : fmt::format(" Last failure: {}.", recoverable_);
+  if (!message_.empty()) text += fmt::format(" SUNDIALS: {}", message_);
+  return text;
+}
+
+}  // namespace creepcontact::ode

@@ -1,0 +1,54 @@
+#pragma once
+/// System as the C functions that CVODE and ARKODE call. No exception crosses them: a RecoverableError becomes +1 (try
+/// a smaller step); anything else is kept and becomes -1 (stop), to be rethrown when the integrator has returned.
+
+#include <sundials/sundials_nvector.h>
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "creepcontact/ode/system.hpp"
+
+namespace creepcontact::ode {
+
+/// User data of an integrator; its address must not change.
+class SundialsCallbacks {
+ public:
+  explicit SundialsCallbacks(System& system) : system_(system), size_(system.size()) {}
+  SundialsCallbacks(const SundialsCallbacks&) = delete;
+  SundialsCallbacks& operator=(const SundialsCallbacks&) = delete;
+
+  // The prototypes are those of CVRhsFn, CVEwtFn, CVLsJacTimesVecFn, CVLsPrecSetupFn, CVLsPrecSolveFn, CVErrHandlerFn
+  // and of their ARKODE twins; `self` is the SundialsCallbacks.
+  static int rate(realtype t, N_Vector y, N_Vector rate, void* self);
+  static int weights(N_Vector y, N_Vector weights, void* self);
+  static int jacobian_times(N_Vector v, N_Vector product, realtype t, N_Vector y, N_Vector rate, void* self,
+                            N_Vector work);
+  static int prepare_preconditioner(realtype t, N_Vector y, N_Vector rate, booleantype reuse, booleantype* renewed,
+                                    realtype gamma, void* self);
+  static int precondition(realtype t, N_Vector y, N_Vector rate, N_Vector r, N_Vector z, realtype gamma, realtype delta,
+                          int side, void* self);
+  static void message(int code, const char* module, const char* function, char* text, void* self);
+
+  /// What weights() hands out: 1 / absolute tolerance.
+  void set_weights(N_Vector weights) { weights_ = weights; }
+  void clear();
+  /// Throws what a callback kept, if anything.
+  void rethrow();
+  /// What SUNDIALS and the last recoverable failure of System had to say, for an error message.
+  std::string details() const;
+
+ private:
+  template <typename Call>
+  int guarded(Call call) noexcept;
+
+  System& system_;
+  std::size_t size_;
+  N_Vector weights_ = nullptr;
+  std::exception_ptr fatal_;
+  std::string recoverable_;
+  std::string message_;
+};
+
+}  // namespace creepcontact::ode

@@ -1,0 +1,82 @@
+#include "sundials_vector.hpp"
+
+#include <nvector/nvector_serial.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "elementwise.hpp"
+
+namespace creepcontact::ode {
+
+namespace {
+
+std::size_t length(N_Vector v) {
+  return static_cast<std::size_t>(NV_LENGTH_S(v));
+}
+
+// z may be x or y in all of these: entry i is read before it is written.
+
+void linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z) {
+  const double *p = NV_DATA_S(x), *q = NV_DATA_S(y);
+  double* r = NV_DATA_S(z);
+  for_each_index(length(z), [=](std::size_t i) { r[i] = a * p[i] + b * q[i]; });
+}
+
+void scale(realtype a, N_Vector x, N_Vector z) {
+  const double* p = NV_DATA_S(x);
+  double* r = NV_DATA_S(z);
+  for_each_index(length(z), [=](std::size_t i) { r[i] = a * p[i]; });
+}
+
+void fill(realtype a, N_Vector z) {
+  double* r = NV_DATA_S(z);
+  for_each_index(length(z), [=](std::size_t i) { r[i] = a; });
+}
+
+realtype dot(N_Vector x, N_Vector y) {
+  const double *p = NV_DATA_S(x), *q = NV_DATA_S(y);
+  return sum_over(length(x), [=](std::size_t i) { return p[i] * q[i]; });
+}
+
+realtype weighted_rms(N_Vector x, N_Vector w) {
+  const double *p = NV_DATA_S(x), *q = NV_DATA_S(w);
+  const double sum = sum_over(length(x), [=](std::size_t i) { return p[i] * q[i] * (p[i] * q[i]); });
+  return std::sqrt(sum / static_cast<double>(length(x)));
+}
+
+/// z = sum c_k x_k, in pieces that stay in the cache while the terms are added; only x_0 may be z.
+int linear_combination(int terms, realtype* c, N_Vector* x, N_Vector z) {
+  constexpr std::size_t piece = 1024;
+  const std::size_t n = length(z);
+  double* r = NV_DATA_S(z);
+#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
+  for (std::size_t begin = 0; begin < n; begin += piece) {
+    const std::size_t end = std::min(begin + piece, n);
+    const double* first = NV_DATA_S(x[0]);
+    for (std::size_t i = begin; i < end; ++i) r[i] = c[0] * first[i];
+    for (int k = 1; k < terms; ++k) {
+      const double* next = NV_DATA_S(x[k]);
+      for (std::size_t i = begin; i < end; ++i) r[i] += c[k] * next[i];
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+Vector make_vector(std::size_t size, SUNContext context) {
+  Vector v(N_VNew_Serial(static_cast<sunindextype>(size), context));
+  if (!v) throw std::bad_alloc();
+  v->ops->nvlinearsum = linear_sum;
+  v->ops->nvscale = scale;
+  v->ops->nvconst = fill;
+  v->ops->nvdotprod = dot;
+  v->ops->nvwrmsnorm = weighted_rms;
+  v->ops->nvlinearcombination = linear_combination;
+  N_VConst(0.0, v.get());
+  return v;
+}
+
+}  // namespace creepcontact::ode

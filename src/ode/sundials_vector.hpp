@@ -1,0 +1,27 @@
+#pragma once
+/// N_Vector of SUNDIALS with hot operations of our own: vectorised, and shared among the OpenMP threads if long.
+/// The state is up to 15 times as long as the displacement; the packaged SUNDIALS is compiled without optimisation,
+/// so that both its serial and its OpenMP vector would be the second bottleneck after the elastic solves.
+
+#include <sundials/sundials_nvector.h>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace creepcontact::ode {
+
+struct VectorDeleter {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+using Vector = std::unique_ptr<_generic_N_Vector, VectorDeleter>;
+
+/// Zero vector; the integrators clone theirs from it, operations included.
+Vector make_vector(std::size_t size, SUNContext context);
+
+/// The first `size` entries of v, which v keeps owning.
+inline std::span<double> view(N_Vector v, std::size_t size) {
+  return {N_VGetArrayPointer(v), size};
+}
+
+}  // namespace creepcontact::ode
