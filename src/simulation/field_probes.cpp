@@ -4,28 +4,34 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
+#include "local_fit.hpp"
 #include "point_location.hpp"
 #include "probe_kinds.hpp"
 
 namespace creepcontact::simulation {
 namespace {
 
+/// Displacement interpolated in the element, the other fields fitted to the integration points around.
 class PointProbe final : public Probe {
  public:
-  PointProbe(std::size_t body, PointLocation location, const QuantityInfo& info)
-      : body_(body), location_(std::move(location)), info_(info) {}
+  PointProbe(std::size_t body, PointLocation location, const mechanics::Body& owner, const QuantityInfo& info)
+      : body_(body),
+        location_(std::move(location)),
+        points_(local_fit(owner.discretization(), owner.mesh(), location_.element, location_.place)),
+        info_(info) {}
 
   double value(const Snapshot& snapshot) const override {
     Sample sample;
     const BodyFields& fields = snapshot.fields(body_);
-    for (std::size_t i = 0; i < location_.nodes.size(); ++i) {
-      const Sample node = fields.at_node(static_cast<std::size_t>(location_.nodes[i]));
-      const double weight = location_.weights[i];
-      sample.displacement += weight * node.displacement;
-      sample.stress += weight * node.stress;
-      sample.strain += weight * node.strain;
-      sample.creep_strain += weight * node.creep_strain;
-      sample.temperature += weight * node.temperature;
+    for (std::size_t i = 0; i < location_.nodes.size(); ++i)
+      sample.displacement +=
+          location_.weights[i] * fields.at_node(static_cast<std::size_t>(location_.nodes[i])).displacement;
+    for (const auto& [point, weight] : points_) {
+      const Sample at_point = fields.at_point(point);
+      sample.stress += weight * at_point.stress;
+      sample.strain += weight * at_point.strain;
+      sample.creep_strain += weight * at_point.creep_strain;
+      sample.temperature += weight * at_point.temperature;
     }
     sample.place = location_.place;
     return info_.value(sample);
@@ -34,6 +40,7 @@ class PointProbe final : public Probe {
  private:
   std::size_t body_;
   PointLocation location_;
+  std::vector<std::pair<std::size_t, double>> points_;
   const QuantityInfo& info_;
 };
 
@@ -127,7 +134,7 @@ std::unique_ptr<Probe> point_probe(const config::Probe& probe, const Model& mode
   if (!best)
     throw ModelError(fmt::format("the point ({}, {}, {}) lies outside {}", at.x(), at.y(), at.z(),
                                  probe.body.given() ? "body '" + probe.body.name + "'" : "all bodies"));
-  return std::make_unique<PointProbe>(best_body, *best, quantity(probe.quantity));
+  return std::make_unique<PointProbe>(best_body, *best, *model.bodies[best_body], quantity(probe.quantity));
 }
 
 std::unique_ptr<Probe> group_probe(const config::Probe& probe, const Model& model) {

@@ -67,11 +67,14 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
 
 std::optional<PointLocation> locate(const mesh::Mesh& mesh, const Vector3& at) {
   std::optional<PointLocation> best;
+  std::size_t element = 0;
   for (const mesh::CellBlock& block : mesh.blocks) {
     if (mesh::dimension(block.type) != 3) continue;
-    for (std::size_t cell = 0; cell < block.size(); ++cell) {
-      const auto found = locate_in(mesh, block, cell, at);
-      if (found && (!best || found->distance < best->distance)) best = found;
+    for (std::size_t cell = 0; cell < block.size(); ++cell, ++element) {
+      auto found = locate_in(mesh, block, cell, at);
+      if (!found || (best && found->distance >= best->distance)) continue;
+      found->element = element;
+      best = std::move(found);
     }
   }
   return best;

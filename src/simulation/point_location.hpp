@@ -9,6 +9,7 @@
 namespace creepcontact::simulation {
 
 struct PointLocation {
+  std::size_t element = 0;          ///< its number among the volume cells of all blocks
   std::vector<std::int64_t> nodes;  ///< of the element
   std::vector<double> weights;      ///< shape functions at the point
   Vector3 place = Vector3::Zero();  ///< the point asked for
