@@ -2,7 +2,6 @@
 
 #include <nvector/nvector_serial.h>
 
-#include <algorithm>
 #include <cmath>
 #include <new>
 
@@ -37,30 +36,26 @@ void fill(realtype a, N_Vector z) {
 
 realtype dot(N_Vector x, N_Vector y) {
   const double *p = NV_DATA_S(x), *q = NV_DATA_S(y);
-  return sum_over(length(x), [=](std::size_t i) { return p[i] * q[i]; });
+  return sum_over_pieces(
+      length(x), [=](std::size_t begin, std::size_t n) { return (piece(p, begin, n) * piece(q, begin, n)).sum(); });
 }
 
 realtype weighted_rms(N_Vector x, N_Vector w) {
   const double *p = NV_DATA_S(x), *q = NV_DATA_S(w);
-  const double sum = sum_over(length(x), [=](std::size_t i) { return p[i] * q[i] * (p[i] * q[i]); });
+  const double sum = sum_over_pieces(length(x), [=](std::size_t begin, std::size_t n) {
+    return (piece(p, begin, n) * piece(q, begin, n)).square().sum();
+  });
   return std::sqrt(sum / static_cast<double>(length(x)));
 }
 
-/// z = sum c_k x_k, in pieces that stay in the cache while the terms are added; only x_0 may be z.
+/// z = sum c_k x_k, piece by piece; only x_0 may be z.
 int linear_combination(int terms, realtype* c, N_Vector* x, N_Vector z) {
-  constexpr std::size_t piece = 1024;
-  const std::size_t n = length(z);
   double* r = NV_DATA_S(z);
-#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
-  for (std::size_t begin = 0; begin < n; begin += piece) {
-    const std::size_t end = std::min(begin + piece, n);
-    const double* first = NV_DATA_S(x[0]);
-    for (std::size_t i = begin; i < end; ++i) r[i] = c[0] * first[i];
-    for (int k = 1; k < terms; ++k) {
-      const double* next = NV_DATA_S(x[k]);
-      for (std::size_t i = begin; i < end; ++i) r[i] += c[k] * next[i];
-    }
-  }
+  for_each_piece(length(z), [=](std::size_t begin, std::size_t n) {
+    auto sum = piece(r, begin, n);
+    sum = c[0] * piece(NV_DATA_S(x[0]), begin, n);
+    for (int k = 1; k < terms; ++k) sum += c[k] * piece(NV_DATA_S(x[k]), begin, n);
+  });
   return 0;
 }
 
