@@ -16,17 +16,39 @@ Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
   return row;
 }
 
-/// Integration points of the element and of every element that shares a node with it.
-std::vector<std::size_t> points_around(const mechanics::Discretization& discretization, std::size_t element) {
+/// Where a value is taken as it is: one integration point, or the mean over some.
+struct SamplePlace {
+  Vector3 place = Vector3::Zero();
+  std::vector<std::pair<std::size_t, double>> points;  // with their shares, which add up to 1
+};
+
+/// The places where elements are most accurate: integration points of quadratic ones, the middle of linear ones (their
+/// stress varies wrongly within an element).
+void add_samples(const mechanics::Discretization& discretization, std::size_t element,
+                 std::vector<SamplePlace>& samples) {
+  const bool linear = mesh::order(discretization.element_type(element)) == 1;
+  const std::size_t first = discretization.first_point(element), last = discretization.first_point(element + 1);
+  double volume = 0;
+  for (std::size_t p = first; p < last; ++p) volume += discretization.weights()[p];
+  for (std::size_t p = first; p < last; ++p) {
+    if (!linear || p == first) samples.emplace_back();
+    const double share = linear ? discretization.weights()[p] / volume : 1.0;
+    samples.back().place += share * discretization.point_coordinates()[p];
+    samples.back().points.emplace_back(p, share);
+  }
+}
+
+/// Those of the element and of every element that shares a node with it.
+std::vector<SamplePlace> samples_around(const mechanics::Discretization& discretization, std::size_t element) {
   const auto own = discretization.element_nodes(element);
   const std::set<std::int64_t> nodes(own.begin(), own.end());
-  std::vector<std::size_t> points;
+  std::vector<SamplePlace> samples;
   for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
     const auto others = discretization.element_nodes(e);
-    if (!std::any_of(others.begin(), others.end(), [&](std::int64_t node) { return nodes.contains(node); })) continue;
-    for (std::size_t p = discretization.first_point(e); p < discretization.first_point(e + 1); ++p) points.push_back(p);
+    if (std::any_of(others.begin(), others.end(), [&](std::int64_t node) { return nodes.contains(node); }))
+      add_samples(discretization, e, samples);
   }
-  return points;
+  return samples;
 }
 
 Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
@@ -41,37 +63,49 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   return jacobian;
 }
 
+/// Row of the pseudo-inverse that gives the coefficient of the first column. Columns are taken in their order, each
+/// only if those before do not represent it: what is left out are quadratic terms rather than linear ones.
+Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd basis(matrix.rows(), matrix.cols());
+  Eigen::MatrixXd upper = Eigen::MatrixXd::Zero(matrix.cols(), matrix.cols());
+  Eigen::Index rank = 0;
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+    const auto before = basis.leftCols(rank);
+    Eigen::VectorXd rest = matrix.col(k) - before * (before.transpose() * matrix.col(k));
+    rest -= before * (before.transpose() * rest);  // twice is enough for orthogonality
+    if (rest.norm() <= rank_threshold * matrix.col(k).norm()) continue;
+    upper.col(rank).head(rank) = before.transpose() * matrix.col(k);
+    upper(rank, rank) = rest.norm();
+    basis.col(rank++) = rest.normalized();
+  }
+  // matrix = Q R on the columns taken; the row is that of R^-1 Q^T.
+  const Eigen::VectorXd first = Eigen::VectorXd::Unit(rank, 0);
+  const Eigen::MatrixXd triangle = upper.topLeftCorner(rank, rank).transpose();
+  return basis.leftCols(rank) * triangle.triangularView<Eigen::Lower>().solve(first);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretization& discretization,
                                                       const mesh::Mesh& mesh, std::size_t element, const Vector3& at) {
-  const std::span<const Vector3> places = discretization.point_coordinates();
-  const std::vector<std::size_t> points = points_around(discretization, element);
+  const std::vector<SamplePlace> samples = samples_around(discretization, element);
   const Matrix3 to_reference = jacobian_at_centre(discretization, mesh, element).inverse();
 
   // Value at the place = first coefficient c0 of the fit, with the place as origin: c = (W M)^+ W f.
-  const auto n = static_cast<Eigen::Index>(points.size());
+  const auto n = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd matrix(n, 10);
   Eigen::VectorXd weights(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     // Distances in element sizes, each direction by its own: flat elements weigh right.
-    const Vector3 x = to_reference * (places[points[static_cast<std::size_t>(i)]] - at);
+    const Vector3 x = to_reference * (samples[static_cast<std::size_t>(i)].place - at);
     weights[i] = 1 / (1 + x.squaredNorm() * x.squaredNorm());
     matrix.row(i) = weights[i] * monomials(x);
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor;
-  factor.setThreshold(rank_threshold);
-  factor.compute(matrix);
-  // Row of the pseudo-inverse that gives c0, restricted to the columns of full rank.
-  const Eigen::Index rank = factor.rank();
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index k = 0; k < rank; ++k)
-    if (factor.colsPermutation().indices()[k] == 0) row[k] = 1;
-  const auto upper = factor.matrixQR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
-  row.head(rank) = upper.transpose().solve(Eigen::VectorXd(row.head(rank)));
-  row.applyOnTheLeft(factor.householderQ());
+  const Eigen::VectorXd row = row_of_constant(matrix);
   std::vector<std::pair<std::size_t, double>> result;
-  for (Eigen::Index i = 0; i < n; ++i) result.emplace_back(points[static_cast<std::size_t>(i)], row[i] * weights[i]);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (const auto& [point, share] : samples[static_cast<std::size_t>(i)].points)
+      result.emplace_back(point, share * row[i] * weights[i]);
   return result;
 }
 

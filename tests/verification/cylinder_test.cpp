@@ -28,7 +28,7 @@ Outcome run_cylinder(const test::RingMesh& mesh, int order, const std::string& t
 }
 
 TEST(ThickCylinder, ReachesTheSteadyState) {
-  const Outcome outcome = run_cylinder({"pipe", 100, 200, 16, 9, 1.06}, 2, "[time]\nend = 200\ntolerance = 1e-5\n");
+  const Outcome outcome = run_cylinder({"pipe", 100, 200, 16, 18, 1.03}, 2, "[time]\nend = 200\ntolerance = 1e-5\n");
   const test::History& history = outcome.history;
   for (const double r : radii) {
     const bool wall = r == 100 || r == 200;
@@ -45,8 +45,8 @@ TEST(ThickCylinder, ReachesTheSteadyState) {
 // Linear hexahedra with B-bar: the bore stress at any creep time within 1 % of what quadratic ones give.
 TEST(ThickCylinder, LinearHexahedraDoNotLock) {
   const std::string time = "[time]\nend = 200\ntolerance = 1e-4\noutput = [0.01, 0.1, 1, 10, 200]\n";
-  const Outcome fine = run_cylinder({"pipe", 100, 200, 16, 9, 1.06}, 2, time);
-  const Outcome linear = run_cylinder({"pipe", 100, 200, 40, 24, 1.03}, 1, time);
+  const Outcome fine = run_cylinder({"pipe", 100, 200, 16, 18, 1.03}, 2, time);
+  const Outcome linear = run_cylinder({"pipe", 100, 200, 40, 40, 1.03}, 1, time);
   for (const double t : {0.0, 0.01, 0.1, 1.0, 10.0, 200.0})
     EXPECT_RELATIVE(linear.history.at("theta100", t), fine.history.at("theta100", t), 1e-2);
 }
