@@ -14,6 +14,9 @@ find_package(BLAS REQUIRED)
 
 # SuiteSparse, Gmsh and HDF5 of Debian 12 bring no usable CMake package.
 function(creepcontact_find_library target header library)
+  if(TARGET ${target}::${target})
+    return()
+  endif()
   cmake_parse_arguments(arg "" "" "SUFFIXES" ${ARGN})
   find_path(${target}_INCLUDE ${header} PATH_SUFFIXES ${arg_SUFFIXES} REQUIRED)
   find_library(${target}_LIBRARY ${library} PATH_SUFFIXES ${arg_SUFFIXES} hdf5/serial REQUIRED)

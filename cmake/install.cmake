@@ -20,9 +20,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/creepcontact)
 install(EXPORT creepcontactTargets NAMESPACE creepcontact:: DESTINATION ${package_dir})
 # The package finds its libraries as the build does, so it carries the same file.
 file(WRITE ${CMAKE_BINARY_DIR}/creepcontactConfig.cmake
-"if(NOT TARGET CHOLMOD::CHOLMOD)
-  include(\${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake)
-endif()
+"include(\${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake)
 include(\${CMAKE_CURRENT_LIST_DIR}/creepcontactTargets.cmake)
 ")
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/creepcontactConfigVersion.cmake COMPATIBILITY SameMinorVersion)

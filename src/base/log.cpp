@@ -33,8 +33,12 @@ spdlog::logger& logger() {
 
 }  // namespace
 
-void set_level(Level level) { logger().set_level(native(level)); }
+void set_level(Level level) {
+  logger().set_level(native(level));
+}
 
-void write(Level level, std::string_view message) { logger().log(native(level), message); }
+void write(Level level, std::string_view message) {
+  logger().log(native(level), message);
+}
 
 }  // namespace creepcontact::log

@@ -1,5 +1,6 @@
 #pragma once
-/// Scalar functions that a user gives: a number, an expression in x, y, z, t, T, q, eps (muParser), or a table in t or T.
+/// Scalar functions that a user gives: a number, an expression in x, y, z, t, T, q, eps (muParser), or a table in t or
+/// T.
 
 #include <memory>
 #include <string>

@@ -17,9 +17,13 @@ namespace tensor {
 
 inline constexpr double sqrt2 = std::numbers::sqrt2;
 
-inline double trace(const Tensor6& a) { return a[0] + a[1] + a[2]; }
+inline double trace(const Tensor6& a) {
+  return a[0] + a[1] + a[2];
+}
 
-inline Tensor6 identity() { return (Tensor6() << 1, 1, 1, 0, 0, 0).finished(); }
+inline Tensor6 identity() {
+  return (Tensor6() << 1, 1, 1, 0, 0, 0).finished();
+}
 
 inline Tensor6 deviator(const Tensor6& a) {
   Tensor6 s = a;
@@ -28,10 +32,14 @@ inline Tensor6 deviator(const Tensor6& a) {
 }
 
 /// von Mises equivalent stress q = sqrt(3/2 s:s)
-inline double von_mises(const Tensor6& stress) { return std::sqrt(1.5) * deviator(stress).norm(); }
+inline double von_mises(const Tensor6& stress) {
+  return std::sqrt(1.5) * deviator(stress).norm();
+}
 
 /// Equivalent creep strain sqrt(2/3 e:e), e the deviator: equals the axial strain of a uniaxial creep test
-inline double equivalent_strain(const Tensor6& strain) { return std::sqrt(2.0 / 3.0) * deviator(strain).norm(); }
+inline double equivalent_strain(const Tensor6& strain) {
+  return std::sqrt(2.0 / 3.0) * deviator(strain).norm();
+}
 
 inline Matrix3 to_matrix(const Tensor6& a) {
   Matrix3 m;

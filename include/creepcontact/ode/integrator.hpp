@@ -13,7 +13,7 @@ namespace creepcontact::ode {
 
 /// What an accepted step was like.
 struct StepReport {
-  double time = 0;            ///< at its end
+  double time = 0;  ///< at its end
   double step = 0;
   int order = 0;
   double error_estimate = 0;  ///< weighted root mean square in units of the tolerance; 0 if the method has none
@@ -21,14 +21,14 @@ struct StepReport {
 
 /// Settings of all integrators, each using its own; defaults are the configuration's.
 struct IntegratorOptions {
-  double tolerance = 1e-4;            ///< relative accuracy; absolute tolerance = tolerance * System::scale()
-  double step = 0;                    ///< Euler: fixed step; 0: the stable step times step_factor
+  double tolerance = 1e-4;  ///< relative accuracy; absolute tolerance = tolerance * System::scale()
+  double step = 0;          ///< Euler: fixed step; 0: the stable step times step_factor
   double step_factor = 1.0;
-  double beta = 1.0;                  ///< beta_euler, >= 0.5
-  double inner_tolerance = 1e-10;     ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
-  int max_inner_iterations = 200;     ///< beta_euler
-  double residual_correction = 0.0;   ///< gamma of the nodal-force residual (Euler schemes)
-  double end_time = 0;                ///< end of the run, bounds the first step
+  double beta = 1.0;                 ///< beta_euler, >= 0.5
+  double inner_tolerance = 1e-10;    ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
+  int max_inner_iterations = 200;    ///< beta_euler
+  double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
+  double end_time = 0;               ///< end of the run, bounds the first step
 };
 
 class Integrator {
@@ -55,8 +55,8 @@ class Integrator {
 
   struct Counters {
     std::int64_t steps = 0;
-    std::int64_t rejected_steps = 0;       ///< error test
-    std::int64_t convergence_failures = 0; ///< nonlinear iteration
+    std::int64_t rejected_steps = 0;        ///< error test
+    std::int64_t convergence_failures = 0;  ///< nonlinear iteration
   };
   virtual Counters counters() const = 0;  ///< since construction, over all initialize() calls
 };
