@@ -23,7 +23,7 @@ void add_contact(const Snapshot& snapshot, io::FieldData& pressure, io::FieldDat
       const int row = pair.first_row + static_cast<int>(tied ? 3 * i : i);
       const std::size_t at = first_node[pair.slave_body] + static_cast<std::size_t>(node.node);
       pressure.values[at] =
-          tied ? -node.normal.dot(elasticity.multipliers().segment<3>(row)) : elasticity.multipliers()[row];
+          tied ? node.normal.dot(elasticity.multipliers().segment<3>(row)) : elasticity.multipliers()[row];
       gap.values[at] = tied ? 0.0 : elasticity.gaps()[row] / pair.coupling.area[i];
     }
     // The multipliers are linear along the edges of a quadratic face.

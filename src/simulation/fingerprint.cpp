@@ -12,8 +12,8 @@ std::string fingerprint(const Model& model) {
         fmt::format("{}: {} nodes, {} points, E {}, nu {};", body->name(), body->mesh().nodes.size(),
                     body->discretization().n_points(), material.young_modulus.text(), material.poisson_ratio.text());
     for (const auto& law : material.creep) {
-      text += " " + law->name();
-      for (const Function& parameter : law->parameters()) text += " " + parameter.text();
+      text += fmt::format(" {}", law->name());
+      for (const Function& parameter : law->parameters()) text += fmt::format(" {}", parameter.text());
     }
     text += "\n";
   }

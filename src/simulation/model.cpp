@@ -68,6 +68,8 @@ Model build_model(const config::Config& config) {
         for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
     });
 
+  check_groups(config, whole, meshes, mistakes);
+
   Model model;
   std::optional<Function> temperature;
   if (config.temperature) temperature = config.temperature->value;
@@ -82,7 +84,7 @@ Model build_model(const config::Config& config) {
   for (const config::Load& load : config.loads)
     mistakes.collect(load.location, [&] { add_load(load, config, whole, meshes, model); });
   for (const config::Contact& contact : config.contacts)
-    mistakes.collect(contact.location, [&] { model.pairs.push_back(make_pair(contact, config, whole, model)); });
+    mistakes.collect(contact.location, [&] { model.pairs.push_back(make_pair(contact, config, model)); });
   mistakes.raise();
 
   model.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;

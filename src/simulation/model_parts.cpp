@@ -47,6 +47,15 @@ std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mes
   return result;
 }
 
+void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, Mistakes& mistakes) {
+  for (const config::Load& load : config.loads)
+    if (load.on.given())
+      mistakes.collect(load.on.location, [&] { bodies_on(config, whole, meshes, load.on.name, load.body, 2); });
+  for (const config::Contact& contact : config.contacts)
+    for (const config::Reference& surface : contact.between)
+      mistakes.collect(surface.location, [&] { bodies_on(config, whole, meshes, surface.name, {}, 2); });
+}
+
 std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body) {
   std::vector<mechanics::Support> result;
   const std::vector<std::int64_t> nodes = mesh::group_nodes(body, support.on.name);
@@ -62,15 +71,8 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
   return result;
 }
 
-contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const mesh::Mesh& whole,
-                        const Model& model) {
-  std::array<std::vector<std::size_t>, 2> owners;
-  for (std::size_t side = 0; side < 2; ++side) {
-    whole.group(contact.between[side].name, 2);
-    owners[side] = model.bodies_with(contact.between[side].name);
-    if (owners[side].empty())
-      throw ModelError(fmt::format("surface '{}' is on none of the bodies", contact.between[side].name));
-  }
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model) {
+  const std::array owners{model.bodies_with(contact.between[0].name), model.bodies_with(contact.between[1].name)};
   // A surface meshed once between two bodies is on both: each side of the pair takes another of them.
   std::array<std::size_t, 2> body{owners[0].front(), owners[1].front()};
   if (body[0] == body[1]) {
@@ -124,7 +126,10 @@ std::vector<double> breakpoints(const config::Config& config) {
   }
   for (const config::Load& load : config.loads) {
     if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) add(pressure->value);
-    if (const auto* rotation = std::get_if<config::Rotation>(&load.kind)) add(rotation->angular_velocity);
+    if (const auto* rotation = std::get_if<config::Rotation>(&load.kind)) {
+      add(rotation->angular_velocity);
+      add(rotation->density);
+    }
     if (const auto* traction = std::get_if<config::Traction>(&load.kind))
       for (const Function& value : traction->value) add(value);
     if (const auto* force = std::get_if<config::PointForce>(&load.kind))

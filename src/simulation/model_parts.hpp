@@ -34,14 +34,17 @@ std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mes
                                    const std::string& group, const config::Reference& body, int dimension);
 std::size_t body_index(const config::Config& config, const std::string& name);
 
+/// Looks for the surfaces of all loads and contacts, so that a name mistyped there shows with all other mistakes.
+void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, Mistakes& mistakes);
+
 /// Conditions that one [[supports]] entry puts on a body.
 std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body);
 
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Model& model);
 
-contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const mesh::Mesh& whole,
-                        const Model& model);
+/// The surfaces are on bodies (check_groups).
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model);
 
 /// Kinks in time of every function of the configuration, and the user's own breakpoints; ascending, within (0, end).
 std::vector<double> breakpoints(const config::Config& config);

@@ -9,6 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/simulation/probes.hpp"
 #include "time_loop.hpp"
 
 namespace creepcontact::simulation {
@@ -76,6 +77,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
 
   Model model = build_model(config);
+  make_probes(config, model, model.pairs);  // mistakes in them show before anything is factored
   warn_of_locking(model);
   for (const auto& body : model.bodies)
     log::info("body '{}': {} elements, {} unknowns", body->name(), body->discretization().n_elements(),
@@ -111,7 +113,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     }
   } catch (const SolverError& error) {
     result = {error.exit_status(),
-              fmt::format("{}\nresults up to t = {:.6g} are in {}", error.what(), loop.time(), directory.string())};
+              fmt::format("{}; results up to t = {:.6g} are in {}", error.what(), loop.time(), directory.string())};
     write_summary(io::Summary::Status::failed, error.what());
     return result;
   }

@@ -39,7 +39,7 @@ class ContactProbe final : public Probe {
       const int row = pair.first_row + static_cast<int>(tied ? 3 * i : i);
       const Vector3& normal = pair.coupling.nodes[i].normal;
       // A tied surface carries a vector: its pressure is the part along the normal (tension negative).
-      const double pressure = tied ? -normal.dot(multipliers.segment<3>(row)) : multipliers[row];
+      const double pressure = tied ? normal.dot(multipliers.segment<3>(row)) : multipliers[row];
       const double gap = tied ? 0.0 : gaps[row] / area;
       if (info_.kind == QuantityInfo::Kind::pressure)
         reduction.add(pressure, area);

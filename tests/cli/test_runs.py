@@ -1,0 +1,223 @@
+"""Whole runs over the command line: results, check, models that cannot run, interruption, a solver that gives up."""
+
+import csv
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
+SHRINK_FIT = str(pathlib.Path(__file__).resolve().parents[2] / "configs" / "shrink_fit.toml")
+SHORT = ("--set", "time.end=10", "--set", "time.output=[1, 10]")
+STEPS = "time,step,order,rhs_evaluations,elastic_solves,schwarz_iterations,active_contacts,error_estimate"
+SUMMARY = {"status", "time_reached", "integrator", "steps", "rejected_steps", "rhs_evaluations", "jacobian_products",
+           "elastic_solves", "contact_solves", "schwarz_iterations", "factorizations", "bodies", "wall_seconds",
+           "peak_memory_mb", "version"}
+
+
+def arguments(command, *more):
+    return [PROGRAM, command, SHRINK_FIT, *more]
+
+
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.directory = pathlib.Path(scratch.name)
+        self.output = self.directory / "out"
+
+    def call(self, command, *more):
+        return subprocess.run(arguments(command, *more), cwd=self.directory, capture_output=True, text=True,
+                              timeout=50)
+
+    def run_short(self, *more):
+        done = self.call("run", "--output", str(self.output), *SHORT, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def table(self, name):
+        with open(self.output / name, newline="") as file:
+            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+    def summary(self):
+        return json.loads((self.output / "summary.json").read_text())
+
+    def expect_error(self, done, status, *texts):
+        self.assertEqual(done.returncode, status, done.stderr)
+        errors = [line for line in done.stderr.splitlines() if not line.startswith(("info: ", "warning: "))]
+        self.assertTrue(errors)
+        for line in errors:
+            self.assertTrue(line.startswith("error: "), line)
+        for text in texts:
+            self.assertIn(text, done.stderr)
+
+
+class Results(RunTest):
+    def test_all_files_and_columns(self):
+        self.run_short("--quiet")
+        names = {str(path.relative_to(self.output)) for path in self.output.rglob("*") if path.is_file()}
+        fields = {f"fields/fields_{i:04}.vtu" for i in range(3)}
+        self.assertEqual(names, {"history.csv", "steps.csv", "summary.json", "checkpoint.h5", "fields.pvd"} | fields)
+        collection = (self.output / "fields.pvd").read_text()
+        for name in fields:
+            self.assertIn(f'file="{name}"', collection)
+
+        lines = (self.output / "history.csv").read_text().splitlines()
+        self.assertEqual(lines[0], "time,fit_pressure,disc_hoop_stress,rim_displacement")
+        history = self.table("history.csv")
+        self.assertEqual([row["time"] for row in history], [0, 1, 10])
+        pressure = [row["fit_pressure"] for row in history]
+        self.assertEqual(pressure, sorted(pressure, reverse=True))
+        self.assertGreater(pressure[-1], 10)
+
+        self.assertEqual((self.output / "steps.csv").read_text().splitlines()[0], STEPS)
+        steps = self.table("steps.csv")
+        self.assertEqual(steps[-1]["time"], 10)
+
+        summary = self.summary()
+        self.assertLessEqual(SUMMARY, set(summary))
+        self.assertEqual((summary["status"], summary["time_reached"]), ("completed", 10))
+        self.assertEqual(summary["integrator"], "cvode_bdf")
+        self.assertEqual(summary["steps"], len(steps))
+        self.assertEqual(set(summary["bodies"]), {"shaft", "disc"})
+        self.assertEqual(set(summary["bodies"]["disc"]), {"dofs", "elements", "integration_points"})
+        self.assertEqual(set(summary["wall_seconds"]), {"total", "factorize", "solve", "material", "contact", "output"})
+        self.assertGreater(summary["peak_memory_mb"], 1)
+        self.assertNotIn("message", summary)
+
+    def test_quiet_says_nothing(self):
+        done = self.run_short("--quiet")
+        self.assertEqual((done.stdout, done.stderr), ("", ""))
+
+    def test_usual_run_says_how_it_went(self):
+        done = self.run_short()
+        self.assertRegex(done.stdout, r"^done: \d+ steps, \d+ elastic solves, .*results in ")
+        self.assertIn(str(self.output), done.stdout)
+        self.assertIn("body 'disc'", done.stderr)
+
+    def test_overrides_and_one_thread(self):
+        self.run_short("--quiet", "--threads", "1", "--set", "time.integrator=explicit_euler", "--set", "time.step=2.5",
+                       "--set", "contacts.0.gap=-0.045", "--set", "output.fields=false")
+        self.assertEqual(self.summary()["integrator"], "explicit_euler")
+        self.assertEqual([row["time"] for row in self.table("steps.csv")], [2.5, 5, 7.5, 10])
+        self.assertFalse((self.output / "fields.pvd").exists())
+        half = self.table("history.csv")[0]["fit_pressure"]
+        self.output = self.directory / "whole"
+        self.run_short("--quiet", "--set", "output.fields=false")
+        self.assertAlmostEqual(self.table("history.csv")[0]["fit_pressure"], 2 * half, delta=1e-6 * half)
+
+    def test_threads_do_not_matter(self):
+        histories = []
+        for threads in ("1", "2"):
+            self.output = self.directory / threads
+            self.run_short("--quiet", "--threads", threads)
+            histories.append(self.table("history.csv"))
+        for one, two in zip(*histories):
+            for name, value in one.items():
+                self.assertAlmostEqual(two[name], value, delta=1e-7 * abs(value))
+
+
+class Check(RunTest):
+    def test_tells_about_the_model(self):
+        done = self.call("check")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for text in ("body 'shaft': 48 hex20, 419 nodes", "body 'disc': 72 hex20, 592 nodes", "576 integration points",
+                     "material 'wheel'", "rigid-body modes: none",
+                     "contact 'fit': slave 'disc_bore' on 'disc', master 'shaft_outer' on 'shaft', 20 multipliers",
+                     "estimated memory: "):
+            self.assertIn(text, done.stdout)
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_follows_overrides(self):
+        done = self.call("check", "--set", "mesh.order=1", "--set", "mesh.parameters.n_disc=2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("body 'disc': 18 hex8", done.stdout)
+
+
+class ModelErrors(RunTest):
+    def expect_model_error(self, *overrides, texts):
+        options = [part for override in overrides for part in ("--set", override)]
+        for command, more in (("check", []), ("run", ["--output", str(self.output)])):
+            self.expect_error(self.call(command, *options, *more), 3, *texts)
+        self.assertFalse(self.output.exists())
+
+    def test_missing_groups(self):
+        self.expect_model_error("supports.0.on=symetry_x", "contacts.0.between=['shaft_outer', 'disc_boer']", texts=[
+            "supports[0].on: the mesh has no physical group 'symetry_x'; did you mean 'symmetry_x'?",
+            "contacts[0].between[1]: the mesh has no physical surface 'disc_boer'; did you mean 'disc_bore'?",
+            "there are: disc_bore, disc_rim, ends, shaft_bore, shaft_outer, symmetry_x, symmetry_y"])
+
+    def test_missing_group_of_a_probe(self):
+        self.expect_model_error("probes.0.on=shaft_bore", "probes.1.at=[0, 0, 5]", texts=[
+            "shrink_fit.toml:", "probes[0]: surface 'shaft_bore' is in no contact; surfaces in contact: 'disc_bore', "
+            "'shaft_outer'", "probes[1]: the point (0, 0, 5) lies outside body 'disc'"])
+
+    def test_free_body(self):
+        self.expect_model_error("supports.0.displacement={z=0}", texts=[
+            "body 'shaft' can move freely: translation along x"])
+
+    def test_missing_mesh(self):
+        self.expect_model_error("mesh.file=none.geo", texts=["none.geo"])
+
+
+class Interruption(RunTest):
+    def test_interrupt_and_resume(self):
+        options = ("--output", str(self.output), "--quiet", "--set", "time.end=10", "--set", "time.output=[0.5, 1]",
+                   "--set", "mesh.order=1", "--set", "output.fields=false")
+        # As it stands, the run would take ten thousand steps.
+        with subprocess.Popen(arguments("run", *options, "--set", "time.integrator=explicit_euler", "--set",
+                                        "time.step=0.001"), stderr=subprocess.PIPE, text=True) as process:
+            self.wait_for_steps(process, 5)
+            process.send_signal(signal.SIGINT)
+            errors = process.communicate(timeout=30)[1]
+        self.assertEqual(process.returncode, 130, errors)
+        self.assertIn("--resume", errors)
+        summary = self.summary()
+        self.assertEqual(summary["status"], "interrupted")
+        steps = self.table("steps.csv")
+        self.assertEqual(summary["time_reached"], steps[-1]["time"])
+        self.assertLess(summary["time_reached"], 10)
+        self.assertTrue((self.output / "checkpoint.h5").exists())
+
+        done = self.call("run", *options, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.table("steps.csv")[:len(steps)], steps)
+        history = self.table("history.csv")
+        self.assertEqual([row["time"] for row in history], [0, 0.5, 1, 10])
+        self.assertEqual(self.summary()["status"], "completed")
+
+    def wait_for_steps(self, process, count):
+        deadline = time.monotonic() + 30
+        while time.monotonic() < deadline and process.poll() is None:
+            steps = self.output / "steps.csv"
+            if steps.exists() and steps.read_text().count("\n") > count:
+                return
+            time.sleep(0.02)
+        self.fail("the run made no steps")
+
+    def test_resume_without_a_checkpoint(self):
+        done = self.call("run", "--output", str(self.output), "--resume", "--quiet")
+        self.expect_error(done, 2, "checkpoint.h5")
+
+
+class SolverGivesUp(RunTest):
+    def test_results_are_kept(self):
+        # Far beyond the stable step, once the interference grows.
+        done = self.call("run", "--output", str(self.output), "--set", "time.integrator=beta_euler", "--set",
+                         "time.step=100", "--set", "time.end=1e4", "--set", "time.output=[100, 200]", "--set",
+                         "contacts.0.gap={t=[200, 300], values=[-0.09, -0.9]}", "--set", "mesh.order=1")
+        self.expect_error(done, 4, "beta_euler", str(self.output))
+        history = self.table("history.csv")
+        self.assertEqual([row["time"] for row in history], [0, 100, 200])
+        summary = self.summary()
+        self.assertEqual(summary["status"], "failed")
+        self.assertIn("beta_euler", summary["message"])
+        self.assertEqual(summary["time_reached"], self.table("steps.csv")[-1]["time"])
+
+
+if __name__ == "__main__":
+    unittest.main()
