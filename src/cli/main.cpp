@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/suggestion.hpp"
+#include "thread_waiting.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -80,5 +81,6 @@ int guarded(const Arguments& arguments) {
 }  // namespace creepcontact::cli
 
 int main(int argc, char** argv) {
+  creepcontact::cli::let_waiting_threads_sleep(argv);
   return creepcontact::cli::guarded(creepcontact::cli::Arguments(argv + 1, argv + argc));
 }
