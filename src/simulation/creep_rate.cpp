@@ -28,7 +28,7 @@ constexpr double least_share_of_stress = 1e-2;  // of the most stressed body: ot
 
 }  // namespace
 
-CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, double end)
+CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times)
     : elasticity_(elasticity),
       watch_(watch),
       layout_(elasticity.model()),
@@ -38,24 +38,33 @@ CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, double end
     points_.emplace_back(*body);
     stress_change_.emplace_back(6 * body->discretization().n_points());
   }
-  if (size() > 0) set_scale(end);
+  if (size() > 0) set_scale(output_times);
 }
 
-void CreepRate::set_scale(double end) {
+std::vector<double> CreepRate::elastic_stresses(const std::vector<double>& times) {
+  std::vector<double> stress(points_.size(), 0.0);
+  layout_.views(state_, views_);  // no creep strain yet
+  for (const double t : times) {
+    elasticity_.solve(t, views_);
+    for (std::size_t b = 0; b < stress.size(); ++b)
+      stress[b] = std::max(stress[b], typical_stress(elasticity_.states()[b]));
+  }
+  return stress;
+}
+
+void CreepRate::set_scale(const std::vector<double>& output_times) {
   const auto& bodies = elasticity_.model().bodies;
+  const double end = output_times.back();
   std::vector<double> times{0.0, end};
   for (const double t : elasticity_.model().breakpoints)
     if (t > 0 && t < end) times.push_back(t);
-  std::vector<double> stress(bodies.size(), 0.0);
-  layout_.views(state_, views_);  // no creep strain
-  for (const double t : times) {
-    elasticity_.solve(t, views_);
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      stress[b] = std::max(stress[b], typical_stress(elasticity_.states()[b]));
-  }
+  std::vector<double> stress = elastic_stresses(times);
+  // Loads that vanish at all these times may still act in between.
+  if (*std::max_element(stress.begin(), stress.end()) == 0) stress = elastic_stresses(output_times);
   const double largest = *std::max_element(stress.begin(), stress.end());
   if (!(largest > 0))
-    throw ModelError("nothing loads the bodies: no load, support, temperature or gap gives any stress");
+    throw ModelError(
+        "nothing loads the bodies: at no output time does any load, support, temperature or gap give stress");
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double value =
         std::max(stress[b], least_share_of_stress * largest) / young_modulus(bodies[b]->elastic().at(0));

@@ -85,7 +85,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   ContactElasticity elasticity(model, watch);
   for (const contact::Pair& pair : elasticity.interface().pairs())
     log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
-  CreepRate system(elasticity, watch, config.time.end);
+  CreepRate system(elasticity, watch, config.time.output);
 
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);

@@ -14,8 +14,9 @@ namespace creepcontact::simulation {
 class CreepRate final : public ode::System {
  public:
   /// Solves for the elastic stress at the times that matter, to set the error scale.
-  /// @param end  end of the run. @param elasticity, watch must outlive the object
-  CreepRate(ContactElasticity& elasticity, Stopwatch& watch, double end);
+  /// @param output_times  ascending, the last is the end of the run. @param elasticity, watch must outlive the object
+  /// @throws ModelError if nothing gives any stress at any of these times
+  CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times);
 
   std::size_t size() const override { return layout_.size(); }
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
@@ -37,7 +38,9 @@ class CreepRate final : public ode::System {
  private:
   /// Stress at (t, y): solved, or kept from the last call if that was at the same point.
   void evaluate(double t, std::span<const double> y);
-  void set_scale(double end);
+  void set_scale(const std::vector<double>& output_times);
+  /// Typical stress of every body without creep, the largest over these times.
+  std::vector<double> elastic_stresses(const std::vector<double>& times);
 
   ContactElasticity& elasticity_;
   Stopwatch& watch_;
