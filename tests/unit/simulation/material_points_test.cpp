@@ -1,0 +1,102 @@
+#include "creepcontact/simulation/material_points.hpp"
+
+#include <random>
+
+#include "blocks.hpp"
+
+namespace creepcontact::simulation::test {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// The point-wise part of the Jacobian, -C H, column by column from the laws' own derivative.
+std::vector<Matrix6> local_jacobians(const System& system, const MaterialPoints& points, std::span<const double> y) {
+  const mechanics::Body& body = *system.model.bodies[0];
+  const std::size_t n = body.discretization().n_points();
+  std::vector<Matrix6> result(n, Matrix6::Zero());
+  std::vector<double> d_stress(6 * n), d_state(6 * n), d_rate(6 * n);
+  for (int j = 0; j < 6; ++j) {
+    std::fill(d_state.begin(), d_state.end(), 0.0);
+    for (std::size_t p = 0; p < n; ++p) {
+      const Tensor6 unit = Tensor6::Unit(j);
+      Eigen::Map<Tensor6>(d_state.data() + 6 * p) = unit;
+      Eigen::Map<Tensor6>(d_stress.data() + 6 * p) = material::stress(body.elastic().at(p), -unit);
+    }
+    points.derivative(system.elasticity.states()[0].stress, y.data(), d_stress, d_state.data(), d_rate.data());
+    for (std::size_t p = 0; p < n; ++p) result[p].col(j) = Eigen::Map<const Tensor6>(d_rate.data() + 6 * p);
+  }
+  return result;
+}
+
+struct PreconditionerCase {
+  const char* name;
+  std::vector<std::string> overrides;
+};
+
+class Preconditioner : public testing::TestWithParam<PreconditionerCase> {};
+
+TEST_P(Preconditioner, IsTheInverseOfTheLocalPart) {
+  const Case blocks;
+  System system(blocks.config("", GetParam().overrides));
+  std::mt19937 generator(3);
+  std::normal_distribution<double> number;
+  std::vector<double> y(system.rate.size()), r(y.size()), z(y.size());
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    y[i] = 0.3 * number(generator) * system.rate.scale()[i];
+    r[i] = number(generator);
+  }
+  system.rate.prepare_preconditioner(0, y);
+  MaterialPoints points(*system.model.bodies[0]);
+  const std::vector<Matrix6> jacobians = local_jacobians(system, points, y);
+
+  // Steps far below and far above the stable one.
+  for (const double gamma : {1e-3, 1.0, 1e3}) {
+    system.rate.precondition(gamma, r, z);
+    for (std::size_t p = 0; p < jacobians.size(); ++p) {
+      const Eigen::Map<const Tensor6> right(r.data() + 6 * p), solution(z.data() + 6 * p);
+      const Tensor6 image = solution - gamma * (jacobians[p] * solution);
+      ASSERT_LT((image - right).norm(), 1e-11 * right.norm() * (1 + gamma * jacobians[p].norm())) << p;
+      const Tensor6 exact = (Matrix6::Identity() - gamma * jacobians[p]).partialPivLu().solve(right);
+      ASSERT_LT((solution - exact).norm(), 1e-11 * right.norm()) << p;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Laws, Preconditioner,
+    testing::Values(PreconditionerCase{"norton", {}}, PreconditionerCase{"linear", {"materials.soft.creep.0.n=1"}},
+                    PreconditionerCase{
+                        "two_mechanisms",
+                        {"materials.soft.creep=[{law='norton',A=1e-3,n=4},{law='garofalo',A=1e-2,alpha=0.5,n=3}]"}},
+                    PreconditionerCase{"hot",
+                                       {"temperature.value=100+10*z", "materials.soft.creep.0.A=1e-5*T",
+                                        "materials.soft.young_modulus=100-T/10"}}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(MaterialPoints, ParametersFollowTheTemperature) {
+  const Case blocks;
+  const System system(
+      blocks.config("", {"temperature.value=100*(1+t)", "materials.soft.creep.0.A={T=[100,200],values=[1e-3,5e-3]}"}));
+  MaterialPoints points(*system.model.bodies[0]);
+  const std::size_t n = system.model.bodies[0]->discretization().n_points();
+  std::vector<double> stress(6 * n), y(6 * n), rate(6 * n);
+  for (std::size_t p = 0; p < n; ++p) stress[6 * p + 2] = -2;
+  for (const auto& [t, A] : {std::pair(0.0, 1e-3), std::pair(1.0, 5e-3), std::pair(0.5, 3e-3), std::pair(0.0, 1e-3)}) {
+    points.set_time(t);
+    points.rate(stress, y.data(), rate.data());
+    for (std::size_t p = 0; p < n; ++p) {
+      ASSERT_NEAR(rate[6 * p + 2], -A * 16, 1e-12);
+      ASSERT_NEAR(rate[6 * p], A * 8, 1e-12);
+    }
+  }
+}
+
+TEST(MaterialPoints, ElasticMaterialHasNone) {
+  const Case blocks;
+  const System system(blocks.config("", {"materials.soft.creep=[]"}));
+  EXPECT_TRUE(MaterialPoints(*system.model.bodies[0]).empty());
+  EXPECT_FALSE(MaterialPoints(*system.model.bodies[1]).empty());
+}
+
+}  // namespace
+}  // namespace creepcontact::simulation::test

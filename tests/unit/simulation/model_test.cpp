@@ -1,0 +1,228 @@
+#include "creepcontact/simulation/model.hpp"
+
+#include "blocks.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/simulation/check.hpp"
+
+namespace creepcontact::simulation::test {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+TEST(Model, BodiesAndPairsOfTheConfiguration) {
+  const Case blocks;
+  const Model model = build_model(blocks.config());
+  ASSERT_EQ(model.bodies.size(), 2U);
+  EXPECT_EQ(model.find_body("upper"), 1U);
+  EXPECT_EQ(model.find_body("none"), 2U);
+  EXPECT_EQ(model.bodies_with("symmetry_x"), (Indices{0, 1}));
+  EXPECT_EQ(model.bodies_with("top"), Indices{1});
+  EXPECT_EQ(model.bodies_with("none"), Indices{});
+  EXPECT_EQ(model.bodies[0]->discretization().n_elements(), 12U);
+  EXPECT_EQ(model.bodies[1]->discretization().n_elements(), 16U);
+  ASSERT_EQ(model.pairs.size(), 1U);
+  EXPECT_EQ(model.pairs[0].name, "lower_top-upper_bottom");
+  EXPECT_EQ(model.pairs[0].slave_surface, "lower_top");
+  EXPECT_EQ(model.pairs[0].slave_body, 0U);
+  EXPECT_EQ(model.pairs[0].master_body, 1U);
+}
+
+TEST(Model, SlaveAsAskedForOrTheCoarserSide) {
+  const Case blocks;
+  EXPECT_EQ(build_model(blocks.config("", {"contacts.0.slave=upper_bottom"})).pairs[0].slave_body, 1U);
+  // the lower block has 2 x 3 faces in the joint, the upper one 2 x 4
+  EXPECT_EQ(build_model(blocks.config("", {"contacts.0.slave=auto"})).pairs[0].slave_body, 0U);
+  // a body softer by more than ten times goes first, however fine
+  EXPECT_EQ(
+      build_model(blocks.config("", {"contacts.0.slave=auto", "materials.hard.young_modulus=1"})).pairs[0].slave_body,
+      1U);
+}
+
+TEST(Model, ContactSolverAsConfigured) {
+  const Case blocks;
+  const Model usual = build_model(blocks.config());
+  EXPECT_TRUE(usual.use_schwarz);
+  EXPECT_EQ(usual.schwarz.acceleration, contact::SchwarzOptions::Acceleration::cg);
+  EXPECT_FALSE(usual.schwarz.alpha);
+  const Model other = build_model(
+      blocks.config("[contact_solver]\nalpha = 0.3\nacceleration = 'aitken'\ntolerance = 1e-6\nmax_iterations = 17\n"));
+  EXPECT_EQ(other.schwarz.acceleration, contact::SchwarzOptions::Acceleration::aitken);
+  EXPECT_EQ(other.schwarz.alpha, 0.3);
+  EXPECT_EQ(other.schwarz.tolerance, 1e-6);
+  EXPECT_EQ(other.schwarz.max_iterations, 17);
+  EXPECT_FALSE(build_model(blocks.config("[contact_solver]\nmethod = 'active_set'\n")).use_schwarz);
+}
+
+TEST(Model, SurfaceMeshedOnceBetweenTwoBodies) {
+  const Case blocks(joined_blocks());
+  for (const char* slave : {"lower_top", "upper_bottom"}) {
+    const Model model = build_model(blocks.config("", {std::string("contacts.0.slave=") + slave}));
+    EXPECT_EQ(model.bodies_with("lower_top"), (Indices{0, 1}));
+    ASSERT_EQ(model.pairs.size(), 1U);
+    EXPECT_NE(model.pairs[0].slave_body, model.pairs[0].master_body);
+    EXPECT_EQ(model.pairs[0].slave_surface, slave);
+    EXPECT_EQ(model.pairs[0].slave_body, slave == std::string("lower_top") ? 0U : 1U);
+    // each body has nodes of its own there
+    EXPECT_EQ(model.bodies[0]->mesh().nodes.size(), 27U);
+    EXPECT_EQ(model.bodies[1]->mesh().nodes.size(), 27U);
+  }
+}
+
+TEST(Model, KinksOfTablesBecomeBreakpoints) {
+  const Case blocks;
+  const std::string tables = R"(
+[[loads]]
+on = "side_x"
+pressure = { t = [0.25, 1], values = [0, 1] }
+[[loads]]
+on = "side_x"
+traction = [0, { t = [1.25, 5], values = [0, 1] }, 0]
+[[loads]]
+at = [2, 1, 1]
+force = [0, 0, { t = [1.5, 1.75], values = [0, 1] }]
+[[loads]]
+body = "lower"
+body_force = [{ t = [2, 2.25], values = [0, 1] }, 0, 0]
+[[loads]]
+body = "upper"
+rotation = { angular_velocity = { t = [2.5, 2.75], values = [0, 1] }, density = { t = [2.6, 2.65], values = [0, 1] } }
+[temperature]
+value = { t = [-1, 0, 3], values = [0, 20, 30] }
+)";
+  const Model model = build_model(blocks.config(
+      tables, {"time.breakpoints=[0.125, 3.75]", "time.end=4", "contacts.0.gap={t=[3.25,3.5],values=[0,-0.01]}",
+               "supports.3.displacement.z={t=[0,0.5,4],values=[0,-0.01,0]}"}));
+  // those within (0, end), each once
+  const std::vector<double> expected{0.125, 0.25, 0.5,  1,    1.25, 1.5,  1.75, 2,   2.25,
+                                     2.5,   2.6,  2.65, 2.75, 3,    3.25, 3.5,  3.75};
+  EXPECT_EQ(model.breakpoints, expected);
+}
+
+TEST(ModelMistakes, AllInOneGoWithTheirPlaces) {
+  const Case blocks;
+  const std::string more = R"(
+[[supports]]
+on = "botom"
+displacement = { x = 0 }
+[[supports]]
+on = "top_edge"
+displacement = { normal = 0 }
+[[loads]]
+on = "topp"
+pressure = 1
+[[loads]]
+on = "side_y"
+body = "upper"
+traction = [1, 0, 0]
+[[loads]]
+on = "lower"
+pressure = 1
+[[loads]]
+on = "bottom"
+body = "upper"
+pressure = 1
+[[contacts]]
+between = ["lower_tip", "upper_bottom"]
+)";
+  const config::Config config = blocks.config(more);
+  const std::string message = message_of<ModelError>([&] { build_model(config); });
+  const std::string all = "bottom, lower_top, side_x, side_y, symmetry_x, symmetry_y, top, upper_bottom";
+  for (const std::string& expected :
+       {blocks.place("\"botom\"", more) +
+            "supports[4].on: the mesh has no physical group 'botom'; did you mean 'bottom'?",
+        blocks.place("\"top_edge\"", more) + "supports[5].on: group 'top_edge' is no surface",
+        blocks.place("\"topp\"", more) +
+            "loads[0].on: the mesh has no physical surface 'topp'; did you mean 'top'?; "
+            "there are: " +
+            all,
+        blocks.place("\"lower\"\npressure", more) + "loads[2].on: 'lower' is a physical volume, not a surface",
+        blocks.place("\"bottom\"\nbody", more) + "loads[3].on: group 'bottom' is not on body 'upper'",
+        blocks.place("\"lower_tip\"", more) + "contacts[1].between[0]: the mesh has no physical surface 'lower_tip'"}) {
+    EXPECT_TRUE(contains(message, expected)) << expected << "\n--- in\n" << message;
+  }
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 5) << message;
+}
+
+TEST(ModelMistakes, RegionsOfAllBodies) {
+  const Case blocks;
+  const config::Config config = blocks.config("", {"bodies.lower.region=lowr", "bodies.upper.region=top"});
+  const std::string message = message_of<ModelError>([&] { build_model(config); });
+  EXPECT_TRUE(contains(message, "no physical volume 'lowr'; did you mean 'lower'?")) << message;
+  EXPECT_TRUE(contains(message, "'top' is a physical surface, not a volume")) << message;
+}
+
+TEST(ModelMistakes, LoadsAndContactsThatDoNotFit) {
+  const Case blocks;
+  const std::string more = R"(
+[[loads]]
+at = [2, 1, 0.9]
+force = [0, 0, 1]
+[[contacts]]
+between = ["lower_top", "bottom"]
+[[contacts]]
+between = ["side_y", "side_x"]
+slave = "side_y"
+)";
+  const config::Config config = blocks.config(more);
+  const std::string message = message_of<ModelError>([&] { build_model(config); });
+  for (const std::string& expected :
+       {blocks.place("[[loads]]", more) + "loads[0]: no mesh node at (2, 1, 0.9): the nearest is (2, 1, 1) on body "
+                                          "'upper', 0.1 away",
+        blocks.place("[[contacts]]\nbetween = [\"lower_top\", \"bottom\"]", more) +
+            "contacts[1]: surfaces 'lower_top' and 'bottom' belong to one and the same body 'lower'",
+        blocks.place("[[contacts]]\nbetween = [\"side_y\"", more) + "contacts[2]: "})
+    EXPECT_TRUE(contains(message, expected)) << expected << "\n--- in\n" << message;
+}
+
+TEST(ModelMistakes, PointForceWithinItsTolerance) {
+  const Case blocks;
+  const Model model = build_model(blocks.config("[[loads]]\nat = [2, 1, 0.9]\nforce = [0, 0, 1]\ntolerance = 0.2\n"));
+  std::vector<double> forces(3 * model.bodies[1]->mesh().nodes.size());
+  model.bodies[1]->set_time(0);
+  const auto external = model.bodies[1]->external_forces();
+  double sum = 0;
+  for (std::size_t i = 2; i < external.size(); i += 3) {
+    sum += external[i];
+    if (external[i] != 0) {
+      EXPECT_EQ(model.bodies[1]->mesh().nodes[i / 3], Vector3(2, 1, 1));
+    }
+  }
+  EXPECT_EQ(sum, 1);
+}
+
+TEST(FreeBodies, AreNamedWithTheirMotions) {
+  const Case blocks;
+  // Nothing holds the upper block along z but contact; in the second case nothing holds either along y.
+  const config::Config loose = blocks.config("", {"supports.3.on=bottom", "supports.3.displacement.z=0"});
+  const std::string message = message_of<ModelError>([&] { const System system(loose); });
+  EXPECT_TRUE(contains(message, "body 'upper'")) << message;
+  EXPECT_TRUE(contains(message, "translation along z")) << message;
+  EXPECT_FALSE(contains(message, "rotation")) << message;
+  EXPECT_FALSE(contains(message, "'lower'")) << message;
+
+  const config::Config both = blocks.config("", {"supports.1.on=symmetry_x", "supports.1.displacement={x=0}"});
+  const std::string checked = message_of<ModelError>([&] { check(both); });
+  for (const char* body : {"lower", "upper"})
+    EXPECT_TRUE(contains(checked, std::string("body '") + body + "' can move freely: translation along y")) << checked;
+}
+
+TEST(Check, TellsWhatTheModelIs) {
+  const Case blocks;
+  const std::string text = check(blocks.config("", {"materials.hard.creep=[]"}));
+  for (const char* part :
+       {"body 'lower': 12 hex8, 36 nodes, ", "96 integration points", "material 'soft'\n", "rigid-body modes: none",
+        "body 'upper': 16 hex8, 45 nodes", "material 'hard' (elastic)",
+        "contact 'lower_top-upper_bottom': slave 'lower_top' on 'lower', master 'upper_bottom' on 'upper', "
+        "12 multipliers",
+        "state of the differential equation: 576 numbers", "estimated memory: "})
+    EXPECT_TRUE(contains(text, part)) << part << "\n--- in\n" << text;
+}
+
+TEST(Check, LooksAtTheProbesToo) {
+  const Case blocks;
+  const config::Config config = blocks.config("[[probes]]\nname = 'q'\nquantity = 'von_mises'\non = 'tpo'\n");
+  EXPECT_TRUE(contains(message_of<ModelError>([&] { check(config); }), "probes[0]: no body has a group 'tpo'"));
+}
+
+}  // namespace
+}  // namespace creepcontact::simulation::test

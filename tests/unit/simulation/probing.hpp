@@ -1,0 +1,50 @@
+#pragma once
+/// Values of probes in an elastic state of the two blocks.
+
+#include <map>
+#include <string>
+
+#include "blocks.hpp"
+#include "creepcontact/simulation/probes.hpp"
+
+namespace creepcontact::simulation::test {
+
+struct ProbeTable {
+  std::string name, quantity, place;  ///< place: the keys on, at, body as TOML, separated by commas
+  std::string reduce = "";
+};
+
+inline std::string probe_tables(const std::vector<ProbeTable>& probes) {
+  std::string text = "probes = [\n";
+  for (const ProbeTable& probe : probes) {
+    text += "  { name = '" + probe.name + "', quantity = '" + probe.quantity + "', " + probe.place;
+    text += (probe.reduce.empty() ? "" : ", reduce = '" + probe.reduce + "'") + " },\n";
+  }
+  return text + "]\n";
+}
+
+/// The elastic state of the case at time t, and the probes' values in it by name.
+inline std::map<std::string, double> probe(const Case& blocks, const std::vector<ProbeTable>& probes,
+                                           const std::vector<std::string>& overrides = {}, const std::string& more = "",
+                                           double t = 0) {
+  const config::Config config = blocks.parse(probe_tables(probes) + case_text + more, overrides);
+  System system(config);
+  const auto made = make_probes(config, system.model, system.elasticity.interface().pairs());
+  const std::vector<double> y(system.rate.size());
+  system.rate.equilibrium(t, y);
+  const Snapshot snapshot(system.elasticity, system.rate.layout(), t, y);
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < made.size(); ++i) values[config.probes[i].name] = made[i]->value(snapshot);
+  return values;
+}
+
+inline void expect_values(const std::map<std::string, double>& found, const std::map<std::string, double>& expected,
+                          double tolerance) {
+  EXPECT_EQ(found.size(), expected.size());
+  for (const auto& [name, value] : expected) {
+    ASSERT_TRUE(found.contains(name)) << name;
+    EXPECT_NEAR(found.at(name), value, tolerance) << name;
+  }
+}
+
+}  // namespace creepcontact::simulation::test

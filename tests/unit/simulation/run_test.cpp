@@ -1,0 +1,157 @@
+#include "creepcontact/base/error.hpp"
+#include "running.hpp"
+
+namespace creepcontact::simulation::test {
+namespace {
+
+struct RunCase {
+  const char* integrator;
+  double tolerance;  ///< of the pressure against the closed form
+  std::vector<std::string> overrides;
+};
+
+class Run : public testing::TestWithParam<RunCase> {};
+
+TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
+  const Case blocks;
+  std::vector<std::string> overrides = GetParam().overrides;
+  overrides.push_back(std::string("time.integrator=") + GetParam().integrator);
+  overrides.emplace_back("time.output=[0.1, 1, 1.7, 3]");
+  const RunResult result =
+      run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string(), .quiet = true});
+  ASSERT_EQ(result.exit_status, 0) << result.message;
+
+  const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
+  EXPECT_EQ(history.columns, (std::vector<std::string>{"time", "pressure"}));
+  EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.1, 1, 1.7, 3, 4}));
+  for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), GetParam().tolerance) << row[0];
+
+  double time = 0;
+  for (const auto& row : steps.rows) {
+    EXPECT_GT(row[1], 0);
+    EXPECT_NEAR(row[0] - time, row[1], 1e-12);
+    time = row[0];
+  }
+  EXPECT_EQ(time, 4);
+  for (const double active : steps.column("active_contacts")) EXPECT_EQ(active, 12);
+  for (const double order : steps.column("order")) EXPECT_GE(order, 1);
+
+  const std::string summary = read_text(blocks / "out/summary.json");
+  EXPECT_TRUE(contains(summary, "\"status\": \"completed\"")) << summary;
+  EXPECT_TRUE(contains(summary, std::string("\"integrator\": \"") + GetParam().integrator + "\""));
+  EXPECT_FALSE(contains(summary, "\"message\""));
+  EXPECT_EQ(number_in(summary, "time_reached"), 4);
+  EXPECT_EQ(number_in(summary, "steps"), static_cast<double>(steps.rows.size()));
+  EXPECT_EQ(number_in(summary, "factorizations"), 2);
+  // Outputs and the error scale have their solves outside the steps.
+  for (const char* count : {"rhs_evaluations", "elastic_solves", "schwarz_iterations"}) {
+    EXPECT_GE(number_in(summary, count), steps.sum(count)) << count;
+    EXPECT_GT(steps.sum(count), 0) << count;
+  }
+  EXPECT_EQ(number_in(summary, "elastic_solves"),
+            number_in(summary, "contact_solves") + number_in(summary, "jacobian_products"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, Run,
+                         testing::Values(RunCase{"explicit_euler", 5e-3, {"time.step=0.0625"}},
+                                         RunCase{"beta_euler", 1e-3, {"time.step=0.25", "time.beta=0.5"}},
+                                         RunCase{"cvode_bdf", 1e-3, {}}, RunCase{"arkode_dirk", 1e-3, {}}),
+                         [](const auto& tested) { return std::string(tested.param.integrator); });
+
+TEST(RunBreakpoints, AreEndsOfSteps) {
+  const Case blocks;
+  const std::vector<std::string> overrides{"supports.3.displacement.z={t=[0,1,3],values=[-0.01,-0.04,-0.02]}",
+                                           "time.breakpoints=[2.5]", "time.output=[0.5, 1, 2, 2.75]"};
+  for (const char* integrator : {"cvode_bdf", "explicit_euler"}) {
+    std::vector<std::string> all = overrides;
+    all.push_back(std::string("time.integrator=") + integrator);
+    const std::filesystem::path out = blocks / integrator;
+    ASSERT_EQ(run(blocks.config(pressure_probe, all), {.output = out.string(), .quiet = true}).exit_status, 0);
+    const Csv history(out / "history.csv"), steps(out / "steps.csv");
+    EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.5, 1, 2, 2.75, 4}));
+    const std::vector<double> times = steps.column("time");
+    for (const double breakpoint : {1.0, 2.5, 3.0})
+      EXPECT_EQ(std::count(times.begin(), times.end(), breakpoint), 1) << integrator << " " << breakpoint;
+    // the pressure follows the top: the highest at the first kink
+    const std::vector<double> pressure = history.column("pressure");
+    EXPECT_EQ(std::max_element(pressure.begin(), pressure.end()) - pressure.begin(), 2) << integrator;
+    EXPECT_NEAR(pressure[0], 0.4, 1e-8);
+  }
+}
+
+TEST(RunElastic, HistoryFollowsTheLoads) {
+  const Case blocks;
+  const config::Config config =
+      blocks.config(pressure_probe, {"materials.soft.creep=[]", "materials.hard.creep=[]", "time.output=[0.5, 1, 3]",
+                                     "supports.3.displacement.z=-0.025*t", "contacts.0.gap=0.025"});
+  for (const bool resume : {false, true}) {  // a run that has ended may be resumed: nothing is left to do
+    const RunResult result = run(config, {.output = (blocks / "out").string(), .resume = resume, .quiet = true});
+    ASSERT_EQ(result.exit_status, 0) << result.message;
+    const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
+    EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.5, 1, 3, 4}));
+    EXPECT_EQ(steps.rows.size(), 0U);
+    for (const auto& row : history.rows) EXPECT_NEAR(row[1], std::max(0.0, row[0] - 1), 1e-9);
+    const std::string summary = read_text(blocks / "out/summary.json");
+    EXPECT_TRUE(contains(summary, "\"status\": \"completed\"")) << summary;
+    EXPECT_EQ(number_in(summary, "steps"), 0);
+    EXPECT_EQ(number_in(summary, "time_reached"), 4);
+  }
+}
+
+TEST(RunFailure, KeepsWhatWasComputed) {
+  const Case blocks;
+  // The stress grows until the inner iterations no longer contract in a step of this length.
+  const config::Config config =
+      blocks.config(pressure_probe, {"time.integrator=beta_euler", "time.step=0.25", "time.output=[1, 2, 3]",
+                                     "supports.3.displacement.z={t=[0,2,4],values=[-0.025,-0.025,-0.25]}"});
+  const RunResult result = run(config, {.output = (blocks / "out").string(), .quiet = true});
+  EXPECT_EQ(result.exit_status, 4);
+  EXPECT_TRUE(contains(result.message, "beta_euler: the inner iterations")) << result.message;
+  EXPECT_TRUE(contains(result.message, (blocks / "out").string())) << result.message;
+
+  const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
+  ASSERT_GE(history.rows.size(), 3U);
+  EXPECT_LT(history.rows.size(), 5U);
+  EXPECT_EQ(history.column("time")[2], 2);
+  EXPECT_NEAR(history.column("pressure")[1], relaxed_pressure(1), 2e-2);
+  const std::string summary = read_text(blocks / "out/summary.json");
+  EXPECT_TRUE(contains(summary, "\"status\": \"failed\"")) << summary;
+  EXPECT_TRUE(contains(summary, "\"message\": \"beta_euler: the inner iterations")) << summary;
+  EXPECT_EQ(number_in(summary, "time_reached"), steps.column("time").back());
+  EXPECT_EQ(number_in(summary, "steps"), static_cast<double>(steps.rows.size()));
+
+  // Mended, it goes on from there.
+  config::Config mended = config;
+  mended.time.integrator = "cvode_bdf";
+  const RunResult resumed = run(mended, {.output = (blocks / "out").string(), .resume = true, .quiet = true});
+  EXPECT_EQ(resumed.exit_status, 0) << resumed.message;
+  EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_TRUE(contains(read_text(blocks / "out/summary.json"), "\"status\": \"completed\""));
+}
+
+TEST(RunMistakes, OutputDirectoryThatCannotBe) {
+  const Case blocks;
+  io::test::write_text(blocks / "file", "");
+  const std::string message =
+      message_of<ConfigError>([&] { run(blocks.config(), {.output = (blocks / "file/out").string(), .quiet = true}); });
+  EXPECT_TRUE(contains(message, (blocks / "file/out").string())) << message;
+}
+
+TEST(RunMistakes, ProbesAreLookedAtBeforeAnythingIsWritten) {
+  const Case blocks;
+  const config::Config config = blocks.config("[[probes]]\nname = 'q'\nquantity = 'von_mises'\non = 'tpo'\n");
+  EXPECT_THROW(run(config, {.output = (blocks / "out").string(), .quiet = true}), ModelError);
+  EXPECT_FALSE(std::filesystem::exists(blocks / "out"));
+}
+
+TEST(RunOutput, DirectoryOfTheConfigurationAndNoFields) {
+  const Case blocks;
+  const config::Config config = blocks.config("", {"output.fields=false", "time.end=0.01"});
+  ASSERT_EQ(run(config, {.output = "", .quiet = true}).exit_status, 0);
+  for (const char* file : {"history.csv", "steps.csv", "summary.json", "checkpoint.h5"})
+    EXPECT_TRUE(std::filesystem::exists(blocks / "results" / file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(blocks / "results/fields.pvd"));
+}
+
+}  // namespace
+}  // namespace creepcontact::simulation::test
