@@ -14,7 +14,12 @@ constexpr double tolerance = 1e-9;
 /// Orthonormal basis of the null space of the columns of A, by singular values.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& a) {
   if (a.rows() == 0) return Eigen::MatrixXd::Identity(a.cols(), a.cols());
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeFullV);
+  // The triangular factor has the same singular values and right vectors as the many rows.
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(a.cols(), a.cols());
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
+  const Eigen::Index n = std::min(a.rows(), a.cols());
+  square.topRows(n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
   const double limit = tolerance * std::max(1.0, values[0]);
   const Eigen::Index rank = (values.array() > limit).count();
