@@ -35,6 +35,8 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "beta_euler: 0.5 the trapezoidal rule, 1 implicit Euler"),
       field<TimeKeys>("inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
                       "beta_euler: bound on the change of creep strain in the last inner iteration"),
+      field<TimeKeys>("inner_anderson", &TimeKeys::inner_anderson, integer(0),
+                      "beta_euler: depth of Anderson acceleration of the inner iterations; 0: none"),
       field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number(at_least(0)),
                       "Euler schemes: fraction of the nodal-force residual that the next step corrects"),
       field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),

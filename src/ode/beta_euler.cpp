@@ -2,20 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <string>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "elementwise.hpp"
 
 namespace creepcontact::ode {
-
-namespace {
-/// Beyond this growth over the smallest change so far the iterations are taken to diverge; a transient of a
-/// nonlinear law grows less.
-constexpr double divergence_factor = 1e3;
-}  // namespace
 
 BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
     : EulerScheme(system, options),
@@ -31,8 +24,15 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
     throw ConfigError(fmt::format("inner_tolerance = {}: must be positive", options.inner_tolerance));
   if (options.max_inner_iterations < 1)
     throw ConfigError(fmt::format("max_inner_iterations = {}: must be at least 1", options.max_inner_iterations));
+  if (options.inner_anderson < 0)
+    throw ConfigError(
+        fmt::format("inner_anderson = {}: must be at least 0 (0: plain iterations)", options.inner_anderson));
   if (!(options.residual_correction >= 0 && options.residual_correction <= 1))
     throw ConfigError(fmt::format("residual_correction = {}: must lie between 0 and 1", options.residual_correction));
+  if (options.inner_anderson > 0)
+    anderson_ = std::make_unique<AndersonIteration>(
+        system.size(), options.inner_anderson, options.max_inner_iterations,
+        [this](std::span<const double> y, std::span<double> image) { map(y, image); });
 }
 
 void BetaEuler::initialize(double t, std::span<const double> y, double step) {
@@ -41,34 +41,46 @@ void BetaEuler::initialize(double t, std::span<const double> y, double step) {
 }
 
 void BetaEuler::attempt(const StepClock::Target& target) {
-  const double dt = target.step;
-  const double old_part = dt * (1 - options_.beta);
-  const double new_part = dt * options_.beta;
-  const std::size_t n = state_.size();
-
-  for_each_index(n, [&](std::size_t i) { candidate_[i] = state_[i] + dt * rate_[i]; });
-  double smallest = std::numeric_limits<double>::infinity();
-  for (int iteration = 1; iteration <= options_.max_inner_iterations; ++iteration) {
-    load_strain_.load(candidate_, load_);
-    system_.rate(target.time, load_, candidate_rate_);
-    for_each_index(
-        n, [&](std::size_t i) { iterate_[i] = state_[i] + old_part * rate_[i] + new_part * candidate_rate_[i]; });
-    const double change = max_difference(iterate_, candidate_);
-    std::swap(candidate_, iterate_);
-    if (change <= options_.inner_tolerance) return;
-    if (!std::isfinite(change) || change > divergence_factor * smallest) give_up("diverge", dt, iteration, change);
-    smallest = std::min(smallest, change);
-    if (iteration == options_.max_inner_iterations) give_up("do not converge", dt, iteration, change);
-  }
+  target_ = target;
+  for_each_index(state_.size(), [&](std::size_t i) { candidate_[i] = state_[i] + target.step * rate_[i]; });
+  ConvergenceWatch watch(options_.inner_tolerance, options_.max_inner_iterations);
+  if (anderson_)
+    anderson_->run(candidate_, watch);
+  else
+    iterate_plainly(watch);
+  if (watch.state() != ConvergenceWatch::State::converged) give_up(watch);
 }
 
-void BetaEuler::give_up(const char* what, double dt, int iterations, double change) {
+void BetaEuler::map(std::span<const double> y, std::span<double> image) {
+  const double old_part = target_.step * (1 - options_.beta);
+  const double new_part = target_.step * options_.beta;
+  load_strain_.load(y, load_);
+  system_.rate(target_.time, load_, candidate_rate_);
+  for_each_index(y.size(),
+                 [&](std::size_t i) { image[i] = state_[i] + old_part * rate_[i] + new_part * candidate_rate_[i]; });
+}
+
+void BetaEuler::iterate_plainly(ConvergenceWatch& watch) {
+  do {
+    map(candidate_, iterate_);
+    watch.see(max_difference(iterate_, candidate_));
+    std::swap(candidate_, iterate_);
+  } while (watch.state() == ConvergenceWatch::State::running);
+}
+
+void BetaEuler::give_up(const ConvergenceWatch& watch) {
   const double stable = stable_step();
+  const char* what = watch.state() == ConvergenceWatch::State::diverging ? "diverge" : "do not converge";
+  const std::string advice = anderson_
+                                 ? fmt::format(" (inner_anderson = {} carries some times as far): take a smaller step",
+                                               options_.inner_anderson)
+                                 : ": take a smaller step, accelerated iterations (inner_anderson = 3)";
   throw SolverError(fmt::format(
       "beta_euler: the inner iterations {} in the step of {:.3g} from t = {:.6g} (change {:.2g} after {} iterations, "
-      "inner_tolerance {:.2g}). The stable step of explicit Euler is {:.3g} there, and the iterations contract only "
-      "for steps below stable / (2 beta) = {:.3g}: take a smaller step, beta = 0.5, or cvode_bdf",
-      what, dt, time(), change, iterations, options_.inner_tolerance, stable, stable / (2 * options_.beta)));
+      "inner_tolerance {:.2g}). The stable step of explicit Euler is {:.3g} there, and plain iterations contract only "
+      "for steps below stable / (2 beta) = {:.3g}{}, beta = 0.5, or cvode_bdf",
+      what, target_.step, time(), watch.change(), watch.iterations(), options_.inner_tolerance, stable,
+      stable / (2 * options_.beta), advice));
 }
 
 }  // namespace creepcontact::ode

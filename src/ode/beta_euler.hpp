@@ -1,16 +1,21 @@
 #pragma once
-/// Implicit Euler with parameter beta (generalised trapezoidal rule), solved by fixed-point iterations:
+/// Implicit Euler with parameter beta (generalised trapezoidal rule), solved by fixed-point iterations, plain ones as
+/// in the article or accelerated ones:
 ///   y_{n+1} = y_n + dt [(1 - beta) f(t_n, y_n) + beta f(t_{n+1}, y_{n+1})].
 /// Source: Stankevich (2012), implicit scheme.
 
+#include <memory>
+
+#include "anderson_iteration.hpp"
+#include "convergence_watch.hpp"
 #include "euler_scheme.hpp"
 #include "load_strain.hpp"
 
 namespace creepcontact::ode {
 
 /// Order 2 for beta = 1/2, else 1. Cost: one rate evaluation an inner iteration; the last one of a step serves as
-/// f(t_n, y_n) of the next. The iterations contract only for beta dt |lambda| < 1, lambda the fastest relaxation of
-/// the system, that is for dt < (stable step of explicit Euler) / (2 beta).
+/// f(t_n, y_n) of the next. Plain iterations contract only for beta dt |lambda| < 1, lambda the fastest relaxation of
+/// the system, that is for dt < (stable step of explicit Euler) / (2 beta); accelerated ones go some times as far.
 class BetaEuler final : public EulerScheme {
  public:
   /// @throws ConfigError for beta < 0.5 (not stable) or > 1, and for settings out of range
@@ -24,11 +29,16 @@ class BetaEuler final : public EulerScheme {
   void accepted() override { load_strain_.accept(candidate_, load_); }
 
  private:
-  [[noreturn]] void give_up(const char* what, double dt, int iterations, double change);
+  /// image = y_n + dt [(1 - beta) f(t_n, y_n) + beta f(t_{n+1}, e)], e the load strain of y
+  void map(std::span<const double> y, std::span<double> image);
+  void iterate_plainly(ConvergenceWatch& watch);
+  [[noreturn]] void give_up(const ConvergenceWatch& watch);
 
+  StepClock::Target target_;  ///< of the step under way
   LoadStrain load_strain_;
-  std::vector<double> load_;     ///< e^(k), the argument of the last rate evaluation
-  std::vector<double> iterate_;  ///< y^(k+1) under construction
+  std::vector<double> load_;                     ///< e^(k), the argument of the last rate evaluation
+  std::vector<double> iterate_;                  ///< y^(k+1) under construction
+  std::unique_ptr<AndersonIteration> anderson_;  ///< none: plain iterations
 };
 
 }  // namespace creepcontact::ode

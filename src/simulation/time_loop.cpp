@@ -19,6 +19,7 @@ ode::IntegratorOptions integrator_options(const config::Time& time) {
   options.step_factor = time.step_factor;
   options.beta = time.beta;
   options.inner_tolerance = time.inner_tolerance;
+  options.inner_anderson = time.inner_anderson;
   options.residual_correction = time.residual_correction;
   options.end_time = time.end;
   return options;

@@ -126,6 +126,7 @@ struct Time {
   double step_factor = 1.0;    ///< times the stable step
   double beta = 1.0;           ///< beta_euler, in [0.5, 1]
   double inner_tolerance = 1e-10;
+  int inner_anderson = 0;  ///< beta_euler: depth of Anderson acceleration; 0: the plain iterations of the article
   double residual_correction = 0.0;
   std::vector<double> breakpoints;  ///< increasing; those of tables in t are not among them
   Location location;

@@ -27,6 +27,7 @@ struct IntegratorOptions {
   double beta = 1.0;                 ///< beta_euler, >= 0.5
   double inner_tolerance = 1e-10;    ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
   int max_inner_iterations = 200;    ///< beta_euler
+  int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
   double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
   double end_time = 0;               ///< end of the run, bounds the first step
 };

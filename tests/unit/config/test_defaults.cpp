@@ -32,6 +32,7 @@ TEST(ConfigDefaults, MinimalConfiguration) {
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 100}));
   EXPECT_FALSE(config.time.step.has_value());
   EXPECT_EQ(config.time.beta, 1.0);
+  EXPECT_EQ(config.time.inner_anderson, 0);
   EXPECT_EQ(config.output.directory, "cases/results/block");
   EXPECT_TRUE(config.output.fields);
 }
@@ -52,6 +53,8 @@ TEST(ConfigDefaults, SchemaListsEveryKeyWithItsDefault) {
   EXPECT_EQ(find("time.step").default_value, "\"stable\"");
   EXPECT_EQ(find("time.tolerance").default_value, "0.0001");
   EXPECT_EQ(find("time.output.count").type, "an integer >= 2");
+  EXPECT_EQ(find("time.inner_anderson").type, "an integer >= 0");
+  EXPECT_EQ(find("time.inner_anderson").default_value, "0");
   EXPECT_EQ(find("contact_solver.alpha").default_value, "\"diagonal\"");
   EXPECT_EQ(find("contact_solver.acceleration").default_value, "\"cg\"");
   EXPECT_EQ(find("contacts[].gap").default_value, "0");

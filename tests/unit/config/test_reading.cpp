@@ -75,6 +75,7 @@ end = 1e4
 integrator = "beta_euler"
 output = [100, 1, 10, 10]
 step = 1
+inner_anderson = 3
 breakpoints = [100, 20]
 [output]
 directory = "../out"
@@ -159,6 +160,7 @@ TEST(ConfigReading, ContactTimeAndOutput) {
   EXPECT_EQ(config.contact_solver.acceleration, Acceleration::aitken);
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 1, 10, 100, 1e4}));
   EXPECT_EQ(config.time.step, 1.0);
+  EXPECT_EQ(config.time.inner_anderson, 3);
   EXPECT_EQ(config.time.breakpoints, (std::vector<double>{20, 100}));
   EXPECT_EQ(config.output.directory, "out");
   EXPECT_FALSE(config.output.fields);
