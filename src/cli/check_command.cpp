@@ -11,7 +11,7 @@ int check(const Command& self, const Arguments& arguments) {
   CommandLine line(self);
   add_overrides(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
-  std::cout << simulation::check(config::read(line.positional(), simulation::vocabulary(), overrides(line)));
+  simulation::check(config::read(line.positional(), simulation::vocabulary(), overrides(line)), std::cout);
   return 0;
 }
 

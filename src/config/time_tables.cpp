@@ -37,7 +37,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "beta_euler: bound on the change of creep strain in the last inner iteration"),
       field<TimeKeys>("inner_anderson", &TimeKeys::inner_anderson, integer(0),
                       "beta_euler: depth of Anderson acceleration of the inner iterations; 0: none"),
-      field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number(at_least(0)),
+      field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number({.min = 0, .max = 1}),
                       "Euler schemes: fraction of the nodal-force residual that the next step corrects"),
       field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
                       "times of jumps and kinks in expressions; those of tables are known"),

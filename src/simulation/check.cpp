@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <ostream>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
@@ -21,7 +23,7 @@ std::string element_names(const mesh::Mesh& mesh) {
 
 }  // namespace
 
-std::string check(const config::Config& config) {
+void check(const config::Config& config, std::ostream& report) {
   const Model model = build_model(config);
   make_probes(config, model, model.pairs);
   const StateLayout layout(model);
@@ -56,8 +58,8 @@ std::string check(const config::Config& config) {
   }
   text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
   text += fmt::format("estimated memory: {:.0f} MB\n", bytes / 1e6 + 60);
+  report << text << std::flush;
   if (!mistakes.empty()) throw ModelError(mistakes);
-  return text;
 }
 
 }  // namespace creepcontact::simulation

@@ -7,7 +7,7 @@
 namespace creepcontact::simulation {
 namespace {
 
-constexpr double reach = 0.5;  // of an element's size, for points outside the mesh
+constexpr double reach = 0.1;  // of an element's size, for points outside the mesh
 
 /// Nearest place of the reference domain.
 Vector3 clamp(const Vector3& xi, mesh::CellType type) {

@@ -16,7 +16,7 @@ struct PointLocation {
   double distance = 0;              ///< from the point to the element's nearest place
 };
 
-/// A point up to half an element outside the mesh (a curved surface is faceted) is laid onto the nearest element.
+/// A point up to a tenth of an element outside the mesh (a curved surface is faceted) is laid onto the nearest element.
 /// @returns nothing for points further away. Cost: a box test an element.
 std::optional<PointLocation> locate(const mesh::Mesh& mesh, const Vector3& at);
 

@@ -21,17 +21,17 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+/// Linear tetrahedra, and linear wedges despite B-bar, are too stiff in incompressible deformation.
 void warn_of_locking(const Model& model) {
   for (const auto& body : model.bodies) {
     if (!body->material().creeps()) continue;
     for (const mesh::CellBlock& block : body->mesh().blocks)
-      if (block.type == mesh::CellType::tet4 && block.size() > 0) {
+      if ((block.type == mesh::CellType::tet4 || block.type == mesh::CellType::wedge6) && block.size() > 0)
         log::warning(
-            "body '{}' has linear tetrahedra (tet4), which lock under creep: stresses will be wrong; mesh it with "
-            "quadratic ones (mesh.order = 2) or hexahedra",
-            body->name());
-        break;
-      }
+            "body '{}' has {} linear elements {}, which lock under creep: stresses will be wrong; mesh it with "
+            "quadratic "
+            "ones (mesh.order = 2) or hexahedra",
+            body->name(), block.size(), mesh::name(block.type));
   }
 }
 

@@ -1,5 +1,7 @@
 #include "creepcontact/simulation/model.hpp"
 
+#include <sstream>
+
 #include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/simulation/check.hpp"
@@ -201,14 +203,18 @@ TEST(FreeBodies, AreNamedWithTheirMotions) {
   EXPECT_FALSE(contains(message, "'lower'")) << message;
 
   const config::Config both = blocks.config("", {"supports.1.on=symmetry_x", "supports.1.displacement={x=0}"});
-  const std::string checked = message_of<ModelError>([&] { check(both); });
+  std::ostringstream report;
+  const std::string checked = message_of<ModelError>([&] { check(both, report); });
+  EXPECT_TRUE(contains(report.str(), "rigid-body modes: translation along y")) << "the report comes before the errors";
   for (const char* body : {"lower", "upper"})
     EXPECT_TRUE(contains(checked, std::string("body '") + body + "' can move freely: translation along y")) << checked;
 }
 
 TEST(Check, TellsWhatTheModelIs) {
   const Case blocks;
-  const std::string text = check(blocks.config("", {"materials.hard.creep=[]"}));
+  std::ostringstream report;
+  check(blocks.config("", {"materials.hard.creep=[]"}), report);
+  const std::string text = report.str();
   for (const char* part :
        {"body 'lower': 12 hex8, 36 nodes, ", "96 integration points", "material 'soft'\n", "rigid-body modes: none",
         "body 'upper': 16 hex8, 45 nodes", "material 'hard' (elastic)",
@@ -221,7 +227,8 @@ TEST(Check, TellsWhatTheModelIs) {
 TEST(Check, LooksAtTheProbesToo) {
   const Case blocks;
   const config::Config config = blocks.config("[[probes]]\nname = 'q'\nquantity = 'von_mises'\non = 'tpo'\n");
-  EXPECT_TRUE(contains(message_of<ModelError>([&] { check(config); }), "probes[0]: no body has a group 'tpo'"));
+  std::ostringstream report;
+  EXPECT_TRUE(contains(message_of<ModelError>([&] { check(config, report); }), "probes[0]: no body has a group 'tpo'"));
 }
 
 }  // namespace
