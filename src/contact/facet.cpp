@@ -15,14 +15,14 @@ std::vector<std::vector<Vector3>> reference_cells(int n_corners) {
   std::vector<std::vector<Vector3>> cells;
   const int n = subdivisions;
   if (n_corners == 3) {
-    const auto at = [n](int i, int j) { return Vector3(double(i) / n, double(j) / n, 0); };
+    const auto at = [](int i, int j) { return Vector3(double(i) / subdivisions, double(j) / subdivisions, 0); };
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {
         cells.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
         if (i + j + 1 < n) cells.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
       }
   } else {
-    const auto at = [n](int i, int j) { return Vector3(2.0 * i / n - 1, 2.0 * j / n - 1, 0); };
+    const auto at = [](int i, int j) { return Vector3(2.0 * i / subdivisions - 1, 2.0 * j / subdivisions - 1, 0); };
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {  // two triangles: always convex, however the face is curved
         cells.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
