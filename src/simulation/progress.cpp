@@ -24,10 +24,20 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(double end, bool quiet) : end_(end), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(const std::vector<double>& output_times, bool quiet)
+    : output_times_(output_times), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   clear();
+}
+
+/// By output intervals: where creep slows down users space them out, and steps grow alike.
+double Progress::share_done(double time) const {
+  const auto next = std::upper_bound(output_times_.begin(), output_times_.end(), time);
+  if (next == output_times_.begin() || next == output_times_.end()) return next == output_times_.begin() ? 0 : 1;
+  const double within = (time - *(next - 1)) / (*next - *(next - 1));
+  return (static_cast<double>(next - output_times_.begin() - 1) + within) /
+         static_cast<double>(output_times_.size() - 1);
 }
 
 void Progress::step(double time, std::int64_t steps, std::int64_t elastic_solves) {
@@ -36,19 +46,19 @@ void Progress::step(double time, std::int64_t steps, std::int64_t elastic_solves
   const double since = std::chrono::duration<double>(now - last_).count();
   if (since < (terminal_ ? seconds_between_draws : seconds_between_lines)) return;
   last_ = now;
-  const double share = end_ > 0 ? std::min(time / end_, 1.0) : 1.0;
+  const double share = share_done(time);
+  const double end = output_times_.back();
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  // Steps grow as creep slows down: time left from the share of simulated time is an upper bound.
   const double left = share > 0 ? elapsed * (1 - share) / share : 0;
   if (!terminal_) {
-    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves, at most {} left", time, end_, steps, elastic_solves,
+    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves, about {} left", time, end, steps, elastic_solves,
               clock_text(left));
     return;
   }
   const int full = static_cast<int>(share * bar_width);
   const std::string bar =
       std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(bar_width - full), '.');
-  fmt::print(stderr, "\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time, end_, steps,
+  fmt::print(stderr, "\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time, end, steps,
              elastic_solves, clock_text(left));
   std::fflush(stderr);
   drawn_ = true;

@@ -3,12 +3,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <vector>
 
 namespace creepcontact::simulation {
 
 class Progress {
  public:
-  Progress(double end, bool quiet);
+  /// @param output_times  ascending, the last is the end of the run
+  Progress(const std::vector<double>& output_times, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -20,7 +22,9 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  double end_;
+  double share_done(double time) const;
+
+  std::vector<double> output_times_;
   bool quiet_, terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now(), last_ = start_;

@@ -34,7 +34,7 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
       watch_(watch),
       checkpoint_(directory / "checkpoint.h5"),
       fingerprint_(fingerprint(system.elasticity().model())),
-      progress_(config.time.end, quiet),
+      progress_(config.time.output, quiet),
       state_(system.size(), 0.0) {
   io::Continuation continuation;
   if (resume) {
