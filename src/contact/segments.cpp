@@ -31,8 +31,7 @@ bool Segmentation::may_touch(const Facet& slave, const Facet& master) const {
 
 std::vector<Segment> Segmentation::segments(std::size_t slave_facet) const {
   const Facet& slave = slave_[slave_facet];
-  const Vector3 xi = slave.n_corners() == 3 ? Vector3(1.0 / 3, 1.0 / 3, 0) : Vector3(0, 0, 0);
-  const Plane plane = Plane::through(slave.centre(), slave.area_vector(xi));
+  const Plane plane = Plane::through(slave.centre(), slave.area_vector_at_centre());
   const std::vector<Polygon> pieces = slave.pieces(plane, false);
 
   std::vector<Segment> result;
@@ -53,8 +52,7 @@ std::vector<std::size_t> Segmentation::partners(std::size_t slave_facet) const {
 
 void Segmentation::cut(const Facet& slave, const Plane& plane, const std::vector<Polygon>& slave_pieces,
                        const Facet& master, std::vector<SegmentPoint>& points) const {
-  const Vector3 master_xi = master.n_corners() == 3 ? Vector3(1.0 / 3, 1.0 / 3, 0) : Vector3(0, 0, 0);
-  if (master.area_vector(master_xi).dot(plane.normal) >= 0) return;
+  if (master.area_vector_at_centre().dot(plane.normal) >= 0) return;
   const std::vector<Polygon> master_pieces = master.pieces(plane, true);
 
   const fem::QuadratureRule& rule = segment_rule();

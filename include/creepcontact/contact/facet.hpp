@@ -35,6 +35,7 @@ class Facet {
   /// Normal times the surface Jacobian |dx/dxi1 x dx/dxi2|.
   Vector3 area_vector(const Vector3& xi) const;
   Vector3 centre() const { return position(centre_xi_); }
+  Vector3 area_vector_at_centre() const { return area_vector(centre_xi_); }
   /// Longest distance between two corners.
   double diameter() const { return diameter_; }
   const Eigen::AlignedBox3d& box() const { return box_; }
