@@ -1,5 +1,7 @@
 #include "creepcontact/contact/frozen_system.hpp"
 
+#include <algorithm>
+
 #include "creepcontact/base/error.hpp"
 
 namespace creepcontact::contact {
@@ -13,19 +15,65 @@ bool factor_semidefinite(const Eigen::MatrixXd& matrix, Eigen::LLT<Eigen::Matrix
   return factor.info() == Eigen::Success;
 }
 
-Eigen::VectorXd FrozenSystem::solve(const std::vector<int>& active, const Eigen::VectorXd& gap) {
-  Eigen::VectorXd multiplier = Eigen::VectorXd::Zero(problem_.n_rows());
-  if (active.empty()) return multiplier;
-  if (active != active_) {
-    active_.clear();
-    if (!factor_semidefinite(problem_.total(active, active), factor_))
-      throw SolverError("contact: the conditions of the active set contradict each other");
-    active_ = active;
+namespace {
+
+constexpr double weakest_hold = 1e-12;  // of the best held motion: below it a motion is free
+constexpr double balance_error = 1e-9;  // of the forces that make up a resultant
+
+/// Pseudo-inverse of a symmetric positive semidefinite matrix.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
+  const Eigen::VectorXd& values = eigen.eigenvalues();
+  const double limit = weakest_hold * values.cwiseAbs().maxCoeff();
+  const Eigen::VectorXd inverse = (values.array() > limit).select(values.cwiseInverse(), 0.0);
+  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+void FrozenSystem::factorize(const std::vector<int>& active) {
+  factored_ = false;
+  if (!factor_semidefinite(problem_.total(active, active), factor_))
+    throw SolverError("contact: the conditions of the active set contradict each other");
+  if (problem_.n_motions() > 0) {
+    motions_ = problem_.rigid(active, Eigen::all);
+    factor_.matrixL().solveInPlace(motions_);
+    coarse_inverse_ = pseudo_inverse(motions_.transpose() * motions_);
   }
-  const Eigen::VectorXd right_hand_side = -gap(active);
-  const Eigen::VectorXd solution = factor_.solve(right_hand_side);
-  multiplier(active) = solution;
-  return multiplier;
+  active_ = active;
+  factored_ = true;
+}
+
+FrozenSolution FrozenSystem::solve(const std::vector<int>& active, const ContactLoad& load) {
+  const int n_motions = problem_.n_motions();
+  FrozenSolution solution;
+  ContactState& state = solution.state;
+  state.multiplier.setZero(problem_.n_rows());
+  state.rigid.setZero(n_motions);
+  state.active = active;
+  const double largest = load.resultant.size() > 0 ? load.resultant.cwiseAbs().maxCoeff() : 0.0;
+  if (active.empty()) {
+    solution.balanced = largest == 0;
+    return solution;
+  }
+  if (!factored_ || active != active_) factorize(active);
+  Eigen::VectorXd reduced = -load.gap(active);  // L^-1 (-gap)
+  factor_.matrixL().solveInPlace(reduced);
+  if (n_motions > 0) {
+    Eigen::VectorXd unbalanced = motions_.transpose() * reduced;  // of the gaps alone
+    if (largest > 0) unbalanced += load.resultant;
+    state.rigid = coarse_inverse_ * unbalanced;
+    reduced.noalias() -= motions_ * state.rigid;
+  }
+  factor_.matrixU().solveInPlace(reduced);
+  state.multiplier(active) = reduced;
+  if (n_motions > 0) {
+    Eigen::VectorXd left = problem_.rigid(active, Eigen::all).transpose() * reduced;
+    Eigen::VectorXd sum = problem_.rigid(active, Eigen::all).cwiseAbs().transpose() * reduced.cwiseAbs();
+    if (largest > 0) left += load.resultant;
+    solution.balanced = left.cwiseAbs().maxCoeff() <= balance_error * std::max(largest, sum.maxCoeff());
+  }
+  return solution;
 }
 
 }  // namespace creepcontact::contact

@@ -14,6 +14,12 @@ bool is_movable(const ContactProblem& problem, int row) {
 
 }  // namespace
 
+Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state) {
+  Eigen::VectorXd gap = load.gap + problem.total * state.multiplier;
+  if (problem.n_motions() > 0) gap += problem.rigid * state.rigid;
+  return gap;
+}
+
 std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap) {
   const double scale = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;

@@ -13,7 +13,9 @@ class Schwarz final : public ContactSolver {
   Schwarz(const ContactProblem& problem, const SchwarzOptions& options)
       : problem_(problem), options_(options), fallback_(active_set_solver(problem)) {}
 
-  ContactResult solve(const Eigen::VectorXd& initial_gap, const ContactState& warm) override {
+  ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
+    if (problem_.n_motions() > 0) return fallback_->solve(load, warm);
+    const Eigen::VectorXd& initial_gap = load.gap;
     ContactResult result;
     std::vector<int> active = first_set(problem_, initial_gap, warm);
     Eigen::VectorXd multiplier = warm.multiplier.size() == problem_.n_rows()
@@ -32,13 +34,13 @@ class Schwarz final : public ContactSolver {
       std::vector<int> next = updated_set(problem_, active, multiplier, opening);
       ++result.set_changes;
       if (next == active) {
-        result.state = {std::move(multiplier), std::move(active)};
+        result.state = {std::move(multiplier), {}, std::move(active)};
         return result;
       }
       active = std::move(next);
     }
     warn_once("the Schwarz iteration found no consistent contact state; the active-set method takes over");
-    ContactResult direct = fallback_->solve(initial_gap, warm);
+    ContactResult direct = fallback_->solve(load, warm);
     direct.iterations = result.iterations;
     return direct;
   }

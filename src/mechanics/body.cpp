@@ -18,6 +18,8 @@ struct Body::Impl {
         supports(std::move(supports_in)),
         discretization(mesh),
         constraints(mesh.nodes, supports),
+        free_motions(mechanics::free_motions(mesh, constraints)),
+        pins(determinate_pins(free_motions, constraints)),
         thermal(std::move(temperature), discretization),
         moduli(thermal.moduli(material)),
         external(3 * mesh.nodes.size()),
@@ -27,7 +29,7 @@ struct Body::Impl {
         stress(constraints.has_nonzero_values() ? 6 * discretization.n_points() : 0) {}
 
   ElasticState isothermal() const { return {moduli, {}}; }
-  linalg::SparseMatrix free_stiffness() const { return constraints.reduce(discretization.stiffness(isothermal())); }
+  linalg::SparseMatrix free_stiffness() const;
   void set_time(double t);
   [[noreturn]] void report_singular(const linalg::SingularMatrix& error) const;
 
@@ -37,6 +39,8 @@ struct Body::Impl {
   std::vector<Support> supports;
   Discretization discretization;
   Constraints constraints;
+  std::vector<FreeMotion> free_motions;
+  std::vector<std::int64_t> pins;
   ThermalState thermal;
   std::vector<Moduli> moduli;
   std::vector<std::unique_ptr<Load>> loads;
@@ -49,6 +53,20 @@ struct Body::Impl {
   mutable std::vector<double> forces;  // work space, 3 n_nodes
   std::vector<double> stress;          // of the prescribed displacement
 };
+
+/// The pins' rows and columns are emptied but for the diagonal.
+linalg::SparseMatrix Body::Impl::free_stiffness() const {
+  linalg::SparseMatrix stiffness = constraints.reduce(discretization.stiffness(isothermal()));
+  if (pins.empty()) return stiffness;
+  std::vector<char> pinned(static_cast<std::size_t>(constraints.n_free()), 0);
+  for (const std::int64_t pin : pins) pinned[static_cast<std::size_t>(pin)] = 1;
+  for (std::int64_t column = 0; column < stiffness.outerSize(); ++column)
+    for (linalg::SparseMatrix::InnerIterator it(stiffness, column); it; ++it)
+      if (it.row() != column &&
+          (pinned[static_cast<std::size_t>(it.row())] || pinned[static_cast<std::size_t>(column)]))
+        it.valueRef() = 0;
+  return stiffness;
+}
 
 void Body::Impl::set_time(double t) {
   if (time == t) return;
@@ -121,13 +139,31 @@ const std::vector<Support>& Body::supports() const {
   return impl_->supports;
 }
 
-void Body::factorize(std::vector<std::int64_t> trailing) {
-  const auto motions = free_rigid_motions(impl_->mesh.nodes, impl_->constraints);
-  if (!motions.empty()) {
-    std::string list;
-    for (const RigidMotion& motion : motions) list += (list.empty() ? "" : ", ") + motion.describe();
-    throw ModelError(fmt::format("body '{}' can move freely: {}; add supports", impl_->name, list));
+const std::vector<FreeMotion>& Body::free_motions() const {
+  return impl_->free_motions;
+}
+const std::vector<std::int64_t>& Body::pins() const {
+  return impl_->pins;
+}
+
+double Body::take_resultant(std::span<double> right_hand_side, std::span<double> resultant) const {
+  if (impl_->pins.empty()) return 0;
+  // The motions vanish at held directions, so the forces may be taken back to all unknowns.
+  impl_->constraints.expand(right_hand_side, {}, impl_->forces);
+  const Eigen::Map<const Eigen::VectorXd> forces(impl_->forces.data(), static_cast<Eigen::Index>(impl_->forces.size()));
+  for (std::size_t i = 0; i < impl_->pins.size(); ++i) {
+    resultant[i] += impl_->free_motions[i].displacement.dot(forces);
+    right_hand_side[static_cast<std::size_t>(impl_->pins[i])] = 0;
   }
+  return forces.cwiseAbs().sum();
+}
+
+void Body::add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const {
+  Eigen::Map<Eigen::VectorXd> u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
+  for (std::size_t i = 0; i < impl_->pins.size(); ++i) u += amplitudes[i] * impl_->free_motions[i].displacement;
+}
+
+void Body::factorize(std::vector<std::int64_t> trailing) {
   const linalg::SparseMatrix stiffness = impl_->free_stiffness();
   impl_->factor.emplace(stiffness, impl_->constraints.node_of_free(), trailing);
   try {

@@ -1,8 +1,8 @@
+#include "creepcontact/mechanics/rigid_motion.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "creepcontact/mechanics/constraints.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -10,21 +10,6 @@ namespace {
 
 /// For unit directions and motions; rotations are measured by the displacement at the body's outer reach.
 constexpr double tolerance = 1e-9;
-
-/// Orthonormal basis of the null space of the columns of A, by singular values.
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& a) {
-  if (a.rows() == 0) return Eigen::MatrixXd::Identity(a.cols(), a.cols());
-  // The triangular factor has the same singular values and right vectors as the many rows.
-  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(a.cols(), a.cols());
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
-  const Eigen::Index n = std::min(a.rows(), a.cols());
-  square.topRows(n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullV);
-  const auto& values = svd.singularValues();
-  const double limit = tolerance * std::max(1.0, values[0]);
-  const Eigen::Index rank = (values.array() > limit).count();
-  return svd.matrixV().rightCols(a.cols() - rank);
-}
 
 Vector3 readable(Vector3 v) {
   Eigen::Index largest = 0;
@@ -74,21 +59,36 @@ std::string along(const Vector3& direction) {
 
 }  // namespace
 
-std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints) {
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& a) {
+  if (a.rows() == 0) return Eigen::MatrixXd::Identity(a.cols(), a.cols());
+  // The triangular factor has the same singular values and right vectors as the many rows.
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(a.cols(), a.cols());
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
+  const Eigen::Index n = std::min(a.rows(), a.cols());
+  square.topRows(n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullV);
+  const auto& values = svd.singularValues();
+  const double limit = tolerance * std::max(1.0, values[0]);
+  const Eigen::Index rank = (values.array() > limit).count();
+  return svd.matrixV().rightCols(a.cols() - rank);
+}
+
+std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
+                                            const std::vector<std::int64_t>& subset) {
+  const auto place = [&](std::int64_t node) { return nodes[static_cast<std::size_t>(node)]; };
   Vector3 centre = Vector3::Zero();
-  for (const Vector3& x : nodes) centre += x / static_cast<double>(nodes.size());
+  for (const std::int64_t node : subset) centre += place(node) / static_cast<double>(subset.size());
   double size = 0;
-  for (const Vector3& x : nodes) size = std::max(size, (x - centre).norm());
+  for (const std::int64_t node : subset) size = std::max(size, (place(node) - centre).norm());
 
   // q . (t + w x r) = 0 for every held direction q; unknowns t and size * w.
   std::vector<Eigen::Matrix<double, 6, 1>> held;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto node = static_cast<std::int64_t>(i);
+  for (const std::int64_t node : subset) {
     const Matrix3 frame = constraints.n_held(node) > 0 ? constraints.frame(node) : Matrix3::Identity();
     for (int k = 0; k < constraints.n_held(node); ++k) {
       const Vector3 q = frame.col(k);
       held.emplace_back();
-      held.back() << q, (nodes[i] - centre).cross(q) / size;
+      held.back() << q, (place(node) - centre).cross(q) / size;
     }
   }
   Eigen::MatrixXd rows(held.size(), 6);
@@ -115,6 +115,17 @@ std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, c
     motions.push_back(motion);
   }
   return motions;
+}
+
+RigidMotion RigidMotion::combination(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& amplitudes) {
+  RigidMotion sum;
+  if (motions.empty()) return sum;
+  sum.centre = motions.front().centre;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    sum.translation += amplitudes[static_cast<int>(i)] * motions[i].displacement(sum.centre);
+    sum.rotation += amplitudes[static_cast<int>(i)] * motions[i].rotation;
+  }
+  return sum;
 }
 
 std::string RigidMotion::describe() const {

@@ -27,9 +27,24 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
   }
 }
 
-void ContactElasticity::forward(std::size_t body) {
+void ContactElasticity::forward(std::size_t body, contact::InterfaceLoad& load) {
+  interface_.take_resultant(body, work_[body].right_hand_side, load);
   const auto lap = watch_.lap(Part::solve);
   model_.bodies[body]->factor().forward(work_[body].right_hand_side, work_[body].factored);
+  interface_.add_trace(body, work_[body].factored, load);
+}
+
+void ContactElasticity::solve_contact(const contact::ContactLoad& load) {
+  const auto lap = watch_.lap(Part::contact);
+  try {
+    contact::ContactResult result = solver_->solve(load, warm_);
+    counters_.schwarz_iterations += result.iterations;
+    ++counters_.contact_solves;
+    last_ = std::move(result.state);
+  } catch (const contact::UnbalancedLoad& unbalanced) {
+    interface_.report(unbalanced);
+  }
+  gaps_ = contact_gaps(interface_.problem(), load, last_);
 }
 
 void ContactElasticity::backward(std::size_t body, const Eigen::VectorXd& multiplier) {
@@ -40,29 +55,22 @@ void ContactElasticity::backward(std::size_t body, const Eigen::VectorXd& multip
 
 void ContactElasticity::solve(double t, const CreepViews& creep) {
   const std::size_t n_bodies = model_.bodies.size();
+  for (const auto& body : model_.bodies) body->set_time(t);
+  contact::InterfaceLoad load = interface_.initial_load(t);
   for (std::size_t b = 0; b < n_bodies; ++b) {
     {
       const auto lap = watch_.lap(Part::material);
-      model_.bodies[b]->set_time(t);
       model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
     }
-    forward(b);
+    forward(b, load);
   }
-  if (interface_.n_rows() > 0) {
-    const auto lap = watch_.lap(Part::contact);
-    gaps_ = interface_.initial_gap(t);
-    for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, gaps_);
-    contact::ContactResult result = solver_->solve(gaps_, warm_);
-    counters_.schwarz_iterations += result.iterations;
-    ++counters_.contact_solves;
-    last_ = std::move(result.state);
-    gaps_ += interface_.problem().total * last_.multiplier;
-  }
+  if (interface_.n_rows() > 0) solve_contact(interface_.contact_load(load));
   for (std::size_t b = 0; b < n_bodies; ++b) {
     backward(b, last_.multiplier);
     const auto lap = watch_.lap(Part::material);
     const mechanics::Body& body = *model_.bodies[b];
     body.constraints().expand(work_[b].free, body.prescribed(), states_[b].displacement);
+    interface_.add_rigid_motion(b, last_.rigid, states_[b].displacement);
     body.discretization().stress(states_[b].displacement, body.elastic(), creep[b], states_[b].stress);
   }
   ++counters_.elastic_solves;
@@ -70,25 +78,26 @@ void ContactElasticity::solve(double t, const CreepViews& creep) {
 
 void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<std::vector<double>>& stress) {
   const std::size_t n_bodies = model_.bodies.size();
+  contact::InterfaceLoad load = interface_.no_load();
   for (std::size_t b = 0; b < n_bodies; ++b) {
     {
       const auto lap = watch_.lap(Part::material);
       model_.bodies[b]->initial_strain_force(creep_change[b], work_[b].right_hand_side);
     }
-    forward(b);
+    forward(b, load);
   }
-  Eigen::VectorXd multiplier;
+  contact::ContactState change;
   if (interface_.n_rows() > 0) {
     const auto lap = watch_.lap(Part::contact);
-    Eigen::VectorXd gap = Eigen::VectorXd::Zero(interface_.n_rows());
-    for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, gap);
-    multiplier = frozen_.solve(last_.active, gap);
+    // Initial strains are in equilibrium with themselves: no resultants.
+    change = frozen_.solve(last_.active, {load.gap, {}}).state;
   }
   for (std::size_t b = 0; b < n_bodies; ++b) {
-    backward(b, multiplier);
+    backward(b, change.multiplier);
     const auto lap = watch_.lap(Part::material);
     const mechanics::Body& body = *model_.bodies[b];
     body.constraints().expand(work_[b].free, work_[b].no_displacement, work_[b].displacement);
+    interface_.add_rigid_motion(b, change.rigid, work_[b].displacement);
     body.discretization().stress(work_[b].displacement, {body.elastic().moduli, {}}, creep_change[b], stress[b]);
   }
   ++counters_.elastic_solves;

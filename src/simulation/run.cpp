@@ -111,7 +111,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
       result = {130, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
-  } catch (const SolverError& error) {
+  } catch (const Error& error) {
     result = {error.exit_status(),
               fmt::format("{}; results up to t = {:.6g} are in {}", error.what(), loop.time(), directory.string())};
     write_summary(io::Summary::Status::failed, error.what());

@@ -124,7 +124,7 @@ TimeLoop::End TimeLoop::run() {
   } catch (const ode::RecoverableError& error) {
     write_checkpoint();
     throw SolverError(error.what());
-  } catch (const SolverError&) {
+  } catch (const Error&) {
     write_checkpoint();
     throw;
   }

@@ -9,46 +9,54 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/contact/mortar.hpp"
+#include "creepcontact/contact/floating_motions.hpp"
 #include "creepcontact/contact/problem.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::contact {
 
-/// Two surfaces in contact, by bodies.
-struct Pair {
-  std::string name;
-  std::string slave_surface, master_surface;
-  std::size_t slave_body = 0, master_body = 0;
-  MortarCoupling coupling;
-  Function gap;                ///< given initial gap ...
-  bool geometric_gap = false;  ///< ... or the one measured from the meshes
-  int first_row = 0;           ///< in the multipliers of all pairs; set by CondensedInterface
+/// What the loads ask of contact, gathered body by body.
+struct InterfaceLoad {
+  Eigen::VectorXd gap;    ///< weighted gaps, n_rows
+  Eigen::VectorXd work;   ///< on unit free motions of all bodies
+  Eigen::VectorXd force;  ///< sum of absolute forces on the body of each motion, to measure the work by
 };
 
 class CondensedInterface {
  public:
   /// Factorises every body with its contact unknowns last. @param bodies must outlive the object
-  /// @throws ModelError as Body::factorize
+  /// @throws ModelError as Body::factorize and FloatingMotions
   /// Cost: the factorisations, and n_contact^2 x n_rows operations a body.
   CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies, std::vector<Pair> pairs);
 
   const std::vector<Pair>& pairs() const { return pairs_; }
   const ContactProblem& problem() const { return problem_; }
+  const FloatingMotions& floating() const { return floating_; }
   int n_rows() const { return problem_.n_rows(); }
 
-  /// Weighted gaps without creep, loads and contact: given gap and prescribed displacements at the bodies' set time.
-  Eigen::VectorXd initial_gap(double t) const;
+  /// Without creep, loads and contact: given gap and prescribed displacements at the bodies' set time.
+  InterfaceLoad initial_load(double t) const;
+  InterfaceLoad no_load() const;
+  /// Takes the body's work on its free motions out of its right-hand side f, which is then fit for the factor.
+  void take_resultant(std::size_t body, std::span<double> right_hand_side, InterfaceLoad& load) const;
   /// gap += G^T y2. @param y  L^-1 P f of the body, all free unknowns
-  void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const;
+  void add_trace(std::size_t body, std::span<const double> y, InterfaceLoad& load) const;
+  /// The load for the contact solver. @throws ModelError if it pushes bodies along idle motions
+  ContactLoad contact_load(const InterfaceLoad& load) const;
+  /// @throws ModelError that names the bodies and their motion
+  [[noreturn]] void report(const UnbalancedLoad& unbalanced) const;
   /// y2 += G lambda
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const;
+  /// u += the body's rigid motion. @param rigid  amplitudes of the contact problem's motions; displacement 3 n_nodes
+  void add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid, std::span<double> displacement) const;
   /// Nodal forces of the multipliers on a body, 3 n_nodes, added.
   void add_contact_forces(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> forces) const;
   /// Bytes of the dense interface matrices.
   std::size_t bytes() const;
 
  private:
+  void condense(std::size_t body);
+
   struct Side {
     std::vector<int> rows;
     RowMatrix full_rows;     // rows.size() x 3 n_nodes
@@ -56,13 +64,11 @@ class CondensedInterface {
   };
   std::span<const std::unique_ptr<mechanics::Body>> bodies_;
   std::vector<Pair> pairs_;
+  FloatingMotions floating_;
   std::vector<Side> sides_;
   ContactProblem problem_;
 };
 
 /// Free unknowns of a body that its contact rows touch, ascending: what must be eliminated last.
 std::vector<std::int64_t> contact_unknowns(const mechanics::Body& body, const RowMatrix& full_rows);
-/// The contact rows of one body, those of all pairs stacked; `rows` receives their numbers.
-RowMatrix body_rows(const std::vector<Pair>& pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows);
-
 }  // namespace creepcontact::contact

@@ -12,10 +12,10 @@ namespace creepcontact::contact {
 class ContactSolver {
  public:
   virtual ~ContactSolver() = default;
-  /// @param initial_gap  weighted gaps without contact forces, n_rows
-  /// @param warm         state to start from; changes the cost, and the result by less than the tolerance
-  /// @throws SolverError if no consistent contact state is found
-  virtual ContactResult solve(const Eigen::VectorXd& initial_gap, const ContactState& warm) = 0;
+  /// @param warm  state to start from; changes the cost, and the result by less than the tolerance
+  /// @throws UnbalancedLoad if bodies held by contact alone fly off; SolverError if no consistent contact state is
+  /// found
+  virtual ContactResult solve(const ContactLoad& load, const ContactState& warm) = 0;
 };
 
 /// Parameters of the alternating Schwarz iteration; defaults as in the configuration.
@@ -27,8 +27,9 @@ struct SchwarzOptions {
   int max_iterations = 200;  ///< in one solve on a frozen set
 };
 
-/// Primal-dual active set (Hintermueller, Ito and Kunisch 2003) with direct solves; if the sets cycle, Murty's
-/// least-index rule, which ends for every positive definite problem. @param problem must outlive the solver
+/// Primal-dual active set (Hintermueller, Ito and Kunisch 2003) with direct solves. If the sets cycle: Murty's
+/// least-index rule, which ends for every positive definite problem; rigid motions are then held by springs whose force
+/// is iterated away (method of multipliers, Hestenes 1969). @param problem must outlive the solver
 std::unique_ptr<ContactSolver> active_set_solver(const ContactProblem& problem);
 
 /// Alternating Schwarz with a frozen active set inside and its update outside. Falls back, with one warning, to

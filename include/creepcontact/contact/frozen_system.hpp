@@ -1,5 +1,6 @@
 #pragma once
-/// The linear equations F_II lambda_I = -gap_I of a frozen active set I, factored once a set.
+/// The linear equations of a frozen active set I, factored once a set:
+///   F_II lambda_I + N_I alpha = -gap_I,   N_I^T lambda_I = -resultant
 
 #include <vector>
 
@@ -7,19 +8,30 @@
 
 namespace creepcontact::contact {
 
+struct FrozenSolution {
+  ContactState state;  ///< multipliers n_rows, zero off the set
+  /// False if the set cannot balance the resultants (too few contacts for the loads).
+  bool balanced = true;
+};
+
 class FrozenSystem {
  public:
   explicit FrozenSystem(const ContactProblem& problem) : problem_(problem) {}
 
-  /// Multipliers (n_rows, zero off the set) that close the gaps of the set.
+  /// Closes the gaps of the set. Motions that the set does not hold keep the amplitude 0.
   /// Cost: two triangular solves of the set's size; a Cholesky factorisation when the set is another than last time.
   /// @throws SolverError if the contact conditions of the set contradict or repeat each other
-  Eigen::VectorXd solve(const std::vector<int>& active, const Eigen::VectorXd& gap);
+  FrozenSolution solve(const std::vector<int>& active, const ContactLoad& load);
 
  private:
+  void factorize(const std::vector<int>& active);
+
   const ContactProblem& problem_;
   std::vector<int> active_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  bool factored_ = false;
+  Eigen::LLT<Eigen::MatrixXd> factor_;  // F_II = L L^T
+  Eigen::MatrixXd motions_;             // L^-1 N_I
+  Eigen::MatrixXd coarse_inverse_;      // pseudo-inverse of N_I^T F_II^-1 N_I
 };
 
 /// Cholesky factor of a flexibility that may be singular to rounding: shifted by 1e-12 of its largest diagonal entry

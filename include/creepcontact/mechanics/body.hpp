@@ -10,6 +10,7 @@
 #include "creepcontact/material/material.hpp"
 #include "creepcontact/mechanics/constraints.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
+#include "creepcontact/mechanics/free_motions.hpp"
 #include "creepcontact/mechanics/loads.hpp"
 
 namespace creepcontact::mechanics {
@@ -38,9 +39,20 @@ class Body {
   const Constraints& constraints() const;
   const std::vector<Support>& supports() const;
 
-  /// Orders, analyses and factors the stiffness of the free unknowns.
+  /// What the supports leave free: contact must hold it, or nothing may load it.
+  const std::vector<FreeMotion>& free_motions() const;
+  /// Free unknowns that are fixed in place of the free motions, one a motion; their displacement is that of the motions
+  /// alone (add_free_motions), and they carry no force if all forces on the body are in equilibrium.
+  const std::vector<std::int64_t>& pins() const;
+  /// Adds the work of a right-hand side on the free motions, and takes its entries at the pins away.
+  /// @param resultant  one a free motion @returns sum of the absolute forces, to measure the work by
+  double take_resultant(std::span<double> right_hand_side, std::span<double> resultant) const;
+  /// u += sum of amplitudes x free motions (3 n_nodes)
+  void add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const;
+
+  /// Orders, analyses and factors the stiffness of the free unknowns, the pins fixed.
   /// @param trailing  free unknowns to be eliminated last (those of the contact surfaces)
-  /// @throws ModelError naming the body and its free motion, or the place of a mechanism, if the stiffness is singular
+  /// @throws ModelError naming the body and the place if the stiffness is singular
   void factorize(std::vector<std::int64_t> trailing);
   /// As factorize, but the analysis only: bytes of the factor for `check`.
   std::int64_t estimate_factor_bytes() const;

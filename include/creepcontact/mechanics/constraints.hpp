@@ -77,19 +77,4 @@ class Constraints {
   std::vector<std::int64_t> node_of_free_;
 };
 
-/// A motion that the supports leave free: translation, or rotation about an axis.
-struct RigidMotion {
-  Vector3 translation = Vector3::Zero();  ///< of the point `centre`
-  Vector3 rotation = Vector3::Zero();
-  Vector3 centre = Vector3::Zero();
-  /// "translation along z", "rotation about the axis (0, 0, 1) through (0, 0, 5)"
-  std::string describe() const;
-  /// Displacement of a point.
-  Vector3 displacement(const Vector3& x) const { return translation + rotation.cross(x - centre); }
-};
-
-/// Basis of the free rigid-body motions: empty for a body that is held. Prefers pure translations and rotations about
-/// coordinate directions where such a basis exists, so that it reads well.
-std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints);
-
 }  // namespace creepcontact::mechanics

@@ -27,7 +27,9 @@ class ContactElasticity {
 
   /// Equilibrium at time t for these creep strains; a pure function of both, contact warm-started from keep_warm().
   /// Results below are valid until the next call.
-  /// @throws SolverError if the contact iteration does not converge
+  /// @throws SolverError if the contact iteration does not converge; ModelError if a body that contact alone holds
+  /// flies
+  ///         off
   /// Cost: one forward and one backward solve a body.
   /// Source: Stankevich (2012), steps 8-11 of the implicit scheme.
   void solve(double t, const CreepViews& creep);
@@ -58,7 +60,8 @@ class ContactElasticity {
     std::vector<double> displacement;                     // 3 n_nodes, of linearized()
     std::vector<double> no_displacement;                  // zeros
   };
-  void forward(std::size_t body);
+  void forward(std::size_t body, contact::InterfaceLoad& load);
+  void solve_contact(const contact::ContactLoad& load);
   void backward(std::size_t body, const Eigen::VectorXd& multiplier);
 
   Model& model_;

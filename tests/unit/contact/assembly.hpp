@@ -43,23 +43,24 @@ class Assembly {
   /// Elastic equilibrium at time t; fills the members below.
   void solve(contact::ContactSolver& solver, double t = 0) {
     std::vector<std::vector<double>> y(bodies.size());
+    for (const auto& body : bodies) body->set_time(t);
+    contact::InterfaceLoad load = interface->initial_load(t);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      std::vector<double> load(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
-      y[b].resize(load.size());
-      bodies[b]->set_time(t);
-      bodies[b]->right_hand_side({}, load);
-      bodies[b]->factor().forward(load, y[b]);
+      y[b].resize(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
+      bodies[b]->right_hand_side({}, y[b]);
+      interface->take_resultant(b, y[b], load);
+      bodies[b]->factor().forward(y[b], y[b]);
+      interface->add_trace(b, y[b], load);
     }
-    gap = interface->initial_gap(t);
-    for (std::size_t b = 0; b < bodies.size(); ++b) interface->add_trace(b, y[b], gap);
-    result = solver.solve(gap, {});
-    gap += interface->problem().total * result.state.multiplier;
+    result = solver.solve(interface->contact_load(load), {});
+    gap = contact_gaps(interface->problem(), interface->contact_load(load), result.state);
     stress.assign(bodies.size(), {});
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       std::vector<double> free(y[b].size()), full(3 * bodies[b]->mesh().nodes.size());
       interface->add_multipliers(b, result.state.multiplier, y[b]);
       bodies[b]->factor().backward(y[b], free);
       bodies[b]->constraints().expand(free, bodies[b]->prescribed(), full);
+      interface->add_rigid_motion(b, result.state.rigid, full);
       stress[b].resize(6 * bodies[b]->discretization().n_points());
       bodies[b]->discretization().stress(full, bodies[b]->elastic(), {}, stress[b]);
       displacement.push_back(std::move(full));

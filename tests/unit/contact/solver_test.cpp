@@ -1,59 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/contact/contact_solver.hpp"
 #include "creepcontact/contact/polygon.hpp"
+#include "problems.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
+using test::chain;
+using test::expect_solved;
+
 using Acceleration = SchwarzOptions::Acceleration;
-
-Eigen::MatrixXd random_flexibility(int n, std::mt19937& generator, double scale) {
-  std::normal_distribution<double> normal;
-  const Eigen::MatrixXd half = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return normal(generator); });
-  // Like a surface's flexibility: diagonally strong, all entries of one family.
-  return scale * (half * half.transpose() / n + Eigen::MatrixXd::Identity(n, n));
-}
-
-/// Chain of bodies: pair k lies between body k and k + 1, slave first.
-ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_ratio, std::mt19937& generator) {
-  ContactProblem problem;
-  const int n = n_pairs * rows_per_pair;
-  problem.total.setZero(n, n);
-  problem.bilateral.assign(static_cast<std::size_t>(n), 0);
-  for (int b = 0; b <= n_pairs; ++b) {
-    Flexibility body;
-    for (int r = std::max(b - 1, 0) * rows_per_pair; r < std::min(b + 1, n_pairs) * rows_per_pair; ++r)
-      body.rows.push_back(r);
-    body.matrix =
-        random_flexibility(static_cast<int>(body.rows.size()), generator, b % 2 == 0 ? 1.0 : 1 / stiffness_ratio);
-    problem.total(body.rows, body.rows) += body.matrix;
-    problem.bodies.push_back(std::move(body));
-  }
-  for (int r = 0; r < n; ++r) {
-    problem.slave_body.push_back(r / rows_per_pair);
-    problem.master_body.push_back(r / rows_per_pair + 1);
-  }
-  return problem;
-}
-
-void expect_complementary(const ContactProblem& problem, const Eigen::VectorXd& initial_gap,
-                          const Eigen::VectorXd& multiplier, double tolerance) {
-  const Eigen::VectorXd gap = initial_gap + problem.total * multiplier;
-  const double largest = std::max(multiplier.cwiseAbs().maxCoeff(), 1e-300);
-  for (int i = 0; i < problem.n_rows(); ++i) {
-    if (problem.bilateral[static_cast<std::size_t>(i)]) {
-      EXPECT_NEAR(gap[i] / problem.total(i, i), 0, tolerance * largest);
-      continue;
-    }
-    EXPECT_GE(multiplier[i], -tolerance * largest);
-    EXPECT_GE(gap[i] / problem.total(i, i), -tolerance * largest);
-    EXPECT_NEAR(std::min(multiplier[i], gap[i] / problem.total(i, i)), 0, tolerance * largest);
-  }
-}
 
 class RandomProblems : public testing::TestWithParam<double> {};
 
@@ -64,13 +21,13 @@ TEST_P(RandomProblems, SchwarzAgreesWithTheActiveSetMethodInEveryForm) {
   for (int trial = 0; trial < 20; ++trial) {
     const ContactProblem problem = chain(1 + trial % 3, 3 + trial, GetParam(), generator);
     const Eigen::VectorXd gap = Eigen::VectorXd::NullaryExpr(problem.n_rows(), [&] { return normal(generator) - 0.3; });
-    const Eigen::VectorXd reference = active_set_solver(problem)->solve(gap, {}).state.multiplier;
-    expect_complementary(problem, gap, reference, 1e-10);
+    const ContactState reference = active_set_solver(problem)->solve({gap, {}}, {}).state;
+    expect_solved(problem, {gap, {}}, reference, 1e-10);
     for (const Acceleration acceleration :
          {Acceleration::none, Acceleration::aitken, Acceleration::anderson, Acceleration::cg}) {
-      const ContactResult result = schwarz_solver(problem, {.acceleration = acceleration})->solve(gap, {});
-      EXPECT_LT((result.state.multiplier - reference).cwiseAbs().maxCoeff(),
-                1e-7 * std::max(1.0, reference.cwiseAbs().maxCoeff()))
+      const ContactResult result = schwarz_solver(problem, {.acceleration = acceleration})->solve({gap, {}}, {});
+      EXPECT_LT((result.state.multiplier - reference.multiplier).cwiseAbs().maxCoeff(),
+                1e-7 * std::max(1.0, reference.multiplier.cwiseAbs().maxCoeff()))
           << "acceleration " << static_cast<int>(acceleration) << ", trial " << trial;
     }
   }
@@ -84,10 +41,10 @@ TEST(ActiveSet, TiedRowsAreAlwaysClosed) {
   ContactProblem problem = chain(1, 6, 1.0, generator);
   problem.bilateral[2] = 1;
   const Eigen::VectorXd gap = Eigen::VectorXd::LinSpaced(6, 1.0, 2.0);
-  const ContactResult result = active_set_solver(problem)->solve(gap, {});
+  const ContactResult result = active_set_solver(problem)->solve({gap, {}}, {});
   EXPECT_EQ(result.state.active, std::vector<int>{2});
   EXPECT_LT(result.state.multiplier[2], 0);
-  expect_complementary(problem, gap, result.state.multiplier, 1e-12);
+  expect_solved(problem, {gap, {}}, result.state, 1e-12);
 }
 
 ContactProblem two_springs(double master_flexibility) {
@@ -106,7 +63,7 @@ TEST(Schwarz, DiagonalWeightsSolveTwoSpringsInOneSweep) {
   for (const double flexibility : {1e-3, 0.2, 1.0, 30.0, 1e3}) {
     const ContactProblem problem = two_springs(flexibility);
     const Eigen::VectorXd gap = Eigen::VectorXd::Constant(1, -1.0);
-    const ContactResult result = schwarz_solver(problem, {.acceleration = Acceleration::none})->solve(gap, {});
+    const ContactResult result = schwarz_solver(problem, {.acceleration = Acceleration::none})->solve({gap, {}}, {});
     EXPECT_NEAR(result.state.multiplier[0], 1 / (1 + flexibility), 1e-10);
     EXPECT_LE(result.iterations, 2);
   }
@@ -117,13 +74,13 @@ TEST(Schwarz, ConstantOneHalfConvergesUpToAStiffnessRatioOf5Point83) {
   const Eigen::VectorXd gap = Eigen::VectorXd::Constant(1, -1.0);
   const SchwarzOptions half{.alpha = 0.5, .acceleration = Acceleration::none, .max_iterations = 3000};
   const ContactProblem below = two_springs(5.7);
-  const ContactResult converged = schwarz_solver(below, half)->solve(gap, {});
+  const ContactResult converged = schwarz_solver(below, half)->solve({gap, {}}, {});
   EXPECT_NEAR(converged.state.multiplier[0], 1 / 6.7, 1e-9);
   EXPECT_GT(converged.iterations, 100);
 
   testing::internal::CaptureStderr();
   const ContactProblem above = two_springs(6.0);
-  const ContactResult fallen_back = schwarz_solver(above, half)->solve(gap, {});
+  const ContactResult fallen_back = schwarz_solver(above, half)->solve({gap, {}}, {});
   EXPECT_NE(testing::internal::GetCapturedStderr().find("did not converge"), std::string::npos);
   EXPECT_NEAR(fallen_back.state.multiplier[0], 1 / 7.0, 1e-9);
 }
@@ -133,8 +90,8 @@ TEST(Schwarz, ConjugateGradientsNeedFewIterationsAtEveryStiffnessRatio) {
   for (const double ratio : {1e-3, 1.0, 1e3}) {
     const ContactProblem problem = chain(1, 40, ratio, generator);
     const Eigen::VectorXd gap = Eigen::VectorXd::Constant(40, -1.0);
-    const ContactResult result = schwarz_solver(problem, {})->solve(gap, {});
-    expect_complementary(problem, gap, result.state.multiplier, 1e-8);
+    const ContactResult result = schwarz_solver(problem, {})->solve({gap, {}}, {});
+    expect_solved(problem, {gap, {}}, result.state, 1e-8);
     EXPECT_LE(result.iterations, 40 * result.set_changes);
   }
 }
@@ -144,9 +101,9 @@ TEST(ContactSolver, WarmStartDoesNotChangeTheResult) {
   const ContactProblem problem = chain(2, 12, 10.0, generator);
   std::normal_distribution<double> normal;
   const Eigen::VectorXd gap = Eigen::VectorXd::NullaryExpr(24, [&] { return normal(generator); });
-  const ContactState warm = schwarz_solver(problem, {})->solve(Eigen::VectorXd(-gap), {}).state;
-  const Eigen::VectorXd cold_result = schwarz_solver(problem, {})->solve(gap, {}).state.multiplier;
-  const Eigen::VectorXd warm_result = schwarz_solver(problem, {})->solve(gap, warm).state.multiplier;
+  const ContactState warm = schwarz_solver(problem, {})->solve({-gap, {}}, {}).state;
+  const Eigen::VectorXd cold_result = schwarz_solver(problem, {})->solve({gap, {}}, {}).state.multiplier;
+  const Eigen::VectorXd warm_result = schwarz_solver(problem, {})->solve({gap, {}}, warm).state.multiplier;
   EXPECT_LT((cold_result - warm_result).cwiseAbs().maxCoeff(), 1e-8 * cold_result.maxCoeff());
 }
 

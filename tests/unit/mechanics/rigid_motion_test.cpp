@@ -1,5 +1,9 @@
 /// Free rigid-body motions of many supports, in words.
+#include "creepcontact/mechanics/rigid_motion.hpp"
+
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 #include "meshes.hpp"
 #include "solve.hpp"
@@ -16,10 +20,16 @@ const mesh::Mesh& box() {
   return mesh;
 }
 
+std::vector<std::int64_t> all_nodes(const std::vector<Vector3>& nodes) {
+  std::vector<std::int64_t> all(nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 std::vector<std::string> free_motions(const std::vector<Vector3>& nodes, const std::vector<Support>& supports) {
   const Constraints constraints(nodes, supports);
   std::vector<std::string> words;
-  for (const auto& motion : free_rigid_motions(nodes, constraints)) {
+  for (const auto& motion : free_rigid_motions(nodes, constraints, all_nodes(nodes))) {
     words.push_back(motion.describe());
     for (const Support& s : supports) {
       for (std::size_t i = 0; i < s.nodes.size(); ++i) {

@@ -1,0 +1,156 @@
+#include "creepcontact/contact/floating_motions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+constexpr double idle_rate = 1e-8;     // rounding of the contact rows
+constexpr double sliding_rate = 3e-3;  // what facets make of a surface that slides in itself
+constexpr double no_part = 1e-6;       // of an amplitude in a description
+
+using mechanics::FreeMotion;
+using mechanics::RigidMotion;
+
+/// The body's part of a combination; nullopt if it moves in parts.
+std::optional<RigidMotion> rigid_part(const std::vector<FreeMotion>& motions, const Eigen::VectorXd& amplitudes) {
+  std::vector<RigidMotion> rigid;
+  for (const FreeMotion& motion : motions) {
+    if (!motion.rigid) return std::nullopt;
+    rigid.push_back(*motion.rigid);
+  }
+  return RigidMotion::combination(rigid, amplitudes);
+}
+
+/// Spans the same space, unit vectors first: the combinations then read as motions of single bodies where they can.
+Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
+  Eigen::MatrixXd rest = basis, result(basis.rows(), 0);
+  const auto take = [&](const Eigen::VectorXd& v) {
+    result.conservativeResize(Eigen::NoChange, result.cols() + 1);
+    result.rightCols(1) = v;
+  };
+  for (Eigen::Index j = 0; j < basis.rows(); ++j) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(basis.rows(), j);
+    if ((basis * (basis.transpose() * unit) - unit).norm() < no_part) take(unit);
+  }
+  if (result.cols() < basis.cols()) {
+    rest -= result * (result.transpose() * rest);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rest, Eigen::ComputeThinU);
+    for (Eigen::Index j = 0; j < basis.cols() && result.cols() < basis.cols(); ++j) take(svd.matrixU().col(j));
+  }
+  return result;
+}
+
+}  // namespace
+
+FloatingMotions::FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs) : bodies_(bodies) {
+  std::size_t n_motions = 0;
+  std::string unheld;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    first_.push_back(n_motions);
+    n_motions += bodies[b]->free_motions().size();
+    const bool in_contact = std::any_of(
+        pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.slave_body == b || pair.master_body == b; });
+    if (in_contact || bodies[b]->free_motions().empty()) continue;
+    std::string list;
+    for (const FreeMotion& motion : bodies[b]->free_motions()) list += (list.empty() ? "" : ", ") + motion.description;
+    unheld += fmt::format("{}body '{}' can move freely: {}; add supports, or a contact that holds it",
+                          unheld.empty() ? "" : "\n", bodies[b]->name(), list);
+  }
+  if (!unheld.empty()) throw ModelError(unheld);
+
+  const auto n = static_cast<Eigen::Index>(n_motions);
+  rates_.setZero(n, n);
+  if (n == 0) return;
+  int n_rows = 0;
+  Eigen::VectorXd scale;  // makes gaps of weighted rows, and of those their part in the mean of the pair
+  for (const Pair& pair : pairs) {
+    const int width = pair.coupling.n_rows() / static_cast<int>(pair.coupling.nodes.size());
+    double total = 0;
+    for (const double area : pair.coupling.area) total += area;
+    n_rows += pair.coupling.n_rows();
+    scale.conservativeResize(n_rows);
+    for (int r = 0; r < pair.coupling.n_rows(); ++r)
+      scale[pair.first_row + r] = 1 / std::sqrt(pair.coupling.area[static_cast<std::size_t>(r / width)] * total);
+  }
+  Eigen::MatrixXd rates(n_rows, n);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    rates.middleCols(static_cast<Eigen::Index>(first_[b]),
+                     static_cast<Eigen::Index>(bodies[b]->free_motions().size())) = scale.asDiagonal() * gaps(b, pairs);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rates);
+  const Eigen::Index k = std::min<Eigen::Index>(n_rows, n);
+  rates_.topRows(k) = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  idle_ = readable_basis(combinations_below(idle_rate, &held_));
+}
+
+Eigen::MatrixXd FloatingMotions::combinations_below(double limit, Eigen::MatrixXd* others) const {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rates_, Eigen::ComputeFullV);
+  const Eigen::Index above = (svd.singularValues().array() >= limit).count();
+  if (others != nullptr) *others = svd.matrixV().leftCols(above);
+  return svd.matrixV().rightCols(rates_.cols() - above);
+}
+
+Eigen::MatrixXd FloatingMotions::gaps(std::size_t body, const std::vector<Pair>& pairs) const {
+  const auto& motions = bodies_[body]->free_motions();
+  int n_rows = 0;
+  for (const Pair& pair : pairs) n_rows += pair.coupling.n_rows();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_rows, static_cast<Eigen::Index>(motions.size()));
+  for (std::size_t j = 0; j < motions.size(); ++j)
+    for (const Pair& pair : pairs) {
+      auto part = result.col(static_cast<Eigen::Index>(j)).segment(pair.first_row, pair.coupling.n_rows());
+      if (pair.slave_body == body) part += pair.coupling.slave_rows * motions[j].displacement;
+      if (pair.master_body == body) part += pair.coupling.master_rows * motions[j].displacement;
+    }
+  return result;
+}
+
+std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
+  std::string text;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& motions = bodies_[b]->free_motions();
+    Eigen::VectorXd own = amplitudes.segment(static_cast<Eigen::Index>(first_[b]), std::ssize(motions));
+    own = (own.array().abs() > no_part * amplitudes.cwiseAbs().maxCoeff()).select(own, 0.0);
+    if (own.size() == 0 || own.isZero(0)) continue;
+    std::string words;
+    if (const auto rigid = rigid_part(motions, own)) {
+      words = rigid->describe();
+    } else {
+      for (std::size_t j = 0; j < motions.size(); ++j)
+        if (own[static_cast<Eigen::Index>(j)] != 0) words += (words.empty() ? "" : " with ") + motions[j].description;
+    }
+    text += fmt::format("{}body '{}': {}", text.empty() ? "" : " and ", bodies_[b]->name(), words);
+  }
+  return text;
+}
+
+std::vector<std::string> FloatingMotions::describe_idle() const {
+  std::vector<std::string> result;
+  for (Eigen::Index j = 0; j < idle_.cols(); ++j) result.push_back(describe(idle_.col(j)));
+  return result;
+}
+
+std::vector<std::vector<RigidMotion>> FloatingMotions::sliding(const std::vector<Pair>& pairs) const {
+  std::vector<std::vector<RigidMotion>> result(pairs.size());
+  const Eigen::MatrixXd combinations = combinations_below(sliding_rate, nullptr);
+  if (combinations.cols() == idle_.cols()) return result;  // idle already
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    for (Eigen::Index j = 0; j < combinations.cols(); ++j) {
+      const auto part = [&](std::size_t b) {
+        const auto& motions = bodies_[b]->free_motions();
+        return rigid_part(motions,
+                          combinations.col(j).segment(static_cast<Eigen::Index>(first_[b]), std::ssize(motions)));
+      };
+      const auto master = part(pairs[p].master_body), slave = part(pairs[p].slave_body);
+      if (!master || !slave) continue;
+      const RigidMotion relative = RigidMotion::combination({*master, *slave}, Eigen::Vector2d(1, -1));
+      if (relative.translation.norm() + relative.rotation.norm() > 0) result[p].push_back(relative);
+    }
+  return result;
+}
+
+}  // namespace creepcontact::contact

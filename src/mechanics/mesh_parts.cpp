@@ -1,0 +1,80 @@
+#include "mesh_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "creepcontact/mesh/cell_faces.hpp"
+
+namespace creepcontact::mechanics {
+namespace {
+
+struct FaceOfElement {
+  std::array<std::int64_t, 4> corners{-1, -1, -1, -1};  // ascending
+  std::size_t element = 0;
+};
+
+std::vector<FaceOfElement> all_faces(const mesh::Mesh& mesh) {
+  std::vector<FaceOfElement> faces;
+  std::size_t element = 0;
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (mesh::dimension(block.type) != 3) continue;
+    for (std::size_t c = 0; c < block.size(); ++c, ++element)
+      for (const mesh::LocalFace& local : mesh::cell_faces(block.type)) {
+        FaceOfElement face{.element = element};
+        for (int i = 0; i < mesh::n_corners(local.type); ++i)
+          face.corners[static_cast<std::size_t>(i)] =
+              block.cell(c)[static_cast<std::size_t>(local.nodes[static_cast<std::size_t>(i)])];
+        std::sort(face.corners.begin(), face.corners.end());
+        faces.push_back(face);
+      }
+  }
+  return faces;
+}
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::int64_t>> mesh_parts(const mesh::Mesh& mesh) {
+  std::vector<FaceOfElement> faces = all_faces(mesh);
+  std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.corners < b.corners; });
+  std::size_t n_elements = 0;
+  for (const FaceOfElement& face : faces) n_elements = std::max(n_elements, face.element + 1);
+  DisjointSets sets(n_elements);
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    if (faces[i].corners == faces[i - 1].corners) sets.join(faces[i].element, faces[i - 1].element);
+
+  std::vector<std::size_t> part_of_root(n_elements, n_elements);
+  std::vector<std::vector<std::int64_t>> parts;
+  std::size_t element = 0;
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (mesh::dimension(block.type) != 3) continue;
+    for (std::size_t c = 0; c < block.size(); ++c, ++element) {
+      std::size_t& part = part_of_root[sets.find(element)];
+      if (part == n_elements) {
+        part = parts.size();
+        parts.emplace_back();
+      }
+      parts[part].insert(parts[part].end(), block.cell(c).begin(), block.cell(c).end());
+    }
+  }
+  for (auto& nodes : parts) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+  return parts;
+}
+
+}  // namespace creepcontact::mechanics
