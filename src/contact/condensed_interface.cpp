@@ -34,6 +34,7 @@ std::vector<std::int64_t> contact_unknowns(const mechanics::Body& body, const Ro
 CondensedInterface::CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies,
                                        std::vector<Pair> pairs)
     : bodies_(bodies), pairs_(numbered(std::move(pairs))), floating_(bodies, pairs_), sides_(bodies.size()) {
+  floating_.require_contact(pairs_);
   for (const Pair& pair : pairs_)
     for (int r = 0; r < pair.coupling.n_rows(); ++r) {
       problem_.slave_body.push_back(static_cast<int>(pair.slave_body));

@@ -50,20 +50,10 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
 
 FloatingMotions::FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs) : bodies_(bodies) {
   std::size_t n_motions = 0;
-  std::string unheld;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  for (const auto& body : bodies) {
     first_.push_back(n_motions);
-    n_motions += bodies[b]->free_motions().size();
-    const bool in_contact = std::any_of(
-        pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.slave_body == b || pair.master_body == b; });
-    if (in_contact || bodies[b]->free_motions().empty()) continue;
-    std::string list;
-    for (const FreeMotion& motion : bodies[b]->free_motions()) list += (list.empty() ? "" : ", ") + motion.description;
-    unheld += fmt::format("{}body '{}' can move freely: {}; add supports, or a contact that holds it",
-                          unheld.empty() ? "" : "\n", bodies[b]->name(), list);
+    n_motions += body->free_motions().size();
   }
-  if (!unheld.empty()) throw ModelError(unheld);
-
   const auto n = static_cast<Eigen::Index>(n_motions);
   rates_.setZero(n, n);
   if (n == 0) return;
@@ -86,6 +76,20 @@ FloatingMotions::FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs) 
   const Eigen::Index k = std::min<Eigen::Index>(n_rows, n);
   rates_.topRows(k) = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
   idle_ = readable_basis(combinations_below(idle_rate, &held_));
+}
+
+void FloatingMotions::require_contact(const std::vector<Pair>& pairs) const {
+  std::string unheld;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const bool in_contact = std::any_of(
+        pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.slave_body == b || pair.master_body == b; });
+    if (in_contact || bodies_[b]->free_motions().empty()) continue;
+    std::string list;
+    for (const FreeMotion& motion : bodies_[b]->free_motions()) list += (list.empty() ? "" : ", ") + motion.description;
+    unheld += fmt::format("{}body '{}' can move freely: {}; add supports, or a contact that holds it",
+                          unheld.empty() ? "" : "\n", bodies_[b]->name(), list);
+  }
+  if (!unheld.empty()) throw ModelError(unheld);
 }
 
 Eigen::MatrixXd FloatingMotions::combinations_below(double limit, Eigen::MatrixXd* others) const {
@@ -136,6 +140,7 @@ std::vector<std::string> FloatingMotions::describe_idle() const {
 
 std::vector<std::vector<RigidMotion>> FloatingMotions::sliding(const std::vector<Pair>& pairs) const {
   std::vector<std::vector<RigidMotion>> result(pairs.size());
+  if (size() == 0) return result;
   const Eigen::MatrixXd combinations = combinations_below(sliding_rate, nullptr);
   if (combinations.cols() == idle_.cols()) return result;  // idle already
   for (std::size_t p = 0; p < pairs.size(); ++p)

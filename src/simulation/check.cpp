@@ -4,7 +4,6 @@
 
 #include <ostream>
 
-#include "creepcontact/base/error.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
 
@@ -28,7 +27,7 @@ void check(const config::Config& config, std::ostream& report) {
   make_probes(config, model, model.pairs);
   const StateLayout layout(model);
 
-  std::string text, mistakes;
+  std::string text;
   double bytes = 8 * state_vectors * static_cast<double>(layout.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const mechanics::Body& body = *model.bodies[b];
@@ -36,15 +35,11 @@ void check(const config::Config& config, std::ostream& report) {
                         element_names(body.mesh()), body.mesh().nodes.size(), body.constraints().n_free(),
                         body.discretization().n_points(), body.material().name,
                         body.material().creeps() ? "" : " (elastic)");
-    const auto motions = mechanics::free_rigid_motions(body.mesh().nodes, body.constraints());
     std::string described;
-    for (const mechanics::RigidMotion& motion : motions)
-      described += (described.empty() ? "" : ", ") + motion.describe();
-    text += fmt::format("  rigid-body modes: {}\n", motions.empty() ? "none" : described);
-    if (!motions.empty())
-      mistakes += fmt::format("{}body '{}' can move freely: {}; add supports that hold it",
-                              mistakes.empty() ? "" : "\n", body.name(), described);
-    bytes += motions.empty() ? static_cast<double>(body.estimate_factor_bytes()) : 0.0;
+    for (const mechanics::FreeMotion& motion : body.free_motions())
+      described += (described.empty() ? "" : ", ") + motion.description;
+    text += fmt::format("  rigid-body modes: {}\n", described.empty() ? "none" : described);
+    bytes += static_cast<double>(body.estimate_factor_bytes());
     // gradients, weights and coordinates at the integration points
     bytes += 8.0 * 75 * static_cast<double>(body.discretization().n_points());
   }
@@ -56,10 +51,14 @@ void check(const config::Config& config, std::ostream& report) {
                         model.bodies[pair.master_body]->name(), pair.coupling.nodes.size());
     bytes += 8 * n * n * 12;
   }
+  const contact::FloatingMotions floating(model.bodies, model.pairs);
+  if (floating.held().cols() > 0) text += fmt::format("held by contact alone: {} motions\n", floating.held().cols());
+  for (const std::string& motion : floating.describe_idle())
+    text += fmt::format("held by nothing, must not be loaded: {}\n", motion);
   text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
   text += fmt::format("estimated memory: {:.0f} MB\n", bytes / 1e6 + 60);
   report << text << std::flush;
-  if (!mistakes.empty()) throw ModelError(mistakes);
+  floating.require_contact(model.pairs);
 }
 
 }  // namespace creepcontact::simulation

@@ -47,6 +47,15 @@ bool Model::creeps() const {
   return std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body->material().creeps(); });
 }
 
+/// Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
+void let_slide(const config::Config& config, Model& model) {
+  const contact::FloatingMotions floating(model.bodies, model.pairs);
+  const auto sliding = floating.sliding(model.pairs);
+  for (std::size_t p = 0; p < model.pairs.size(); ++p)
+    if (!sliding[p].empty()) model.pairs[p] = make_pair(config.contacts[p], config, model, sliding[p]);
+  contact::number_rows(model.pairs);
+}
+
 Model build_model(const config::Config& config) {
   const mesh::Mesh whole =
       io::read_mesh(config.mesh.file, {.order = config.mesh.order, .parameters = config.mesh.parameters});
@@ -84,8 +93,10 @@ Model build_model(const config::Config& config) {
   for (const config::Load& load : config.loads)
     mistakes.collect(load.location, [&] { add_load(load, config, whole, meshes, model); });
   for (const config::Contact& contact : config.contacts)
-    mistakes.collect(contact.location, [&] { model.pairs.push_back(make_pair(contact, config, model)); });
+    mistakes.collect(contact.location, [&] { model.pairs.push_back(make_pair(contact, config, model, {})); });
   mistakes.raise();
+  contact::number_rows(model.pairs);
+  let_slide(config, model);
 
   model.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
   using To = contact::SchwarzOptions::Acceleration;

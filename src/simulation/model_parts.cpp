@@ -71,7 +71,8 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
   return result;
 }
 
-contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model) {
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model,
+                        std::span<const mechanics::RigidMotion> sliding) {
   const std::array owners{model.bodies_with(contact.between[0].name), model.bodies_with(contact.between[1].name)};
   // A surface meshed once between two bodies is on both: each side of the pair takes another of them.
   std::array<std::size_t, 2> body{owners[0].front(), owners[1].front()};

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,9 @@ void add_load(const config::Load& load, const config::Config& config, const mesh
               Model& model);
 
 /// The surfaces are on bodies (check_groups).
-contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model);
+/// @param sliding  relative motions that the pair leaves free exactly
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model,
+                        std::span<const mechanics::RigidMotion> sliding);
 
 /// Kinks in time of every function of the configuration, and the user's own breakpoints; ascending, within (0, end).
 std::vector<double> breakpoints(const config::Config& config);

@@ -25,7 +25,7 @@ struct InterfaceLoad {
 class CondensedInterface {
  public:
   /// Factorises every body with its contact unknowns last. @param bodies must outlive the object
-  /// @throws ModelError as Body::factorize and FloatingMotions
+  /// @throws ModelError as Body::factorize and FloatingMotions::require_contact
   /// Cost: the factorisations, and n_contact^2 x n_rows operations a body.
   CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies, std::vector<Pair> pairs);
 

@@ -18,9 +18,11 @@ class FloatingMotions {
   using Bodies = std::span<const std::unique_ptr<mechanics::Body>>;
 
   /// @param bodies  must outlive the object
-  /// @throws ModelError naming bodies that can move and are in no contact
   /// Cost: sparse products with the contact rows, and the singular values of n_rows x n_motions.
   FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs);
+
+  /// @throws ModelError naming the bodies that can move and are in no contact
+  void require_contact(const std::vector<Pair>& pairs) const;
 
   /// Free motions of all bodies, body after body.
   int size() const { return static_cast<int>(held_.rows()); }

@@ -192,22 +192,45 @@ TEST(ModelMistakes, PointForceWithinItsTolerance) {
   EXPECT_EQ(sum, 1);
 }
 
-TEST(FreeBodies, AreNamedWithTheirMotions) {
+TEST(FreeBodies, NeedAContactThatHoldsThem) {
   const Case blocks;
-  // Nothing holds the upper block along z but contact; in the second case nothing holds either along y.
-  const config::Config loose = blocks.config("", {"supports.3.on=bottom", "supports.3.displacement.z=0"});
-  const std::string message = message_of<ModelError>([&] { const System system(loose); });
-  EXPECT_TRUE(contains(message, "body 'upper'")) << message;
-  EXPECT_TRUE(contains(message, "translation along z")) << message;
-  EXPECT_FALSE(contains(message, "rotation")) << message;
-  EXPECT_FALSE(contains(message, "'lower'")) << message;
-
-  const config::Config both = blocks.config("", {"supports.1.on=symmetry_x", "supports.1.displacement={x=0}"});
+  // Nothing but contact holds the upper block along z, nothing at all holds the two along y.
+  const std::vector<std::string> loose{"supports.3.on=bottom", "supports.3.displacement.z=0",
+                                       "supports.1.on=symmetry_x", "supports.1.displacement={x=0}"};
   std::ostringstream report;
-  const std::string checked = message_of<ModelError>([&] { check(both, report); });
-  EXPECT_TRUE(contains(report.str(), "rigid-body modes: translation along y")) << "the report comes before the errors";
-  for (const char* body : {"lower", "upper"})
-    EXPECT_TRUE(contains(checked, std::string("body '") + body + "' can move freely: translation along y")) << checked;
+  check(blocks.config("", loose), report);
+  for (const char* part :
+       {"rigid-body modes: translation along y\n", "rigid-body modes: translation along y, translation along z",
+        "held by contact alone: 2 motions", "held by nothing, must not be loaded: body 'lower': translation along y\n",
+        "held by nothing, must not be loaded: body 'upper': translation along y\n"})
+    EXPECT_TRUE(contains(report.str(), part)) << part << "\n--- in\n" << report.str();
+
+  std::vector<std::string> apart = loose;
+  apart.insert(apart.end(), {"contacts=[]", "probes=[]"});
+  const config::Config without_contact = blocks.config("", apart);
+  for (const auto& message : {message_of<ModelError>([&] { const System system(without_contact); }),
+                              message_of<ModelError>([&] { check(without_contact, report); })}) {
+    EXPECT_TRUE(contains(message, "body 'lower' can move freely: translation along y; add")) << message;
+    EXPECT_TRUE(
+        contains(message, "body 'upper' can move freely: translation along y, translation along z, rotation about"))
+        << message;
+  }
+}
+
+TEST(FreeBodies, FlyOffUnderALoadThatNothingBalances) {
+  const Case blocks;
+  const std::vector<std::string> loose{"supports.3.on=bottom", "supports.3.displacement.z=0"};
+  const auto message = [&](const std::string& load, std::vector<std::string> overrides) {
+    const config::Config config = blocks.config("[[loads]]\non = 'top'\n" + load + "\n", overrides);
+    return message_of<ModelError>([&] { const System system(config); });
+  };
+  EXPECT_EQ(message("pressure = 1", loose), "nothing was thrown");
+  const std::string pulled = message("pressure = -1", loose);
+  EXPECT_TRUE(contains(pulled, "body 'upper': translation along z: the loads drive")) << pulled;
+  std::vector<std::string> sliding = loose;
+  sliding.insert(sliding.end(), {"supports.1.on=symmetry_x", "supports.1.displacement={x=0}"});
+  const std::string pushed = message("traction = [0, 1, -1]", sliding);
+  EXPECT_TRUE(contains(pushed, "body 'upper': translation along y: the loads drive")) << pushed;
 }
 
 TEST(Check, TellsWhatTheModelIs) {
