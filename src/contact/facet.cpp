@@ -32,6 +32,13 @@ std::vector<std::vector<Vector3>> reference_cells(int n_corners) {
   return cells;
 }
 
+Facet::Coordinates coordinates(const mesh::Mesh& mesh, const mesh::Face& face) {
+  Facet::Coordinates x(static_cast<int>(face.nodes.size()), 3);
+  for (std::size_t i = 0; i < face.nodes.size(); ++i)
+    x.row(static_cast<int>(i)) = mesh.nodes[static_cast<std::size_t>(face.nodes[i])].transpose();
+  return x;
+}
+
 }  // namespace
 
 Plane Plane::through(const Vector3& origin, const Vector3& normal) {
@@ -43,15 +50,15 @@ Plane Plane::through(const Vector3& origin, const Vector3& normal) {
   return plane;
 }
 
-Facet::Facet(const mesh::Mesh& mesh, const mesh::Face& face)
-    : element_(&fem::reference_element(face.type)), nodes_(face.nodes), n_corners_(mesh::n_corners(face.type)) {
+Facet::Facet(const mesh::Mesh& mesh, const mesh::Face& face) : Facet(face.type, coordinates(mesh, face)) {
+  nodes_ = face.nodes;
+}
+
+Facet::Facet(mesh::CellType type, Coordinates x)
+    : element_(&fem::reference_element(type)), n_corners_(mesh::n_corners(type)), x_(std::move(x)) {
   corner_element_ = &fem::reference_element(n_corners_ == 3 ? mesh::CellType::tri3 : mesh::CellType::quad4);
   centre_xi_ = n_corners_ == 3 ? Vector3(1.0 / 3, 1.0 / 3, 0) : Vector3(0, 0, 0);
-  x_.resize(n_nodes(), 3);
-  for (int i = 0; i < n_nodes(); ++i) {
-    x_.row(i) = mesh.nodes[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(i)])].transpose();
-    box_.extend(Vector3(x_.row(i)));
-  }
+  for (int i = 0; i < n_nodes(); ++i) box_.extend(node_position(i));
   for (int i = 0; i < n_corners_; ++i)
     for (int j = 0; j < i; ++j) diameter_ = std::max(diameter_, (x_.row(i) - x_.row(j)).norm());
 }
@@ -105,7 +112,9 @@ std::vector<Polygon> Facet::pieces(const Plane& plane, bool flipped) const {
 }
 
 bool Facet::unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi) const {
-  xi = centre_xi_;
+  // Steps this small are squared by the next one, and round-off far from the origin of coordinates stays below them.
+  constexpr double small_step = 1e-9;
+  constexpr double far_outside = 10;
   ShapeValues shape(n_nodes());
   Gradient gradient(n_nodes(), 3);
   for (int iteration = 0; iteration < 25; ++iteration) {
@@ -113,17 +122,18 @@ bool Facet::unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi)
     element_->gradient(xi, gradient);
     const Eigen::Vector2d residual = plane.project(x_.transpose() * shape) - p;
     Eigen::Matrix2d jacobian;
-    for (int k = 0; k < 2; ++k) {
-      const Vector3 tangent = x_.transpose() * gradient.col(k);
-      jacobian.col(k) << plane.axis1.dot(tangent), plane.axis2.dot(tangent);
-    }
+    for (int k = 0; k < 2; ++k) jacobian.col(k) = plane.project_direction(x_.transpose() * gradient.col(k));
     const Eigen::Vector2d step = jacobian.inverse() * residual;
     if (!step.allFinite()) return false;
     xi.head<2>() -= step;
-    if (step.squaredNorm() < 1e-26) return true;
-    if (xi.head<2>().squaredNorm() > 100) return false;
+    if (step.norm() < small_step) return true;
+    if (xi.head<2>().norm() > far_outside) return false;
   }
   return false;
+}
+
+bool Facet::meet_line(const Vector3& origin, const Vector3& direction, Vector3& xi) const {
+  return unproject(Plane::through(origin, direction), Eigen::Vector2d::Zero(), xi);
 }
 
 std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {

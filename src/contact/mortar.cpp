@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <span>
 
+#include "contact_geometry.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/contact/segments.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -26,12 +26,15 @@ struct FacetSums {
 
 class Assembler {
  public:
-  Assembler(const Surface& slave, const Surface& master, ContactType type)
+  Assembler(const Surface& slave, const Surface& master, ContactType type,
+            std::span<const mechanics::RigidMotion> sliding)
       : type_(type),
         slave_facets_(make_facets(*slave.mesh, slave.faces)),
         master_facets_(make_facets(*master.mesh, master.faces)),
         normals_(surface_normals(slave_facets_, *slave.constraints)),
-        segmentation_(slave_facets_, master_facets_) {
+        segmentation_(slave_facets_, master_facets_),
+        geometry_(slave_facets_, normals_, master_facets_, surface_normals(master_facets_, *master.constraints),
+                  sliding) {
     covered_.assign(normals_.multipliers.size(), 0.0);
     full_.assign(normals_.multipliers.size(), 0.0);
     geometric_.setZero(static_cast<int>(normals_.multipliers.size()));
@@ -61,8 +64,7 @@ class Assembler {
   }
 
   void add_facet(std::size_t f, const std::vector<Segment>& segments);
-  void add_gap(std::span<const int> rows, const HatVector& weighted, const Vector3& on_slave, const Vector3& on_master,
-               const Vector3& normal);
+  void add_gap(std::span<const int> rows, const HatVector& weighted, const ContactPoint& point);
   HatMatrix dual_transformation(std::size_t f, const std::vector<Segment>& segments) const;
 
   static HatVector hat_values(const Facet& facet, const Vector3& xi) {
@@ -78,6 +80,7 @@ class Assembler {
   std::vector<Facet> slave_facets_, master_facets_;
   SurfaceNormals normals_;
   Segmentation segmentation_;
+  ContactGeometry geometry_;
   std::vector<double> covered_, full_;  // area of each multiplier: the covered part, and all
   // Rows are multipliers; columns node components along the normal (unilateral), or nodes (tied).
   Triplets slave_, master_, gap_;
@@ -140,38 +143,29 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   const Facet& facet = slave_facets_[f];
   const std::span<const int> rows = normals_.multiplier_of_corner[f];
   const HatMatrix dual = dual_transformation(f, segments);
-  ShapeValues shape(facet.n_nodes());
   Products on_slave(facet, -1.0, type_, facet.n_corners());
   for (const Segment& segment : segments) {
     const Facet& master = master_facets_[segment.master];
     Products on_master(master, 1.0, type_, facet.n_corners());
-    for (const SegmentPoint& point : segment.points) {
+    for (const ContactPoint& point : geometry_.points(f, segment)) {
       const HatVector weighted = point.weight * (dual * hat_values(facet, point.slave_xi));
-      facet.element().shape(point.slave_xi, shape);
-      Vector3 normal = Vector3::Zero();
-      for (int j = 0; j < facet.n_nodes(); ++j)
-        normal += shape[j] * normals_.normal_of_node[f][static_cast<std::size_t>(j)];
-      normal.normalize();
-      on_slave.add(point.slave_xi, weighted, normal);
-      on_master.add(point.master_xi, weighted, normal);
-      add_gap(rows, weighted, facet.position(point.slave_xi), master.position(point.master_xi), normal);
+      on_slave.add(point.slave_xi, weighted, point.normal);
+      on_master.add(point.master_xi, weighted, point.normal);
+      add_gap(rows, weighted, point);
     }
     on_master.emit(rows, master_);
   }
   on_slave.emit(rows, slave_);
 }
 
-void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, const Vector3& on_slave,
-                        const Vector3& on_master, const Vector3& normal) {
-  const double distance = normal.dot(on_master - on_slave);
-  const auto point = static_cast<int>(gap_points_.size());
-  gap_points_.push_back(on_slave);
+void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, const ContactPoint& point) {
+  const auto column = static_cast<int>(gap_points_.size());
+  gap_points_.push_back(point.on_slave);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto row = static_cast<std::size_t>(rows[i]);
     const double weight = weighted[static_cast<int>(i)];
-    covered_[row] += weight;
-    geometric_[rows[i]] += weight * distance;
-    gap_.emplace_back(rows[i], point, weight);
+    covered_[static_cast<std::size_t>(rows[i])] += weight;
+    geometric_[rows[i]] += weight * point.gap;
+    gap_.emplace_back(rows[i], column, weight);
   }
 }
 
@@ -179,7 +173,7 @@ void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, co
 RowMatrix gather_rows(const std::vector<MultiplierNode>& multipliers, const std::vector<Vector3>& nodes,
                       const std::vector<double>& covered, const std::vector<double>& full, std::vector<int>& kept) {
   for (std::size_t i = 0; i < covered.size(); ++i)
-    if (covered[i] >= least_cover_of_row * full[i]) kept.push_back(static_cast<int>(i));
+    if (covered[i] > 0 && covered[i] >= least_cover_of_row * full[i]) kept.push_back(static_cast<int>(i));
   const auto position = [&](int i) {
     return nodes[static_cast<std::size_t>(multipliers[static_cast<std::size_t>(i)].node)];
   };
@@ -245,18 +239,6 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
   return result;
 }
 
-/// Mean diameter of the facets that face the other surface.
-double facing_size(const std::vector<Facet>& facets, const std::vector<Facet>& others) {
-  const Segmentation segmentation(facets, others);
-  double sum = 0, count = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    if (!segmentation.partners(f).empty()) {
-      sum += facets[f].diameter();
-      ++count;
-    }
-  return count > 0 ? sum / count : 0;
-}
-
 }  // namespace
 
 Eigen::VectorXd MortarCoupling::given_gap(const Function& gap, double t) const {
@@ -270,19 +252,11 @@ Eigen::VectorXd MortarCoupling::given_gap(const Function& gap, double t) const {
   return gap_weights * values;
 }
 
-MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type) {
-  Assembler assembler(slave, master, type);
+MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
+                               std::span<const mechanics::RigidMotion> sliding) {
+  Assembler assembler(slave, master, type, sliding);
   assembler.integrate();
   return assembler.coupling(slave, master);
-}
-
-bool first_is_better_slave(const Surface& first, const Surface& second) {
-  constexpr double clearly_softer = 10.0;
-  if (first.young_modulus * clearly_softer < second.young_modulus) return true;
-  if (second.young_modulus * clearly_softer < first.young_modulus) return false;
-  const std::vector<Facet> a = make_facets(*first.mesh, first.faces);
-  const std::vector<Facet> b = make_facets(*second.mesh, second.faces);
-  return facing_size(a, b) >= facing_size(b, a) * (1 - 1e-9);
 }
 
 }  // namespace creepcontact::contact

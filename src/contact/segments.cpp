@@ -7,7 +7,10 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr double reach_in_diameters = 3.0;
-constexpr double smallest_segment = 1e-12;  // of the slave facet's area
+constexpr double bulge_in_diameters = 0.25;  // of a curved face beyond the box of its nodes
+constexpr double smallest_segment = 1e-12;   // of the slave facet's area
+constexpr double no_area = 1e-10;            // of the squared diameter
+constexpr double edge_on_cosine = 0.05;      // the surface bends away from the facet's plane
 
 /// Exact for the product of two quadratic shape functions and a linear hat on a flat triangle.
 const fem::QuadratureRule& segment_rule() {
@@ -15,76 +18,113 @@ const fem::QuadratureRule& segment_rule() {
   return rule;
 }
 
+std::vector<Eigen::AlignedBox3d> boxes(const std::vector<Facet>& facets) {
+  std::vector<Eigen::AlignedBox3d> result;
+  for (const Facet& facet : facets) result.push_back(facet.box());
+  return result;
+}
+
+Eigen::Vector2d mean(const Polygon& polygon) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& corner : polygon) sum += corner;
+  return sum / static_cast<double>(polygon.size());
+}
+
 }  // namespace
 
 Segmentation::Segmentation(const std::vector<Facet>& slave, const std::vector<Facet>& master)
-    : slave_(slave), master_(master) {
+    : slave_(slave), master_(master), master_boxes_(boxes(master)) {
   double longest = 0;
   for (const auto* side : {&slave, &master})
     for (const Facet& facet : *side) longest = std::max(longest, facet.diameter());
   reach_ = reach_in_diameters * longest;
 }
 
-bool Segmentation::may_touch(const Facet& slave, const Facet& master) const {
-  return slave.box().exteriorDistance(master.box()) <= reach_;
+Segmentation::Outline Segmentation::outline(const Facet& slave) const {
+  const Vector3 area_vector = slave.area_vector_at_centre();
+  if (!(area_vector.norm() > no_area * slave.diameter() * slave.diameter())) return {};
+  Outline result{Plane::through(slave.centre(), area_vector), {}, 0};
+  result.pieces = slave.pieces(result.plane, false);
+  for (const Polygon& piece : result.pieces) result.area += area(piece);
+  return result;
+}
+
+std::vector<std::size_t> Segmentation::candidates(const Facet& slave, const Plane& plane) const {
+  const Vector3 margin = Vector3::Constant(bulge_in_diameters * reach_ / reach_in_diameters);
+  Eigen::AlignedBox3d column = slave.box();
+  column.extend(slave.box().translated(reach_ * plane.normal)).extend(slave.box().translated(-reach_ * plane.normal));
+  return master_boxes_.meeting({column.min() - margin, column.max() + margin});
 }
 
 std::vector<Segment> Segmentation::segments(std::size_t slave_facet) const {
   const Facet& slave = slave_[slave_facet];
-  const Plane plane = Plane::through(slave.centre(), slave.area_vector_at_centre());
-  const std::vector<Polygon> pieces = slave.pieces(plane, false);
-
+  const Outline seen = outline(slave);
   std::vector<Segment> result;
-  for (std::size_t m = 0; m < master_.size(); ++m) {
-    if (!may_touch(slave, master_[m])) continue;
+  if (seen.pieces.empty()) return result;
+  for (const std::size_t m : candidates(slave, seen.plane)) {
     Segment segment{m, {}};
-    cut(slave, plane, pieces, master_[m], segment.points);
+    cut(seen, master_[m], [&](const Polygon& overlap) {
+      integrate(slave, seen.plane, master_[m], overlap, segment.points);
+      return false;
+    });
     if (!segment.points.empty()) result.push_back(std::move(segment));
   }
   return result;
 }
 
-std::vector<std::size_t> Segmentation::partners(std::size_t slave_facet) const {
-  std::vector<std::size_t> result;
-  for (const Segment& segment : segments(slave_facet)) result.push_back(segment.master);
-  return result;
+bool Segmentation::has_partner(std::size_t slave_facet) const {
+  const Facet& slave = slave_[slave_facet];
+  const Outline seen = outline(slave);
+  if (seen.pieces.empty()) return false;
+  const std::vector<std::size_t> near = candidates(slave, seen.plane);
+  return std::any_of(near.begin(), near.end(), [&](std::size_t m) {
+    SegmentPoint point;
+    return cut(seen, master_[m], [&](const Polygon& overlap) {
+      return find_points(slave, seen.plane, master_[m], mean(overlap), point);
+    });
+  });
 }
 
-void Segmentation::cut(const Facet& slave, const Plane& plane, const std::vector<Polygon>& slave_pieces,
-                       const Facet& master, std::vector<SegmentPoint>& points) const {
-  if (master.area_vector_at_centre().dot(plane.normal) >= 0) return;
-  const std::vector<Polygon> master_pieces = master.pieces(plane, true);
-
-  const fem::QuadratureRule& rule = segment_rule();
-  double slave_area = 0;
-  for (const Polygon& piece : slave_pieces) slave_area += area(piece);
-  Polygon overlap, work;
-  for (const Polygon& a : slave_pieces)
+template <typename Work>
+bool Segmentation::cut(const Outline& outline, const Facet& master, const Work& work) const {
+  if (!(master.area_vector_at_centre().dot(outline.plane.normal) < 0)) return false;
+  const std::vector<Polygon> master_pieces = master.pieces(outline.plane, true);
+  Polygon overlap, scratch;
+  for (const Polygon& a : outline.pieces)
     for (const Polygon& b : master_pieces) {
-      clip(a, b, overlap, work);
-      if (overlap.empty() || area(overlap) < smallest_segment * slave_area) continue;
-      Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-      for (const Eigen::Vector2d& corner : overlap) middle += corner / static_cast<double>(overlap.size());
-      for (std::size_t i = 0; i < overlap.size(); ++i) {
-        const Eigen::Vector2d side1 = overlap[i] - middle;
-        const Eigen::Vector2d side2 = overlap[(i + 1) % overlap.size()] - middle;
-        const double twice_area = side1.x() * side2.y() - side1.y() * side2.x();
-        if (twice_area <= 0) continue;
-        for (int q = 0; q < rule.size(); ++q) {
-          const Eigen::Vector2d p = middle + rule.points(q, 0) * side1 + rule.points(q, 1) * side2;
-          SegmentPoint point;
-          if (!slave.unproject(plane, p, point.slave_xi) || !master.unproject(plane, p, point.master_xi)) continue;
-          const double cosine = slave.area_vector(point.slave_xi).normalized().dot(plane.normal);
-          if (cosine <= 0) continue;
-          point.weight = rule.weights[q] * twice_area / cosine;
-          points.push_back(point);
-        }
-      }
+      clip(a, b, overlap, scratch);
+      if (!overlap.empty() && area(overlap) >= smallest_segment * outline.area && work(overlap)) return true;
     }
-  // What lies too far along the normal is another part of the body's skin.
-  std::erase_if(points, [&](const SegmentPoint& point) {
-    return std::abs(plane.normal.dot(master.position(point.master_xi) - slave.position(point.slave_xi))) > reach_;
-  });
+  return false;
+}
+
+void Segmentation::integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,
+                             std::vector<SegmentPoint>& points) const {
+  const fem::QuadratureRule& rule = segment_rule();
+  const Eigen::Vector2d middle = mean(overlap);
+  for (std::size_t i = 0; i < overlap.size(); ++i) {
+    const Eigen::Vector2d side1 = overlap[i] - middle;
+    const Eigen::Vector2d side2 = overlap[(i + 1) % overlap.size()] - middle;
+    const double twice_area = side1.x() * side2.y() - side1.y() * side2.x();
+    if (!(twice_area > 0)) continue;
+    for (int q = 0; q < rule.size(); ++q) {
+      SegmentPoint point;
+      if (!find_points(slave, plane, master, middle + rule.points(q, 0) * side1 + rule.points(q, 1) * side2, point))
+        continue;
+      const double cosine = slave.area_vector(point.slave_xi).normalized().dot(plane.normal);
+      if (cosine < edge_on_cosine) continue;
+      point.weight = rule.weights[q] * twice_area / cosine;
+      points.push_back(point);
+    }
+  }
+}
+
+bool Segmentation::find_points(const Facet& slave, const Plane& plane, const Facet& master, const Eigen::Vector2d& p,
+                               SegmentPoint& point) const {
+  point.slave_xi = slave.centre_xi();
+  point.master_xi = master.centre_xi();
+  if (!slave.unproject(plane, p, point.slave_xi) || !master.unproject(plane, p, point.master_xi)) return false;
+  return std::abs(plane.normal.dot(master.position(point.master_xi) - slave.position(point.slave_xi))) <= reach_;
 }
 
 }  // namespace creepcontact::contact

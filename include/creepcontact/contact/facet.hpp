@@ -17,23 +17,30 @@ struct Plane {
 
   static Plane through(const Vector3& origin, const Vector3& normal);
   Eigen::Vector2d project(const Vector3& x) const { return {axis1.dot(x - origin), axis2.dot(x - origin)}; }
+  Eigen::Vector2d project_direction(const Vector3& d) const { return {axis1.dot(d), axis2.dot(d)}; }
 };
 
 /// Face with its nodes' coordinates. Faces are seen from outside their body.
 class Facet {
  public:
+  using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 9, 3>;
+
   Facet(const mesh::Mesh& mesh, const mesh::Face& face);
+  /// A face that is not one of a mesh: nodes() is empty. @param x  one row a node of `type`
+  Facet(mesh::CellType type, Coordinates x);
 
   const fem::ReferenceElement& element() const { return *element_; }
   /// Linear element on the corners: carries the multipliers.
   const fem::ReferenceElement& corner_element() const { return *corner_element_; }
   const std::vector<std::int64_t>& nodes() const { return nodes_; }
-  int n_nodes() const { return static_cast<int>(nodes_.size()); }
+  int n_nodes() const { return static_cast<int>(x_.rows()); }
   int n_corners() const { return n_corners_; }
+  Vector3 node_position(int i) const { return x_.row(i).transpose(); }
 
   Vector3 position(const Vector3& xi) const;
   /// Normal times the surface Jacobian |dx/dxi1 x dx/dxi2|.
   Vector3 area_vector(const Vector3& xi) const;
+  const Vector3& centre_xi() const { return centre_xi_; }
   Vector3 centre() const { return position(centre_xi_); }
   Vector3 area_vector_at_centre() const { return area_vector(centre_xi_); }
   /// Longest distance between two corners.
@@ -45,8 +52,11 @@ class Facet {
   /// @param flipped  true for a face seen from behind (the master, whose normal opposes the plane's)
   std::vector<Polygon> pieces(const Plane& plane, bool flipped) const;
 
-  /// Reference coordinates of the point of the face that projects onto p (Newton). @returns false if there is none
+  /// Reference coordinates of the point that projects onto p, by Newton's method. The face goes on beyond its edges.
+  /// @param xi  start of the iteration; the point if one was found @returns false if there is none
   bool unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi) const;
+  /// The same for the point where the line from `origin` along `direction` meets the face.
+  bool meet_line(const Vector3& origin, const Vector3& direction, Vector3& xi) const;
 
  private:
   bool has_curved_edges(const Plane& plane) const;
@@ -55,7 +65,7 @@ class Facet {
   const fem::ReferenceElement* corner_element_;
   std::vector<std::int64_t> nodes_;
   int n_corners_;
-  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 9, 3> x_;
+  Coordinates x_;
   Vector3 centre_xi_;
   double diameter_ = 0;
   Eigen::AlignedBox3d box_;

@@ -2,6 +2,7 @@
 /// Segment-based dual mortar: the weighted gaps of a contact pair as linear functions of both bodies' displacements.
 
 #include <Eigen/Sparse>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,8 @@ struct MortarCoupling {
   RowMatrix slave_rows;      ///< n_rows x 3 n_slave_nodes
   RowMatrix master_rows;     ///< n_rows x 3 n_master_nodes
 
-  /// Weighted initial gap as measured from the meshes, n_rows.
+  /// Weighted initial gap as measured from the meshes, n_rows: between the smooth surfaces that linear faces stand for,
+  /// since the facets' own distance errs by their sagitta.
   Eigen::VectorXd geometric_gap;
   /// Quadrature points of the slave surface and their weights in each multiplier's gap: weighted gap = gap_weights g.
   std::vector<Vector3> gap_points;
@@ -46,9 +48,14 @@ struct MortarCoupling {
   Eigen::VectorXd given_gap(const Function& gap, double t) const;
 };
 
+/// @param sliding  relative rigid motions of the two bodies that contact leaves free exactly, as a ring's turning on
+/// its
+///   shaft: at every point the normal loses its part along their displacement. Where a motion's displacement vanishes,
+///   or lies rather along the normal than across it, the motion is passed over.
 /// @throws ModelError if the surfaces do not face each other anywhere
-/// Cost: O(facet pairs) box tests, then about 50 point evaluations a segment.
-MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type);
+/// Cost: O(n log n) for n facets, then about 50 points a segment.
+MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
+                               std::span<const mechanics::RigidMotion> sliding = {});
 
 /// True if `first` should carry the multipliers: the softer body where the moduli differ by more than 10, else the
 /// surface that is coarser where the two face each other. (The stiffer, finer side as slave gives useless pressures.)

@@ -3,13 +3,15 @@
 
 #include <vector>
 
+#include "creepcontact/contact/box_tree.hpp"
 #include "creepcontact/contact/facet.hpp"
 
 namespace creepcontact::contact {
 
 /// One quadrature point of a segment.
 struct SegmentPoint {
-  Vector3 slave_xi, master_xi;
+  Vector3 slave_xi;
+  Vector3 master_xi;  ///< opposite to it along the normal of the slave facet's plane
   double weight = 0;  ///< slave surface area that belongs to it
 };
 
@@ -19,25 +21,40 @@ struct Segment {
   std::vector<SegmentPoint> points;
 };
 
-/// Candidate lookup and cutting for one pair of surfaces.
+/// Candidate lookup and cutting for one pair of surfaces, which must outlive it.
 class Segmentation {
  public:
   Segmentation(const std::vector<Facet>& slave, const std::vector<Facet>& master);
 
   /// All segments of a slave facet. Facets whose normals do not oppose each other, or that are further apart than a few
-  /// facet diameters, do not see each other.
+  /// facet diameters, do not see each other; facets without area see nothing.
   std::vector<Segment> segments(std::size_t slave_facet) const;
-  /// Indices of the master facets that a slave facet overlaps in projection.
-  std::vector<std::size_t> partners(std::size_t slave_facet) const;
+  /// True if a slave facet overlaps any master facet in projection. Stops at the first; integrates nothing.
+  bool has_partner(std::size_t slave_facet) const;
 
  private:
-  void cut(const Facet& slave, const Plane& plane, const std::vector<Polygon>& slave_pieces, const Facet& master,
-           std::vector<SegmentPoint>& points) const;
-  bool may_touch(const Facet& slave, const Facet& master) const;
+  /// A slave facet as its plane sees it.
+  struct Outline {
+    Plane plane;
+    std::vector<Polygon> pieces;  // none: the facet has no area, or is seen edge-on
+    double area = 0;
+  };
+
+  Outline outline(const Facet& slave) const;
+  std::vector<std::size_t> candidates(const Facet& slave, const Plane& plane) const;
+  /// @param work  called with each polygon that both facets share; cutting stops where it returns true
+  template <typename Work>
+  bool cut(const Outline& outline, const Facet& master, const Work& work) const;
+  void integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,
+                 std::vector<SegmentPoint>& points) const;
+  /// Opposite points of the two facets at p; what lies too far along the normal is another part of the body's skin.
+  bool find_points(const Facet& slave, const Plane& plane, const Facet& master, const Eigen::Vector2d& p,
+                   SegmentPoint& point) const;
 
   const std::vector<Facet>& slave_;
   const std::vector<Facet>& master_;
   double reach_ = 0;
+  BoxTree master_boxes_;
 };
 
 }  // namespace creepcontact::contact

@@ -1,5 +1,5 @@
 #pragma once
-/// Smooth normals of a slave surface, and the multiplier nodes on it.
+/// Smooth normals of a surface, and the multiplier nodes on it.
 
 #include <vector>
 
@@ -15,8 +15,11 @@ struct MultiplierNode {
   Vector3 normal;
 };
 
-/// Nodal normals: averages over the adjacent smooth faces, weighted by area, laid into the planes of symmetry that the
-/// supports make of a node's held directions (without it the pressure is 3-7 % wrong at such edges).
+/// Nodal normals of second order: means of the adjacent smooth faces' normals with Max's weights, at open edges of
+/// linear faces completed by their neighbours (open_edge_normals.hpp), and laid into the planes of symmetry that the
+/// supports make of a node's held directions (without it the pressure is 3-7 % wrong at such edges). Exact on planes
+/// and spheres, and on cylinders divided along their axis. Source: N. Max, Weights for computing vertex normals from
+/// facet normals, J. Graphics Tools 4 (1999).
 struct SurfaceNormals {
   std::vector<MultiplierNode> multipliers;
   std::vector<std::vector<int>> multiplier_of_corner;  ///< [facet][corner] -> index into multipliers

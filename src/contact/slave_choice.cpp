@@ -1,0 +1,30 @@
+#include "creepcontact/contact/mortar.hpp"
+#include "creepcontact/contact/segments.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+/// Mean diameter of the facets that face the other surface.
+double facing_size(const std::vector<Facet>& facets, const std::vector<Facet>& others) {
+  const Segmentation segmentation(facets, others);
+  double sum = 0, count = 0;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    if (segmentation.has_partner(f)) {
+      sum += facets[f].diameter();
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
+}  // namespace
+
+bool first_is_better_slave(const Surface& first, const Surface& second) {
+  constexpr double clearly_softer = 10.0;
+  if (first.young_modulus * clearly_softer < second.young_modulus) return true;
+  if (second.young_modulus * clearly_softer < first.young_modulus) return false;
+  const std::vector<Facet> a = make_facets(*first.mesh, first.faces);
+  const std::vector<Facet> b = make_facets(*second.mesh, second.faces);
+  return facing_size(a, b) >= facing_size(b, a) * (1 - 1e-9);
+}
+
+}  // namespace creepcontact::contact
