@@ -6,6 +6,7 @@
 
 #include "creepcontact/contact/segments.hpp"
 #include "creepcontact/contact/surface_normals.hpp"
+#include "creepcontact/mechanics/rigid_motion.hpp"
 
 namespace creepcontact::contact {
 

@@ -109,7 +109,8 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.master_body = body[master];
   pair.coupling = contact::mortar_coupling(
       surfaces[slave], surfaces[master],
-      contact.type == config::ContactType::tied ? contact::ContactType::tied : contact::ContactType::unilateral);
+      contact.type == config::ContactType::tied ? contact::ContactType::tied : contact::ContactType::unilateral,
+      sliding);
   pair.gap = contact.gap;
   pair.geometric_gap = contact.geometric_gap;
   return pair;

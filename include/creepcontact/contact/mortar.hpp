@@ -8,6 +8,7 @@
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/contact/surface_normals.hpp"
+#include "creepcontact/mechanics/rigid_motion.hpp"
 
 namespace creepcontact::contact {
 
