@@ -33,10 +33,15 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
 
 void FrozenSystem::factorize(const std::vector<int>& active) {
   factored_ = false;
-  if (!factor_semidefinite(problem_.total(active, active), factor_))
-    throw SolverError("contact: the conditions of the active set contradict each other");
+  Eigen::MatrixXd flexibility = problem_.total(active, active);
   if (problem_.n_motions() > 0) {
     motions_ = problem_.rigid(active, Eigen::all);
+    pin_flexibility_ = pin_flexibility(problem_);
+    flexibility.noalias() += pin_flexibility_ * motions_ * motions_.transpose();
+  }
+  if (!factor_semidefinite(flexibility, factor_))
+    throw SolverError("contact: the conditions of the active set contradict each other");
+  if (problem_.n_motions() > 0) {
     factor_.matrixL().solveInPlace(motions_);
     coarse_inverse_ = pseudo_inverse(motions_.transpose() * motions_);
   }
@@ -69,6 +74,7 @@ FrozenSolution FrozenSystem::solve(const std::vector<int>& active, const Contact
   state.multiplier(active) = reduced;
   if (n_motions > 0) {
     Eigen::VectorXd left = problem_.rigid(active, Eigen::all).transpose() * reduced;
+    state.rigid += pin_flexibility_ * left;
     Eigen::VectorXd sum = problem_.rigid(active, Eigen::all).cwiseAbs().transpose() * reduced.cwiseAbs();
     if (largest > 0) left += load.resultant;
     solution.balanced = left.cwiseAbs().maxCoeff() <= balance_error * std::max(largest, sum.maxCoeff());

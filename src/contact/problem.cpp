@@ -6,30 +6,42 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr double no_change = 1e-12;
-
-/// A row that neither body can move along (held on both sides) carries no multiplier.
-bool is_movable(const ContactProblem& problem, int row) {
-  return problem.total(row, row) > 1e-14 * problem.total.diagonal().maxCoeff();
-}
+constexpr double immovable = 1e-14;  // rows that neither body can move along (held on both sides) carry no multiplier
+constexpr double pin_floor = 1e-2;   // of the flexibility that pins are given
 
 }  // namespace
 
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state) {
-  Eigen::VectorXd gap = load.gap + problem.total * state.multiplier;
+  Eigen::VectorXd gap = load.gap;
+  gap.noalias() += problem.total.selfadjointView<Eigen::Lower>() * state.multiplier;
   if (problem.n_motions() > 0) gap += problem.rigid * state.rigid;
   return gap;
+}
+
+double pin_flexibility(const ContactProblem& problem) {
+  const double square = problem.rigid.squaredNorm();
+  return square > 0 ? problem.total.trace() / square : 0.0;
+}
+
+Eigen::VectorXd row_flexibility(const ContactProblem& problem) {
+  Eigen::VectorXd flexibility = problem.total.diagonal();
+  if (problem.n_motions() > 0)
+    flexibility = flexibility.cwiseMax(pin_floor * pin_flexibility(problem) * problem.rigid.rowwise().squaredNorm());
+  return flexibility;
 }
 
 std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap) {
   const double scale = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
+  const Eigen::VectorXd flexibility = row_flexibility(problem);
+  const double least = problem.n_rows() > 0 ? immovable * flexibility.maxCoeff() : 0.0;
   std::vector<int> next;
   auto it = current.begin();
   for (int i = 0; i < problem.n_rows(); ++i) {
     const bool was_active = it != current.end() && *it == i;
     if (was_active) ++it;
-    if (!is_movable(problem, i)) continue;
-    const double indicator = multiplier[i] - gap[i] / problem.total(i, i);
+    if (!(flexibility[i] > least)) continue;
+    const double indicator = multiplier[i] - gap[i] / flexibility[i];
     const double threshold = was_active ? -no_change * scale : no_change * scale;
     if (problem.bilateral[static_cast<std::size_t>(i)] || indicator > threshold) next.push_back(i);
   }

@@ -1,9 +1,12 @@
-#include <memory>
 #include <set>
+#include <stdexcept>
 
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/contact_solver.hpp"
+#include "recent.hpp"
+#include "schwarz_gradients.hpp"
 #include "schwarz_sweeps.hpp"
+#include "spring_hold.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -11,72 +14,118 @@ namespace {
 class Schwarz final : public ContactSolver {
  public:
   Schwarz(const ContactProblem& problem, const SchwarzOptions& options)
-      : problem_(problem), options_(options), fallback_(active_set_solver(problem)) {}
+      : problem_(problem), options_(options), fallback_(active_set_solver(problem)) {
+    if (options.acceleration == SchwarzOptions::Acceleration::anderson && !options.anderson)
+      throw std::invalid_argument("schwarz_solver: Anderson's method was not handed over");
+  }
 
   ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
-    if (problem_.n_motions() > 0) return fallback_->solve(load, warm);
-    const Eigen::VectorXd& initial_gap = load.gap;
     ContactResult result;
-    std::vector<int> active = first_set(problem_, initial_gap, warm);
-    Eigen::VectorXd multiplier = warm.multiplier.size() == problem_.n_rows()
-                                     ? warm.multiplier
-                                     : Eigen::VectorXd(Eigen::VectorXd::Zero(problem_.n_rows()));
+    result.state.active = first_set(problem_, load.gap, warm);
+    result.state.multiplier = warm.multiplier.size() == problem_.n_rows()
+                                  ? warm.multiplier
+                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(problem_.n_rows()));
+    End end = iterate(load, result);
+    if (end != End::solved && problem_.n_motions() > 0) end = iterate_springs(load, result);
+    if (end == End::solved) return result;
+    warn_once(end == End::cycling
+                  ? "the active sets of the Schwarz iteration recur; the active-set method takes over where they do"
+                  : "the Schwarz iteration did not reach its tolerance within max_iterations; the active-set method "
+                    "takes over where it does not",
+              fallback_warned_);
+    ContactResult direct = fallback_->solve(load, warm);
+    direct.iterations = result.iterations;
+    direct.set_changes += result.set_changes;
+    return direct;
+  }
+
+  void set_recorder(IterationRecorder* recorder) override {
+    recorder_ = recorder;
+    fallback_->set_recorder(recorder);
+  }
+
+ private:
+  enum class End { solved, unbalanced, cycling, not_converged };
+
+  /// From the set and the multipliers of result.state, updates the set until it repeats.
+  End iterate(const ContactLoad& load, ContactResult& result) {
+    Eigen::VectorXd& multiplier = result.state.multiplier;
+    std::vector<int> active = result.state.active;
     std::set<std::vector<int>> seen;
     while (seen.insert(active).second) {
-      const SweepResult inner = solve_frozen(active, initial_gap(active), multiplier(active), result.iterations);
-      if (!inner.converged) break;
+      const RigidBalance balance = problem_.n_motions() > 0 ? RigidBalance(problem_, active) : RigidBalance();
+      const InnerResult inner = solve_frozen(active, load, multiplier(active), result);
+      if (!balance.holds(inner.multiplier, load.resultant)) return End::unbalanced;
+      if (!inner.converged) return End::not_converged;
       multiplier.setZero();
       multiplier(active) = inner.multiplier;
-      const Eigen::VectorXd gap = initial_gap + problem_.total * multiplier;
+      result.gap = contact_gaps(problem_, load, {multiplier, Eigen::VectorXd::Zero(problem_.n_motions()), {}});
+      result.state.rigid.resize(0);
+      if (problem_.n_motions() > 0) {
+        result.state.rigid = balance.amplitudes(result.gap(active));
+        result.gap.noalias() += problem_.rigid * result.state.rigid;
+      }
       // What the iteration left of the gaps of the set is no opening.
-      Eigen::VectorXd opening = gap;
+      Eigen::VectorXd opening = result.gap;
       opening(active).setZero();
       std::vector<int> next = updated_set(problem_, active, multiplier, opening);
       ++result.set_changes;
       if (next == active) {
-        result.state = {std::move(multiplier), {}, std::move(active)};
-        return result;
+        result.state.active = std::move(active);
+        return End::solved;
       }
       active = std::move(next);
     }
-    warn_once("the Schwarz iteration found no consistent contact state; the active-set method takes over");
-    ContactResult direct = fallback_->solve(load, warm);
-    direct.iterations = result.iterations;
-    return direct;
+    return End::cycling;
   }
 
- private:
-  SweepResult solve_frozen(const std::vector<int>& active, const Eigen::VectorXd& gap, const Eigen::VectorXd& start,
-                           int& iterations) {
-    if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_diverge_) {
-      if (!sweeps_ || sweeps_->active() != active)
-        sweeps_ = std::make_unique<SchwarzSweeps>(problem_, options_, active);
-      const SweepResult result = sweeps_->solve(gap, start);
-      iterations += result.iterations;
+  End iterate_springs(const ContactLoad& load, ContactResult& result) {
+    if (!springs_) springs_ = std::make_unique<SpringHold>(problem_);
+    End end = End::cycling;
+    springs_->search(load, result.set_changes, [&](const ContactState& held) {
+      result.state.active = held.active;
+      result.state.multiplier = held.multiplier;
+      end = iterate(load, result);
+      return end == End::solved || end == End::not_converged;
+    });
+    return end;
+  }
+
+  InnerResult solve_frozen(const std::vector<int>& active, const ContactLoad& load, const Eigen::VectorXd& start,
+                           ContactResult& total) {
+    const Eigen::VectorXd gap = load.gap(active);
+    const InnerLog log{recorder_, total.set_changes};
+    if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_fail_) {
+      const SchwarzSweeps& sweeps =
+          sweeps_.at(active, [&](const auto& set) { return SchwarzSweeps(problem_, options_, set); });
+      const InnerResult result = sweeps.solve(gap, load.resultant, start, log);
+      total.iterations += result.iterations;
       if (result.converged) return result;
-      sweeps_diverge_ = true;
       warn_once(
           "Schwarz sweeps did not converge with these parameters; conjugate gradients take over "
-          "(contact_solver.acceleration = \"cg\" asks for them from the start)");
+          "(contact_solver.acceleration = \"cg\" asks for them from the start)",
+          sweeps_fail_);
     }
-    if (!gradients_ || gradients_->active() != active)
-      gradients_ = std::make_unique<SchwarzGradients>(problem_, options_, active);
-    const SweepResult result = gradients_->solve(gap, start);
-    iterations += result.iterations;
+    const SchwarzGradients& gradients =
+        gradients_.at(active, [&](const auto& set) { return SchwarzGradients(problem_, options_, set); });
+    const InnerResult result = gradients.solve(gap, load.resultant, start, log);
+    total.iterations += result.iterations;
     return result;
   }
 
-  void warn_once(const char* message) {
-    if (!warned_) log::warning("contact: {}", message);
-    warned_ = true;
+  static void warn_once(const char* message, bool& warned) {
+    if (!warned) log::warning("contact: {}", message);
+    warned = true;
   }
 
   const ContactProblem& problem_;
   SchwarzOptions options_;
   std::unique_ptr<ContactSolver> fallback_;
-  std::unique_ptr<SchwarzSweeps> sweeps_;
-  std::unique_ptr<SchwarzGradients> gradients_;
-  bool sweeps_diverge_ = false, warned_ = false;
+  std::unique_ptr<SpringHold> springs_;  // made when first needed
+  Recent<SchwarzSweeps> sweeps_;
+  Recent<SchwarzGradients> gradients_;
+  IterationRecorder* recorder_ = nullptr;
+  bool sweeps_fail_ = false, fallback_warned_ = false;
 };
 
 }  // namespace

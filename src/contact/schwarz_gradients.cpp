@@ -1,60 +1,68 @@
-#include <algorithm>
+#include "schwarz_gradients.hpp"
 
-#include "creepcontact/contact/frozen_system.hpp"
-#include "schwarz_sweeps.hpp"
+#include <algorithm>
 
 namespace creepcontact::contact {
 
 SchwarzGradients::SchwarzGradients(const ContactProblem& problem, const SchwarzOptions& options,
                                    std::vector<int> active)
-    : options_(options), active_(std::move(active)), total_(problem.total(active_, active_)) {
+    : options_(options), set_(problem, std::move(active)) {
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const Flexibility& body = problem.bodies[b];
-    Block block;
-    std::vector<int> own;  // rows within the body's flexibility
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-      if (problem.slave_body[static_cast<std::size_t>(active_[k])] != static_cast<int>(b)) continue;
-      block.places.push_back(static_cast<int>(k));
-      own.push_back(
-          static_cast<int>(std::lower_bound(body.rows.begin(), body.rows.end(), active_[k]) - body.rows.begin()));
-    }
-    if (own.empty()) continue;
-    block.factor.compute(body.matrix(own, own));
+    OwnRows rows = own_rows(problem, b, set_.active(), true);
+    if (rows.own.empty()) continue;
+    Block block{std::move(rows.places), std::make_unique<DirichletProblem>(problem, b, rows.own)};
     // A slave held in part has no stiffness of its own to invert: the total's diagonal serves.
-    if (block.factor.info() != Eigen::Success || block.factor.rcond() < 1e-10)
-      block.inverse_diagonal = total_.diagonal()(block.places).cwiseInverse();
+    if (!block.body->is_regular()) block.body.reset();
     blocks_.push_back(std::move(block));
   }
+  const Eigen::MatrixXd& motions = balance().basis();
+  if (motions.cols() == 0) return;
+  carried_.resize(motions.rows(), motions.cols());
+  for (Eigen::Index j = 0; j < motions.cols(); ++j) carried_.col(j) = slave_multipliers(motions.col(j));
+  const Eigen::LLT<Eigen::MatrixXd> coarse(motions.transpose() * carried_);
+  coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
 }
 
-Eigen::VectorXd SchwarzGradients::precondition(const Eigen::VectorXd& residual) const {
+Eigen::VectorXd SchwarzGradients::slave_multipliers(const Eigen::VectorXd& residual) const {
   Eigen::VectorXd z(residual.size());
   for (const Block& block : blocks_) {
     const Eigen::VectorXd part = residual(block.places);
-    const Eigen::VectorXd image = block.inverse_diagonal.size() > 0
-                                      ? Eigen::VectorXd(part.cwiseProduct(block.inverse_diagonal))
-                                      : Eigen::VectorXd(block.factor.solve(part));
-    z(block.places) = image;
+    z(block.places) =
+        block.body ? block.body->multipliers(part) : Eigen::VectorXd(part.cwiseQuotient(set_.diagonal()(block.places)));
   }
   return z;
 }
 
-SweepResult SchwarzGradients::solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& start) const {
-  SweepResult result{start, 0, active_.empty()};
+/// The residual loses its rigid part, which belongs to the motions' amplitudes and would only bring cancellation.
+Eigen::VectorXd SchwarzGradients::precondition(Eigen::VectorXd& residual) const {
+  if (balance().empty()) return slave_multipliers(residual);
+  residual = balance().without_rigid_part(residual);
+  Eigen::VectorXd z = slave_multipliers(residual);
+  z.noalias() -= carried_ * (carried_.transpose() * residual);
+  return z;
+}
+
+InnerResult SchwarzGradients::solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant,
+                                    const Eigen::VectorXd& start, const InnerLog& log) const {
+  InnerResult result{start, 0, set_.active().empty()};
   if (result.converged) return result;
-  Eigen::VectorXd residual = -gap - total_ * result.multiplier;
+  const bool floating = !balance().empty();
+  const auto rebalance = [&] {
+    if (floating) result.multiplier -= balance().carrying(balance().unbalanced(result.multiplier, resultant));
+  };
+  rebalance();
+  Eigen::VectorXd residual = -gap - set_.gaps(result.multiplier);
   Eigen::VectorXd z = precondition(residual);  // about the error of the multipliers
   Eigen::VectorXd direction = z;
   double rz = residual.dot(z);
   const double first = result.multiplier.cwiseAbs().maxCoeff() > 0 ? 0.0 : z.cwiseAbs().maxCoeff();
   while (true) {
     const double scale = std::max(first, result.multiplier.cwiseAbs().maxCoeff());
-    if (z.cwiseAbs().maxCoeff() <= options_.tolerance * scale) {
-      result.converged = true;
-      return result;
-    }
-    if (result.iterations >= options_.max_iterations || !(rz > 0)) return result;
-    const Eigen::VectorXd image = total_ * direction;
+    const double error = z.cwiseAbs().maxCoeff();
+    log("cg", result.iterations, scale > 0 ? error / scale : 0.0, set_.active().size());
+    result.converged = error <= options_.tolerance * scale;
+    if (result.converged || result.iterations >= options_.max_iterations || !(rz > 0)) break;
+    const Eigen::VectorXd image = set_.gaps(direction);
     const double step = rz / direction.dot(image);
     result.multiplier += step * direction;
     residual -= step * image;
@@ -64,6 +72,8 @@ SweepResult SchwarzGradients::solve(const Eigen::VectorXd& gap, const Eigen::Vec
     rz = next;
     ++result.iterations;
   }
+  rebalance();
+  return result;
 }
 
 }  // namespace creepcontact::contact

@@ -2,110 +2,152 @@
 
 #include <algorithm>
 
-#include "creepcontact/contact/frozen_system.hpp"
-#include "fixed_point.hpp"
+#include "aitken.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
-/// Stiffness that each active row feels from one body alone: diag(F^-1), or 1/diag(F) where F is singular (the
-/// master's when the slave is finer).
-Eigen::VectorXd stiffness(const Eigen::MatrixXd& flexibility) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(flexibility);
-  if (factor.info() != Eigen::Success || factor.rcond() < 1e-8)
-    return flexibility.diagonal().cwiseMax(1e-14 * flexibility.diagonal().maxCoeff()).cwiseInverse();
-  return factor.solve(Eigen::MatrixXd::Identity(flexibility.rows(), flexibility.rows())).diagonal();
+using Acceleration = SchwarzOptions::Acceleration;
+
+constexpr double growth = 1e6;    // of the change: beyond it the sweeps diverge
+constexpr double gap_left = 100;  // times the tolerance: the sweep's change alone may deceive
+
+std::string_view name(Acceleration acceleration) {
+  constexpr std::string_view names[] = {"none", "aitken", "anderson", "cg"};
+  return names[static_cast<int>(acceleration)];
+}
+
+std::span<double> span_of(Eigen::VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
 }
 
 }  // namespace
 
 SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions& options, std::vector<int> active)
-    : options_(options), active_(std::move(active)), total_(problem.total(active_, active_)) {
-  const auto n = static_cast<Eigen::Index>(active_.size());
-  Eigen::VectorXd stiffness_sum = Eigen::VectorXd::Zero(n);
-  std::vector<Eigen::VectorXd> stiffnesses;
+    : options_(options), set_(problem, std::move(active)) {
+  std::vector<std::size_t> bodies;
   Eigen::Index offset = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    const Flexibility& body = problem.bodies[b];
-    Share share;
-    std::vector<int> own;
-    std::vector<double> signs;
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-      const auto found = std::lower_bound(body.rows.begin(), body.rows.end(), active_[k]);
-      if (found == body.rows.end() || *found != active_[k]) continue;
-      own.push_back(static_cast<int>(found - body.rows.begin()));
-      share.places.push_back(static_cast<int>(k));
-      signs.push_back(problem.slave_body[static_cast<std::size_t>(active_[k])] == static_cast<int>(b) ? 1.0 : -1.0);
+    OwnRows rows = own_rows(problem, b, set_.active(), false);
+    if (rows.own.empty()) continue;
+    const auto size = static_cast<Eigen::Index>(rows.own.size());
+    Share share{std::move(rows.places),
+                problem.bodies[b].matrix(rows.own, rows.own),
+                DirichletProblem(problem, b, rows.own),
+                Eigen::MatrixXd(size, 0),
+                {},
+                {},
+                Eigen::VectorXd(size),
+                offset};
+    if (problem.n_motions() > 0) share.rigid = problem.rigid_of_body[b](rows.own, Eigen::all);
+    for (Eigen::Index k = 0; k < size; ++k) {
+      const auto row =
+          static_cast<std::size_t>(set_.active()[static_cast<std::size_t>(share.places[static_cast<std::size_t>(k)])]);
+      share.sign[k] = problem.slave_body[row] == static_cast<int>(b) ? 1.0 : -1.0;
     }
-    if (own.empty()) continue;
-    share.flexibility = body.matrix(own, own);
-    factor_semidefinite(share.flexibility, share.factor);
-    share.sign = Eigen::Map<const Eigen::VectorXd>(signs.data(), static_cast<Eigen::Index>(signs.size()));
-    share.offset = offset;
-    offset += share.flexibility.rows();
-    stiffnesses.push_back(stiffness(share.flexibility));
-    stiffness_sum(share.places) += stiffnesses.back();
+    offset += size;
     shares_.push_back(std::move(share));
+    bodies.push_back(b);
+  }
+  set_fractions(options.alpha, bodies);
+}
+
+void SchwarzSweeps::set_fractions(const std::vector<std::optional<double>>& alpha,
+                                  const std::vector<std::size_t>& bodies) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(active().size()));
+  for (Share& share : shares_) {
+    share.odd = share.body.stiffness();
+    sum(share.places) += share.odd;
   }
   for (std::size_t s = 0; s < shares_.size(); ++s) {
     Share& share = shares_[s];
-    const Eigen::Index m = share.flexibility.rows();
-    share.odd = options.alpha ? Eigen::VectorXd::Constant(m, *options.alpha)
-                              : Eigen::VectorXd(stiffnesses[s].cwiseQuotient(stiffness_sum(share.places)));
-    share.even = options.alpha ? share.odd : Eigen::VectorXd(Eigen::VectorXd::Ones(m) - share.odd);
+    share.odd = share.odd.cwiseQuotient(Eigen::VectorXd(sum(share.places)));
+    share.even = Eigen::VectorXd::Ones(share.size()) - share.odd;
+    if (bodies[s] < alpha.size() && alpha[bodies[s]])
+      share.odd = share.even = Eigen::VectorXd::Constant(share.size(), *alpha[bodies[s]]);
   }
 }
 
-void SchwarzSweeps::sweep(const Eigen::VectorXd& gap, const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
-  Eigen::VectorXd mismatch = gap;  // of the traces, then of the multipliers
+void SchwarzSweeps::sweep(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant, const Eigen::VectorXd& from,
+                          Eigen::VectorXd& to) const {
+  const RigidBalance& balance = set_.balance();
+  Eigen::VectorXd mismatch = gap;  // of the traces
   for (const Share& share : shares_)
-    mismatch(share.places) += share.flexibility * from.segment(share.offset, share.flexibility.rows());
-  Eigen::VectorXd difference = Eigen::VectorXd::Zero(gap.size());
+    mismatch(share.places) += share.flexibility * from.segment(share.offset, share.size());
+  if (!balance.empty()) mismatch = balance.without_rigid_part(mismatch);
+  Eigen::VectorXd difference = Eigen::VectorXd::Zero(gap.size());  // of the multipliers
   to = from;
   for (const Share& share : shares_) {  // Dirichlet problems, in increments: the factor may be that of a shifted matrix
-    auto part = to.segment(share.offset, share.flexibility.rows());
-    part -= share.factor.solve(Eigen::VectorXd(share.even.cwiseProduct(mismatch(share.places))));
+    auto part = to.segment(share.offset, share.size());
+    part -= share.body.balanced_multipliers(share.even.cwiseProduct(Eigen::VectorXd(mismatch(share.places))));
     difference(share.places) += share.sign.cwiseProduct(part);
   }
   for (const Share& share : shares_)
-    to.segment(share.offset, share.flexibility.rows()) -=
-        share.odd.cwiseProduct(share.sign).cwiseProduct(difference(share.places));
+    to.segment(share.offset, share.size()) -=
+        share.odd.cwiseProduct(share.sign).cwiseProduct(Eigen::VectorXd(difference(share.places)));
+  if (!balance.empty()) {
+    Eigen::VectorXd unbalanced = resultant.size() > 0 ? resultant : Eigen::VectorXd::Zero(shares_.front().rigid.cols());
+    for (const Share& share : shares_) unbalanced += share.rigid.transpose() * to.segment(share.offset, share.size());
+    const Eigen::VectorXd carrying = balance.carrying(unbalanced);
+    for (const Share& share : shares_) to.segment(share.offset, share.size()) -= carrying(share.places);
+  }
+  if (options_.damping != 1.0) to = from + options_.damping * (to - from);
 }
 
 Eigen::VectorXd SchwarzSweeps::mean(const Eigen::VectorXd& both) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(active_.size()));
-  for (const Share& share : shares_) result(share.places) += 0.5 * both.segment(share.offset, share.flexibility.rows());
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(active().size()));
+  for (const Share& share : shares_) result(share.places) += 0.5 * both.segment(share.offset, share.size());
   return result;
 }
 
-SweepResult SchwarzSweeps::solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& start) const {
-  SweepResult result{start, 0, active_.empty()};
+InnerResult SchwarzSweeps::solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant,
+                                 const Eigen::VectorXd& start, const InnerLog& log) const {
+  InnerResult result{start, 0, active().empty()};
   if (result.converged) return result;
-  Eigen::Index size = 0;
-  for (const Share& share : shares_) size += share.flexibility.rows();
-  Eigen::VectorXd both(size), swept(size);
-  for (const Share& share : shares_) both.segment(share.offset, share.flexibility.rows()) = start(share.places);
+  const RigidBalance& balance = set_.balance();
+  const auto rebalance = [&] {
+    if (!balance.empty()) result.multiplier -= balance.carrying(balance.unbalanced(result.multiplier, resultant));
+  };
+  rebalance();
+  Eigen::VectorXd both(shares_.back().offset + shares_.back().size());
+  for (const Share& share : shares_) both.segment(share.offset, share.size()) = result.multiplier(share.places);
 
-  FixedPoint accelerator(options_.acceleration, size);
-  double first_residual = 0;
-  while (result.iterations < options_.max_iterations) {
-    sweep(gap, both, swept);
+  double first_change = 0;
+  Eigen::VectorXd swept(both.size());
+  // One sweep, judged. True: the end.
+  const auto step = [&](const Eigen::VectorXd& from) {
+    sweep(gap, resultant, from, swept);
     ++result.iterations;
-    const double change = (swept - both).cwiseAbs().maxCoeff();
-    accelerator.advance(both, swept);
-    result.multiplier = mean(both);
+    result.multiplier = mean(swept);
+    const double change = (swept - from).cwiseAbs().maxCoeff() / options_.damping;
     const double scale = result.multiplier.cwiseAbs().maxCoeff();
-    // The sweep's change vanishes only where traces and multipliers agree; the gap left is looked at besides.
+    log(name(options_.acceleration), result.iterations, scale > 0 ? change / scale : 0.0, active().size());
     if (change <= options_.tolerance * scale) {
-      const Eigen::VectorXd left = (gap + total_ * result.multiplier).cwiseQuotient(total_.diagonal());
-      if (left.cwiseAbs().maxCoeff() <= 100 * options_.tolerance * scale) {
-        result.converged = true;
-        return result;
-      }
+      const Eigen::VectorXd left = balance.without_rigid_part(gap + set_.gaps(result.multiplier));
+      result.converged =
+          left.cwiseQuotient(set_.diagonal()).cwiseAbs().maxCoeff() <= gap_left * options_.tolerance * scale;
     }
-    if (first_residual == 0) first_residual = change;
-    if (!(change < 1e6 * first_residual)) return result;
+    if (first_change == 0) first_change = change;
+    return result.converged || result.iterations >= options_.max_iterations || !(change <= growth * first_change);
+  };
+
+  if (options_.acceleration == Acceleration::anderson) {
+    options_.anderson(static_cast<std::size_t>(both.size()))
+        ->solve(span_of(both), [&](std::span<const double> x, std::span<double> image) {
+          const bool end = step(Eigen::Map<const Eigen::VectorXd>(x.data(), both.size()));
+          std::copy_n(swept.data(), swept.size(), image.data());
+          return end;
+        });
+  } else {
+    Aitken aitken;
+    while (!step(both)) {
+      if (options_.acceleration == Acceleration::aitken)
+        aitken.advance(both, swept);
+      else
+        both.swap(swept);
+    }
   }
+  rebalance();
   return result;
 }
 

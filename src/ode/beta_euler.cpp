@@ -9,6 +9,14 @@
 #include "elementwise.hpp"
 
 namespace creepcontact::ode {
+namespace {
+
+/// The solution of a relaxing system lies no further from y than G(y) - y is long. An iterate farther from the last
+/// image than this many changes comes of residuals that depend on each other, where the least-squares problem has no
+/// solution of its own: points of equal stress, say, which differ by nothing or by rounding.
+constexpr double trust_factor = 10;
+
+}  // namespace
 
 BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
     : EulerScheme(system, options),
@@ -30,9 +38,7 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
   if (!(options.residual_correction >= 0 && options.residual_correction <= 1))
     throw ConfigError(fmt::format("residual_correction = {}: must lie between 0 and 1", options.residual_correction));
   if (options.inner_anderson > 0)
-    anderson_ = std::make_unique<AndersonIteration>(
-        system.size(), options.inner_anderson, options.max_inner_iterations,
-        [this](std::span<const double> y, std::span<double> image) { map(y, image); });
+    anderson_ = std::make_unique<AndersonIteration>(system.size(), options.inner_anderson, trust_factor);
 }
 
 void BetaEuler::initialize(double t, std::span<const double> y, double step) {
@@ -45,7 +51,10 @@ void BetaEuler::attempt(const StepClock::Target& target) {
   for_each_index(state_.size(), [&](std::size_t i) { candidate_[i] = state_[i] + target.step * rate_[i]; });
   ConvergenceWatch watch(options_.inner_tolerance, options_.max_inner_iterations);
   if (anderson_)
-    anderson_->run(candidate_, watch);
+    anderson_->run(candidate_, [&](std::span<const double> y, std::span<double> image) {
+      map(y, image);
+      return watch.see(max_difference(image, y)) != ConvergenceWatch::State::running;
+    });
   else
     iterate_plainly(watch);
   if (watch.state() != ConvergenceWatch::State::converged) give_up(watch);

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "anderson_iteration.hpp"
 #include "convergence_watch.hpp"
+#include "creepcontact/ode/anderson_iteration.hpp"
 #include "euler_scheme.hpp"
 #include "load_strain.hpp"
 

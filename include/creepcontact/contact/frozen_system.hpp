@@ -1,6 +1,8 @@
 #pragma once
 /// The linear equations of a frozen active set I, factored once a set:
 ///   F_II lambda_I + N_I alpha = -gap_I,   N_I^T lambda_I = -resultant
+/// F_II may be singular at the pins of bodies held by contact alone; F_II + c N_I N_I^T in its place is not, and
+/// changes the amplitudes by c N_I^T lambda only.
 
 #include <vector>
 
@@ -29,9 +31,10 @@ class FrozenSystem {
   const ContactProblem& problem_;
   std::vector<int> active_;
   bool factored_ = false;
-  Eigen::LLT<Eigen::MatrixXd> factor_;  // F_II = L L^T
+  double pin_flexibility_ = 0;          // c
+  Eigen::LLT<Eigen::MatrixXd> factor_;  // F_II + c N_I N_I^T = L L^T
   Eigen::MatrixXd motions_;             // L^-1 N_I
-  Eigen::MatrixXd coarse_inverse_;      // pseudo-inverse of N_I^T F_II^-1 N_I
+  Eigen::MatrixXd coarse_inverse_;      // pseudo-inverse of motions_^T motions_
 };
 
 /// Cholesky factor of a flexibility that may be singular to rounding: shifted by 1e-12 of its largest diagonal entry

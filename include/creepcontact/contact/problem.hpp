@@ -48,6 +48,7 @@ struct ContactState {
 
 struct ContactResult {
   ContactState state;
+  Eigen::VectorXd gap;  ///< weighted gaps of all rows in this state
   int iterations = 0;   ///< Schwarz sweeps or conjugate-gradient iterations; 0 for the active-set method
   int set_changes = 0;  ///< updates of the active set
 };
@@ -60,6 +61,13 @@ struct UnbalancedLoad {
 
 /// gap = load.gap + F lambda + N alpha
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state);
+
+/// Gap that a unit multiplier opens at its own row, the measure of gaps against multipliers. At the pins of a body held
+/// by contact alone F_ii may vanish: its rigid motions put a floor under it.
+Eigen::VectorXd row_flexibility(const ContactProblem& problem);
+
+/// Flexibility that makes F + c N N^T regular at the pins without a new scale: trace F / |N|^2; 0 without motions.
+double pin_flexibility(const ContactProblem& problem);
 
 /// The set that the multipliers and gaps of a solution on some set ask for: rows with lambda_i - gap_i/F_ii > 0, and
 /// all tied ones. Changes below 1e-12 of the largest multiplier count as none.

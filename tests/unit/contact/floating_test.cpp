@@ -1,4 +1,6 @@
 /// Bodies held by contact alone, in the condensed problem.
+#include "accelerations.hpp"
+#include "creepcontact/base/log.hpp"
 #include "problems.hpp"
 
 namespace creepcontact::test {
@@ -6,6 +8,7 @@ namespace {
 
 using contact::active_set_solver;
 using contact::ContactResult;
+using contact::schwarz_solver;
 using contact::UnbalancedLoad;
 
 /// Loads that press the last bodies of a chain towards the first, off centre.
@@ -33,6 +36,19 @@ TEST_P(Floating, ChainsPressedTogetherAreInEquilibrium) {
     load.resultant = pressing(n_floating, rows, std::clamp(0.3 * normal(generator), -0.9, 0.9));
     const ContactResult result = active_set_solver(problem)->solve(load, {});
     expect_solved(problem, load, result.state, 1e-9);
+
+    for (const Acceleration acceleration : accelerations) {
+      SCOPED_TRACE(testing::Message() << "acceleration " << static_cast<int>(acceleration) << ", trial " << trial);
+      testing::internal::CaptureStderr();
+      const ContactResult schwarz = schwarz_solver(problem, accelerated(acceleration))->solve(load, {});
+      const std::string warnings = testing::internal::GetCapturedStderr();
+      expect_solved(problem, load, schwarz.state, 1e-8);
+      if (acceleration == Acceleration::cg) EXPECT_EQ(warnings, "");
+      EXPECT_LE(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
+      if (getenv("VERB"))
+        printf("ratio %g trial %d rows %d pairs %d floating %d acc %d: it %d sets %d %s\n", GetParam(), trial, rows,
+               n_pairs, n_floating, (int)acceleration, schwarz.iterations, schwarz.set_changes, warnings.c_str());
+    }
 
     const ContactResult again = active_set_solver(problem)->solve(load, result.state);
     EXPECT_EQ(again.set_changes, 1) << "a warm start at the solution";

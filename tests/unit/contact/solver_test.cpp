@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "accelerations.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/polygon.hpp"
 #include "problems.hpp"
@@ -7,10 +8,11 @@
 namespace creepcontact::contact {
 namespace {
 
+using test::accelerated;
+using test::Acceleration;
+using test::accelerations;
 using test::chain;
 using test::expect_solved;
-
-using Acceleration = SchwarzOptions::Acceleration;
 
 class RandomProblems : public testing::TestWithParam<double> {};
 
@@ -23,9 +25,8 @@ TEST_P(RandomProblems, SchwarzAgreesWithTheActiveSetMethodInEveryForm) {
     const Eigen::VectorXd gap = Eigen::VectorXd::NullaryExpr(problem.n_rows(), [&] { return normal(generator) - 0.3; });
     const ContactState reference = active_set_solver(problem)->solve({gap, {}}, {}).state;
     expect_solved(problem, {gap, {}}, reference, 1e-10);
-    for (const Acceleration acceleration :
-         {Acceleration::none, Acceleration::aitken, Acceleration::anderson, Acceleration::cg}) {
-      const ContactResult result = schwarz_solver(problem, {.acceleration = acceleration})->solve({gap, {}}, {});
+    for (const Acceleration acceleration : accelerations) {
+      const ContactResult result = schwarz_solver(problem, accelerated(acceleration))->solve({gap, {}}, {});
       EXPECT_LT((result.state.multiplier - reference.multiplier).cwiseAbs().maxCoeff(),
                 1e-7 * std::max(1.0, reference.multiplier.cwiseAbs().maxCoeff()))
           << "acceleration " << static_cast<int>(acceleration) << ", trial " << trial;
@@ -72,7 +73,7 @@ TEST(Schwarz, DiagonalWeightsSolveTwoSpringsInOneSweep) {
 // r + 1/r < 6 is the condition for the constant 1/2: 3 + sqrt 8 = 5.83.
 TEST(Schwarz, ConstantOneHalfConvergesUpToAStiffnessRatioOf5Point83) {
   const Eigen::VectorXd gap = Eigen::VectorXd::Constant(1, -1.0);
-  const SchwarzOptions half{.alpha = 0.5, .acceleration = Acceleration::none, .max_iterations = 3000};
+  const SchwarzOptions half{.alpha = {0.5, 0.5}, .acceleration = Acceleration::none, .max_iterations = 3000};
   const ContactProblem below = two_springs(5.7);
   const ContactResult converged = schwarz_solver(below, half)->solve({gap, {}}, {});
   EXPECT_NEAR(converged.state.multiplier[0], 1 / 6.7, 1e-9);

@@ -1,0 +1,60 @@
+#include "dirichlet_problem.hpp"
+
+#include <algorithm>
+
+#include "creepcontact/contact/frozen_system.hpp"
+#include "rigid_balance.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+constexpr double singular = 1e-9;  // reciprocal condition
+
+}  // namespace
+
+DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own) {
+  Eigen::MatrixXd flexibility = problem.bodies[body].matrix(own, own);
+  Eigen::MatrixXd basis(flexibility.rows(), 0);
+  if (problem.n_motions() > 0) {
+    Eigen::MatrixXd right;
+    Eigen::VectorXd values;
+    singular_parts(problem.rigid_of_body[body](own, Eigen::all), basis, values, right);
+    if (basis.cols() > 0)
+      flexibility.noalias() += flexibility.trace() / static_cast<double>(basis.cols()) * basis * basis.transpose();
+  }
+  flexibility_ = flexibility.diagonal();
+  regular_ = factor_semidefinite(flexibility, factor_) && factor_.rcond() > singular;
+  if (basis.cols() == 0 || factor_.info() != Eigen::Success) return;
+  carried_ = factor_.solve(basis);
+  const Eigen::LLT<Eigen::MatrixXd> coarse(basis.transpose() * carried_);
+  coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
+}
+
+Eigen::VectorXd DirichletProblem::balanced_multipliers(const Eigen::VectorXd& trace) const {
+  Eigen::VectorXd result = factor_.solve(trace);
+  if (carried_.cols() > 0) result.noalias() -= carried_ * (carried_.transpose() * trace);
+  return result;
+}
+
+Eigen::VectorXd DirichletProblem::stiffness() const {
+  if (!regular_) return flexibility_.cwiseMax(1e-14 * flexibility_.maxCoeff()).cwiseInverse();
+  const Eigen::Index n = flexibility_.size();
+  Eigen::VectorXd diagonal = factor_.solve(Eigen::MatrixXd::Identity(n, n)).diagonal();
+  if (carried_.cols() > 0) diagonal -= carried_.rowwise().squaredNorm();
+  return diagonal.cwiseMax(1e-14 * diagonal.maxCoeff());
+}
+
+OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set, bool slave_only) {
+  OwnRows result;
+  const std::vector<int>& rows = problem.bodies[body].rows;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const auto found = std::lower_bound(rows.begin(), rows.end(), set[k]);
+    if (found == rows.end() || *found != set[k]) continue;
+    if (slave_only && problem.slave_body[static_cast<std::size_t>(set[k])] != static_cast<int>(body)) continue;
+    result.places.push_back(static_cast<int>(k));
+    result.own.push_back(static_cast<int>(found - rows.begin()));
+  }
+  return result;
+}
+
+}  // namespace creepcontact::contact

@@ -1,0 +1,61 @@
+#include "rigid_balance.hpp"
+
+#include <algorithm>
+
+namespace creepcontact::contact {
+namespace {
+
+constexpr double weakest_hold = 1e-6;   // of the best held motion: below it a motion is free
+constexpr double balance_error = 1e-9;  // of the forces that make up a resultant
+
+}  // namespace
+
+void singular_parts(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& left, Eigen::VectorXd& values,
+                    Eigen::MatrixXd& right) {
+  if (matrix.size() == 0) {
+    left.resize(matrix.rows(), 0);
+    values.resize(0);
+    right.resize(matrix.cols(), 0);
+    return;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Eigen::Index rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > weakest_hold * svd.singularValues()[0])
+    ++rank;
+  left = svd.matrixU().leftCols(rank);
+  values = svd.singularValues().head(rank);
+  right = svd.matrixV().leftCols(rank);
+}
+
+RigidBalance::RigidBalance(const ContactProblem& problem, const std::vector<int>& rows)
+    : rigid_(problem.n_motions() > 0 ? Eigen::MatrixXd(problem.rigid(rows, Eigen::all))
+                                     : Eigen::MatrixXd(static_cast<Eigen::Index>(rows.size()), 0)) {
+  singular_parts(rigid_, basis_, values_, motions_);
+}
+
+Eigen::VectorXd RigidBalance::unbalanced(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant) const {
+  Eigen::VectorXd sum = rigid_.transpose() * multiplier;
+  if (resultant.size() > 0) sum += resultant;
+  return sum;
+}
+
+Eigen::VectorXd RigidBalance::carrying(const Eigen::VectorXd& unbalanced) const {
+  return basis_ * (motions_.transpose() * unbalanced).cwiseQuotient(values_);
+}
+
+Eigen::VectorXd RigidBalance::amplitudes(const Eigen::VectorXd& mismatch) const {
+  return -motions_ * (basis_.transpose() * mismatch).cwiseQuotient(values_);
+}
+
+Eigen::VectorXd RigidBalance::without_rigid_part(const Eigen::VectorXd& mismatch) const {
+  return mismatch - basis_ * (basis_.transpose() * mismatch);
+}
+
+bool RigidBalance::holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant) const {
+  if (rigid_.cols() == 0) return true;
+  const double largest = resultant.size() > 0 ? resultant.cwiseAbs().maxCoeff() : 0.0;
+  const Eigen::VectorXd sum = rigid_.cwiseAbs().transpose() * multiplier.cwiseAbs();
+  return unbalanced(multiplier, resultant).cwiseAbs().maxCoeff() <= balance_error * std::max(largest, sum.maxCoeff());
+}
+
+}  // namespace creepcontact::contact

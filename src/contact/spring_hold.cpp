@@ -1,0 +1,43 @@
+#include "spring_hold.hpp"
+
+#include "flying_off.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+constexpr double softness = 1e4;  // against the bodies' own flexibility: the springs carry next to nothing
+constexpr int most_updates = 40;
+constexpr int patience = 2;  // updates before it is asked whether the bodies fly off
+
+}  // namespace
+
+SpringHold::SpringHold(const ContactProblem& problem) : problem_(problem) {
+  held_.slave_body = problem.slave_body;
+  held_.master_body = problem.master_body;
+  held_.bilateral = problem.bilateral;
+  const double flexibility = problem.total.trace();
+  compliance_ = problem.rigid.colwise().squaredNorm().transpose();
+  for (double& c : compliance_) c = c > 0 ? softness * flexibility / c : 0.0;
+  held_.total = problem.total + problem.rigid * compliance_.asDiagonal() * problem.rigid.transpose();
+  solver_ = active_set_solver(held_);
+}
+
+bool SpringHold::search(const ContactLoad& load, int& set_changes, const Attempt& attempt) {
+  const Eigen::VectorXd resultant =
+      load.resultant.size() > 0 ? load.resultant : Eigen::VectorXd(Eigen::VectorXd::Zero(problem_.n_motions()));
+  Eigen::VectorXd rigid = compliance_.cwiseProduct(resultant);
+  ContactState state;
+  for (int update = 0; update < most_updates; ++update) {
+    ContactResult held = solver_->solve({load.gap + problem_.rigid * rigid, {}}, state);
+    set_changes += held.set_changes;
+    state = std::move(held.state);
+    if (attempt(state)) return true;
+    const Eigen::VectorXd unbalanced = problem_.rigid.transpose() * state.multiplier + resultant;
+    // No pressures balance these loads if the nearest ones do not: asked only when the springs do not settle.
+    if (update == patience) throw_if_flying_off(problem_, resultant);
+    rigid += compliance_.cwiseProduct(unbalanced);
+  }
+  return false;
+}
+
+}  // namespace creepcontact::contact
