@@ -96,6 +96,9 @@ Value<ContactSolver> contact_solver_table() {
                            "schwarz: iteration parameter of both bodies; \"diagonal\": from their stiffness"),
       field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration, "schwarz: acceleration"),
       field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)), "relative"),
+      field<ContactSolver>(
+          "dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
+          "memory that the matrices of the contact zones may take [MB]; beyond it they are not formed"),
       field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1), "bound on the iterations"),
   });
 }

@@ -35,7 +35,9 @@ class ActiveSet final : public ContactSolver {
       FrozenSolution solution = frozen_.solve(active, load);
       if (!solution.balanced) return false;
       result.gap = contact_gaps(problem_, load, solution.state);
-      std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, result.gap);
+      Eigen::VectorXd opening = result.gap;  // what is left of the set's own gaps is none
+      opening(active).setZero();
+      std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, opening);
       if (recorder_) recorder_->record({result.set_changes, 1, "active_set", 0.0, active.size()});
       ++result.set_changes;
       if (next == active) {

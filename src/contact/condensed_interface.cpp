@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "factored_flexibility.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -19,8 +20,7 @@ std::vector<Pair> numbered(std::vector<Pair> pairs) {
 
 }  // namespace
 
-std::vector<std::int64_t> contact_unknowns(const mechanics::Body& body, const RowMatrix& full_rows) {
-  const RowMatrix reduced = body.constraints().reduce_rows(full_rows);
+std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
   std::vector<char> used(static_cast<std::size_t>(reduced.cols()), 0);
   for (int r = 0; r < reduced.outerSize(); ++r)
     for (RowMatrix::InnerIterator it(reduced, r); it; ++it)
@@ -32,35 +32,70 @@ std::vector<std::int64_t> contact_unknowns(const mechanics::Body& body, const Ro
 }
 
 CondensedInterface::CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies,
-                                       std::vector<Pair> pairs)
+                                       std::vector<Pair> pairs, double dense_bytes)
     : bodies_(bodies), pairs_(numbered(std::move(pairs))), floating_(bodies, pairs_), sides_(bodies.size()) {
   floating_.require_contact(pairs_);
+  make_problem();
+  make_rows();
+  if (dense_bytes_ <= dense_bytes) {
+    problem_.total.setZero(n_rows(), n_rows());
+    for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
+  } else {
+    for (const auto& body : bodies) body->factorize({});
+    large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
+    problem_.large = large_.get();
+  }
+}
+
+CondensedInterface::~CondensedInterface() = default;
+
+void CondensedInterface::make_problem() {
   for (const Pair& pair : pairs_)
     for (int r = 0; r < pair.coupling.n_rows(); ++r) {
       problem_.slave_body.push_back(static_cast<int>(pair.slave_body));
       problem_.master_body.push_back(static_cast<int>(pair.master_body));
       problem_.bilateral.push_back(pair.coupling.type == ContactType::tied);
     }
-  const auto n_rows = static_cast<Eigen::Index>(problem_.slave_body.size());
-  problem_.total.setZero(n_rows, n_rows);
-  problem_.rigid.setZero(n_rows, floating_.held().cols());
-  problem_.bodies.resize(bodies.size());
-  problem_.rigid_of_body.resize(bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
+  problem_.rigid.setZero(n_rows(), floating_.held().cols());
+  problem_.bodies.resize(bodies_.size());
+  problem_.rigid_of_body.resize(bodies_.size());
+}
+
+void CondensedInterface::make_rows() {
+  const double n_all = n_rows();
+  dense_bytes_ = 8 * n_all * n_all;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const mechanics::Body& body = *bodies_[b];
+    BodyRows rows;
+    sides_[b].full_rows = body_rows(pairs_, b, body.mesh().nodes.size(), rows.rows);
+    rows.reduced = body.constraints().reduce_rows(sides_[b].full_rows);
+    std::vector<char> is_pin(static_cast<std::size_t>(rows.reduced.cols()), 0);
+    for (const std::int64_t pin : body.pins()) is_pin[static_cast<std::size_t>(pin)] = 1;
+    rows.reduced.prune([&](auto, auto column, double) { return !is_pin[static_cast<std::size_t>(column)]; });
+    for (const int row : rows.rows)
+      rows.is_slaves.push_back(problem_.slave_body[static_cast<std::size_t>(row)] == static_cast<int>(b));
+    sides_[b].trailing = contact_unknowns(rows.reduced);
+    const auto n = static_cast<double>(rows.rows.size()), n_trailing = static_cast<double>(sides_[b].trailing.size());
+    dense_bytes_ += 8 * (n_trailing * (n + 1.5 * n_trailing) + n * n);  // G, L22 in the factor and copied, F_b
+
+    const auto n_motions = static_cast<Eigen::Index>(body.free_motions().size());
+    const auto held = floating_.held().middleRows(static_cast<Eigen::Index>(floating_.first_of_body(b)), n_motions);
+    problem_.rigid_of_body[b] = floating_.gaps(b, pairs_)(rows.rows, Eigen::all) * held;
+    problem_.rigid(rows.rows, Eigen::all) += problem_.rigid_of_body[b];
+    problem_.bodies[b].rows = rows.rows;
+    rows_.push_back(std::move(rows));
+  }
 }
 
 void CondensedInterface::condense(std::size_t b) {
   mechanics::Body& body = *bodies_[b];
   Side& side = sides_[b];
-  side.full_rows = body_rows(pairs_, b, body.mesh().nodes.size(), side.rows);
-  const std::vector<std::int64_t> trailing = contact_unknowns(body, side.full_rows);
-  body.factorize(trailing);
-
-  std::vector<int> place(static_cast<std::size_t>(body.constraints().n_free()), -1);
-  for (std::size_t i = 0; i < trailing.size(); ++i) place[static_cast<std::size_t>(trailing[i])] = static_cast<int>(i);
-  for (const std::int64_t pin : body.pins()) place[static_cast<std::size_t>(pin)] = -1;
-  const RowMatrix reduced = body.constraints().reduce_rows(side.full_rows);
-  side.traces.setZero(static_cast<Eigen::Index>(trailing.size()), reduced.rows());
+  const RowMatrix& reduced = rows_[b].reduced;
+  body.factorize(side.trailing);
+  std::vector<int> place(static_cast<std::size_t>(reduced.cols()), -1);
+  for (std::size_t i = 0; i < side.trailing.size(); ++i)
+    place[static_cast<std::size_t>(side.trailing[i])] = static_cast<int>(i);
+  side.traces.setZero(static_cast<Eigen::Index>(side.trailing.size()), reduced.rows());
   for (int r = 0; r < reduced.outerSize(); ++r)
     for (RowMatrix::InnerIterator it(reduced, r); it; ++it)
       if (const int i = place[static_cast<std::size_t>(it.col())]; i >= 0) side.traces(i, r) = it.value();
@@ -68,15 +103,12 @@ void CondensedInterface::condense(std::size_t b) {
     const Eigen::MatrixXd factor = body.factor().trailing_factor();
     factor.triangularView<Eigen::Lower>().solveInPlace(side.traces);
   }
-  Flexibility& flexibility = problem_.bodies[b];
-  flexibility.rows = side.rows;
-  flexibility.matrix = side.traces.transpose() * side.traces;
-  problem_.total(side.rows, side.rows) += flexibility.matrix;
+  problem_.bodies[b].matrix = side.traces.transpose() * side.traces;
+  problem_.total(rows_[b].rows, rows_[b].rows) += problem_.bodies[b].matrix;
+}
 
-  const auto n_motions = static_cast<Eigen::Index>(body.free_motions().size());
-  const auto held = floating_.held().middleRows(static_cast<Eigen::Index>(floating_.first_of_body(b)), n_motions);
-  problem_.rigid_of_body[b] = floating_.gaps(b, pairs_)(side.rows, Eigen::all) * held;
-  problem_.rigid(side.rows, Eigen::all) += problem_.rigid_of_body[b];
+std::int64_t CondensedInterface::n_products() const {
+  return large_ ? large_->n_products() : 0;
 }
 
 InterfaceLoad CondensedInterface::no_load() const {
@@ -91,10 +123,11 @@ InterfaceLoad CondensedInterface::initial_load(double t) const {
         pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
   for (std::size_t b = 0; b < sides_.size(); ++b) {
     const std::span<const double> prescribed = bodies_[b]->prescribed();
-    if (sides_[b].rows.empty() || !bodies_[b]->constraints().has_nonzero_values()) continue;
+    const std::vector<int>& rows = rows_[b].rows;
+    if (rows.empty() || !bodies_[b]->constraints().has_nonzero_values()) continue;
     const Eigen::Map<const Eigen::VectorXd> u(prescribed.data(), static_cast<Eigen::Index>(prescribed.size()));
     const Eigen::VectorXd moved = sides_[b].full_rows * u;
-    for (std::size_t r = 0; r < sides_[b].rows.size(); ++r) load.gap[sides_[b].rows[r]] += moved[static_cast<int>(r)];
+    load.gap(rows) += moved;
   }
   return load;
 }
@@ -131,20 +164,32 @@ void CondensedInterface::report(const UnbalancedLoad& unbalanced) const {
 }
 
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, InterfaceLoad& load) const {
-  const Side& side = sides_[body];
-  if (side.traces.size() == 0) return;
+  const BodyRows& rows = rows_[body];
+  if (rows.rows.empty() || y.empty()) return;
+  if (large_) {
+    std::vector<double> u(y.size());
+    bodies_[body]->factor().backward(y, u);
+    load.gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
+    return;
+  }
   const Eigen::Map<const Eigen::VectorXd> all(y.data(), static_cast<Eigen::Index>(y.size()));
-  const Eigen::VectorXd trace = side.traces.transpose() * all.tail(side.traces.rows());
-  for (std::size_t r = 0; r < side.rows.size(); ++r) load.gap[side.rows[r]] += trace[static_cast<int>(r)];
+  load.gap(rows.rows) += sides_[body].traces.transpose() * all.tail(sides_[body].traces.rows());
 }
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier,
                                          std::span<double> y) const {
-  const Side& side = sides_[body];
-  if (side.traces.size() == 0) return;
-  const Eigen::VectorXd own = multiplier(side.rows);
+  const BodyRows& rows = rows_[body];
+  if (rows.rows.empty() || y.empty()) return;
+  const Eigen::VectorXd own = multiplier(rows.rows);
   Eigen::Map<Eigen::VectorXd> all(y.data(), static_cast<Eigen::Index>(y.size()));
-  all.tail(side.traces.rows()).noalias() += side.traces * own;
+  if (large_) {
+    Eigen::VectorXd forces = rows.reduced.transpose() * own;
+    const std::span<double> in_place(forces.data(), y.size());
+    bodies_[body]->factor().forward(in_place, in_place);
+    all += forces;
+    return;
+  }
+  all.tail(sides_[body].traces.rows()).noalias() += sides_[body].traces * own;
 }
 
 void CondensedInterface::add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid,
@@ -159,18 +204,10 @@ void CondensedInterface::add_rigid_motion(std::size_t body, const Eigen::VectorX
 
 void CondensedInterface::add_contact_forces(std::size_t body, const Eigen::VectorXd& multiplier,
                                             std::span<double> forces) const {
-  const Side& side = sides_[body];
-  if (side.rows.empty()) return;
-  const Eigen::VectorXd own = multiplier(side.rows);
+  const std::vector<int>& rows = rows_[body].rows;
+  if (rows.empty()) return;
   Eigen::Map<Eigen::VectorXd>(forces.data(), static_cast<Eigen::Index>(forces.size())) +=
-      side.full_rows.transpose() * own;
-}
-
-std::size_t CondensedInterface::bytes() const {
-  std::size_t count = static_cast<std::size_t>(problem_.total.size());
-  for (std::size_t b = 0; b < sides_.size(); ++b)
-    count += static_cast<std::size_t>(sides_[b].traces.size() + problem_.bodies[b].matrix.size());
-  return 8 * count;
+      sides_[body].full_rows.transpose() * Eigen::VectorXd(multiplier(rows));
 }
 
 }  // namespace creepcontact::contact

@@ -12,7 +12,7 @@ FrozenSet::FrozenSet(const ContactProblem& problem, std::vector<int> active)
       active_(std::move(active)),
       balance_(problem, active_),
       diagonal_(row_flexibility(problem)(active_)),
-      copied_(static_cast<double>(active_.size()) < nearly_all * problem.n_rows()) {
+      copied_(!problem.large && static_cast<double>(active_.size()) < nearly_all * problem.n_rows()) {
   if (copied_) flexibility_ = problem.total(active_, active_);
 }
 
@@ -20,8 +20,7 @@ Eigen::VectorXd FrozenSet::gaps(const Eigen::VectorXd& multiplier) const {
   if (copied_) return flexibility_.selfadjointView<Eigen::Lower>() * multiplier;
   Eigen::VectorXd all = Eigen::VectorXd::Zero(problem_.n_rows());
   all(active_) = multiplier;
-  const Eigen::VectorXd gap = problem_.total.selfadjointView<Eigen::Lower>() * all;
-  return gap(active_);
+  return flexibility_product(problem_, all)(active_);
 }
 
 }  // namespace creepcontact::contact

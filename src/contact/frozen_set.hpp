@@ -30,6 +30,7 @@ class FrozenSet {
   const std::vector<int>& active() const { return active_; }
   const RigidBalance& balance() const { return balance_; }
   const Eigen::VectorXd& diagonal() const { return diagonal_; }
+  const ContactProblem& problem() const { return problem_; }
   /// F_II multiplier. Cost: reads half of F_II, or of F where the set is nearly all of it and a copy would not pay.
   Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "schwarz_gradients.hpp"
 
 namespace creepcontact::contact {
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double weakest_hold = 1e-12;  // of the best held motion: below it a motion is free
 constexpr double balance_error = 1e-9;  // of the forces that make up a resultant
+constexpr int most_iterations = 1000;
 
 /// Pseudo-inverse of a symmetric positive semidefinite matrix.
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
@@ -49,20 +51,32 @@ void FrozenSystem::factorize(const std::vector<int>& active) {
   factored_ = true;
 }
 
+FrozenSystem::FrozenSystem(const ContactProblem& problem, double tolerance)
+    : problem_(problem), tolerance_(tolerance) {}
+FrozenSystem::~FrozenSystem() = default;
+
 FrozenSolution FrozenSystem::solve(const std::vector<int>& active, const ContactLoad& load) {
+  if (active.empty()) {
+    FrozenSolution nothing;
+    nothing.state.multiplier.setZero(problem_.n_rows());
+    nothing.state.rigid.setZero(problem_.n_motions());
+    nothing.balanced = load.resultant.size() == 0 || load.resultant.isZero(0);
+    return nothing;
+  }
+  if (problem_.large) return solve_iteratively(active, load);
+  if (!factored_ || active != active_) factorize(active);
+  return solve_directly(load);
+}
+
+FrozenSolution FrozenSystem::solve_directly(const ContactLoad& load) {
   const int n_motions = problem_.n_motions();
   FrozenSolution solution;
   ContactState& state = solution.state;
   state.multiplier.setZero(problem_.n_rows());
   state.rigid.setZero(n_motions);
-  state.active = active;
+  state.active = active_;
   const double largest = load.resultant.size() > 0 ? load.resultant.cwiseAbs().maxCoeff() : 0.0;
-  if (active.empty()) {
-    solution.balanced = largest == 0;
-    return solution;
-  }
-  if (!factored_ || active != active_) factorize(active);
-  Eigen::VectorXd reduced = -load.gap(active);  // L^-1 (-gap)
+  Eigen::VectorXd reduced = -load.gap(active_);  // L^-1 (-gap)
   factor_.matrixL().solveInPlace(reduced);
   if (n_motions > 0) {
     Eigen::VectorXd unbalanced = motions_.transpose() * reduced;  // of the gaps alone
@@ -71,14 +85,34 @@ FrozenSolution FrozenSystem::solve(const std::vector<int>& active, const Contact
     reduced.noalias() -= motions_ * state.rigid;
   }
   factor_.matrixU().solveInPlace(reduced);
-  state.multiplier(active) = reduced;
+  state.multiplier(active_) = reduced;
   if (n_motions > 0) {
-    Eigen::VectorXd left = problem_.rigid(active, Eigen::all).transpose() * reduced;
+    Eigen::VectorXd left = problem_.rigid(active_, Eigen::all).transpose() * reduced;
     state.rigid += pin_flexibility_ * left;
-    Eigen::VectorXd sum = problem_.rigid(active, Eigen::all).cwiseAbs().transpose() * reduced.cwiseAbs();
+    Eigen::VectorXd sum = problem_.rigid(active_, Eigen::all).cwiseAbs().transpose() * reduced.cwiseAbs();
     if (largest > 0) left += load.resultant;
     solution.balanced = left.cwiseAbs().maxCoeff() <= balance_error * std::max(largest, sum.maxCoeff());
   }
+  return solution;
+}
+
+FrozenSolution FrozenSystem::solve_iteratively(const std::vector<int>& active, const ContactLoad& load) {
+  if (!gradients_ || gradients_->active() != active)
+    gradients_ = std::make_unique<SchwarzGradients>(
+        problem_, SchwarzOptions{.tolerance = tolerance_, .max_iterations = most_iterations}, active);
+  const Eigen::VectorXd gap = load.gap(active);
+  const InnerResult inner = gradients_->solve(gap, load.resultant, Eigen::VectorXd::Zero(gap.size()), {nullptr, 0});
+  FrozenSolution solution;
+  ContactState& state = solution.state;
+  state.active = active;
+  state.multiplier.setZero(problem_.n_rows());
+  state.multiplier(active) = inner.multiplier;
+  state.rigid.setZero(problem_.n_motions());
+  solution.balanced = gradients_->balance().holds(inner.multiplier, load.resultant);
+  if (solution.balanced && !inner.converged)
+    throw SolverError("contact: conjugate gradients did not reach their tolerance");
+  if (problem_.n_motions() > 0)
+    state.rigid = gradients_->balance().amplitudes(gap + flexibility_product(problem_, state.multiplier)(active));
   return solution;
 }
 

@@ -11,20 +11,28 @@ constexpr double pin_floor = 1e-2;   // of the flexibility that pins are given
 
 }  // namespace
 
+Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier) {
+  if (problem.large) return problem.large->gaps(multiplier);
+  return problem.total.selfadjointView<Eigen::Lower>() * multiplier;
+}
+
+Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem) {
+  return problem.large ? problem.large->diagonal() : Eigen::VectorXd(problem.total.diagonal());
+}
+
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state) {
-  Eigen::VectorXd gap = load.gap;
-  gap.noalias() += problem.total.selfadjointView<Eigen::Lower>() * state.multiplier;
+  Eigen::VectorXd gap = load.gap + flexibility_product(problem, state.multiplier);
   if (problem.n_motions() > 0) gap += problem.rigid * state.rigid;
   return gap;
 }
 
 double pin_flexibility(const ContactProblem& problem) {
   const double square = problem.rigid.squaredNorm();
-  return square > 0 ? problem.total.trace() / square : 0.0;
+  return square > 0 ? flexibility_diagonal(problem).sum() / square : 0.0;
 }
 
 Eigen::VectorXd row_flexibility(const ContactProblem& problem) {
-  Eigen::VectorXd flexibility = problem.total.diagonal();
+  Eigen::VectorXd flexibility = flexibility_diagonal(problem);
   if (problem.n_motions() > 0)
     flexibility = flexibility.cwiseMax(pin_floor * pin_flexibility(problem) * problem.rigid.rowwise().squaredNorm());
   return flexibility;

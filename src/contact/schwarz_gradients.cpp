@@ -7,7 +7,8 @@ namespace creepcontact::contact {
 SchwarzGradients::SchwarzGradients(const ContactProblem& problem, const SchwarzOptions& options,
                                    std::vector<int> active)
     : options_(options), set_(problem, std::move(active)) {
-  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+  if (problem.large) large_ = problem.large->preconditioner(set_.active());
+  for (std::size_t b = 0; b < problem.bodies.size() && !large_; ++b) {
     OwnRows rows = own_rows(problem, b, set_.active(), true);
     if (rows.own.empty()) continue;
     Block block{std::move(rows.places), std::make_unique<DirichletProblem>(problem, b, rows.own)};
@@ -24,6 +25,7 @@ SchwarzGradients::SchwarzGradients(const ContactProblem& problem, const SchwarzO
 }
 
 Eigen::VectorXd SchwarzGradients::slave_multipliers(const Eigen::VectorXd& residual) const {
+  if (large_) return large_->multipliers(residual);
   Eigen::VectorXd z(residual.size());
   for (const Block& block : blocks_) {
     const Eigen::VectorXd part = residual(block.places);

@@ -33,7 +33,8 @@ class SchwarzGradients {
   SchwarzOptions options_;
   FrozenSet set_;
   std::vector<Block> blocks_;
-  Eigen::MatrixXd carried_;  // M^-1 Q L^-T with L L^T = Q^T M^-1 Q
+  std::unique_ptr<Preconditioner> large_;  // in place of the blocks for flexibilities given as operators
+  Eigen::MatrixXd carried_;                // M^-1 Q L^-T with L L^T = Q^T M^-1 Q
 };
 
 }  // namespace creepcontact::contact

@@ -3,6 +3,30 @@
 #include "flying_off.hpp"
 
 namespace creepcontact::contact {
+
+/// F + N P N^T without the matrix.
+class SpringHold::HeldOperator final : public FlexibilityOperator {
+ public:
+  HeldOperator(const ContactProblem& problem, const Eigen::VectorXd& compliance)
+      : problem_(problem),
+        compliance_(compliance),
+        diagonal_(problem.large->diagonal() + problem.rigid.cwiseAbs2() * compliance) {}
+
+  Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const override {
+    const Eigen::VectorXd motion = compliance_.cwiseProduct(problem_.rigid.transpose() * multiplier);
+    return problem_.large->gaps(multiplier) + problem_.rigid * motion;
+  }
+  const Eigen::VectorXd& diagonal() const override { return diagonal_; }
+  std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set) const override {
+    return problem_.large->preconditioner(set);
+  }
+
+ private:
+  const ContactProblem& problem_;
+  const Eigen::VectorXd& compliance_;
+  Eigen::VectorXd diagonal_;
+};
+
 namespace {
 
 constexpr double softness = 1e4;  // against the bodies' own flexibility: the springs carry next to nothing
@@ -15,12 +39,19 @@ SpringHold::SpringHold(const ContactProblem& problem) : problem_(problem) {
   held_.slave_body = problem.slave_body;
   held_.master_body = problem.master_body;
   held_.bilateral = problem.bilateral;
-  const double flexibility = problem.total.trace();
+  const double flexibility = flexibility_diagonal(problem).sum();
   compliance_ = problem.rigid.colwise().squaredNorm().transpose();
   for (double& c : compliance_) c = c > 0 ? softness * flexibility / c : 0.0;
-  held_.total = problem.total + problem.rigid * compliance_.asDiagonal() * problem.rigid.transpose();
+  if (problem.large) {
+    operator_ = std::make_unique<HeldOperator>(problem, compliance_);
+    held_.large = operator_.get();
+  } else {
+    held_.total = problem.total + problem.rigid * compliance_.asDiagonal() * problem.rigid.transpose();
+  }
   solver_ = active_set_solver(held_);
 }
+
+SpringHold::~SpringHold() = default;
 
 bool SpringHold::search(const ContactLoad& load, int& set_changes, const Attempt& attempt) {
   const Eigen::VectorXd resultant =

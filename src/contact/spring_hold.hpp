@@ -16,15 +16,19 @@ class SpringHold {
 
   /// @param problem  with rigid motions; must outlive the object
   explicit SpringHold(const ContactProblem& problem);
+  ~SpringHold();
 
   /// @param set_changes  counted up
   /// @returns false if no attempt succeeded. @throws UnbalancedLoad if no pressures can balance the load
   bool search(const ContactLoad& load, int& set_changes, const Attempt& attempt);
 
  private:
+  class HeldOperator;
+
   const ContactProblem& problem_;
   ContactProblem held_;  // F + N P N^T, without rigid motions
   Eigen::VectorXd compliance_;
+  std::unique_ptr<HeldOperator> operator_;
   std::unique_ptr<ContactSolver> solver_;
 };
 

@@ -178,6 +178,10 @@ std::int64_t Body::estimate_factor_bytes() const {
   return linalg::SupernodalCholesky(impl_->free_stiffness(), impl_->constraints.node_of_free(), {}).factor_bytes();
 }
 
+linalg::SparseMatrix Body::stiffness() const {
+  return impl_->free_stiffness();
+}
+
 linalg::SupernodalCholesky& Body::factor() {
   return *impl_->factor;
 }

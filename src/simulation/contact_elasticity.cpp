@@ -5,7 +5,7 @@ namespace {
 
 contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
   const auto lap = watch.lap(Part::factorize);
-  return contact::CondensedInterface(model.bodies, std::move(model.pairs));
+  return {model.bodies, std::move(model.pairs), 1e6 * model.dense_limit_mb};
 }
 
 }  // namespace
@@ -15,7 +15,7 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
       watch_(watch),
       interface_(factorize(model, watch)),
       solver_(make_contact_solver(model, interface_.problem())),
-      frozen_(interface_.problem()) {
+      frozen_(interface_.problem(), model.schwarz.tolerance) {
   counters_.factorizations = static_cast<std::int64_t>(model.bodies.size());
   for (const auto& body : model.bodies) {
     const auto n_free = static_cast<std::size_t>(body->constraints().n_free());

@@ -145,7 +145,7 @@ void CreepRate::accept(double /*t*/, std::span<const double> /*y*/) {
 }
 
 ode::System::Counters CreepRate::counters() const {
-  const ContactElasticity::Counters& elastic = elasticity_.counters();
+  const ContactElasticity::Counters elastic = elasticity_.counters();
   Counters result;
   result.rate_evaluations = rate_evaluations_;
   result.jacobian_products = jacobian_products_;

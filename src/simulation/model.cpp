@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/io/gmsh_reader.hpp"
 #include "model_parts.hpp"
 
@@ -101,16 +102,29 @@ Model build_model(const config::Config& config) {
   model.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
   using To = contact::SchwarzOptions::Acceleration;
   constexpr To accelerations[] = {To::none, To::aitken, To::anderson, To::cg};  // in the configuration's order
-  model.schwarz = {.alpha = config.contact_solver.alpha,
+  model.schwarz = {.alpha = std::vector(model.bodies.size(), config.contact_solver.alpha),
                    .acceleration = accelerations[static_cast<int>(config.contact_solver.acceleration)],
                    .tolerance = config.contact_solver.tolerance,
                    .max_iterations = config.contact_solver.max_iterations};
+  model.dense_limit_mb = config.contact_solver.dense_limit_mb;
   model.breakpoints = breakpoints(config);
   return model;
 }
 
 std::unique_ptr<contact::ContactSolver> make_contact_solver(const Model& model,
                                                             const contact::ContactProblem& problem) {
+  if (problem.large) {
+    constexpr int most_iterations = 1000;
+    contact::SchwarzOptions options = model.schwarz;
+    if (!model.use_schwarz || options.acceleration != contact::SchwarzOptions::Acceleration::cg)
+      log::warning(
+          "contact: {} multipliers are too many for dense matrices; conjugate gradients without them are used "
+          "(contact_solver.dense_limit_mb sets the bound)",
+          problem.n_rows());
+    options.acceleration = contact::SchwarzOptions::Acceleration::cg;
+    options.max_iterations = std::max(options.max_iterations, most_iterations);
+    return contact::schwarz_solver(problem, options);
+  }
   return model.use_schwarz ? contact::schwarz_solver(problem, model.schwarz) : contact::active_set_solver(problem);
 }
 

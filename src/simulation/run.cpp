@@ -85,6 +85,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   ContactElasticity elasticity(model, watch);
   for (const contact::Pair& pair : elasticity.interface().pairs())
     log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
+  if (!elasticity.interface().is_dense())
+    log::info("contact: matrix-free, its matrices would take {:.0f} MB", elasticity.interface().dense_bytes() / 1e6);
   for (const std::string& motion : elasticity.interface().floating().describe_idle())
     log::info("held by nothing, must not be loaded: {}", motion);
   CreepRate system(elasticity, watch, config.time.output);

@@ -115,6 +115,7 @@ struct ContactSolver {
   Acceleration acceleration = Acceleration::cg;
   double tolerance = 1e-10;
   int max_iterations = 200;
+  double dense_limit_mb = 2000;  ///< memory of the contact zones' matrices; beyond it they are not formed
 };
 
 struct Time {

@@ -3,12 +3,16 @@
 /// of a body's weighted gaps, G = L22^-1 B^T holds all that contact needs:
 ///   y = L^-1 f,   gap = initial gap + G^T y2,   contact forces: y2 += G lambda,   u = L^-T y,   F = G^T G.
 /// So contact costs no pass through the factor of its own.
+/// Contact zones whose dense matrices would exceed a bound are left in the factor: any ordering, G = L^-1 P B^T applied
+/// by passes of its own, F by a forward and a backward pass a product.
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/floating_motions.hpp"
 #include "creepcontact/contact/problem.hpp"
 #include "creepcontact/mechanics/body.hpp"
@@ -22,12 +26,18 @@ struct InterfaceLoad {
   Eigen::VectorXd force;  ///< sum of absolute forces on the body of each motion, to measure the work by
 };
 
+class FactoredFlexibility;
+
 class CondensedInterface {
  public:
   /// Factorises every body with its contact unknowns last. @param bodies must outlive the object
   /// @throws ModelError as Body::factorize and FloatingMotions::require_contact
   /// Cost: the factorisations, and n_contact^2 x n_rows operations a body.
-  CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies, std::vector<Pair> pairs);
+  /// @param dense_bytes  bound on the dense matrices
+  CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies, std::vector<Pair> pairs,
+                     double dense_bytes = unbounded);
+  ~CondensedInterface();
+  static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
   const std::vector<Pair>& pairs() const { return pairs_; }
   const ContactProblem& problem() const { return problem_; }
@@ -51,24 +61,33 @@ class CondensedInterface {
   void add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid, std::span<double> displacement) const;
   /// Nodal forces of the multipliers on a body, 3 n_nodes, added.
   void add_contact_forces(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> forces) const;
-  /// Bytes of the dense interface matrices.
-  std::size_t bytes() const;
+  /// Bytes that the dense interface matrices take or would take.
+  double dense_bytes() const { return dense_bytes_; }
+  bool is_dense() const { return large_ == nullptr; }
+  /// Forward and backward passes through all factors that products with F have cost so far.
+  std::int64_t n_products() const;
 
  private:
+  void make_problem();
+  void make_rows();
   void condense(std::size_t body);
 
   struct Side {
-    std::vector<int> rows;
-    RowMatrix full_rows;     // rows.size() x 3 n_nodes
-    Eigen::MatrixXd traces;  // G, n_trailing x rows.size()
+    RowMatrix full_rows;                 // rows.size() x 3 n_nodes
+    std::vector<std::int64_t> trailing;  // unknowns that the rows touch
+    Eigen::MatrixXd traces;              // G, n_trailing x rows.size(); empty if large
   };
   std::span<const std::unique_ptr<mechanics::Body>> bodies_;
   std::vector<Pair> pairs_;
   FloatingMotions floating_;
   std::vector<Side> sides_;
+  std::vector<BodyRows> rows_;
+  double dense_bytes_ = 0;
   ContactProblem problem_;
+  std::unique_ptr<FactoredFlexibility> large_;
 };
 
-/// Free unknowns of a body that its contact rows touch, ascending: what must be eliminated last.
-std::vector<std::int64_t> contact_unknowns(const mechanics::Body& body, const RowMatrix& full_rows);
+/// Free unknowns that contact rows touch, ascending. @param reduced  rows on the free unknowns
+std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced);
+
 }  // namespace creepcontact::contact

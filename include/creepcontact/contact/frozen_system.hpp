@@ -4,6 +4,7 @@
 /// F_II may be singular at the pins of bodies held by contact alone; F_II + c N_I N_I^T in its place is not, and
 /// changes the amplitudes by c N_I^T lambda only.
 
+#include <memory>
 #include <vector>
 
 #include "creepcontact/contact/problem.hpp"
@@ -16,19 +17,28 @@ struct FrozenSolution {
   bool balanced = true;
 };
 
+class SchwarzGradients;
+
 class FrozenSystem {
  public:
-  explicit FrozenSystem(const ContactProblem& problem) : problem_(problem) {}
+  /// @param tolerance  of the multipliers, relative, where the flexibility is an operator and the solution iterative
+  explicit FrozenSystem(const ContactProblem& problem, double tolerance = 1e-10);
+  ~FrozenSystem();
 
   /// Closes the gaps of the set. Motions that the set does not hold keep the amplitude 0.
   /// Cost: two triangular solves of the set's size; a Cholesky factorisation when the set is another than last time.
+  /// With a flexibility given as an operator: conjugate gradients.
   /// @throws SolverError if the contact conditions of the set contradict or repeat each other
   FrozenSolution solve(const std::vector<int>& active, const ContactLoad& load);
 
  private:
   void factorize(const std::vector<int>& active);
+  FrozenSolution solve_directly(const ContactLoad& load);
+  FrozenSolution solve_iteratively(const std::vector<int>& active, const ContactLoad& load);
 
   const ContactProblem& problem_;
+  double tolerance_;
+  std::unique_ptr<SchwarzGradients> gradients_;  // of a flexibility given as an operator
   std::vector<int> active_;
   bool factored_ = false;
   double pin_flexibility_ = 0;          // c

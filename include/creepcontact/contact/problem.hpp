@@ -11,6 +11,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "creepcontact/contact/flexibility_operator.hpp"
+
 namespace creepcontact::contact {
 
 struct Flexibility {
@@ -22,14 +24,16 @@ struct ContactProblem {
   std::vector<Flexibility> bodies;
   std::vector<int> slave_body, master_body;  ///< of each row
   std::vector<char> bilateral;               ///< of each row: tied
-  Eigen::MatrixXd total;                     ///< sum of the bodies' flexibilities
+  Eigen::MatrixXd total;                     ///< sum of the bodies' flexibilities; empty if ...
+  const FlexibilityOperator* large =
+      nullptr;  ///< ... it is given as an operator, together with `bodies` without matrices
   /// N, n_rows x n_motions (no columns if supports hold all bodies): the gaps that unit amplitudes open, summed over
   /// the bodies. A motion may move several bodies.
   Eigen::MatrixXd rigid;
   /// The same, body by body (rows of the body x n_motions): the part that this body's movement opens.
   std::vector<Eigen::MatrixXd> rigid_of_body;
 
-  int n_rows() const { return static_cast<int>(total.rows()); }
+  int n_rows() const { return static_cast<int>(slave_body.size()); }
   int n_motions() const { return static_cast<int>(rigid.cols()); }
 };
 
@@ -61,6 +65,11 @@ struct UnbalancedLoad {
 
 /// gap = load.gap + F lambda + N alpha
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state);
+
+/// F lambda
+Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier);
+/// diag F, or an estimate of it.
+Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem);
 
 /// Gap that a unit multiplier opens at its own row, the measure of gaps against multipliers. At the pins of a body held
 /// by contact alone F_ii may vanish: its rigid motions put a floor under it.

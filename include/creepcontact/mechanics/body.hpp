@@ -56,6 +56,8 @@ class Body {
   void factorize(std::vector<std::int64_t> trailing);
   /// As factorize, but the analysis only: bytes of the factor for `check`.
   std::int64_t estimate_factor_bytes() const;
+  /// Lower triangle over the free unknowns, the pins' rows and columns emptied but for the diagonal. Cost: assembly.
+  linalg::SparseMatrix stiffness() const;
   /// Valid after factorize().
   linalg::SupernodalCholesky& factor();
 

@@ -17,6 +17,7 @@ struct Model {
   std::vector<contact::Pair> pairs;
   bool use_schwarz = true;
   contact::SchwarzOptions schwarz;
+  double dense_limit_mb = 0;        ///< of the contact zone's dense matrices
   std::vector<double> breakpoints;  ///< kinks in time of all loads, supports, gaps, temperatures; ascending
 
   /// @returns bodies.size() if there is none of this name

@@ -21,7 +21,8 @@ class Assembly {
  public:
   /// @param top_displacement  of the upper box's top; none: it is held in z nowhere but in contact (not solvable here)
   Assembly(const BoxSetup& lower, const BoxSetup& upper, bool lower_is_slave, Function top_displacement,
-           contact::ContactType type = contact::ContactType::unilateral, Function initial_gap = 0.0) {
+           contact::ContactType type = contact::ContactType::unilateral, Function initial_gap = 0.0,
+           double dense_bytes = contact::CondensedInterface::unbounded) {
     add(lower, Vector3(0, 0, -lower.lengths.z()), "z0", 0.0);
     add(upper, Vector3::Zero(), "z1", std::move(top_displacement));
     const contact::Surface low = surface(0, "z1"), up = surface(1, "z0");
@@ -32,7 +33,7 @@ class Assembly {
     pair.coupling = lower_is_slave ? contact::mortar_coupling(low, up, type) : contact::mortar_coupling(up, low, type);
     pair.gap = std::move(initial_gap);
     std::vector<contact::Pair> pairs{std::move(pair)};
-    interface = std::make_unique<contact::CondensedInterface>(bodies, std::move(pairs));
+    interface = std::make_unique<contact::CondensedInterface>(bodies, std::move(pairs), dense_bytes);
   }
 
   contact::Surface surface(std::size_t body, const std::string& name) const {

@@ -1,0 +1,144 @@
+#include "factored_flexibility.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+
+namespace creepcontact::contact {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// K restricted to the unknowns that contact rows touch, both triangles. @param place  of each unknown, or -1
+Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& place, int n) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::int64_t column = 0; column < lower.outerSize(); ++column) {
+    const int j = place[static_cast<std::size_t>(column)];
+    if (j < 0) continue;
+    for (linalg::SparseMatrix::InnerIterator it(lower, column); it; ++it) {
+      const int i = place[static_cast<std::size_t>(it.row())];
+      if (i < 0) continue;
+      entries.emplace_back(i, j, it.value());
+      if (i != j) entries.emplace_back(j, i, it.value());
+    }
+  }
+  Sparse result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+/// Entries of a sparse matrix in chosen rows and columns.
+Sparse submatrix(const Sparse& matrix, const std::vector<int>& chosen) {
+  std::vector<int> place(static_cast<std::size_t>(matrix.rows()), -1);
+  for (std::size_t k = 0; k < chosen.size(); ++k) place[static_cast<std::size_t>(chosen[k])] = static_cast<int>(k);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    for (Sparse::InnerIterator it(matrix, chosen[k]); it; ++it)
+      if (const int i = place[static_cast<std::size_t>(it.row())]; i >= 0)
+        entries.emplace_back(i, static_cast<int>(k), it.value());
+  const auto n = static_cast<int>(chosen.size());
+  Sparse result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace
+
+struct FactoredFlexibility::Lumped {
+  std::vector<int> rows;  // in all pairs, where the body is the slave
+  Sparse stiffness;       // B K B^T
+  Sparse square;          // B B^T
+};
+
+FactoredFlexibility::FactoredFlexibility(std::span<const std::unique_ptr<mechanics::Body>> bodies,
+                                         const std::vector<BodyRows>& rows, int n_rows)
+    : bodies_(bodies), rows_(rows), diagonal_(Eigen::VectorXd::Zero(n_rows)) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyRows& own = rows[b];
+    work_.emplace_back(static_cast<std::size_t>(own.reduced.cols()));
+    if (own.rows.empty()) continue;
+    std::vector<int> place(static_cast<std::size_t>(own.reduced.cols()), -1);
+    int n_touched = 0;
+    for (int r = 0; r < own.reduced.outerSize(); ++r)
+      for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it)
+        if (place[static_cast<std::size_t>(it.col())] < 0) place[static_cast<std::size_t>(it.col())] = n_touched++;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int r = 0; r < own.reduced.outerSize(); ++r)
+      for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it)
+        entries.emplace_back(r, place[static_cast<std::size_t>(it.col())], it.value());
+    Sparse touched(static_cast<int>(own.rows.size()), n_touched);
+    touched.setFromTriplets(entries.begin(), entries.end());
+
+    const Sparse stiffness = touched * restricted(bodies[b]->stiffness(), place, n_touched) * touched.transpose();
+    const Sparse square = touched * touched.transpose();
+    Lumped lumped;
+    std::vector<int> as_slave;
+    for (int r = 0; r < static_cast<int>(own.rows.size()); ++r) {
+      const double s = square.coeff(r, r), k = stiffness.coeff(r, r);
+      if (k > 0) diagonal_[own.rows[static_cast<std::size_t>(r)]] += s * s / k;  // <= F_ii, by Cauchy and Schwarz
+      if (!own.is_slaves[static_cast<std::size_t>(r)] || !(k > 0)) continue;
+      as_slave.push_back(r);
+      lumped.rows.push_back(own.rows[static_cast<std::size_t>(r)]);
+    }
+    lumped.stiffness = submatrix(stiffness, as_slave);
+    lumped.square = submatrix(square, as_slave);
+    lumped_.push_back(std::move(lumped));
+  }
+}
+
+FactoredFlexibility::~FactoredFlexibility() = default;
+
+Eigen::VectorXd FactoredFlexibility::gaps(const Eigen::VectorXd& multiplier) const {
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(diagonal_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyRows& own = rows_[b];
+    if (own.rows.empty()) continue;
+    Eigen::Map<Eigen::VectorXd> u(work_[b].data(), own.reduced.cols());
+    u.noalias() = own.reduced.transpose() * multiplier(own.rows);
+    bodies_[b]->factor().forward(work_[b], work_[b]);
+    bodies_[b]->factor().backward(work_[b], work_[b]);
+    gap(own.rows) += own.reduced * u;
+  }
+  ++n_products_;
+  return gap;
+}
+
+std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::vector<int>& set) const {
+  struct Block {
+    std::vector<int> places;  // in the set
+    Sparse stiffness;
+    Eigen::SimplicialLDLT<Sparse> square;
+  };
+  class LumpedDirichlet final : public Preconditioner {
+   public:
+    Eigen::VectorXd multipliers(const Eigen::VectorXd& gaps) const override {
+      Eigen::VectorXd result = rest.cwiseProduct(gaps);
+      for (const auto& block : blocks) {
+        const Eigen::VectorXd displacement = block->square.solve(Eigen::VectorXd(gaps(block->places)));
+        const Eigen::VectorXd force = block->stiffness * displacement;
+        result(block->places) = block->square.solve(force);
+      }
+      return result;
+    }
+    std::vector<std::unique_ptr<Block>> blocks;
+    Eigen::VectorXd rest;  // 1/diag F of rows in no block
+  };
+  auto result = std::make_unique<LumpedDirichlet>();
+  result->rest = diagonal_(set).cwiseMax(1e-14 * diagonal_.maxCoeff()).cwiseInverse();
+  for (const Lumped& lumped : lumped_) {
+    auto block = std::make_unique<Block>();
+    std::vector<int> own;
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      const auto found = std::lower_bound(lumped.rows.begin(), lumped.rows.end(), set[k]);
+      if (found == lumped.rows.end() || *found != set[k]) continue;
+      block->places.push_back(static_cast<int>(k));
+      own.push_back(static_cast<int>(found - lumped.rows.begin()));
+    }
+    if (own.empty()) continue;
+    block->stiffness = submatrix(lumped.stiffness, own);
+    block->square.compute(submatrix(lumped.square, own));
+    if (block->square.info() == Eigen::Success) result->blocks.push_back(std::move(block));
+  }
+  return result;
+}
+
+}  // namespace creepcontact::contact
