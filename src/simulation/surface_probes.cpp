@@ -1,23 +1,53 @@
 #include <fmt/format.h>
 
+#include <numeric>
 #include <set>
 
+#include "contact_area.hpp"
 #include "creepcontact/base/error.hpp"
 #include "probe_kinds.hpp"
 
 namespace creepcontact::simulation {
 namespace {
 
+/// A pair, and the body that the probed surface belongs to.
+struct Side {
+  std::size_t pair, body;
+};
+
+class AreaProbe final : public Probe {
+ public:
+  AreaProbe(std::vector<Side> sides, const Model& model, const std::vector<contact::Pair>& pairs)
+      : sides_(std::move(sides)) {
+    for (const Side& side : sides_)
+      areas_.emplace_back(pairs[side.pair], model.bodies[pairs[side.pair].slave_body]->mesh());
+  }
+
+  double value(const Snapshot& snapshot) const override {
+    double sum = 0;
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      const contact::Pair& pair = snapshot.elasticity().interface().pairs()[sides_[i].pair];
+      if (pair.coupling.type == contact::ContactType::tied)
+        sum += std::accumulate(pair.coupling.area.begin(), pair.coupling.area.end(), 0.0);
+      else
+        sum += areas_[i].value(snapshot.elasticity().multipliers().segment(pair.first_row, pair.coupling.n_rows()));
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Side> sides_;
+  std::vector<ContactArea> areas_;
+};
+
+/// Pressure, gap and force.
 class ContactProbe final : public Probe {
  public:
-  struct Side {
-    std::size_t pair, body;
-  };
   ContactProbe(std::vector<Side> sides, const QuantityInfo& info, config::Reduce reduce)
       : sides_(std::move(sides)), info_(info), reduce_(reduce) {}
 
   double value(const Snapshot& snapshot) const override {
-    Reduction reduction(info_.kind == QuantityInfo::Kind::area ? config::Reduce::sum : reduce_);
+    Reduction reduction(reduce_);
     double force = 0;
     for (const Side& side : sides_) {
       const contact::Pair& pair = snapshot.elasticity().interface().pairs()[side.pair];
@@ -41,12 +71,7 @@ class ContactProbe final : public Probe {
       // A tied surface carries a vector: its pressure is the part along the normal (tension negative).
       const double pressure = tied ? normal.dot(multipliers.segment<3>(row)) : multipliers[row];
       const double gap = tied ? 0.0 : gaps[row] / area;
-      if (info_.kind == QuantityInfo::Kind::pressure)
-        reduction.add(pressure, area);
-      else if (info_.kind == QuantityInfo::Kind::gap)
-        reduction.add(gap, area);
-      else
-        reduction.add(tied || pressure > 0 ? 1.0 : 0.0, area);
+      reduction.add(info_.kind == QuantityInfo::Kind::pressure ? pressure : gap, area);
     }
   }
 
@@ -87,7 +112,7 @@ class ReactionProbe final : public Probe {
 
 std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const Model& model,
                                      const std::vector<contact::Pair>& pairs) {
-  std::vector<ContactProbe::Side> sides;
+  std::vector<Side> sides;
   std::set<std::string> surfaces;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const contact::Pair& pair = pairs[p];
@@ -106,7 +131,9 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const Model& mo
     throw ModelError(fmt::format("surface '{}' is in no contact; surfaces in contact: {}", probe.on.name,
                                  names.empty() ? "none" : names));
   }
-  return std::make_unique<ContactProbe>(std::move(sides), quantity(probe.quantity), probe.reduce);
+  const QuantityInfo& info = quantity(probe.quantity);
+  if (info.kind == QuantityInfo::Kind::area) return std::make_unique<AreaProbe>(std::move(sides), model, pairs);
+  return std::make_unique<ContactProbe>(std::move(sides), info, probe.reduce);
 }
 
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const Model& model) {

@@ -68,25 +68,47 @@ inline History read_history(const std::filesystem::path& path) {
   return history;
 }
 
+/// A directory of the running test's own with the geometry as "case.geo"; removed at the end.
+class CaseDirectory {
+ public:
+  /// @param geo  text of that file; empty: none
+  explicit CaseDirectory(const std::string& geo) {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name = std::string(info->test_suite_name()) + "_" + info->name() + "_" + std::to_string(getpid());
+    std::replace(name.begin(), name.end(), '/', '_');
+    path_ = std::filesystem::temp_directory_path() / "creepcontact_verification" / name;
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+    if (!geo.empty()) std::ofstream(path_ / "case.geo") << geo;
+  }
+  ~CaseDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  CaseDirectory(const CaseDirectory&) = delete;
+  CaseDirectory& operator=(const CaseDirectory&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  config::Config config(const std::string& toml, const std::vector<std::string>& overrides) const {
+    return config::parse(toml, path_ / "case.toml", simulation::vocabulary(), overrides);
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// @param toml  configuration; it may name the mesh "case.geo"
 /// @param geo   text of that file; empty: none
 inline Outcome run_case(const std::string& toml, const std::string& geo,
                         const std::vector<std::string>& overrides = {}) {
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string(info->test_suite_name()) + "_" + info->name() + "_" + std::to_string(getpid());
-  std::replace(name.begin(), name.end(), '/', '_');
-  const auto directory = std::filesystem::temp_directory_path() / "creepcontact_verification" / name;
-  std::filesystem::remove_all(directory);
-  std::filesystem::create_directories(directory);
-  if (!geo.empty()) std::ofstream(directory / "case.geo") << geo;
-  config::Config config = config::parse(toml, directory / "case.toml", simulation::vocabulary(), overrides);
+  const CaseDirectory directory(geo);
+  config::Config config = directory.config(toml, overrides);
   config.output.fields = false;
-  const simulation::RunResult result =
-      simulation::run(config, {.output = (directory / "results").string(), .quiet = true});
-  Outcome outcome{result.exit_status, result.message, read_history(directory / "results" / "history.csv"),
-                  read_text(directory / "results" / "summary.json")};
+  const auto results = directory.path() / "results";
+  const simulation::RunResult result = simulation::run(config, {.output = results.string(), .quiet = true});
+  Outcome outcome{result.exit_status, result.message, read_history(results / "history.csv"),
+                  read_text(results / "summary.json")};
   EXPECT_EQ(outcome.exit_status, 0) << outcome.message;
-  std::filesystem::remove_all(directory);
   return outcome;
 }
 

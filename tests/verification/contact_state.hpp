@@ -1,0 +1,60 @@
+#pragma once
+/// The elastic state of a configuration given as text, with the pressure and the gap of every multiplier node.
+
+#include <map>
+
+#include "creepcontact/simulation/probes.hpp"
+#include "verification/case.hpp"
+
+namespace creepcontact::test {
+
+/// A multiplier node of a unilateral pair.
+struct ContactPoint {
+  Vector3 place, normal;
+  double area, pressure, gap;
+};
+
+struct ContactState {
+  std::map<std::string, std::vector<ContactPoint>> pairs;  ///< by the pairs' names
+  std::map<std::string, std::string> slave;                ///< slave surface of each pair
+  std::map<std::string, double> probes;
+};
+
+inline std::vector<ContactPoint> contact_points(const contact::Pair& pair, const mesh::Mesh& slave,
+                                                const simulation::ContactElasticity& elasticity) {
+  std::vector<ContactPoint> points;
+  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+    const contact::MultiplierNode& node = pair.coupling.nodes[i];
+    const double area = pair.coupling.area[i];
+    const auto row = pair.first_row + static_cast<Eigen::Index>(i);
+    points.push_back({slave.nodes[static_cast<std::size_t>(node.node)], node.normal, area,
+                      elasticity.multipliers()[row], elasticity.gaps()[row] / area});
+  }
+  return points;
+}
+
+inline ContactState contact_state(const std::string& toml, const std::string& geo,
+                                  const std::vector<std::string>& overrides = {}, double t = 0) {
+  const CaseDirectory directory(geo);
+  const config::Config config = directory.config(toml, overrides);
+  simulation::Model model = simulation::build_model(config);
+  Stopwatch watch;
+  simulation::ContactElasticity elasticity(model, watch);
+  const simulation::StateLayout layout(model);
+  const std::vector<double> no_creep(layout.size());
+  const simulation::Snapshot snapshot(elasticity, layout, t, no_creep);
+  elasticity.solve(t, simulation::ContactElasticity::CreepViews(model.bodies.size()));
+
+  ContactState state;
+  const auto& pairs = elasticity.interface().pairs();
+  const auto probes = simulation::make_probes(config, model, pairs);
+  for (std::size_t i = 0; i < probes.size(); ++i) state.probes[config.probes[i].name] = probes[i]->value(snapshot);
+  for (const contact::Pair& pair : pairs) {
+    state.slave[pair.name] = pair.slave_surface;
+    if (pair.coupling.type == contact::ContactType::unilateral)
+      state.pairs[pair.name] = contact_points(pair, model.bodies[pair.slave_body]->mesh(), elasticity);
+  }
+  return state;
+}
+
+}  // namespace creepcontact::test
