@@ -30,8 +30,8 @@ class ContactArea {
                   Eigen::VectorXd& whole) const;
 
   std::vector<Facet> facets_;
-  std::vector<Vector3> place_, normal_;      // of each row
-  std::vector<double> area_;                 // of each row
+  std::vector<Vector3> place_, normal_;       // of each row
+  std::vector<double> area_;                  // of each row
   std::vector<std::vector<int>> neighbours_;  // rows of the facets around each row, itself excepted
 };
 

@@ -13,7 +13,7 @@ struct Box {
   std::string name;
   std::array<double, 3> origin, lengths;
   std::array<int, 3> divisions;  ///< along z an even number
-  bool hexahedra = true;  ///< else tetrahedra
+  bool hexahedra = true;         ///< else tetrahedra
 };
 
 /// Groups: volumes <name>; surfaces <name>_x0, <name>_x1 (least and largest x), <name>_y0, ... <name>_z1;

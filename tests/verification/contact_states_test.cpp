@@ -36,17 +36,18 @@ std::string stack_toml(const std::vector<Box>& boxes, const std::vector<Bar>& ba
   return toml;
 }
 
-const std::vector<Box> two{{"lower", {0, 0, 0}, {10, 10, 10}, {3, 2, 2}}, {"upper", {0, 0, 10}, {10, 10, 20}, {2, 3, 2}}};
+const std::vector<Box> two{{"lower", {0, 0, 0}, {10, 10, 10}, {3, 2, 2}},
+                           {"upper", {0, 0, 10}, {10, 10, 20}, {2, 3, 2}}};
 const std::vector<Bar> creeping{{10, 2e5, 1e-14}, {20, 1e5, 3e-14}}, elastic{{10, 2e5, 0}, {20, 1e5, 0}};
 
 class Separation : public testing::TestWithParam<int> {};
 
 // Pressed, pulled off, pressed back: no force in between, and the old one after it.
 TEST_P(Separation, OpensWithoutAdhesionAndClosesAsBefore) {
-  const Outcome outcome = test::run_case(
-      stack_toml(two, elastic, "{ t = [0, 10, 20], values = [-0.03, 0.03, -0.03] }") +
-          test::contact("lower_z1", "upper_z0") + "[time]\nend = 20\noutput = [4, 10, 16, 20]\n",
-      test::boxes_geo(two), {"mesh.order=" + std::to_string(GetParam())});
+  const Outcome outcome =
+      test::run_case(stack_toml(two, elastic, "{ t = [0, 10, 20], values = [-0.03, 0.03, -0.03] }") +
+                         test::contact("lower_z1", "upper_z0") + "[time]\nend = 20\noutput = [4, 10, 16, 20]\n",
+                     test::boxes_geo(two), {"mesh.order=" + std::to_string(GetParam())});
   const double full = 100 * 0.03 / (10 / 2e5 + 20 / 1e5);
   EXPECT_RELATIVE(outcome.history.at("force1", 0), full, 1e-9);
   EXPECT_RELATIVE(outcome.history.at("force1", 4), 0.2 * full, 1e-9);
@@ -138,10 +139,10 @@ TEST_P(ThreeBlocks, RelaxByTheClosedForm) {
   const std::vector<Bar> bars{{10, 2e5, 1e-14}, {5, 3e4, 1e-13}, {10, 2e5, 1e-14}};
   double flexibility = 0, creep = 0;
   for (const Bar& bar : bars) flexibility += bar.length / bar.young_modulus, creep += bar.length * bar.A;
-  const Outcome outcome = test::run_case(
-      stack_toml(boxes, bars, "-0.02", "0.02") + test::support("mid_middle", "z") + test::contact("low_z1", "mid_z0") +
-          test::contact("mid_z1", "top_z0") + "[time]\nend = 1e3\ntolerance = 1e-6\noutput = [1, 10, 100, 1e3]\n",
-      test::boxes_geo(boxes), {"mesh.order=" + std::to_string(GetParam().order)});
+  const Outcome outcome = test::run_case(stack_toml(boxes, bars, "-0.02", "0.02") + test::support("mid_middle", "z") +
+                                             test::contact("low_z1", "mid_z0") + test::contact("mid_z1", "top_z0") +
+                                             "[time]\nend = 1e3\ntolerance = 1e-6\noutput = [1, 10, 100, 1e3]\n",
+                                         test::boxes_geo(boxes), {"mesh.order=" + std::to_string(GetParam().order)});
   for (const double t : {0.0, 1.0, 10.0, 100.0, 1e3}) {
     const double exact = reference::power_relaxation(0.04 / flexibility, creep / flexibility, n, t);
     for (const std::string joint : {"1", "2"}) {
@@ -188,14 +189,15 @@ TEST_P(TiedAndUnilateral, AgreeInCompressionWithoutShear) {
   for (const auto& [name, value] : unilateral) EXPECT_RELATIVE(tied.at(name), value, 1e-8) << name;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cases, TiedAndUnilateral,
-    testing::Values(Agreement{"uniform_on_other_meshes", two, "0", "-0.03"},
-                    // The mirror image of one another, so that nothing slides.
-                    Agreement{"mirror_images",
-                              {{"lower", {0, 0, 0}, {10, 10, 10}, {3, 2, 2}}, {"upper", {0, 0, 10}, {10, 10, 10}, {3, 2, 2}}},
-                              "\"0.01*(1 + 0.03*x - 0.02*y)\"", "\"-0.01*(1 + 0.03*x - 0.02*y)\""}),
-    [](const auto& parameter) { return parameter.param.name; });
+INSTANTIATE_TEST_SUITE_P(Cases, TiedAndUnilateral,
+                         testing::Values(Agreement{"uniform_on_other_meshes", two, "0", "-0.03"},
+                                         // The mirror image of one another, so that nothing slides.
+                                         Agreement{"mirror_images",
+                                                   {{"lower", {0, 0, 0}, {10, 10, 10}, {3, 2, 2}},
+                                                    {"upper", {0, 0, 10}, {10, 10, 10}, {3, 2, 2}}},
+                                                   "\"0.01*(1 + 0.03*x - 0.02*y)\"",
+                                                   "\"-0.01*(1 + 0.03*x - 0.02*y)\""}),
+                         [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
 }  // namespace creepcontact

@@ -53,10 +53,8 @@ TEST_P(CornerContact, UniformStatesOnAllSides) {
   flexibility.diagonal() = (depth / moduli.array() + 1 / cube).matrix();
   const Eigen::Vector3d p = flexibility.inverse() * pushed;
   ASSERT_GT(p.minCoeff(), 0);
-  const std::map<std::string, Eigen::Vector3d> exact{{"cube", -p},
-                                                     {"wall", {-p.x(), 0, 0}},
-                                                     {"back", {0, -p.y(), 0}},
-                                                     {"floor", {0, 0, -p.z()}}};
+  const std::map<std::string, Eigen::Vector3d> exact{
+      {"cube", -p}, {"wall", {-p.x(), 0, 0}}, {"back", {0, -p.y(), 0}}, {"floor", {0, 0, -p.z()}}};
   const std::map<std::string, int> axis{{"floor_z1/cube_z0", 2}, {"cube_x1/wall_x0", 0}, {"cube_y1/back_y0", 1}};
   const double tolerance = 1e-8 * p.maxCoeff();
   for (const auto& [body, stress] : exact)
@@ -68,8 +66,7 @@ TEST_P(CornerContact, UniformStatesOnAllSides) {
         EXPECT_NEAR(state.probes.at(body + shear + reduce), 0, tolerance) << body << shear << reduce;
     }
   for (const auto& [pair, points] : state.pairs)
-    for (const test::ContactPoint& point : points)
-      EXPECT_NEAR(point.pressure, p[axis.at(pair)], tolerance) << pair;
+    for (const test::ContactPoint& point : points) EXPECT_NEAR(point.pressure, p[axis.at(pair)], tolerance) << pair;
 }
 
 std::vector<Slaves> all_slaves() {
@@ -93,13 +90,15 @@ TEST_P(Balance, ContactForcesAreOppositeAndCarryTheLoad) {
                                {"beam", {0, 0, 5}, {10, 2, 2}, {7, 3, 2}, false}};
   std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n" + test::body("post", 1e3, 0.3) +
                      test::body("beam", 3e3, 0.2) + "[[loads]]\non = \"beam_z1\"\npressure = \"1 + 0.1*x*y\"\n" +
-                     test::contact("post_z1", "beam_z0", "gap = \"0.2*(x - 8)\"\nslave = \"" + GetParam() + "\"") + "[time]\nend = 1\n";
+                     test::contact("post_z1", "beam_z0", "gap = \"0.2*(x - 8)\"\nslave = \"" + GetParam() + "\"") +
+                     "[time]\nend = 1\n";
   for (const char* component : {"x", "y", "z"})
-    toml += test::support("post_z0", component) + test::support("beam_x0", component) +
-            test::probe(std::string("post_") + component, std::string("contact_force_") + component, "on = \"post_z1\"") +
-            test::probe(std::string("beam_") + component, std::string("contact_force_") + component, "on = \"beam_z0\"") +
-            test::probe(std::string("clamp_") + component, std::string("reaction_") + component, "on = \"beam_x0\"") +
-            test::probe(std::string("ground_") + component, std::string("reaction_") + component, "on = \"post_z0\"");
+    toml +=
+        test::support("post_z0", component) + test::support("beam_x0", component) +
+        test::probe(std::string("post_") + component, std::string("contact_force_") + component, "on = \"post_z1\"") +
+        test::probe(std::string("beam_") + component, std::string("contact_force_") + component, "on = \"beam_z0\"") +
+        test::probe(std::string("clamp_") + component, std::string("reaction_") + component, "on = \"beam_x0\"") +
+        test::probe(std::string("ground_") + component, std::string("reaction_") + component, "on = \"post_z0\"");
   const test::ContactState state = test::contact_state(toml, test::boxes_geo(boxes));
   const double load = 10 * 2 * 1.0 + 0.1 * 50 * 2;
   const auto& found = state.probes;

@@ -21,7 +21,8 @@ class Stack {
     }
   }
 
-  /// Compressive stress at t, with the classical Runge-Kutta method from 0. @param steps  kinks should fall between them
+  /// Compressive stress at t, with the classical Runge-Kutta method from 0. @param steps  kinks should fall between
+  /// them
   double stress(double t, int steps = 20000) const {
     const double h = t / steps;
     double c = 0;

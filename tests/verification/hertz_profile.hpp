@@ -1,0 +1,53 @@
+#pragma once
+/// Figures of a pressure distribution beside those of Hertz.
+
+#include <algorithm>
+#include <vector>
+
+#include "verification/contact_state.hpp"
+#include "verification/reference/hertz.hpp"
+
+namespace creepcontact::test {
+
+/// All relative to the exact contact radius and the exact largest pressure.
+struct HertzErrors {
+  double radius;    ///< of the zero of the straight line through the squared pressure over r^2
+  double area;      ///< of the radius that belongs to contact_area
+  double peak;      ///< of the largest pressure
+  double rms;       ///< of the pressure over the contact
+  double overhang;  ///< largest pressure outside of the contact
+};
+
+/// @param r_of  distance of a contact point from the centre. @param area_radius  what contact_area says
+template <typename Radius>
+HertzErrors hertz_errors(const std::vector<ContactPoint>& points, const reference::Hertz& exact, double area_radius,
+                         Radius&& r_of) {
+  double peak = 0, overhang = 0, sum = 0, area = 0;
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (const ContactPoint& point : points) {
+    const double r = r_of(point.place), x = r * r / (exact.radius * exact.radius);
+    const double p = point.pressure / exact.pressure, error = p - exact(r) / exact.pressure;
+    peak = std::max(peak, p);
+    if (x > 1) {
+      overhang = std::max(overhang, p);
+      continue;
+    }
+    sum += point.area * error * error;
+    area += point.area;
+    if (x < 0.25 || x > 0.9) continue;  // the slope near the edge, without the elements that the edge cuts
+    n += 1, sx += x, sy += p * p, sxx += x * x, sxy += x * p * p;
+  }
+  const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx), at_centre = (sy - slope * sx) / n;
+  return {std::sqrt(-at_centre / slope) - 1, area_radius / exact.radius - 1, peak - 1, std::sqrt(sum / area), overhang};
+}
+
+/// Bounds on the errors of a mesh with eight or more elements over the contact radius.
+inline void expect_hertz(const HertzErrors& errors, double rms, const std::string& what) {
+  EXPECT_LT(std::abs(errors.radius), 0.012) << what;
+  EXPECT_LT(std::abs(errors.area), 0.02) << what;
+  EXPECT_LT(std::abs(errors.peak), 0.006) << what;
+  EXPECT_LT(errors.rms, rms) << what;
+  EXPECT_LT(errors.overhang, 0.16) << what;
+}
+
+}  // namespace creepcontact::test
