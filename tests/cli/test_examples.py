@@ -1,0 +1,71 @@
+"""The larger examples on coarse meshes: every force that a hand can work out is there, at every time."""
+
+import math
+import pathlib
+import subprocess
+import unittest
+
+from test_runs import PROGRAM, RunTest
+
+CONFIGS = pathlib.Path(__file__).resolve().parents[2] / "configs"
+SHORT = {"time.end": "100", "time.output": "[1, 10]", "output.fields": "false"}
+
+
+class ExampleTest(RunTest):
+    def history(self, name, **parameters):
+        settings = SHORT | {f"mesh.parameters.{key}": str(value) for key, value in parameters.items()}
+        options = [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
+        done = subprocess.run([PROGRAM, "run", str(CONFIGS / name), "--output", str(self.output), *options],
+                              cwd=self.directory, capture_output=True, text=True, timeout=100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.table("history.csv")
+        self.assertEqual([row["time"] for row in rows], [0, 1, 10, 100])
+        return rows
+
+    def expect_close(self, value, reference, relative):
+        self.assertAlmostEqual(value, reference, delta=relative * abs(reference))
+
+
+class BoltedFlange(ExampleTest):
+    def test_forces_balance(self):
+        rows = self.history("bolted_flange.toml", n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2,
+                            n_shank=2)
+        thrust = 4 * math.pi * 100**2 / 24  # of the pressure on the closed end of half a sector
+        for row in rows:
+            self.expect_close(row["nut_force"], -row["head_force"], 1e-6)
+            self.expect_close(row["head_force"] - row["joint_force"], thrust, 1e-4)
+        forces = [row["head_force"] for row in rows]
+        self.assertEqual(forces, sorted(forces, reverse=True))
+        self.assertGreater(forces[-1], 1e4)
+
+
+class BladeRoot(ExampleTest):
+    def test_flanks_carry_the_blade(self):
+        rows = self.history("blade_root.toml", n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_fillet=2,
+                            n_width=1)
+        for row in rows:
+            self.expect_close(row["force_1"] + row["force_2"], self.pull(), 1e-6)
+            self.assertGreater(min(row["force_1"], row["force_2"]), 1e3)
+
+    @staticmethod
+    def pull():
+        """Traction on the top of the root and centrifugal force of the root: quarter of a root, parameters of the .geo."""
+        fillet, clearance, width, top = 1.5, 0.3, 15, 305
+        k = fillet / math.sqrt(2)
+        upper = 275 + 3.5 + 4 * k - clearance + 6
+        half_width = [5, 8, 8, 4.5, 4.5, 10.5, 10.5, 7, 7 + k - fillet, 7 + k - fillet]
+        radius = [275 - 2 * k + clearance - 3, 275 - 2 * k + clearance, 275, 278.5, 278.5 + 2 * k,
+                  upper - 2 * k + clearance, upper, upper + 3.5, upper + 3.5 + k, top]
+        moment = 0  # integral of the radius over the profile: trapezia, less the segments that the fillets cut off
+        for (x0, y0), (x1, y1) in zip(zip(half_width, radius), zip(half_width[1:], radius[1:])):
+            moment += (y1 - y0) / 6 * (x0 * y0 + (x0 + x1) * (y0 + y1) + x1 * y1)
+        for angle, centre in ((math.pi / 2, 278.5 + k), (math.pi / 4, upper + 3.5 + k)):
+            segment = fillet**2 / 2 * (angle - math.sin(angle))
+            distance = 4 * fillet * math.sin(angle / 2)**3 / (3 * (angle - math.sin(angle)))
+            towards = math.pi if angle == math.pi / 2 else 9 / 8 * math.pi
+            moment -= segment * (centre + distance * math.sin(towards))
+        return 160 * half_width[-1] * width + 8.2e-9 * 523.6**2 * width * moment
+
+
+if __name__ == "__main__":
+    unittest.main()
