@@ -21,7 +21,7 @@ DefineConstant[
   nut_height  = {20,  Name "Parameters/height of the nut"},
   end         = {5,   Name "Parameters/length of the bolt's end beyond the nut"},
   n_around    = {3,   Name "Parameters/elements across the sector"},
-  n_face      = {4,   Name "Parameters/elements across the raised face beyond the pipe's wall"},
+  n_face      = {5,   Name "Parameters/elements across the raised face beyond the pipe's wall"},
   n_hole      = {5,   Name "Parameters/elements around the middle half of the hole"},
   n_seat      = {4,   Name "Parameters/elements from the hole outwards, under head and nut"},
   n_bearing   = {3,   Name "Parameters/elements across the bearing faces of head and nut"},
@@ -34,9 +34,10 @@ Macro Arc
   l = newl; Circle(l) = {p1, centre, p2}; Transfinite Curve{l} = n + 1;
 Return
 
+growth = 1;
 Macro Segment
-  // in: p1, p2, n; out: l
-  l = newl; Line(l) = {p1, p2}; Transfinite Curve{l} = n + 1;
+  // in: p1, p2, n, growth; out: l
+  l = newl; Line(l) = {p1, p2}; Transfinite Curve{l} = n + 1 Using Progression growth;
 Return
 
 Macro Quadrilateral
@@ -98,6 +99,7 @@ Macro Flange
   EndFor
   plate[] = ring[];
   For i In {0:3}
+    growth = (i == 1) ? 0.7 : 1; // the faces bear at the outer edge of the raised face
     p1 = outer[i]; p2 = outer[i + 1]; n = (i == 2) ? n_hole : (i == 1) ? n_face : 2; Call Segment;
     far = l;
     If (i != 2)

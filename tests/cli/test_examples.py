@@ -32,8 +32,8 @@ class BoltedFlange(ExampleTest):
                             n_shank=2)
         thrust = 4 * math.pi * 100**2 / 24  # of the pressure on the closed end of half a sector
         for row in rows:
-            self.expect_close(row["nut_force"], -row["head_force"], 1e-6)
-            self.expect_close(row["head_force"] - row["joint_force"], thrust, 1e-4)
+            self.expect_close(row["nut_force"], -row["head_force"], 1e-9)
+            self.expect_close(row["head_force"] - row["joint_force"], thrust, 1e-6)
         forces = [row["head_force"] for row in rows]
         self.assertEqual(forces, sorted(forces, reverse=True))
         self.assertGreater(forces[-1], 1e4)
@@ -41,8 +41,7 @@ class BoltedFlange(ExampleTest):
 
 class BladeRoot(ExampleTest):
     def test_flanks_carry_the_blade(self):
-        rows = self.history("blade_root.toml", n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_fillet=2,
-                            n_width=1)
+        rows = self.history("blade_root.toml", n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1)
         for row in rows:
             self.expect_close(row["force_1"] + row["force_2"], self.pull(), 1e-6)
             self.assertGreater(min(row["force_1"], row["force_2"]), 1e3)
@@ -64,7 +63,7 @@ class BladeRoot(ExampleTest):
             distance = 4 * fillet * math.sin(angle / 2)**3 / (3 * (angle - math.sin(angle)))
             towards = math.pi if angle == math.pi / 2 else 9 / 8 * math.pi
             moment -= segment * (centre + distance * math.sin(towards))
-        return 160 * half_width[-1] * width + 8.2e-9 * 523.6**2 * width * moment
+        return 110 * half_width[-1] * width + 8.2e-9 * 523.6**2 * width * moment
 
 
 if __name__ == "__main__":
