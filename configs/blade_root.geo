@@ -82,7 +82,7 @@ py[] = {level - 2*k + clearance - 3, level - 2*k + clearance, level, level + fla
         level_2 - 2*k + clearance, level_2, level_2 + flank_2, level_2 + flank_2 + k, top};
 cx[] = {0, 0, 0, neck_1 + k, 0, 0, 0, neck_2 + k, 0};
 cy[] = {0, 0, 0, level + flank_1 + k, 0, 0, 0, level_2 + flank_2 + k, 0};
-pn[] = {2, 2, n_blade_flank, n_fillet, 4, 2, n_blade_flank, n_fillet/2, 3};
+pn[] = {2, 2, n_blade_flank, n_fillet, 4, 2, n_blade_flank, Ceil(n_fillet/2), 3};
 Call Profile;
 edge[] = {};
 For i In {0:#py[] - 1}

@@ -2,6 +2,8 @@
 // next bolt. Two flanges with a raised face and a length of pipe each, a bolt with its head, and a nut on the bolt's end:
 // four bodies with meshes of their own, all hexahedra. z is the pipe's axis, the joint lies at z = 0, the head above.
 SetFactory("OpenCASCADE"); // which leaves the coinciding surfaces of the bodies apart
+// Gmsh may give coinciding curves each other's divisions. So the faces under head and nut end at radii that the flanges' meshes
+// do not have, and nut and thread are divided alike.
 DefineConstant[
   bolts      = {12,   Name "Parameters/number of bolts"},
   pipe_inner = {100,  Name "Parameters/inner radius of the pipe"},
