@@ -31,6 +31,7 @@ DefineConstant[
   n_shank     = {8,   Name "Parameters/elements along the shank between head and nut"}
 ];
 
+// A macro runs after the rest of the line that calls it, so that calls end their lines.
 Macro Arc
   // in: p1, p2, centre, n; out: l
   l = newl; Circle(l) = {p1, centre, p2}; Transfinite Curve{l} = n + 1;
