@@ -6,30 +6,23 @@
 namespace creepcontact::contact {
 namespace {
 
-using Gradient = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 9, 3>;
+constexpr int subdivisions = 4;    // of a curved edge
+constexpr double straight = 1e-7;  // of the chord's length: an edge that bulges less
+constexpr double no_bend = 1e-10;  // of the diameter
 
-constexpr int subdivisions = 4;  // of a curved edge: a parabola is then met to 1/64 of its height
+/// 1, x, x^2
+Vector3 powers(double x) {
+  return {1, x, x * x};
+}
+Vector3 derivatives(double x) {
+  return {0, 1, 2 * x};
+}
 
-/// Straight-edged cells that divide the reference triangle or square, counter-clockwise.
-std::vector<std::vector<Vector3>> reference_cells(int n_corners) {
-  std::vector<std::vector<Vector3>> cells;
-  const int n = subdivisions;
-  if (n_corners == 3) {
-    const auto at = [](int i, int j) { return Vector3(double(i) / subdivisions, double(j) / subdivisions, 0); };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; i + j < n; ++j) {
-        cells.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-        if (i + j + 1 < n) cells.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-      }
-  } else {
-    const auto at = [](int i, int j) { return Vector3(2.0 * i / subdivisions - 1, 2.0 * j / subdivisions - 1, 0); };
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {  // two triangles: always convex, however the face is curved
-        cells.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-        cells.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-      }
-  }
-  return cells;
+/// Products a_i b_j at 3 i + j.
+Eigen::Matrix<double, 9, 1> products(const Vector3& a, const Vector3& b) {
+  Eigen::Matrix<double, 9, 1> result;
+  for (int i = 0; i < 3; ++i) result.segment<3>(3 * i) = a[i] * b;
+  return result;
 }
 
 Facet::Coordinates coordinates(const mesh::Mesh& mesh, const mesh::Face& face) {
@@ -61,49 +54,67 @@ Facet::Facet(mesh::CellType type, Coordinates x)
   for (int i = 0; i < n_nodes(); ++i) box_.extend(node_position(i));
   for (int i = 0; i < n_corners_; ++i)
     for (int j = 0; j < i; ++j) diameter_ = std::max(diameter_, (x_.row(i) - x_.row(j)).norm());
+  fit_polynomial();
+}
+
+// All shape functions are polynomials of degree 2 at most in either coordinate: nine values tell them.
+void Facet::fit_polynomial() {
+  const Matrix3 from_values = (Matrix3() << 0, 1, 0, -0.5, 0, 0.5, 0.5, -1, 0.5).finished();  // at -1, 0, 1
+  ShapeValues shape(n_nodes());
+  polynomial_.setZero();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      element_->shape(Vector3(i - 1, j - 1, 0), shape);
+      polynomial_ += (x_.transpose() * shape) * products(from_values.col(i), from_values.col(j)).transpose();
+    }
+  double bend = 0;
+  for (const int k : {2, 4, 5, 6, 7, 8}) bend = std::max(bend, polynomial_.col(k).norm());
+  is_affine_ = bend <= no_bend * diameter_;
 }
 
 Vector3 Facet::position(const Vector3& xi) const {
-  ShapeValues shape(n_nodes());
-  element_->shape(xi, shape);
-  return x_.transpose() * shape;
+  return polynomial_ * products(powers(xi.x()), powers(xi.y()));
+}
+
+std::array<Vector3, 2> Facet::tangents(const Vector3& xi) const {
+  return {polynomial_ * products(derivatives(xi.x()), powers(xi.y())),
+          polynomial_ * products(powers(xi.x()), derivatives(xi.y()))};
 }
 
 Vector3 Facet::area_vector(const Vector3& xi) const {
-  Gradient gradient(n_nodes(), 3);
-  element_->gradient(xi, gradient);
-  const Vector3 tangent1 = x_.transpose() * gradient.col(0);
-  const Vector3 tangent2 = x_.transpose() * gradient.col(1);
+  const auto [tangent1, tangent2] = tangents(xi);
   return tangent1.cross(tangent2);
 }
 
-bool Facet::has_curved_edges(const Plane& plane) const {
-  if (n_nodes() == n_corners_) return false;
+Polygon Facet::outline(const Plane& plane) const {
+  constexpr int n = subdivisions;
+  Polygon result;
   for (int e = 0; e < n_corners_; ++e) {  // node n_corners + e lies on the edge from corner e to e + 1
-    const Eigen::Vector2d a = plane.project(x_.row(e).transpose());
-    const Eigen::Vector2d b = plane.project(x_.row((e + 1) % n_corners_).transpose());
-    const Eigen::Vector2d middle = plane.project(x_.row(n_corners_ + e).transpose());
+    const Eigen::Vector2d a = plane.project(node_position(e));
+    result.push_back(a);
+    if (n_nodes() == n_corners_) continue;
+    const Eigen::Vector2d b = plane.project(node_position((e + 1) % n_corners_));
     const Eigen::Vector2d chord = b - a;
-    const Eigen::Vector2d offset = middle - a;
-    if (std::abs(chord.x() * offset.y() - chord.y() * offset.x()) > 1e-7 * chord.squaredNorm()) return true;
+    const Eigen::Vector2d bulge = plane.project(node_position(n_corners_ + e)) - 0.5 * (a + b);
+    if (std::abs(chord.x() * bulge.y() - chord.y() * bulge.x()) <= straight * chord.squaredNorm()) continue;
+    // Each part of the parabola bulges by 1/n^2 of the whole; points that much further out keep the area.
+    const double further = 2.0 / 3 / (n * (n - 1));
+    for (int k = 1; k < n; ++k) {
+      const double t = double(k) / n;
+      result.emplace_back(a + t * chord + (4 * t * (1 - t) + further) * bulge);
+    }
   }
-  return false;
+  return result;
 }
 
 std::vector<Polygon> Facet::pieces(const Plane& plane, bool flipped) const {
+  const Polygon edges = outline(plane);
   std::vector<Polygon> result;
-  if (!has_curved_edges(plane)) {
-    Polygon polygon;
-    for (int i = 0; i < n_corners_; ++i) polygon.push_back(plane.project(x_.row(i).transpose()));
-    result.push_back(std::move(polygon));
+  if (static_cast<int>(edges.size()) == n_corners_) {
+    result.push_back(edges);
   } else {
-    static const auto triangle_cells = reference_cells(3);
-    static const auto square_cells = reference_cells(4);
-    for (const auto& cell : n_corners_ == 3 ? triangle_cells : square_cells) {
-      Polygon polygon;
-      for (const Vector3& xi : cell) polygon.push_back(plane.project(position(xi)));
-      result.push_back(std::move(polygon));
-    }
+    const Eigen::Vector2d middle = plane.project(centre());
+    for (std::size_t i = 0; i < edges.size(); ++i) result.push_back({middle, edges[i], edges[(i + 1) % edges.size()]});
   }
   if (flipped)
     for (Polygon& polygon : result) std::reverse(polygon.begin(), polygon.end());
@@ -115,14 +126,11 @@ bool Facet::unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi)
   // Steps this small are squared by the next one, and round-off far from the origin of coordinates stays below them.
   constexpr double small_step = 1e-9;
   constexpr double far_outside = 10;
-  ShapeValues shape(n_nodes());
-  Gradient gradient(n_nodes(), 3);
   for (int iteration = 0; iteration < 25; ++iteration) {
-    element_->shape(xi, shape);
-    element_->gradient(xi, gradient);
-    const Eigen::Vector2d residual = plane.project(x_.transpose() * shape) - p;
+    const Eigen::Vector2d residual = plane.project(position(xi)) - p;
+    const auto [tangent1, tangent2] = tangents(xi);
     Eigen::Matrix2d jacobian;
-    for (int k = 0; k < 2; ++k) jacobian.col(k) = plane.project_direction(x_.transpose() * gradient.col(k));
+    jacobian << plane.project_direction(tangent1), plane.project_direction(tangent2);
     const Eigen::Vector2d step = jacobian.inverse() * residual;
     if (!step.allFinite()) return false;
     xi.head<2>() -= step;

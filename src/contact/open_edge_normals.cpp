@@ -1,6 +1,8 @@
 #include "open_edge_normals.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -13,13 +15,16 @@ namespace {
 struct Vertex {
   Vector3 place;
   int n_faces = 0;
-  bool is_known = true;      // not on an open edge, or corrected
+  bool is_known = true;  // not on an open edge, or corrected
+  bool is_at_kink = false;
   std::set<int> neighbours;  // on the faces around, across quadrilaterals too
 };
 
 /// Number of faces at each edge: two inside the surface, one at an open edge.
 using Edges = std::map<std::pair<int, int>, int>;
 
+constexpr double least_break = 0.02;  // of a condition at a kink; about a degree
+constexpr double break_of_turn = 0.35;
 constexpr double least_seen = 0.05;  // squared sine: a component that conditions hardly see is not determined by them
 
 class OpenEdges {
@@ -48,6 +53,7 @@ class OpenEdges {
   }
 
   void correct() {
+    mark_kinks();
     for (const int least_rank : {2, 1})  // well-determined nodes first: they help the corners
       while (correct_from_known(least_rank)) {
       }
@@ -70,6 +76,21 @@ class OpenEdges {
       const Vector3 outward = (facet.node_position(next) - facet.node_position(i)).cross(normal).normalized();
       work(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(next)], outward);
     }
+  }
+
+  /// Where inner normals break the conditions the surface has a kink, or its curvature jumps: no way to go on from
+  /// there.
+  void mark_kinks() {
+    for (std::size_t v = 0; v < vertices_.size(); ++v)
+      for (const int j : vertices_[v].neighbours) {
+        const auto neighbour = static_cast<std::size_t>(j);
+        if (!vertices_[v].is_known || !vertices_[neighbour].is_known) continue;
+        const Vector3 chord = (vertices_[neighbour].place - vertices_[v].place).normalized();
+        const double here = chord.dot(normals_.multipliers[v].normal);
+        const double there = chord.dot(normals_.multipliers[neighbour].normal);
+        if (std::abs(here + there) > std::max(least_break, break_of_turn * std::abs(there - here)))
+          vertices_[v].is_at_kink = true;
+      }
   }
 
   bool is_mirrored(int v, const Vector3& outward) const {
@@ -103,7 +124,7 @@ class OpenEdges {
       Eigen::Vector2d right = Eigen::Vector2d::Zero();
       for (const int j : at.neighbours) {
         const auto neighbour = static_cast<std::size_t>(j);
-        if (!vertices_[neighbour].is_known) continue;
+        if (!vertices_[neighbour].is_known || vertices_[neighbour].is_at_kink) continue;
         const Vector3 chord = (vertices_[neighbour].place - at.place).normalized();
         const Eigen::Vector2d c(axis1.dot(chord), axis2.dot(chord));
         square += c * c.transpose();

@@ -9,7 +9,8 @@ namespace creepcontact::contact {
 /// On spheres and cylinders the normals at both ends of any chord make the same angle with it, elsewhere to second
 /// order:  (n_i + n_j) . (x_j - x_i) = 0. These conditions, to nodes of the same faces whose normal is known, correct
 /// the normals of nodes on open edges: first from the inner nodes, then the corners from the edges. Edges that lie in a
-/// plane of symmetry are not open. Nodes without such a neighbour, and plane surfaces, keep what they have.
+/// plane of symmetry are not open. Nodes without such a neighbour keep
+/// what they have; nodes beside a kink are no help.
 void correct_open_edges(const std::vector<Facet>& facets, const mechanics::Constraints& constraints,
                         SurfaceNormals& normals);
 

@@ -12,10 +12,13 @@ constexpr double smallest_segment = 1e-12;   // of the slave facet's area
 constexpr double no_area = 1e-10;            // of the squared diameter
 constexpr double edge_on_cosine = 0.05;      // the surface bends away from the facet's plane
 
-/// Exact for the product of two quadratic shape functions and a linear hat on a flat triangle.
-const fem::QuadratureRule& segment_rule() {
-  static const fem::QuadratureRule rule = fem::triangle(6);
-  return rule;
+/// How the overlap of two pieces is integrated: products of two shape functions and a hat.
+const fem::QuadratureRule& segment_rule(const Facet& slave, const Facet& master, bool in_pieces) {
+  static const fem::QuadratureRule exact = fem::triangle(6);  // where shape functions are polynomials of the place
+  static const fem::QuadratureRule fine = fem::triangle(8);   // where they are rational functions
+  static const fem::QuadratureRule of_pieces = fem::triangle(5);
+  if (in_pieces) return of_pieces;
+  return slave.is_affine() && master.is_affine() ? exact : fine;
 }
 
 std::vector<Eigen::AlignedBox3d> boxes(const std::vector<Facet>& facets) {
@@ -63,8 +66,8 @@ std::vector<Segment> Segmentation::segments(std::size_t slave_facet) const {
   if (seen.pieces.empty()) return result;
   for (const std::size_t m : candidates(slave, seen.plane)) {
     Segment segment{m, {}};
-    cut(seen, master_[m], [&](const Polygon& overlap) {
-      integrate(slave, seen.plane, master_[m], overlap, segment.points);
+    cut(seen, master_[m], [&](const Polygon& overlap, bool in_pieces) {
+      integrate(slave, seen.plane, master_[m], overlap, segment_rule(slave, master_[m], in_pieces), segment.points);
       return false;
     });
     if (!segment.points.empty()) result.push_back(std::move(segment));
@@ -79,7 +82,7 @@ bool Segmentation::has_partner(std::size_t slave_facet) const {
   const std::vector<std::size_t> near = candidates(slave, seen.plane);
   return std::any_of(near.begin(), near.end(), [&](std::size_t m) {
     SegmentPoint point;
-    return cut(seen, master_[m], [&](const Polygon& overlap) {
+    return cut(seen, master_[m], [&](const Polygon& overlap, bool) {
       return find_points(slave, seen.plane, master_[m], mean(overlap), point);
     });
   });
@@ -89,27 +92,28 @@ template <typename Work>
 bool Segmentation::cut(const Outline& outline, const Facet& master, const Work& work) const {
   if (!(master.area_vector_at_centre().dot(outline.plane.normal) < 0)) return false;
   const std::vector<Polygon> master_pieces = master.pieces(outline.plane, true);
+  const bool in_pieces = outline.pieces.size() + master_pieces.size() > 2;
   Polygon overlap, scratch;
   for (const Polygon& a : outline.pieces)
     for (const Polygon& b : master_pieces) {
       clip(a, b, overlap, scratch);
-      if (!overlap.empty() && area(overlap) >= smallest_segment * outline.area && work(overlap)) return true;
+      if (overlap.empty() || area(overlap) < smallest_segment * outline.area) continue;
+      if (work(overlap, in_pieces)) return true;
     }
   return false;
 }
 
 void Segmentation::integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,
-                             std::vector<SegmentPoint>& points) const {
-  const fem::QuadratureRule& rule = segment_rule();
-  const Eigen::Vector2d middle = mean(overlap);
-  for (std::size_t i = 0; i < overlap.size(); ++i) {
-    const Eigen::Vector2d side1 = overlap[i] - middle;
-    const Eigen::Vector2d side2 = overlap[(i + 1) % overlap.size()] - middle;
+                             const fem::QuadratureRule& rule, std::vector<SegmentPoint>& points) const {
+  const Eigen::Vector2d& corner = overlap[0];
+  for (std::size_t i = 1; i + 1 < overlap.size(); ++i) {
+    const Eigen::Vector2d side1 = overlap[i] - corner;
+    const Eigen::Vector2d side2 = overlap[i + 1] - corner;
     const double twice_area = side1.x() * side2.y() - side1.y() * side2.x();
     if (!(twice_area > 0)) continue;
     for (int q = 0; q < rule.size(); ++q) {
       SegmentPoint point;
-      if (!find_points(slave, plane, master, middle + rule.points(q, 0) * side1 + rule.points(q, 1) * side2, point))
+      if (!find_points(slave, plane, master, corner + rule.points(q, 0) * side1 + rule.points(q, 1) * side2, point))
         continue;
       const double cosine = slave.area_vector(point.slave_xi).normalized().dot(plane.normal);
       if (cosine < edge_on_cosine) continue;

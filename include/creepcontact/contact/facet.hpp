@@ -1,6 +1,7 @@
 #pragma once
 /// Geometry of one face of a contact surface: position, normal, projection onto a plane and back.
 
+#include <array>
 #include <vector>
 
 #include "creepcontact/contact/polygon.hpp"
@@ -37,6 +38,9 @@ class Facet {
   int n_corners() const { return n_corners_; }
   Vector3 node_position(int i) const { return x_.row(i).transpose(); }
 
+  /// True if positions are linear in the reference coordinates: flat, with straight edges evenly divided.
+  bool is_affine() const { return is_affine_; }
+
   Vector3 position(const Vector3& xi) const;
   /// Normal times the surface Jacobian |dx/dxi1 x dx/dxi2|.
   Vector3 area_vector(const Vector3& xi) const;
@@ -48,7 +52,8 @@ class Facet {
   const Eigen::AlignedBox3d& box() const { return box_; }
 
   /// The face as straight-edged convex pieces, projected; counter-clockwise seen against the plane's normal.
-  /// One piece where the face's edges project to straight lines, else a subdivision of the face (edges to 4th order).
+  /// One piece where the face's edges project to straight lines, else triangles about its centre, whose outer edges
+  /// keep the area under every curved edge.
   /// @param flipped  true for a face seen from behind (the master, whose normal opposes the plane's)
   std::vector<Polygon> pieces(const Plane& plane, bool flipped) const;
 
@@ -59,13 +64,21 @@ class Facet {
   bool meet_line(const Vector3& origin, const Vector3& direction, Vector3& xi) const;
 
  private:
-  bool has_curved_edges(const Plane& plane) const;
+  /// Coefficients of xi1^a xi2^b, a, b = 0, 1, 2: one column each, and those of the derivatives.
+  using Polynomial = Eigen::Matrix<double, 3, 9>;
+
+  void fit_polynomial();
+  std::array<Vector3, 2> tangents(const Vector3& xi) const;
+  /// Corners and, on curved edges, points between them.
+  Polygon outline(const Plane& plane) const;
 
   const fem::ReferenceElement* element_;
   const fem::ReferenceElement* corner_element_;
   std::vector<std::int64_t> nodes_;
   int n_corners_;
   Coordinates x_;
+  Polynomial polynomial_;
+  bool is_affine_ = false;
   Vector3 centre_xi_;
   double diameter_ = 0;
   Eigen::AlignedBox3d box_;

@@ -42,11 +42,12 @@ class Segmentation {
 
   Outline outline(const Facet& slave) const;
   std::vector<std::size_t> candidates(const Facet& slave, const Plane& plane) const;
-  /// @param work  called with each polygon that both facets share; cutting stops where it returns true
+  /// @param work  called with each polygon that both facets share, and whether it is one of the pieces of a face with
+  ///   curved edges; cutting stops where it returns true
   template <typename Work>
   bool cut(const Outline& outline, const Facet& master, const Work& work) const;
   void integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,
-                 std::vector<SegmentPoint>& points) const;
+                 const fem::QuadratureRule& rule, std::vector<SegmentPoint>& points) const;
   /// Opposite points of the two facets at p; what lies too far along the normal is another part of the body's skin.
   bool find_points(const Facet& slave, const Plane& plane, const Facet& master, const Eigen::Vector2d& p,
                    SegmentPoint& point) const;

