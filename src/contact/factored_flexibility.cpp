@@ -8,6 +8,8 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+constexpr double rounding = 1e-12;
+
 /// K restricted to the unknowns that contact rows touch, both triangles. @param place  of each unknown, or -1
 Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& place, int n) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -70,12 +72,15 @@ FactoredFlexibility::FactoredFlexibility(std::span<const std::unique_ptr<mechani
 
     const Sparse stiffness = touched * restricted(bodies[b]->stiffness(), place, n_touched) * touched.transpose();
     const Sparse square = touched * touched.transpose();
+    // Rows that the body cannot follow (held there) are none of its own but for rounding.
+    const double least = rounding * square.diagonal().maxCoeff();
     Lumped lumped;
     std::vector<int> as_slave;
     for (int r = 0; r < static_cast<int>(own.rows.size()); ++r) {
       const double s = square.coeff(r, r), k = stiffness.coeff(r, r);
-      if (k > 0) diagonal_[own.rows[static_cast<std::size_t>(r)]] += s * s / k;  // <= F_ii, by Cauchy and Schwarz
-      if (!own.is_slaves[static_cast<std::size_t>(r)] || !(k > 0)) continue;
+      if (!(s > least && k > 0)) continue;
+      diagonal_[own.rows[static_cast<std::size_t>(r)]] += s * s / k;  // <= F_ii, by Cauchy and Schwarz
+      if (!own.is_slaves[static_cast<std::size_t>(r)]) continue;
       as_slave.push_back(r);
       lumped.rows.push_back(own.rows[static_cast<std::size_t>(r)]);
     }
@@ -115,7 +120,8 @@ std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::v
       for (const auto& block : blocks) {
         const Eigen::VectorXd displacement = block->square.solve(Eigen::VectorXd(gaps(block->places)));
         const Eigen::VectorXd force = block->stiffness * displacement;
-        result(block->places) = block->square.solve(force);
+        const Eigen::VectorXd closing = block->square.solve(force);  // the solver permutes in place: no indexed target
+        result(block->places) = closing;
       }
       return result;
     }

@@ -16,8 +16,40 @@ struct BoxSetup {
   double distortion = 0.2;
 };
 
+struct Equilibrium {
+  contact::ContactResult result;
+  std::vector<std::vector<double>> stress, displacement;  // of every body
+};
+
+/// Elastic equilibrium at time t.
+inline Equilibrium equilibrium(const std::vector<std::unique_ptr<mechanics::Body>>& bodies,
+                               const contact::CondensedInterface& interface, contact::ContactSolver& solver, double t) {
+  Equilibrium state;
+  std::vector<std::vector<double>> y(bodies.size());
+  for (const auto& body : bodies) body->set_time(t);
+  contact::InterfaceLoad load = interface.initial_load(t);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    y[b].resize(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
+    bodies[b]->right_hand_side({}, y[b]);
+    interface.take_resultant(b, y[b], load);
+    bodies[b]->factor().forward(y[b], y[b]);
+    interface.add_trace(b, y[b], load);
+  }
+  state.result = solver.solve(interface.contact_load(load), {});
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    std::vector<double> full(3 * bodies[b]->mesh().nodes.size());
+    interface.add_multipliers(b, state.result.state.multiplier, y[b]);
+    bodies[b]->factor().backward(y[b], y[b]);
+    bodies[b]->constraints().expand(y[b], bodies[b]->prescribed(), full);
+    interface.add_rigid_motion(b, state.result.state.rigid, full);
+    state.stress.push_back(stress_of(*bodies[b], full));
+    state.displacement.push_back(std::move(full));
+  }
+  return state;
+}
+
 /// Boxes with symmetry planes x = 0 and y = 0; the lower rests on z, the upper is held or pressed at its top.
-class Assembly {
+class Assembly : public Equilibrium {
  public:
   /// @param top_displacement  of the upper box's top; none: it is held in z nowhere but in contact (not solvable here)
   Assembly(const BoxSetup& lower, const BoxSetup& upper, bool lower_is_slave, Function top_displacement,
@@ -41,38 +73,12 @@ class Assembly {
             1.0};
   }
 
-  /// Elastic equilibrium at time t; fills the members below.
   void solve(contact::ContactSolver& solver, double t = 0) {
-    std::vector<std::vector<double>> y(bodies.size());
-    for (const auto& body : bodies) body->set_time(t);
-    contact::InterfaceLoad load = interface->initial_load(t);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      y[b].resize(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
-      bodies[b]->right_hand_side({}, y[b]);
-      interface->take_resultant(b, y[b], load);
-      bodies[b]->factor().forward(y[b], y[b]);
-      interface->add_trace(b, y[b], load);
-    }
-    result = solver.solve(interface->contact_load(load), {});
-    gap = contact_gaps(interface->problem(), interface->contact_load(load), result.state);
-    stress.assign(bodies.size(), {});
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      std::vector<double> free(y[b].size()), full(3 * bodies[b]->mesh().nodes.size());
-      interface->add_multipliers(b, result.state.multiplier, y[b]);
-      bodies[b]->factor().backward(y[b], free);
-      bodies[b]->constraints().expand(free, bodies[b]->prescribed(), full);
-      interface->add_rigid_motion(b, result.state.rigid, full);
-      stress[b].resize(6 * bodies[b]->discretization().n_points());
-      bodies[b]->discretization().stress(full, bodies[b]->elastic(), {}, stress[b]);
-      displacement.push_back(std::move(full));
-    }
+    static_cast<Equilibrium&>(*this) = equilibrium(bodies, *interface, solver, t);
   }
 
   std::vector<std::unique_ptr<mechanics::Body>> bodies;
   std::unique_ptr<contact::CondensedInterface> interface;
-  contact::ContactResult result;
-  Eigen::VectorXd gap;
-  std::vector<std::vector<double>> stress, displacement;
 
  private:
   void add(const BoxSetup& box, const Vector3& origin, const std::string& held, Function value) {

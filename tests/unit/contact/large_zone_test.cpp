@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Zones, LargeZone,
                                          ZoneCase{"hex20", CellType::hex20, 2000, true, ContactType::unilateral},
                                          ZoneCase{"tet10", CellType::tet10, 20, false, ContactType::unilateral},
                                          ZoneCase{"tied", CellType::hex8, 200, false, ContactType::tied}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& zone) { return zone.param.name; });
 
 }  // namespace
 }  // namespace creepcontact::test

@@ -157,10 +157,10 @@ TEST(Mortar, BodiesOpenWhenPulledAndCloseWhenPushed) {
   assembly.solve(*solver, 0.0);
   EXPECT_TRUE(assembly.result.state.active.empty());
   EXPECT_EQ(assembly.result.state.multiplier.norm(), 0.0);
-  EXPECT_NEAR(assembly.gap.sum(), 0.01, 1e-12);
+  EXPECT_NEAR(assembly.result.gap.sum(), 0.01, 1e-12);
   assembly.solve(*solver, 3.14159265358979);
   EXPECT_NEAR(assembly.result.state.multiplier.minCoeff(), 1.0, 1e-9);
-  EXPECT_LT(assembly.gap.cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT(assembly.result.gap.cwiseAbs().maxCoeff(), 1e-12);
 }
 
 }  // namespace
