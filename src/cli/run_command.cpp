@@ -19,6 +19,8 @@ int run(const Command& self, const Arguments& arguments) {
   line.add_options()("threads,j", po::value(&options.threads)->value_name("N"),
                      "number of threads; not given: as many as there are cores");
   line.add_options()("resume", po::bool_switch(&options.resume), "go on from the checkpoint in the output directory");
+  line.add_options()("log-contact", po::value(&options.log_contact)->value_name("FILE.csv"),
+                     "write a row of every iteration of the contact solver");
   line.add_options()("quiet,q", po::bool_switch(&options.quiet), "warnings and errors only");
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
   if (line.has("threads") && options.threads < 1) throw ConfigError("--threads: expected a number > 0");

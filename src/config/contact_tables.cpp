@@ -43,6 +43,30 @@ Value<std::array<Reference, 2>> two_surfaces() {
   return value;
 }
 
+Value<Alpha> alpha_value(Range range) {
+  const Value<double> number_of_body = number(range);
+  const auto single = word_or_number("diagonal", range);
+  const std::string type = single.type + ", or a table of numbers by body";
+  Value<Alpha> value{.type = type, .read = {}};
+  value.read = [=](const Item& item, Context& context) -> std::optional<Alpha> {
+    Alpha alpha;
+    if (const toml::table* bodies = item.node->as_table()) {
+      for (const auto& [key, node] : *bodies) {
+        const Item entry = item.child(key.str());
+        const auto found = number_of_body.read(entry, context);
+        if (found) alpha.of_body.push_back({{std::string(key.str()), entry.location}, *found});
+      }
+      return alpha;
+    }
+    const auto found = single.read(item, context);
+    if (!found) return std::nullopt;
+    alpha.all = *found;
+    return alpha;
+  };
+  value.show = [single](const Alpha& shown) { return single.show(shown.all); };
+  return value;
+}
+
 struct ContactKeys : Contact {
   std::string slave_name = "auto";
   Gap initial_gap{geometric_gap, gap};
@@ -92,8 +116,10 @@ Value<ContactSolver> contact_solver_table() {
   const Range relaxation{.min = 0, .max = 1, .open_min = true};
   return table<ContactSolver>({
       field<ContactSolver>("method", &ContactSolver::method, method, "algorithm"),
-      field<ContactSolver>("alpha", &ContactSolver::alpha, word_or_number("diagonal", relaxation),
-                           "schwarz: iteration parameter of both bodies; \"diagonal\": from their stiffness"),
+      field<ContactSolver>("alpha", &ContactSolver::alpha, alpha_value(relaxation),
+                           "schwarz: iteration parameter of all bodies, or body by body; \"diagonal\": from their "
+                           "stiffness, as for bodies that a table leaves out"),
+      field<ContactSolver>("damping", &ContactSolver::damping, number(relaxation), "schwarz: part of each sweep taken"),
       field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration, "schwarz: acceleration"),
       field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)), "relative"),
       field<ContactSolver>(

@@ -78,6 +78,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   for (const Support& support : config.supports) check_name(support.body, "body", bodies, errors);
   for (const Load& load : config.loads) check_name(load.body, "body", bodies, errors);
   for (const Probe& probe : config.probes) check_name(probe.body, "body", bodies, errors);
+  for (const Alpha::OfBody& alpha : config.contact_solver.alpha.of_body) check_name(alpha.body, "body", bodies, errors);
   check_unique(config.contacts, errors);
   check_unique(config.probes, errors);
   check_regions(config.bodies, errors);

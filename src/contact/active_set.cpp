@@ -29,6 +29,7 @@ class ActiveSet final : public ContactSolver {
   /// Updates the set until it repeats; one row at a time if sets recur (only without rigid motions, where that ends).
   bool iterate(const ContactLoad& load, ContactResult& result) {
     std::vector<int> active = result.state.active;
+    const double rounding = multiplier_rounding(problem_, load);
     std::set<std::vector<int>> seen;
     bool one_at_a_time = false;
     for (int change = 0; change < most_single_changes; ++change) {
@@ -37,7 +38,7 @@ class ActiveSet final : public ContactSolver {
       result.gap = contact_gaps(problem_, load, solution.state);
       Eigen::VectorXd opening = result.gap;  // what is left of the set's own gaps is none
       opening(active).setZero();
-      std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, opening);
+      std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, opening, rounding);
       if (recorder_) recorder_->record({result.set_changes, 1, "active_set", 0.0, active.size()});
       ++result.set_changes;
       if (next == active) {

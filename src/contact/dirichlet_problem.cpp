@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "creepcontact/contact/frozen_system.hpp"
 #include "rigid_balance.hpp"
 
 namespace creepcontact::contact {
@@ -23,15 +22,26 @@ DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t bo
       flexibility.noalias() += flexibility.trace() / static_cast<double>(basis.cols()) * basis * basis.transpose();
   }
   flexibility_ = flexibility.diagonal();
-  regular_ = factor_semidefinite(flexibility, factor_) && factor_.rcond() > singular;
-  if (basis.cols() == 0 || factor_.info() != Eigen::Success) return;
-  carried_ = factor_.solve(basis);
+  factor_.compute(flexibility);
+  regular_ = factor_.info() == Eigen::Success && factor_.rcond() > singular;
+  if (!regular_) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(flexibility);
+    const Eigen::ArrayXd values = eigen.eigenvalues().array();
+    const Eigen::VectorXd inverse = (values > singular * values.maxCoeff()).select(values.inverse(), 0.0);
+    pseudo_inverse_ = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  }
+  if (basis.cols() == 0) return;
+  carried_ = inverse(basis);
   const Eigen::LLT<Eigen::MatrixXd> coarse(basis.transpose() * carried_);
   coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
 }
 
+Eigen::MatrixXd DirichletProblem::inverse(const Eigen::MatrixXd& traces) const {
+  return regular_ ? Eigen::MatrixXd(factor_.solve(traces)) : Eigen::MatrixXd(pseudo_inverse_ * traces);
+}
+
 Eigen::VectorXd DirichletProblem::balanced_multipliers(const Eigen::VectorXd& trace) const {
-  Eigen::VectorXd result = factor_.solve(trace);
+  Eigen::VectorXd result = inverse(trace);
   if (carried_.cols() > 0) result.noalias() -= carried_ * (carried_.transpose() * trace);
   return result;
 }

@@ -14,18 +14,21 @@ class DirichletProblem {
   DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own);
 
   /// False if the body's flexibility is singular on these rows: a body held there, or finer traces than it has
-  /// unknowns. The multipliers are then those of a slightly more flexible body.
+  /// unknowns. The multipliers are then the least ones, F^-1 a pseudo-inverse.
   bool is_regular() const { return regular_; }
   /// F^-1 trace, rigid part included.
-  Eigen::VectorXd multipliers(const Eigen::VectorXd& trace) const { return factor_.solve(trace); }
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& trace) const { return inverse(trace); }
   /// S trace: multipliers without resultant.
   Eigen::VectorXd balanced_multipliers(const Eigen::VectorXd& trace) const;
   /// diag S, or 1/diag F where F is singular.
   Eigen::VectorXd stiffness() const;
 
  private:
+  Eigen::MatrixXd inverse(const Eigen::MatrixXd& traces) const;
+
   Eigen::VectorXd flexibility_;  // diagonal
   Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd pseudo_inverse_;  // in place of the factor where F is singular
   bool regular_ = false;
   Eigen::MatrixXd carried_;  // F^-1 B L^-T with B an orthonormal basis of G and L L^T = B^T F^-1 B: S = F^-1 - c c^T
 };

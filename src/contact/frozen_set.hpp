@@ -7,6 +7,13 @@
 
 namespace creepcontact::contact {
 
+/// What the loads ask of the rows of a set.
+struct FrozenLoad {
+  Eigen::VectorXd gap;
+  Eigen::VectorXd resultant;  ///< of all motions; empty: none
+  double rounding = 0;        ///< of the multipliers
+};
+
 /// Outcome on a frozen set; `multiplier` is indexed like the set.
 struct InnerResult {
   Eigen::VectorXd multiplier;

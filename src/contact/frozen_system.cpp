@@ -89,9 +89,11 @@ FrozenSolution FrozenSystem::solve_directly(const ContactLoad& load) {
   if (n_motions > 0) {
     Eigen::VectorXd left = problem_.rigid(active_, Eigen::all).transpose() * reduced;
     state.rigid += pin_flexibility_ * left;
-    Eigen::VectorXd sum = problem_.rigid(active_, Eigen::all).cwiseAbs().transpose() * reduced.cwiseAbs();
     if (largest > 0) left += load.resultant;
-    solution.balanced = left.cwiseAbs().maxCoeff() <= balance_error * std::max(largest, sum.maxCoeff());
+    const Eigen::MatrixXd weights = problem_.rigid(active_, Eigen::all).cwiseAbs();
+    const double sum = (weights.transpose() * reduced.cwiseAbs()).maxCoeff();
+    const double rounding = multiplier_rounding(problem_, load) * weights.colwise().sum().maxCoeff();
+    solution.balanced = left.cwiseAbs().maxCoeff() <= std::max(balance_error * std::max(largest, sum), rounding);
   }
   return solution;
 }

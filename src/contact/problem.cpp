@@ -1,11 +1,13 @@
 #include "creepcontact/contact/problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace creepcontact::contact {
 namespace {
 
 constexpr double no_change = 1e-12;
+constexpr double rounding_of_gaps = 1e-13;
 constexpr double immovable = 1e-14;  // rows that neither body can move along (held on both sides) carry no multiplier
 constexpr double pin_floor = 1e-2;   // of the flexibility that pins are given
 
@@ -38,9 +40,19 @@ Eigen::VectorXd row_flexibility(const ContactProblem& problem) {
   return flexibility;
 }
 
+double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load) {
+  const Eigen::VectorXd flexibility = row_flexibility(problem);
+  const double least = problem.n_rows() > 0 ? immovable * flexibility.maxCoeff() : 0.0;
+  double largest = 0;
+  for (int i = 0; i < problem.n_rows(); ++i)
+    if (flexibility[i] > least) largest = std::max(largest, std::abs(load.gap[i]) / flexibility[i]);
+  return rounding_of_gaps * largest;
+}
+
 std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
-                             const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap) {
-  const double scale = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
+                             const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding) {
+  const double largest = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
+  const double no_matter = std::max(no_change * largest, rounding);
   const Eigen::VectorXd flexibility = row_flexibility(problem);
   const double least = problem.n_rows() > 0 ? immovable * flexibility.maxCoeff() : 0.0;
   std::vector<int> next;
@@ -50,7 +62,7 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
     if (was_active) ++it;
     if (!(flexibility[i] > least)) continue;
     const double indicator = multiplier[i] - gap[i] / flexibility[i];
-    const double threshold = was_active ? -no_change * scale : no_change * scale;
+    const double threshold = was_active ? -no_matter : no_matter;
     if (problem.bilateral[static_cast<std::size_t>(i)] || indicator > threshold) next.push_back(i);
   }
   return next;
@@ -59,7 +71,7 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
 std::vector<int> first_set(const ContactProblem& problem, const Eigen::VectorXd& initial_gap,
                            const ContactState& warm) {
   if (warm.multiplier.size() == problem.n_rows() && problem.n_rows() > 0) return warm.active;
-  return updated_set(problem, {}, Eigen::VectorXd::Zero(problem.n_rows()), initial_gap);
+  return updated_set(problem, {}, Eigen::VectorXd::Zero(problem.n_rows()), initial_gap, 0.0);
 }
 
 }  // namespace creepcontact::contact

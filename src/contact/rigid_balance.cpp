@@ -51,11 +51,12 @@ Eigen::VectorXd RigidBalance::without_rigid_part(const Eigen::VectorXd& mismatch
   return mismatch - basis_ * (basis_.transpose() * mismatch);
 }
 
-bool RigidBalance::holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant) const {
+bool RigidBalance::holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant, double rounding) const {
   if (rigid_.cols() == 0) return true;
   const double largest = resultant.size() > 0 ? resultant.cwiseAbs().maxCoeff() : 0.0;
-  const Eigen::VectorXd sum = rigid_.cwiseAbs().transpose() * multiplier.cwiseAbs();
-  return unbalanced(multiplier, resultant).cwiseAbs().maxCoeff() <= balance_error * std::max(largest, sum.maxCoeff());
+  const double sum = (rigid_.cwiseAbs().transpose() * multiplier.cwiseAbs()).maxCoeff();
+  return unbalanced(multiplier, resultant).cwiseAbs().maxCoeff() <=
+         std::max(balance_error * std::max(largest, sum), rounding * rigid_.cwiseAbs().colwise().sum().maxCoeff());
 }
 
 }  // namespace creepcontact::contact

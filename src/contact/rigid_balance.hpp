@@ -23,8 +23,8 @@ class RigidBalance {
   Eigen::VectorXd amplitudes(const Eigen::VectorXd& mismatch) const;
   /// mismatch + N alpha
   Eigen::VectorXd without_rigid_part(const Eigen::VectorXd& mismatch) const;
-  /// Whether multipliers balance the resultants but for rounding.
-  bool holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant) const;
+  /// Whether multipliers balance the resultants but for rounding. @param rounding  of the multipliers
+  bool holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant, double rounding) const;
 
  private:
   Eigen::MatrixXd rigid_, basis_;  // N; N = basis diag(values) motions^T

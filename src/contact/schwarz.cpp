@@ -51,11 +51,13 @@ class Schwarz final : public ContactSolver {
   End iterate(const ContactLoad& load, ContactResult& result) {
     Eigen::VectorXd& multiplier = result.state.multiplier;
     std::vector<int> active = result.state.active;
+    const double rounding = multiplier_rounding(problem_, load);
     std::set<std::vector<int>> seen;
     while (seen.insert(active).second) {
       const RigidBalance balance = problem_.n_motions() > 0 ? RigidBalance(problem_, active) : RigidBalance();
-      const InnerResult inner = solve_frozen(active, load, multiplier(active), result);
-      if (!balance.holds(inner.multiplier, load.resultant)) return End::unbalanced;
+      const InnerResult inner =
+          solve_frozen(active, {load.gap(active), load.resultant, rounding}, multiplier(active), result);
+      if (!balance.holds(inner.multiplier, load.resultant, rounding)) return End::unbalanced;
       if (!inner.converged) return End::not_converged;
       multiplier.setZero();
       multiplier(active) = inner.multiplier;
@@ -68,7 +70,7 @@ class Schwarz final : public ContactSolver {
       // What the iteration left of the gaps of the set is no opening.
       Eigen::VectorXd opening = result.gap;
       opening(active).setZero();
-      std::vector<int> next = updated_set(problem_, active, multiplier, opening);
+      std::vector<int> next = updated_set(problem_, active, multiplier, opening, rounding);
       ++result.set_changes;
       if (next == active) {
         result.state.active = std::move(active);
@@ -91,14 +93,13 @@ class Schwarz final : public ContactSolver {
     return end;
   }
 
-  InnerResult solve_frozen(const std::vector<int>& active, const ContactLoad& load, const Eigen::VectorXd& start,
+  InnerResult solve_frozen(const std::vector<int>& active, const FrozenLoad& load, const Eigen::VectorXd& start,
                            ContactResult& total) {
-    const Eigen::VectorXd gap = load.gap(active);
     const InnerLog log{recorder_, total.set_changes};
     if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_fail_) {
       const SchwarzSweeps& sweeps =
           sweeps_.at(active, [&](const auto& set) { return SchwarzSweeps(problem_, options_, set); });
-      const InnerResult result = sweeps.solve(gap, load.resultant, start, log);
+      const InnerResult result = sweeps.solve(load, start, log);
       total.iterations += result.iterations;
       if (result.converged) return result;
       warn_once(
@@ -108,7 +109,7 @@ class Schwarz final : public ContactSolver {
     }
     const SchwarzGradients& gradients =
         gradients_.at(active, [&](const auto& set) { return SchwarzGradients(problem_, options_, set); });
-    const InnerResult result = gradients.solve(gap, load.resultant, start, log);
+    const InnerResult result = gradients.solve(load, start, log);
     total.iterations += result.iterations;
     return result;
   }

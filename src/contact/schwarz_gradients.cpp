@@ -44,16 +44,15 @@ Eigen::VectorXd SchwarzGradients::precondition(Eigen::VectorXd& residual) const 
   return z;
 }
 
-InnerResult SchwarzGradients::solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant,
-                                    const Eigen::VectorXd& start, const InnerLog& log) const {
+InnerResult SchwarzGradients::solve(const FrozenLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const {
   InnerResult result{start, 0, set_.active().empty()};
   if (result.converged) return result;
   const bool floating = !balance().empty();
   const auto rebalance = [&] {
-    if (floating) result.multiplier -= balance().carrying(balance().unbalanced(result.multiplier, resultant));
+    if (floating) result.multiplier -= balance().carrying(balance().unbalanced(result.multiplier, load.resultant));
   };
   rebalance();
-  Eigen::VectorXd residual = -gap - set_.gaps(result.multiplier);
+  Eigen::VectorXd residual = -load.gap - set_.gaps(result.multiplier);
   Eigen::VectorXd z = precondition(residual);  // about the error of the multipliers
   Eigen::VectorXd direction = z;
   double rz = residual.dot(z);
@@ -61,8 +60,8 @@ InnerResult SchwarzGradients::solve(const Eigen::VectorXd& gap, const Eigen::Vec
   while (true) {
     const double scale = std::max(first, result.multiplier.cwiseAbs().maxCoeff());
     const double error = z.cwiseAbs().maxCoeff();
-    log("cg", result.iterations, scale > 0 ? error / scale : 0.0, set_.active().size());
-    result.converged = error <= options_.tolerance * scale;
+    if (result.iterations > 0) log("cg", result.iterations, scale > 0 ? error / scale : 0.0, set_.active().size());
+    result.converged = error <= std::max(options_.tolerance * scale, load.rounding);
     if (result.converged || result.iterations >= options_.max_iterations || !(rz > 0)) break;
     const Eigen::VectorXd image = set_.gaps(direction);
     const double step = rz / direction.dot(image);

@@ -18,9 +18,8 @@ class SchwarzGradients {
   SchwarzGradients(const ContactProblem& problem, const SchwarzOptions& options, std::vector<int> active);
   const std::vector<int>& active() const { return set_.active(); }
   const RigidBalance& balance() const { return set_.balance(); }
-  /// @param gap  on the set; @param start  multipliers on the set
-  InnerResult solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant, const Eigen::VectorXd& start,
-                    const InnerLog& log) const;
+  /// @param start  multipliers on the set
+  InnerResult solve(const FrozenLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const;
 
  private:
   struct Block {  // rows of one slave body; without Dirichlet problem: diagonal

@@ -68,14 +68,13 @@ void SchwarzSweeps::set_fractions(const std::vector<std::optional<double>>& alph
   }
 }
 
-void SchwarzSweeps::sweep(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant, const Eigen::VectorXd& from,
-                          Eigen::VectorXd& to) const {
+void SchwarzSweeps::sweep(const FrozenLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
   const RigidBalance& balance = set_.balance();
-  Eigen::VectorXd mismatch = gap;  // of the traces
+  Eigen::VectorXd mismatch = load.gap;  // of the traces
   for (const Share& share : shares_)
     mismatch(share.places) += share.flexibility * from.segment(share.offset, share.size());
   if (!balance.empty()) mismatch = balance.without_rigid_part(mismatch);
-  Eigen::VectorXd difference = Eigen::VectorXd::Zero(gap.size());  // of the multipliers
+  Eigen::VectorXd difference = Eigen::VectorXd::Zero(load.gap.size());  // of the multipliers
   to = from;
   for (const Share& share : shares_) {  // Dirichlet problems, in increments: the factor may be that of a shifted matrix
     auto part = to.segment(share.offset, share.size());
@@ -86,7 +85,8 @@ void SchwarzSweeps::sweep(const Eigen::VectorXd& gap, const Eigen::VectorXd& res
     to.segment(share.offset, share.size()) -=
         share.odd.cwiseProduct(share.sign).cwiseProduct(Eigen::VectorXd(difference(share.places)));
   if (!balance.empty()) {
-    Eigen::VectorXd unbalanced = resultant.size() > 0 ? resultant : Eigen::VectorXd::Zero(shares_.front().rigid.cols());
+    Eigen::VectorXd unbalanced =
+        load.resultant.size() > 0 ? load.resultant : Eigen::VectorXd::Zero(shares_.front().rigid.cols());
     for (const Share& share : shares_) unbalanced += share.rigid.transpose() * to.segment(share.offset, share.size());
     const Eigen::VectorXd carrying = balance.carrying(unbalanced);
     for (const Share& share : shares_) to.segment(share.offset, share.size()) -= carrying(share.places);
@@ -100,13 +100,12 @@ Eigen::VectorXd SchwarzSweeps::mean(const Eigen::VectorXd& both) const {
   return result;
 }
 
-InnerResult SchwarzSweeps::solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant,
-                                 const Eigen::VectorXd& start, const InnerLog& log) const {
+InnerResult SchwarzSweeps::solve(const FrozenLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const {
   InnerResult result{start, 0, active().empty()};
   if (result.converged) return result;
   const RigidBalance& balance = set_.balance();
   const auto rebalance = [&] {
-    if (!balance.empty()) result.multiplier -= balance.carrying(balance.unbalanced(result.multiplier, resultant));
+    if (!balance.empty()) result.multiplier -= balance.carrying(balance.unbalanced(result.multiplier, load.resultant));
   };
   rebalance();
   Eigen::VectorXd both(shares_.back().offset + shares_.back().size());
@@ -116,16 +115,16 @@ InnerResult SchwarzSweeps::solve(const Eigen::VectorXd& gap, const Eigen::Vector
   Eigen::VectorXd swept(both.size());
   // One sweep, judged. True: the end.
   const auto step = [&](const Eigen::VectorXd& from) {
-    sweep(gap, resultant, from, swept);
+    sweep(load, from, swept);
     ++result.iterations;
     result.multiplier = mean(swept);
     const double change = (swept - from).cwiseAbs().maxCoeff() / options_.damping;
     const double scale = result.multiplier.cwiseAbs().maxCoeff();
     log(name(options_.acceleration), result.iterations, scale > 0 ? change / scale : 0.0, active().size());
-    if (change <= options_.tolerance * scale) {
-      const Eigen::VectorXd left = balance.without_rigid_part(gap + set_.gaps(result.multiplier));
-      result.converged =
-          left.cwiseQuotient(set_.diagonal()).cwiseAbs().maxCoeff() <= gap_left * options_.tolerance * scale;
+    const double least = std::max(options_.tolerance * scale, load.rounding);
+    if (change <= least) {
+      const Eigen::VectorXd left = balance.without_rigid_part(load.gap + set_.gaps(result.multiplier));
+      result.converged = left.cwiseQuotient(set_.diagonal()).cwiseAbs().maxCoeff() <= gap_left * least;
     }
     if (first_change == 0) first_change = change;
     return result.converged || result.iterations >= options_.max_iterations || !(change <= growth * first_change);

@@ -19,9 +19,8 @@ class SchwarzSweeps {
  public:
   SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions& options, std::vector<int> active);
   const std::vector<int>& active() const { return set_.active(); }
-  /// @param gap  on the set; @param start  multipliers on the set
-  InnerResult solve(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant, const Eigen::VectorXd& start,
-                    const InnerLog& log) const;
+  /// @param start  multipliers on the set
+  InnerResult solve(const FrozenLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const;
 
  private:
   struct Share {              // one body's part
@@ -35,8 +34,7 @@ class SchwarzSweeps {
     Eigen::Index size() const { return sign.size(); }
   };
   void set_fractions(const std::vector<std::optional<double>>& alpha, const std::vector<std::size_t>& bodies);
-  void sweep(const Eigen::VectorXd& gap, const Eigen::VectorXd& resultant, const Eigen::VectorXd& from,
-             Eigen::VectorXd& to) const;
+  void sweep(const FrozenLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
   Eigen::VectorXd mean(const Eigen::VectorXd& both) const;
 
   SchwarzOptions options_;

@@ -34,17 +34,23 @@ void ContactElasticity::forward(std::size_t body, contact::InterfaceLoad& load) 
   interface_.add_trace(body, work_[body].factored, load);
 }
 
-void ContactElasticity::solve_contact(const contact::ContactLoad& load) {
+void ContactElasticity::log_contact(ContactLog& log) {
+  log_ = &log;
+  solver_->set_recorder(&log);
+}
+
+void ContactElasticity::solve_contact(double t, const contact::ContactLoad& load) {
   const auto lap = watch_.lap(Part::contact);
+  if (log_) log_->begin_solve(t);
   try {
     contact::ContactResult result = solver_->solve(load, warm_);
     counters_.schwarz_iterations += result.iterations;
     ++counters_.contact_solves;
     last_ = std::move(result.state);
+    gaps_ = std::move(result.gap);
   } catch (const contact::UnbalancedLoad& unbalanced) {
     interface_.report(unbalanced);
   }
-  gaps_ = contact_gaps(interface_.problem(), load, last_);
 }
 
 void ContactElasticity::backward(std::size_t body, const Eigen::VectorXd& multiplier) {
@@ -64,7 +70,7 @@ void ContactElasticity::solve(double t, const CreepViews& creep) {
     }
     forward(b, load);
   }
-  if (interface_.n_rows() > 0) solve_contact(interface_.contact_load(load));
+  if (interface_.n_rows() > 0) solve_contact(t, interface_.contact_load(load));
   for (std::size_t b = 0; b < n_bodies; ++b) {
     backward(b, last_.multiplier);
     const auto lap = watch_.lap(Part::material);

@@ -8,6 +8,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/gmsh_reader.hpp"
 #include "model_parts.hpp"
+#include "schwarz_options.hpp"
 
 namespace creepcontact::simulation {
 
@@ -100,12 +101,7 @@ Model build_model(const config::Config& config) {
   let_slide(config, model);
 
   model.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
-  using To = contact::SchwarzOptions::Acceleration;
-  constexpr To accelerations[] = {To::none, To::aitken, To::anderson, To::cg};  // in the configuration's order
-  model.schwarz = {.alpha = std::vector(model.bodies.size(), config.contact_solver.alpha),
-                   .acceleration = accelerations[static_cast<int>(config.contact_solver.acceleration)],
-                   .tolerance = config.contact_solver.tolerance,
-                   .max_iterations = config.contact_solver.max_iterations};
+  model.schwarz = schwarz_options(config.contact_solver, model);
   model.dense_limit_mb = config.contact_solver.dense_limit_mb;
   model.breakpoints = breakpoints(config);
   return model;

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
@@ -82,7 +83,10 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   for (const auto& body : model.bodies)
     log::info("body '{}': {} elements, {} unknowns", body->name(), body->discretization().n_elements(),
               body->constraints().n_free());
+  std::optional<ContactLog> contact_log;
+  if (!options.log_contact.empty()) contact_log.emplace(options.log_contact);
   ContactElasticity elasticity(model, watch);
+  if (contact_log) elasticity.log_contact(*contact_log);
   for (const contact::Pair& pair : elasticity.interface().pairs())
     log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
   if (!elasticity.interface().is_dense())

@@ -109,9 +109,20 @@ struct Contact {
 enum class ContactMethod { schwarz, active_set };
 enum class Acceleration { none, aitken, anderson, cg };
 
+/// Iteration parameters in (0, 1].
+struct Alpha {
+  struct OfBody {
+    Reference body;
+    double value = 0;
+  };
+  std::optional<double> all;    ///< of all bodies; neither this nor a body's own given: "diagonal"
+  std::vector<OfBody> of_body;  ///< in the order of the keys
+};
+
 struct ContactSolver {
   ContactMethod method = ContactMethod::schwarz;
-  std::optional<double> alpha;  ///< iteration parameter of both bodies in (0, 1]; not given: "diagonal"
+  Alpha alpha;
+  double damping = 1.0;  ///< part of each sweep that is taken, in (0, 1]
   Acceleration acceleration = Acceleration::cg;
   double tolerance = 1e-10;
   int max_iterations = 200;

@@ -78,10 +78,14 @@ Eigen::VectorXd row_flexibility(const ContactProblem& problem);
 /// Flexibility that makes F + c N N^T regular at the pins without a new scale: trace F / |N|^2; 0 without motions.
 double pin_flexibility(const ContactProblem& problem);
 
+/// What rounding makes of multipliers that are zero, as those of a body that moves out of an overlap unhindered: 1e-13
+/// of the ones that the gaps without contact forces ask for.
+double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
+
 /// The set that the multipliers and gaps of a solution on some set ask for: rows with lambda_i - gap_i/F_ii > 0, and
-/// all tied ones. Changes below 1e-12 of the largest multiplier count as none.
+/// all tied ones. Changes below 1e-12 of the largest multiplier, or below the rounding, count as none.
 std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
-                             const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap);
+                             const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding);
 
 /// Where to begin: the warm start's set, or the rows that overlap without contact.
 std::vector<int> first_set(const ContactProblem& problem, const Eigen::VectorXd& initial_gap, const ContactState& warm);

@@ -8,6 +8,7 @@
 
 #include "creepcontact/base/stopwatch.hpp"
 #include "creepcontact/contact/frozen_system.hpp"
+#include "creepcontact/simulation/contact_log.hpp"
 #include "creepcontact/simulation/model.hpp"
 
 namespace creepcontact::simulation {
@@ -46,6 +47,9 @@ class ContactElasticity {
   /// The last solution becomes the start of the contact iterations to come (call at accepted steps only).
   void keep_warm() { warm_ = last_; }
 
+  /// Writes every contact iteration from now on. @param log must outlive the object
+  void log_contact(ContactLog& log);
+
   const contact::CondensedInterface& interface() const { return interface_; }
   const Model& model() const { return model_; }
 
@@ -65,7 +69,7 @@ class ContactElasticity {
     std::vector<double> no_displacement;                  // zeros
   };
   void forward(std::size_t body, contact::InterfaceLoad& load);
-  void solve_contact(const contact::ContactLoad& load);
+  void solve_contact(double t, const contact::ContactLoad& load);
   void backward(std::size_t body, const Eigen::VectorXd& multiplier);
 
   Model& model_;
@@ -73,6 +77,7 @@ class ContactElasticity {
   contact::CondensedInterface interface_;
   std::unique_ptr<contact::ContactSolver> solver_;
   contact::FrozenSystem frozen_;
+  ContactLog* log_ = nullptr;
   contact::ContactState last_, warm_;
   Eigen::VectorXd gaps_;
   std::vector<BodyState> states_;

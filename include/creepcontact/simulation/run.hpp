@@ -12,6 +12,9 @@ struct RunOptions {
   int threads = 0;      ///< 0: OpenMP's default
   bool resume = false;  ///< go on from checkpoint.h5 of the directory
   bool quiet = false;   ///< errors and warnings only
+  /// File for a row of every contact iteration (time,contact_solve,set_change,iteration,method,residual,active);
+  /// empty: none
+  std::string log_contact;
 };
 
 struct RunResult {

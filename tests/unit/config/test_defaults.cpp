@@ -23,7 +23,9 @@ TEST(ConfigDefaults, MinimalConfiguration) {
   EXPECT_TRUE(steel.creep.empty());
   EXPECT_FALSE(config.temperature.has_value());
   EXPECT_EQ(config.contact_solver.method, ContactMethod::schwarz);
-  EXPECT_FALSE(config.contact_solver.alpha.has_value());
+  EXPECT_FALSE(config.contact_solver.alpha.all.has_value());
+  EXPECT_TRUE(config.contact_solver.alpha.of_body.empty());
+  EXPECT_EQ(config.contact_solver.damping, 1.0);
   EXPECT_EQ(config.contact_solver.acceleration, Acceleration::cg);
   EXPECT_EQ(config.contact_solver.tolerance, 1e-10);
   EXPECT_EQ(config.contact_solver.max_iterations, 200);

@@ -58,6 +58,12 @@ TEST(ConfigMistakes, OutOfRange) {
                  at_12 + "8: time.step: unknown value 'stabel'; did you mean 'stable'? (allowed: a number > 0 or");
   expect_mistake(minimal + "[contact_solver]\nalpha = 1.5\n",
                  "cases/block.toml:13:9: contact_solver.alpha: number 1.5; allowed: a number in (0, 1]");
+  expect_mistake(minimal + "[contact_solver]\nalpha = { block = 2 }\n",
+                 "cases/block.toml:13:19: contact_solver.alpha.block: number 2; allowed: a number in (0, 1]");
+  expect_mistake(minimal + "[contact_solver]\nalpha = { blok = 0.5 }\n",
+                 "cases/block.toml:13:11: contact_solver.alpha.blok: unknown body 'blok'; did you mean 'block'?");
+  expect_mistake(minimal + "[contact_solver]\ndamping = 0\n",
+                 "cases/block.toml:13:11: contact_solver.damping: number 0; allowed: a number in (0, 1]");
   expect_mistake(minimal, "--set time.end=0: time.end: number 0; allowed: a number > 0", {"time.end=0"});
   for (const char* wrong : {"0.5", "-1", "'0.25*2'", "{ T = [0, 1], values = [0.3, 0.5] }"}) {
     const std::vector<std::string> lines = mistakes(

@@ -17,7 +17,7 @@ TEST(ConfigOverrides, Values) {
                               "units=mm and N", "time.step = stable", "mesh.file=block.geo", "mesh.parameters.h=2"});
   EXPECT_EQ(config.time.end, 1000.0);
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 1, 2, 1000}));
-  EXPECT_EQ(config.contact_solver.alpha, 0.5);
+  EXPECT_EQ(config.contact_solver.alpha.all, 0.5);
   EXPECT_EQ(config.title, "two words");
   EXPECT_EQ(config.units, "mm and N");
   EXPECT_FALSE(config.time.step.has_value());

@@ -156,7 +156,7 @@ TEST(ConfigReading, ContactTimeAndOutput) {
   EXPECT_EQ(config.contacts[1].name, "a-b");
   EXPECT_EQ(config.contacts[1].slave, -1);
   EXPECT_TRUE(config.contacts[1].geometric_gap);
-  EXPECT_EQ(config.contact_solver.alpha, 0.5);
+  EXPECT_EQ(config.contact_solver.alpha.all, 0.5);
   EXPECT_EQ(config.contact_solver.acceleration, Acceleration::aitken);
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 1, 10, 100, 1e4}));
   EXPECT_EQ(config.time.step, 1.0);
@@ -191,6 +191,15 @@ TEST(ConfigReading, FileThatIsNotThere) {
     EXPECT_EQ(error.exit_status(), 2);
     EXPECT_STREQ(error.what(), "no_such.toml: cannot be read: No such file or directory");
   }
+}
+
+TEST(ConfigReading, AlphaBodyByBody) {
+  const Config config = parse_text(minimal + "[contact_solver]\nalpha = { block = 0.3 }\ndamping = 0.7\n");
+  EXPECT_FALSE(config.contact_solver.alpha.all.has_value());
+  ASSERT_EQ(config.contact_solver.alpha.of_body.size(), 1u);
+  EXPECT_EQ(config.contact_solver.alpha.of_body[0].body.name, "block");
+  EXPECT_EQ(config.contact_solver.alpha.of_body[0].value, 0.3);
+  EXPECT_EQ(config.contact_solver.damping, 0.7);
 }
 
 }  // namespace

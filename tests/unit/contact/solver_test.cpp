@@ -97,6 +97,92 @@ TEST(Schwarz, ConjugateGradientsNeedFewIterationsAtEveryStiffnessRatio) {
   }
 }
 
+// Flexibility of a half space under unit pressures: 1/distance, the diagonal as of a square patch.
+Flexibility half_space(int side, double scale) {
+  Flexibility body;
+  const int n = side * side;
+  body.matrix.resize(n, n);
+  for (int i = 0; i < n; ++i) {
+    body.rows.push_back(i);
+    for (int j = 0; j < n; ++j) {
+      const double distance = std::hypot(i % side - j % side, i / side - j / side);
+      body.matrix(i, j) = scale * (i == j ? 3.525 : 1 / distance);
+    }
+  }
+  return body;
+}
+
+TEST(Schwarz, ThreeThousandMultipliers) {
+  constexpr int side = 55;
+  ContactProblem problem;
+  problem.bodies = {half_space(side, 1.0), half_space(side, 0.2)};
+  problem.total = problem.bodies[0].matrix + problem.bodies[1].matrix;
+  problem.slave_body.assign(side * side, 0);
+  problem.master_body.assign(side * side, 1);
+  problem.bilateral.assign(side * side, 0);
+  Eigen::VectorXd gap(side * side);  // a sphere
+  for (int i = 0; i < side * side; ++i) {
+    const double x = i % side - 27.3, y = i / side - 26.8;
+    gap[i] = 1e-3 * (x * x + y * y - 500);
+  }
+  const ContactResult result = schwarz_solver(problem, {})->solve({gap, {}}, {});
+  expect_solved(problem, {gap, {}}, result.state, 1e-8);
+  EXPECT_GT(result.state.active.size(), 500u);
+  EXPECT_LE(result.iterations, 15 * result.set_changes);
+}
+
+TEST(Schwarz, DampingAndAlphaOfEachBody) {
+  const ContactProblem problem = two_springs(10.0);
+  const Eigen::VectorXd gap = Eigen::VectorXd::Constant(1, -1.0);
+  const auto sweeps = [&](SchwarzOptions options) {
+    options.acceleration = Acceleration::none;
+    options.max_iterations = 2000;
+    const ContactResult result = schwarz_solver(problem, options)->solve({gap, {}}, {});
+    EXPECT_NEAR(result.state.multiplier[0], 1 / 11.0, 1e-9);
+    return result.iterations;
+  };
+  const int outright = sweeps({});
+  EXPECT_GT(sweeps({.damping = 0.5}), 10 * outright);
+  // Beyond the bound of the constant 1/2, smaller constants or damping still converge.
+  EXPECT_LT(sweeps({.alpha = {0.2, 0.2}}), 2000);
+  EXPECT_LT(sweeps({.alpha = {0.5, 0.5}, .damping = 0.3}), 2000);
+  EXPECT_NE(sweeps({.alpha = {0.2, {}}}), sweeps({.alpha = {{}, 0.2}}));
+}
+
+TEST(Schwarz, WarnsOnceHoweverManySweepsFail) {
+  const ContactProblem problem = two_springs(10.0);
+  const auto solver = schwarz_solver(problem, {.alpha = {0.5, 0.5}, .acceleration = Acceleration::none});
+  testing::internal::CaptureStderr();
+  for (const double gap : {-1.0, -2.0, -3.0}) solver->solve({Eigen::VectorXd::Constant(1, gap), {}}, {});
+  const std::string warnings = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(), '\n'), 1) << warnings;
+}
+
+TEST(Schwarz, AndersonMustBeHandedOver) {
+  const ContactProblem problem = two_springs(1.0);
+  EXPECT_THROW(schwarz_solver(problem, {.acceleration = Acceleration::anderson}), std::invalid_argument);
+}
+
+TEST(ContactSolver, RecorderSeesEveryIteration) {
+  struct Recorder final : IterationRecorder {
+    void record(const Iteration& iteration) override { seen.push_back(iteration); }
+    std::vector<Iteration> seen;
+  };
+  std::mt19937 generator(8);
+  const ContactProblem problem = chain(2, 9, 3.0, generator);
+  const Eigen::VectorXd gap = Eigen::VectorXd::LinSpaced(18, -1.0, 0.5);
+  for (const Acceleration acceleration : accelerations) {
+    Recorder recorder;
+    const auto solver = schwarz_solver(problem, accelerated(acceleration));
+    solver->set_recorder(&recorder);
+    const ContactResult result = solver->solve({gap, {}}, {});
+    ASSERT_EQ(recorder.seen.size(), static_cast<std::size_t>(result.iterations));
+    EXPECT_EQ(recorder.seen.back().active, result.state.active.size());
+    EXPECT_LE(recorder.seen.back().residual, SchwarzOptions().tolerance);
+    EXPECT_EQ(recorder.seen.front().iteration, 1);
+  }
+}
+
 TEST(ContactSolver, WarmStartDoesNotChangeTheResult) {
   std::mt19937 generator(9);
   const ContactProblem problem = chain(2, 12, 10.0, generator);

@@ -45,13 +45,17 @@ TEST(Model, ContactSolverAsConfigured) {
   const Model usual = build_model(blocks.config());
   EXPECT_TRUE(usual.use_schwarz);
   EXPECT_EQ(usual.schwarz.acceleration, contact::SchwarzOptions::Acceleration::cg);
-  EXPECT_FALSE(usual.schwarz.alpha);
+  EXPECT_EQ(usual.schwarz.alpha, (std::vector<std::optional<double>>(2)));
+  EXPECT_EQ(usual.schwarz.damping, 1.0);
   const Model other = build_model(
       blocks.config("[contact_solver]\nalpha = 0.3\nacceleration = 'aitken'\ntolerance = 1e-6\nmax_iterations = 17\n"));
   EXPECT_EQ(other.schwarz.acceleration, contact::SchwarzOptions::Acceleration::aitken);
-  EXPECT_EQ(other.schwarz.alpha, 0.3);
+  EXPECT_EQ(other.schwarz.alpha, (std::vector<std::optional<double>>{0.3, 0.3}));
   EXPECT_EQ(other.schwarz.tolerance, 1e-6);
   EXPECT_EQ(other.schwarz.max_iterations, 17);
+  const Model apart = build_model(blocks.config("[contact_solver]\nalpha = { upper = 0.4 }\ndamping = 0.5\n"));
+  EXPECT_EQ(apart.schwarz.alpha, (std::vector<std::optional<double>>{{}, 0.4}));
+  EXPECT_EQ(apart.schwarz.damping, 0.5);
   EXPECT_FALSE(build_model(blocks.config("[contact_solver]\nmethod = 'active_set'\n")).use_schwarz);
 }
 

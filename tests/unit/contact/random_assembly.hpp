@@ -1,0 +1,127 @@
+#pragma once
+/// Random assemblies of small boxes, condensed onto their contact: stacks of two to four, and two columns side by side
+/// on one base. Boxes may differ in size, mesh, element and stiffness by a factor of a thousand; above the lowest they
+/// are held, or float and are pressed off centre.
+
+#include <fmt/format.h>
+
+#include <random>
+
+#include "creepcontact/contact/condensed_interface.hpp"
+#include "creepcontact/mechanics/loads.hpp"
+#include "unit/mechanics/meshes.hpp"
+#include "unit/mechanics/solve.hpp"
+
+namespace creepcontact::test {
+
+class RandomAssembly {
+ public:
+  explicit RandomAssembly(unsigned seed) : generator_(seed) {
+    const bool columns = one_of(4) == 0;
+    const int n_bodies = columns ? 3 : 2 + one_of(3);
+    strain_ = 1e-3 * (one_of(8) == 0 ? 1000 : 1);  // of gaps: as deformations, or first contact from far away
+    Vector3 top = Vector3::Zero();                 // where the next box of a stack stands
+    for (int b = 0; b < n_bodies; ++b) {
+      Vector3 lengths(uniform(0.8, 1.2), uniform(0.8, 1.2), uniform(0.2, 2));
+      if (columns && b == 0) lengths.x() *= 2.5;
+      Vector3 origin = top;
+      if (columns && b > 0) origin = Vector3(1.2 * (b - 1), 0, top.z());
+      add_body(b, lengths, origin, b == n_bodies - 1 || (columns && b > 0));
+      if (!columns || b == 0) top.z() += lengths.z();
+    }
+    for (int b = 1; b < n_bodies; ++b)
+      add_pair(columns ? 0 : static_cast<std::size_t>(b - 1), static_cast<std::size_t>(b));
+    interface = std::make_unique<contact::CondensedInterface>(bodies, std::move(pairs_));
+  }
+
+  contact::ContactLoad load() {
+    contact::InterfaceLoad load = interface->initial_load(0);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      bodies[b]->set_time(0);
+      std::vector<double> y(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
+      bodies[b]->right_hand_side({}, y);
+      interface->take_resultant(b, y, load);
+      bodies[b]->factor().forward(y, y);
+      interface->add_trace(b, y, load);
+    }
+    return interface->contact_load(load);
+  }
+
+  std::vector<std::unique_ptr<mechanics::Body>> bodies;
+  std::unique_ptr<contact::CondensedInterface> interface;
+  std::string description;
+
+ private:
+  int one_of(int n) { return std::uniform_int_distribution<int>(0, n - 1)(generator_); }
+  double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(generator_); }
+
+  void add_body(int number, const Vector3& lengths, const Vector3& origin, bool is_top) {
+    constexpr CellType types[] = {CellType::hex8, CellType::hex20, CellType::tet10, CellType::wedge15, CellType::tet4};
+    const CellType type = types[one_of(5)];
+    // A single hex20 with its reduced rule has modes without strain.
+    const int least = type == CellType::hex20 ? 2 : 1;
+    const std::array<int, 3> divisions{least + one_of(4), least + one_of(4), least + one_of(2)};
+    const double modulus = std::pow(10.0, uniform(-1.5, 1.5));
+    mesh::Mesh mesh = box_mesh(type, divisions, lengths, origin, one_of(2) * 0.25);
+    const bool symmetric = one_of(2) == 0, floats = number > 0 && one_of(3) > 0;
+    std::vector<mechanics::Support> supports;
+    if (symmetric) {
+      supports = {support(mesh, "x0", Vector3::UnitX()), support(mesh, "y0", Vector3::UnitY())};
+    } else {  // guided: free to tilt
+      const std::int64_t a = nearest(mesh, origin), b = nearest(mesh, origin + Vector3(lengths.x(), 0, 0));
+      supports = {{"guide", {a}, {Vector3::UnitX(), Vector3::UnitY()}, 0.0}, {"guide", {b}, {Vector3::UnitY()}, 0.0}};
+    }
+    const double squeeze = strain_ * uniform(-1.5, 0.2);
+    if (number == 0)
+      supports.push_back(support(mesh, "z0", Vector3::UnitZ()));
+    else if (!floats)
+      supports.push_back(support(mesh, is_top ? "z1" : "x1", Vector3::UnitZ(), is_top ? squeeze : 0.2 * squeeze));
+    const std::vector<mesh::Face> head = mesh::boundary_faces(mesh, "z1");
+    bodies.push_back(std::make_unique<mechanics::Body>(fmt::format("body {}", number), std::move(mesh),
+                                                       elastic_material(modulus), std::move(supports), std::nullopt));
+    // Pressed within the middle third, so that the body does not tilt off.
+    const Vector3 middle = origin + lengths / 2;
+    if (is_top && floats)
+      bodies.back()->add_load(mechanics::pressure_load(
+          bodies.back()->mesh(), head,
+          Function::expression(fmt::format("{}*(1 + {}*(x - {}) + {}*(y - {}))", 1e-3, uniform(-0.5, 0.5), middle.x(),
+                                           uniform(-0.5, 0.5), middle.y()),
+                               {"x", "y", "z", "t"})));
+    description += fmt::format("{}x{}x{} {} of {:.2f} x {:.2f} x {:.2f}, E {:.3g}{}{}; ", divisions[0], divisions[1],
+                               divisions[2], mesh::name(type), lengths.x(), lengths.y(), lengths.z(), modulus,
+                               symmetric ? ", symmetric" : "", floats ? ", floating" : "");
+  }
+
+  void add_pair(std::size_t lower, std::size_t upper) {
+    const auto surface = [&](std::size_t b, const char* name) {
+      return contact::Surface{name, &bodies[b]->mesh(), &bodies[b]->constraints(),
+                              mesh::boundary_faces(bodies[b]->mesh(), name), 1.0};
+    };
+    const contact::Surface low = surface(lower, "z1"), up = surface(upper, "z0");
+    const bool lower_is_slave = one_of(2) == 0;
+    contact::Pair pair;
+    pair.name = fmt::format("{}-{}", lower, upper);
+    pair.slave_body = lower_is_slave ? lower : upper;
+    pair.master_body = lower_is_slave ? upper : lower;
+    const auto type = contact::ContactType::unilateral;
+    pair.coupling = lower_is_slave ? contact::mortar_coupling(low, up, type) : contact::mortar_coupling(up, low, type);
+    pair.gap = Function::expression(
+        fmt::format("{}*({} + {}*x + {}*y)", strain_, uniform(-0.5, 0.5), uniform(-1, 1), uniform(-1, 1)),
+        {"x", "y", "z", "t"});
+    description += fmt::format("slave {}; ", pair.slave_body);
+    pairs_.push_back(std::move(pair));
+  }
+
+  static std::int64_t nearest(const mesh::Mesh& mesh, const Vector3& place) {
+    const auto found = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](const Vector3& a, const Vector3& b) {
+      return (a - place).norm() < (b - place).norm();
+    });
+    return found - mesh.nodes.begin();
+  }
+
+  std::mt19937 generator_;
+  double strain_ = 1e-3;
+  std::vector<contact::Pair> pairs_;
+};
+
+}  // namespace creepcontact::test
