@@ -89,6 +89,28 @@ class Results(RunTest):
         self.assertGreater(summary["peak_memory_mb"], 1)
         self.assertNotIn("message", summary)
 
+    def test_log_of_the_contact_iterations(self):
+        log = self.directory / "contact.csv"
+        self.run_short("--quiet", "--log-contact", str(log))
+        self.assertEqual(log.read_text().splitlines()[0],
+                         "time,contact_solve,set_change,iteration,method,residual,active")
+        with open(log, newline="") as file:
+            rows = list(csv.DictReader(file))
+        summary = self.summary()
+        self.assertEqual(len(rows), summary["schwarz_iterations"])
+        self.assertEqual({row["method"] for row in rows}, {"cg"})
+        solves = [int(row["contact_solve"]) for row in rows]
+        self.assertEqual(solves, sorted(solves))
+        self.assertLessEqual(solves[-1], summary["contact_solves"])
+        for row, following in zip(rows, rows[1:] + [None]):
+            self.assertEqual(float(row["active"]), 20)
+            ends = following is None or following["iteration"] == "1"
+            self.assertEqual(float(row["residual"]) <= 1e-10, ends)
+
+        log.unlink()
+        self.run_short("--quiet")
+        self.assertFalse(log.exists())
+
     def test_quiet_says_nothing(self):
         done = self.run_short("--quiet")
         self.assertEqual((done.stdout, done.stderr), ("", ""))
