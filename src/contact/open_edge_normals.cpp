@@ -25,7 +25,8 @@ using Edges = std::map<std::pair<int, int>, int>;
 
 constexpr double least_break = 0.02;  // of a condition at a kink; about a degree
 constexpr double break_of_turn = 0.35;
-constexpr double least_seen = 0.05;  // squared sine: a component that conditions hardly see is not determined by them
+// Squared sine: a component that the conditions see less than this is not determined by them.
+constexpr double well_seen = 0.05, barely_seen = 0.003;
 
 class OpenEdges {
  public:
@@ -54,12 +55,14 @@ class OpenEdges {
 
   void correct() {
     mark_kinks();
-    for (const int least_rank : {2, 1})  // well-determined nodes first: they help the corners
-      while (correct_from_known(least_rank)) {
+    // Well-determined nodes first: they help the corners. In long faces all chords have much the same direction.
+    do {
+      while (correct_from_known(2, well_seen) || correct_from_known(2, barely_seen)) {
       }
+    } while (correct_from_known(1, well_seen));
     // A strip one face wide has no inner nodes, but those along it are right at least in its direction.
     for (Vertex& at : vertices_) at.is_known = at.is_known || at.n_faces > 1;
-    correct_from_known(1);
+    correct_from_known(1, well_seen);
   }
 
  private:
@@ -99,11 +102,12 @@ class OpenEdges {
   }
 
   /// One pass, from what is known before it. @returns false if there was nothing to do
-  bool correct_from_known(int least_rank) {
+  bool correct_from_known(int least_rank, double least_seen) {
     std::vector<std::pair<std::size_t, Vector3>> corrected;
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       Vector3 normal = normals_.multipliers[v].normal;
-      if (!vertices_[v].is_known && fit(vertices_[v], normal) >= least_rank) corrected.emplace_back(v, normal);
+      if (!vertices_[v].is_known && fit(vertices_[v], least_seen, normal) >= least_rank)
+        corrected.emplace_back(v, normal);
     }
     for (const auto& [v, normal] : corrected) {
       MultiplierNode& at = normals_.multipliers[v];
@@ -115,7 +119,7 @@ class OpenEdges {
 
   /// Least change of a normal that fulfils the conditions to its known neighbours in the mean.
   /// @returns how many of the two components across the normal they determine
-  int fit(const Vertex& at, Vector3& normal) const {
+  int fit(const Vertex& at, double least_seen, Vector3& normal) const {
     int rank = 0;
     for (int iteration = 0; iteration < 20; ++iteration) {  // the normal's length is not in the conditions
       const Vector3 axis1 = normal.unitOrthogonal();

@@ -51,7 +51,7 @@ class CurvedGap : public testing::TestWithParam<GapCase> {
 TEST_P(CurvedGap, IsRightWithinTwoPercentAtEveryNode) {
   for (const bool inner_is_slave : {true, false})
     for (const auto& [n_inner, n_outer, delta] :
-         {std::tuple{8, 11, 1e-3}, {8, 11, 1e-2}, {11, 8, 1e-3}, {9, 9, 1e-3}, {12, 9, 2e-3}, {8, 16, 5e-3}}) {
+         {std::tuple{8, 11, 1e-3}, {8, 11, 1e-2}, {11, 8, 1e-3}, {9, 9, 1e-3}, {12, 9, 2e-3}, {16, 22, 1e-3}}) {
       const Errors error = errors(n_inner, n_outer, delta, inner_is_slave);
       // The quad8 faces of eight to this patch of the sphere are themselves up to 2.7e-5 off it, at its corner.
       const bool is_serendipity_sphere = GetParam().spherical && GetParam().type == CellType::hex20;

@@ -42,6 +42,10 @@ TEST(SurfaceNormals, AreExactOnCylindersDividedAlongTheirAxis) {
       EXPECT_LT(largest_error(test::cylinder({.divisions = {5, layers, 1}, .irregular = 0.4}, symmetric), radial),
                 1e-13)
           << layers << " layers, planes of symmetry: " << symmetric;
+  for (const CellType type : {CellType::hex8, CellType::tet4})  // long faces
+    for (const int n : {16, 24, 40})
+      EXPECT_LT(largest_error(test::cylinder({.type = type, .divisions = {n, 2, 1}}), radial), 1e-11)
+          << mesh::name(type) << ' ' << n;
   // Inner surface: the normal points to the axis.
   EXPECT_LT(largest_error(test::cylinder({.divisions = {5, 2, 1}, .is_inner = false}),
                           [](const Vector3& x) { return Vector3(-radial(x)); }),
