@@ -122,27 +122,31 @@ TEST(FirstContact, BeginsToCreepWhenItTouches) {
     EXPECT_NEAR(outcome.history.at("mean1", t), exact.stress(t), 1e-4 * largest) << "t = " << t;
 }
 
-struct Meshes {
+struct Blocks {
   std::string name;
   int order;
-  bool hexahedra;
+  bool hexahedra, middle_is_held;
 };
 
-class ThreeBlocks : public testing::TestWithParam<Meshes> {};
+class ThreeBlocks : public testing::TestWithParam<Blocks> {};
 
-// Two joints in series, no mesh like another. The middle body, of two boxes, is held in its plane of symmetry.
+// Two joints in series, no mesh like another. The middle block is held by contact alone, or, in a symmetric stack, in
+// its plane of symmetry.
 TEST_P(ThreeBlocks, RelaxByTheClosedForm) {
-  const bool hexahedra = GetParam().hexahedra;
+  const auto& [name, order, hexahedra, middle_is_held] = GetParam();
+  const double height = middle_is_held ? 10 : 20;
   const std::vector<Box> boxes{{"low", {0, 0, 0}, {10, 10, 10}, {2, 3, 2}, hexahedra},
                                {"mid", {0, 0, 10}, {10, 10, 5}, {3, 2, 2}, true},
-                               {"top", {0, 0, 15}, {10, 10, 10}, {3, 3, 2}, hexahedra}};
-  const std::vector<Bar> bars{{10, 2e5, 1e-14}, {5, 3e4, 1e-13}, {10, 2e5, 1e-14}};
+                               {"top", {0, 0, 15}, {10, 10, height}, {3, 3, 2}, hexahedra}};
+  const std::vector<Bar> bars{
+      {10, 2e5, 1e-14}, {5, 3e4, 1e-13}, middle_is_held ? Bar{10, 2e5, 1e-14} : Bar{20, 1e5, 3e-14}};
   double flexibility = 0, creep = 0;
   for (const Bar& bar : bars) flexibility += bar.length / bar.young_modulus, creep += bar.length * bar.A;
-  const Outcome outcome = test::run_case(stack_toml(boxes, bars, "-0.02", "0.02") + test::support("mid_middle", "z") +
+  const Outcome outcome = test::run_case(stack_toml(boxes, bars, "-0.02", "0.02") +
+                                             (middle_is_held ? test::support("mid_middle", "z") : "") +
                                              test::contact("low_z1", "mid_z0") + test::contact("mid_z1", "top_z0") +
                                              "[time]\nend = 1e3\ntolerance = 1e-6\noutput = [1, 10, 100, 1e3]\n",
-                                         test::boxes_geo(boxes), {"mesh.order=" + std::to_string(GetParam().order)});
+                                         test::boxes_geo(boxes), {"mesh.order=" + std::to_string(order)});
   for (const double t : {0.0, 1.0, 10.0, 100.0, 1e3}) {
     const double exact = reference::power_relaxation(0.04 / flexibility, creep / flexibility, n, t);
     for (const std::string joint : {"1", "2"}) {
@@ -154,8 +158,10 @@ TEST_P(ThreeBlocks, RelaxByTheClosedForm) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, ThreeBlocks,
-                         testing::Values(Meshes{"hex8", 1, true}, Meshes{"hex20", 2, true}, Meshes{"tet10", 2, false}),
+INSTANTIATE_TEST_SUITE_P(Blocks, ThreeBlocks,
+                         testing::Values(Blocks{"hex8", 1, true, false}, Blocks{"hex20", 2, true, false},
+                                         Blocks{"tet10", 2, false, false}, Blocks{"hex8_held", 1, true, true},
+                                         Blocks{"tet10_held", 2, false, true}),
                          [](const auto& parameter) { return parameter.param.name; });
 
 // Where the joint neither opens nor slides, a tie and unilateral contact are one and the same.

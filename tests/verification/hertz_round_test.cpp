@@ -19,17 +19,23 @@ struct Case {
 
 struct Result {
   HertzErrors errors;
-  double force, reaction;
+  double force;  // of the mesh, for a slice per width
 };
 
-Result press(const Case& tested, double size, bool measured_gap) {
+/// How the upper body is pressed down: its flat top is displaced, or loaded and free.
+const std::string displaced = test::support("upper_far", "z", "-0.075");
+std::string loaded(double pressure) {
+  return fmt::format("[[loads]]\non = \"upper_far\"\npressure = {}\n", pressure);
+}
+
+Result press(const Case& tested, double size, bool measured_gap, const std::string& pressed = displaced) {
   const double R = tested.sphere ? 15 : 25, width = tested.sphere ? 0 : size;
   std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n[time]\nend = 1\n" + test::body("lower", 1, 0.3) +
                      test::body("upper", tested.upper_modulus, 0.3);
   for (const std::string body : {"lower", "upper"})
     toml += test::support(body + "_x0", "x") + test::support(body + "_y0", "y") +
             (tested.sphere ? "" : test::support(body + "_back", "y"));
-  toml += test::support("lower_far", "z") + test::support("upper_far", "z", "-0.075");
+  toml += test::support("lower_far", "z") + pressed;
   const std::string exact_gap = fmt::format("{0} - sqrt({0}^2 - min({0}^2, x*x{1}))", R, tested.sphere ? " + y*y" : "");
   toml +=
       test::contact("upper_round", "lower_top",
@@ -49,7 +55,7 @@ Result press(const Case& tested, double size, bool measured_gap) {
   return {test::hertz_errors(state.pairs.begin()->second, exact,
                              tested.sphere ? std::sqrt(4 * area / std::numbers::pi) : area / width,
                              [&](const Vector3& x) { return tested.sphere ? x.head<2>().norm() : x.x(); }),
-          tested.sphere ? force : force / width, exact.radius};
+          tested.sphere ? force : force / width};
 }
 
 class HertzRound : public testing::TestWithParam<Case> {};
@@ -78,6 +84,17 @@ INSTANTIATE_TEST_SUITE_P(Cases, HertzRound,
                                                               : "_alike") +
                                   "_slave_" + tested.slave;
                          });
+
+// Bodies that contact alone holds in the direction of the load.
+TEST(HertzForceControl, ResultantIsTheLoad) {
+  const Result cylinder = press({false, 1, "auto", false}, 0.1, true, loaded(3e-4));
+  test::expect_hertz(cylinder.errors, 0.01, "cylinder");
+  EXPECT_RELATIVE(cylinder.force, 3e-4 * 25, 1e-9);
+  const Result sphere = press({true, 1, "auto", false}, 0.17, true, loaded(8e-5));
+  test::expect_hertz(sphere.errors, 0.02, "sphere");
+  const double quarter_top = std::numbers::pi / 4 * 15 * 15;
+  EXPECT_RELATIVE(sphere.force, 8e-5 * quarter_top, 1e-3) << "the top is a circle of the mesh";
+}
 
 }  // namespace
 }  // namespace creepcontact
