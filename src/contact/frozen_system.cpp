@@ -102,19 +102,20 @@ FrozenSolution FrozenSystem::solve_iteratively(const std::vector<int>& active, c
   if (!gradients_ || gradients_->active() != active)
     gradients_ = std::make_unique<SchwarzGradients>(
         problem_, SchwarzOptions{.tolerance = tolerance_, .max_iterations = most_iterations}, active);
-  const Eigen::VectorXd gap = load.gap(active);
-  const InnerResult inner = gradients_->solve(gap, load.resultant, Eigen::VectorXd::Zero(gap.size()), {nullptr, 0});
+  const FrozenLoad frozen{load.gap(active), load.resultant, multiplier_rounding(problem_, load)};
+  const InnerResult inner = gradients_->solve(frozen, Eigen::VectorXd::Zero(frozen.gap.size()), {nullptr, 0});
   FrozenSolution solution;
   ContactState& state = solution.state;
   state.active = active;
   state.multiplier.setZero(problem_.n_rows());
   state.multiplier(active) = inner.multiplier;
   state.rigid.setZero(problem_.n_motions());
-  solution.balanced = gradients_->balance().holds(inner.multiplier, load.resultant);
+  solution.balanced = gradients_->balance().holds(inner.multiplier, load.resultant, frozen.rounding);
   if (solution.balanced && !inner.converged)
     throw SolverError("contact: conjugate gradients did not reach their tolerance");
   if (problem_.n_motions() > 0)
-    state.rigid = gradients_->balance().amplitudes(gap + flexibility_product(problem_, state.multiplier)(active));
+    state.rigid =
+        gradients_->balance().amplitudes(frozen.gap + flexibility_product(problem_, state.multiplier)(active));
   return solution;
 }
 

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace creepcontact::contact {
+namespace {
+
+constexpr double negligible = 1e-6;
+
+}  // namespace
 
 SchwarzGradients::SchwarzGradients(const ContactProblem& problem, const SchwarzOptions& options,
                                    std::vector<int> active)
@@ -56,9 +61,11 @@ InnerResult SchwarzGradients::solve(const FrozenLoad& load, const Eigen::VectorX
   Eigen::VectorXd z = precondition(residual);  // about the error of the multipliers
   Eigen::VectorXd direction = z;
   double rz = residual.dot(z);
-  const double first = result.multiplier.cwiseAbs().maxCoeff() > 0 ? 0.0 : z.cwiseAbs().maxCoeff();
+  // From a start of zero the first step shows the size of the solution; multipliers far below it are none.
+  double least = result.multiplier.cwiseAbs().maxCoeff() > 0 ? 0.0 : z.cwiseAbs().maxCoeff();
   while (true) {
-    const double scale = std::max(first, result.multiplier.cwiseAbs().maxCoeff());
+    if (result.iterations == 1) least *= negligible;
+    const double scale = std::max(least, result.multiplier.cwiseAbs().maxCoeff());
     const double error = z.cwiseAbs().maxCoeff();
     if (result.iterations > 0) log("cg", result.iterations, scale > 0 ? error / scale : 0.0, set_.active().size());
     result.converged = error <= std::max(options_.tolerance * scale, load.rounding);
