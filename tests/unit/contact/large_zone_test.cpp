@@ -38,6 +38,8 @@ TEST_P(LargeZone, AgreesWithTheDenseSolution) {
   dense->solve(*contact::active_set_solver(dense->interface->problem()));
   const Eigen::VectorXd& expected = dense->result.state.multiplier;
   const double largest = expected.cwiseAbs().maxCoeff();
+  Eigen::VectorXd flexibility = dense->interface->problem().total.diagonal();
+  flexibility /= flexibility.maxCoeff();
   if (GetParam().contact == ContactType::unilateral) {
     EXPECT_LT(dense->result.state.active.size(), static_cast<std::size_t>(expected.size())) << "part of it is open";
   }
@@ -47,7 +49,9 @@ TEST_P(LargeZone, AgreesWithTheDenseSolution) {
         schwarz ? contact::schwarz_solver(problem, {.max_iterations = 1000}) : contact::active_set_solver(problem);
     large->solve(*solver);
     EXPECT_EQ(large->result.state.active, dense->result.state.active);
-    EXPECT_LT((large->result.state.multiplier - expected).cwiseAbs().maxCoeff(), 1e-8 * largest);
+    // Multipliers of tied rows that the supports hold nearly are nearly undetermined: measured by what they move.
+    EXPECT_LT((large->result.state.multiplier - expected).cwiseAbs().cwiseProduct(flexibility).maxCoeff(),
+              1e-8 * largest);
     for (std::size_t b = 0; b < 2; ++b)
       for (std::size_t i = 0; i < dense->stress[b].size(); ++i)
         EXPECT_NEAR(large->stress[b][i], dense->stress[b][i], 1e-7 * largest);

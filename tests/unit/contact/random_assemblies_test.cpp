@@ -39,8 +39,9 @@ TEST(RandomAssemblies, SchwarzAgreesWithTheActiveSetMethod) {
 
     expect_solved(problem, load, direct.state, 1e-8);
     expect_solved(problem, load, schwarz.state, 1e-8);
-    if (direct.state.multiplier.maxCoeff() > 10 * multiplier_rounding(problem, load))
+    if (direct.state.multiplier.maxCoeff() > 10 * multiplier_rounding(problem, load)) {
       EXPECT_LT(difference(problem, schwarz.state, direct.state), 1e-8);
+    }
     if (problem.n_motions() > 0 && load.resultant.norm() > 0) {
       ++n_floating;
       const Eigen::VectorXd left = problem.rigid.transpose() * schwarz.state.multiplier + load.resultant;
@@ -79,7 +80,9 @@ TEST_P(DissimilarBodies, AgreeInEveryAcceleration) {
         const auto schwarz = schwarz_solver(assembly.interface->problem(), accelerated(acceleration));
         assembly.solve(*schwarz);
         const std::string warnings = testing::internal::GetCapturedStderr();
-        if (acceleration == Acceleration::cg) EXPECT_EQ(warnings, "");
+        if (acceleration == Acceleration::cg) {
+          EXPECT_EQ(warnings, "");
+        }
         EXPECT_LT(difference(assembly.interface->problem(), assembly.result.state, reference), 1e-8);
       }
     }
