@@ -31,17 +31,18 @@ DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t bo
     pseudo_inverse_ = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
   }
   if (basis.cols() == 0) return;
-  carried_ = inverse(basis);
+  carried_.resize(basis.rows(), basis.cols());
+  for (Eigen::Index j = 0; j < basis.cols(); ++j) carried_.col(j) = multipliers(basis.col(j));
   const Eigen::LLT<Eigen::MatrixXd> coarse(basis.transpose() * carried_);
   coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
 }
 
-Eigen::MatrixXd DirichletProblem::inverse(const Eigen::MatrixXd& traces) const {
-  return regular_ ? Eigen::MatrixXd(factor_.solve(traces)) : Eigen::MatrixXd(pseudo_inverse_ * traces);
+Eigen::VectorXd DirichletProblem::multipliers(const Eigen::VectorXd& trace) const {
+  return regular_ ? Eigen::VectorXd(factor_.solve(trace)) : Eigen::VectorXd(pseudo_inverse_ * trace);
 }
 
 Eigen::VectorXd DirichletProblem::balanced_multipliers(const Eigen::VectorXd& trace) const {
-  Eigen::VectorXd result = inverse(trace);
+  Eigen::VectorXd result = multipliers(trace);
   if (carried_.cols() > 0) result.noalias() -= carried_ * (carried_.transpose() * trace);
   return result;
 }

@@ -17,15 +17,13 @@ class DirichletProblem {
   /// unknowns. The multipliers are then the least ones, F^-1 a pseudo-inverse.
   bool is_regular() const { return regular_; }
   /// F^-1 trace, rigid part included.
-  Eigen::VectorXd multipliers(const Eigen::VectorXd& trace) const { return inverse(trace); }
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& trace) const;
   /// S trace: multipliers without resultant.
   Eigen::VectorXd balanced_multipliers(const Eigen::VectorXd& trace) const;
   /// diag S, or 1/diag F where F is singular.
   Eigen::VectorXd stiffness() const;
 
  private:
-  Eigen::MatrixXd inverse(const Eigen::MatrixXd& traces) const;
-
   Eigen::VectorXd flexibility_;  // diagonal
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::MatrixXd pseudo_inverse_;  // in place of the factor where F is singular

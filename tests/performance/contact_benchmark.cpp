@@ -34,9 +34,9 @@ class Scene {
   Scene() {
     constexpr int side = 38;
     const BoxSetup block{.divisions = {side, side, 15}, .lengths = {1, 1, 0.4}, .distortion = 0.1};
-    // The upper block's face is inclined: it touches over three quarters.
+    // The faces overlap but for one corner.
     assembly_ = std::make_unique<Assembly>(block, block, true, -0.01, contact::ContactType::unilateral,
-                                           Function::expression("0.014*(x + y) - 0.008", {"x", "y", "z", "t"}));
+                                           Function::expression("0.001*(x + y - 1.5)", {"x", "y", "z", "t"}));
     assembly_->bodies[0]->set_time(0);
     assembly_->bodies[1]->set_time(0);
     load_ = assembly_->interface->contact_load(assembly_->interface->initial_load(0));
