@@ -17,6 +17,12 @@ constexpr double no_part = 1e-6;       // of an amplitude in a description
 using mechanics::FreeMotion;
 using mechanics::RigidMotion;
 
+double size_of(const mechanics::Body& body) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3& x : body.mesh().nodes) box.extend(x);
+  return box.diagonal().norm();
+}
+
 /// The body's part of a combination; nullopt if it moves in parts.
 std::optional<RigidMotion> rigid_part(const std::vector<FreeMotion>& motions, const Eigen::VectorXd& amplitudes) {
   std::vector<RigidMotion> rigid;
@@ -122,10 +128,11 @@ std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
     if (own.size() == 0 || own.isZero(0)) continue;
     std::string words;
     if (const auto rigid = rigid_part(motions, own)) {
-      words = rigid->describe();
+      words = rigid->tidied(size_of(*bodies_[b])).describe();
     } else {
       for (std::size_t j = 0; j < motions.size(); ++j)
-        if (own[static_cast<Eigen::Index>(j)] != 0) words += (words.empty() ? "" : " with ") + motions[j].description;
+        if (own[static_cast<Eigen::Index>(j)] != 0 && words.find(motions[j].description) == std::string::npos)
+          words += (words.empty() ? "" : " with ") + motions[j].description;
     }
     text += fmt::format("{}body '{}': {}", text.empty() ? "" : " and ", bodies_[b]->name(), words);
   }
@@ -134,7 +141,10 @@ std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
 
 std::vector<std::string> FloatingMotions::describe_idle() const {
   std::vector<std::string> result;
-  for (Eigen::Index j = 0; j < idle_.cols(); ++j) result.push_back(describe(idle_.col(j)));
+  for (Eigen::Index j = 0; j < idle_.cols(); ++j) {
+    std::string words = describe(idle_.col(j));
+    if (std::find(result.begin(), result.end(), words) == result.end()) result.push_back(std::move(words));
+  }
   return result;
 }
 

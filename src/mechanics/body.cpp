@@ -18,7 +18,8 @@ struct Body::Impl {
         supports(std::move(supports_in)),
         discretization(mesh),
         constraints(mesh.nodes, supports),
-        free_motions(mechanics::free_motions(mesh, constraints)),
+        parts(mesh_parts(mesh)),
+        free_motions(mechanics::free_motions(mesh, parts, constraints)),
         pins(determinate_pins(free_motions, constraints)),
         thermal(std::move(temperature), discretization),
         moduli(thermal.moduli(material)),
@@ -39,6 +40,7 @@ struct Body::Impl {
   std::vector<Support> supports;
   Discretization discretization;
   Constraints constraints;
+  MeshParts parts;
   std::vector<FreeMotion> free_motions;
   std::vector<std::int64_t> pins;
   ThermalState thermal;
@@ -139,6 +141,9 @@ const std::vector<Support>& Body::supports() const {
   return impl_->supports;
 }
 
+std::size_t Body::n_parts() const {
+  return impl_->parts.size();
+}
 const std::vector<FreeMotion>& Body::free_motions() const {
   return impl_->free_motions;
 }

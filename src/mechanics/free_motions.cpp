@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "mesh_parts.hpp"
-
 namespace creepcontact::mechanics {
 namespace {
 
@@ -119,8 +117,8 @@ std::vector<std::vector<Nodes>> clusters(std::vector<Nodes> parts) {
 
 }  // namespace
 
-std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const Constraints& constraints) {
-  const std::vector<std::vector<Nodes>> pieces = clusters(mesh_parts(mesh));
+std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const MeshParts& parts, const Constraints& constraints) {
+  const std::vector<std::vector<Nodes>> pieces = clusters(parts);
   std::vector<FreeMotion> motions;
   for (const std::vector<Nodes>& cluster : pieces) {
     if (cluster.size() > 1) {

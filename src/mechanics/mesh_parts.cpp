@@ -1,9 +1,9 @@
-#include "mesh_parts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 
+#include "creepcontact/mechanics/free_motions.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
 
 namespace creepcontact::mechanics {
@@ -47,7 +47,7 @@ class DisjointSets {
 
 }  // namespace
 
-std::vector<std::vector<std::int64_t>> mesh_parts(const mesh::Mesh& mesh) {
+MeshParts mesh_parts(const mesh::Mesh& mesh) {
   std::vector<FaceOfElement> faces = all_faces(mesh);
   std::sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.corners < b.corners; });
   std::size_t n_elements = 0;
@@ -57,7 +57,7 @@ std::vector<std::vector<std::int64_t>> mesh_parts(const mesh::Mesh& mesh) {
     if (faces[i].corners == faces[i - 1].corners) sets.join(faces[i].element, faces[i - 1].element);
 
   std::vector<std::size_t> part_of_root(n_elements, n_elements);
-  std::vector<std::vector<std::int64_t>> parts;
+  MeshParts parts;
   std::size_t element = 0;
   for (const mesh::CellBlock& block : mesh.blocks) {
     if (mesh::dimension(block.type) != 3) continue;

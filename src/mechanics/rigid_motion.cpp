@@ -128,6 +128,21 @@ RigidMotion RigidMotion::combination(const std::vector<RigidMotion>& motions, co
   return sum;
 }
 
+RigidMotion RigidMotion::tidied(double size) const {
+  constexpr double no_part = 1e-4;
+  const auto without_small = [](const Vector3& v, double limit) {
+    return Vector3((v.array().abs() < limit).select(0.0, v));
+  };
+  const double angle = rotation.norm();
+  if (angle * size < no_part * translation.norm())
+    return {readable(without_small(translation, no_part * translation.norm())), Vector3::Zero(), centre};
+  const Vector3 axis = readable(without_small(rotation / angle, no_part).normalized());
+  const Vector3 through = without_small(centre + axis.cross(translation) / axis.dot(rotation), no_part * size);
+  const double pitch = axis.dot(translation) / axis.dot(rotation);
+  return {std::abs(pitch) < no_part * size ? Vector3(Vector3::Zero()) : Vector3(pitch * angle * axis), angle * axis,
+          through};
+}
+
 std::string RigidMotion::describe() const {
   const double angle = rotation.norm();
   if (angle == 0) return "translation along " + along(translation.normalized());

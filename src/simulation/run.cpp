@@ -22,6 +22,11 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+void warn_of_parts(const Model& model) {
+  for (const auto& body : model.bodies)
+    if (body->n_parts() > 1) log::warning("{}", parts_warning(*body));
+}
+
 /// Linear tetrahedra, and linear wedges despite B-bar, are too stiff in incompressible deformation.
 void warn_of_locking(const Model& model) {
   for (const auto& body : model.bodies) {
@@ -79,6 +84,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
 
   Model model = build_model(config);
   make_probes(config, model, model.pairs);  // mistakes in them show before anything is factored
+  warn_of_parts(model);
   warn_of_locking(model);
   for (const auto& body : model.bodies)
     log::info("body '{}': {} elements, {} unknowns", body->name(), body->discretization().n_elements(),

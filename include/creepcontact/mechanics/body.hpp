@@ -39,6 +39,8 @@ class Body {
   const Constraints& constraints() const;
   const std::vector<Support>& supports() const;
 
+  /// Pieces of the mesh that share no faces; more than one is seldom meant.
+  std::size_t n_parts() const;
   /// What the supports leave free: contact must hold it, or nothing may load it.
   const std::vector<FreeMotion>& free_motions() const;
   /// Free unknowns that are fixed in place of the free motions, one a motion; their displacement is that of the motions

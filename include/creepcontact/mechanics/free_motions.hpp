@@ -17,9 +17,14 @@ struct FreeMotion {
   std::string description;           ///< "translation along z"; of a part: with its place
 };
 
+/// Nodes, ascending, of every piece of the mesh that can only move as a rigid whole: elements joined by faces. Parts
+/// may share nodes (hinges). Cost: O(n_elements log n_elements).
+using MeshParts = std::vector<std::vector<std::int64_t>>;
+MeshParts mesh_parts(const mesh::Mesh& mesh);
+
 /// Basis of the null space; empty for a body that is held.
-/// Cost: O(n_elements log n_elements), and (6 n_parts)^3 for a mesh in parts.
-std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const Constraints& constraints);
+/// Cost: O(n_nodes), and (6 n_parts)^3 for parts that share nodes.
+std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const MeshParts& parts, const Constraints& constraints);
 
 /// Free unknowns, one a motion, that hold the body in a statically determinate way when they are fixed: those that the
 /// motions move most, one after the other (pivoted QR).

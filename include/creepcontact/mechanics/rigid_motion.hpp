@@ -18,6 +18,9 @@ struct RigidMotion {
   std::string describe() const;
   /// The sum of motions, about this one's centre. @param amplitudes  one a motion
   static RigidMotion combination(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& amplitudes);
+  /// The same motion, forwards or backwards, for a reader: without parts that move a body of this size by less than
+  /// 1e-4 of the whole.
+  RigidMotion tidied(double size) const;
   /// Displacement of a point.
   Vector3 displacement(const Vector3& x) const { return translation + rotation.cross(x - centre); }
 };

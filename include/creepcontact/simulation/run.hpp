@@ -14,7 +14,7 @@ struct RunOptions {
   bool quiet = false;   ///< errors and warnings only
   /// File for a row of every contact iteration (time,contact_solve,set_change,iteration,method,residual,active);
   /// empty: none
-  std::string log_contact;
+  std::string log_contact = {};
 };
 
 struct RunResult {

@@ -132,5 +132,14 @@ TEST(RigidMotions, DescribeAScrew) {
             "rotation about the axis (0, 0, 1) through (1, 0, 0) with a shift of 0.25 along it per radian");
 }
 
+TEST(RigidMotions, AreTidiedForTheReader) {
+  const mechanics::RigidMotion nearly_a_turn{{0, 1e-6, 1e-6}, {1e-6, 0, -1}, {1e-6, 3, 0}};
+  EXPECT_EQ(nearly_a_turn.tidied(1.0).describe(), "rotation about the axis (0, 0, 1) through (0, 3, 0)");
+  const mechanics::RigidMotion nearly_a_shift{{0, 1, 1e-6}, {1e-6, 0, 0}, {0, 0, 0}};
+  EXPECT_EQ(nearly_a_shift.tidied(1.0).describe(), "translation along y");
+  const mechanics::RigidMotion screw{{0, 0, 0.5}, {0, 0, 2}, {1, 0, 0}};
+  EXPECT_EQ(screw.tidied(1.0).describe(), screw.describe());
+}
+
 }  // namespace
 }  // namespace creepcontact::test
