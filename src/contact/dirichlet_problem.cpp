@@ -55,13 +55,12 @@ Eigen::VectorXd DirichletProblem::stiffness() const {
   return diagonal.cwiseMax(1e-14 * diagonal.maxCoeff());
 }
 
-OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set, bool slave_only) {
+OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set) {
   OwnRows result;
   const std::vector<int>& rows = problem.bodies[body].rows;
   for (std::size_t k = 0; k < set.size(); ++k) {
     const auto found = std::lower_bound(rows.begin(), rows.end(), set[k]);
     if (found == rows.end() || *found != set[k]) continue;
-    if (slave_only && problem.slave_body[static_cast<std::size_t>(set[k])] != static_cast<int>(body)) continue;
     result.places.push_back(static_cast<int>(k));
     result.own.push_back(static_cast<int>(found - rows.begin()));
   }

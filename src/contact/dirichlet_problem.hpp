@@ -36,7 +36,6 @@ struct OwnRows {
   std::vector<int> places;  ///< in the set
   std::vector<int> own;     ///< in the body's flexibility
 };
-/// @param slave_only  leave out those on which the body is master
-OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set, bool slave_only);
+OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set);
 
 }  // namespace creepcontact::contact

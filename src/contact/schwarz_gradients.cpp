@@ -1,10 +1,12 @@
 #include "schwarz_gradients.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace creepcontact::contact {
 namespace {
 
+constexpr double clearly_softer = 2;
 constexpr double negligible = 1e-6;
 
 }  // namespace
@@ -13,38 +15,76 @@ SchwarzGradients::SchwarzGradients(const ContactProblem& problem, const SchwarzO
                                    std::vector<int> active)
     : options_(options), set_(problem, std::move(active)) {
   if (problem.large) large_ = problem.large->preconditioner(set_.active());
-  for (std::size_t b = 0; b < problem.bodies.size() && !large_; ++b) {
-    OwnRows rows = own_rows(problem, b, set_.active(), true);
-    if (rows.own.empty()) continue;
-    Block block{std::move(rows.places), std::make_unique<DirichletProblem>(problem, b, rows.own)};
-    // A slave held in part has no stiffness of its own to invert: the total's diagonal serves.
-    if (!block.body->is_regular()) block.body.reset();
-    blocks_.push_back(std::move(block));
-  }
+  if (!large_) add_blocks(problem);
   const Eigen::MatrixXd& motions = balance().basis();
   if (motions.cols() == 0) return;
   carried_.resize(motions.rows(), motions.cols());
-  for (Eigen::Index j = 0; j < motions.cols(); ++j) carried_.col(j) = slave_multipliers(motions.col(j));
+  for (Eigen::Index j = 0; j < motions.cols(); ++j) carried_.col(j) = softer_multipliers(motions.col(j));
   const Eigen::LLT<Eigen::MatrixXd> coarse(motions.transpose() * carried_);
   coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
 }
 
-Eigen::VectorXd SchwarzGradients::slave_multipliers(const Eigen::VectorXd& residual) const {
+bool SchwarzGradients::add_block(const ContactProblem& problem, std::size_t body, std::vector<int>& places) {
+  if (places.empty()) return true;
+  const std::vector<int>& rows = problem.bodies[body].rows;
+  std::vector<int> own;
+  for (const int place : places) {
+    const int row = set_.active()[static_cast<std::size_t>(place)];
+    own.push_back(static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()));
+  }
+  auto dirichlet = std::make_unique<DirichletProblem>(problem, body, own);
+  if (!dirichlet->is_regular()) return false;
+  blocks_.push_back({std::move(places), std::move(dirichlet)});
+  places.clear();
+  return true;
+}
+
+void SchwarzGradients::add_blocks(const ContactProblem& problem) {
+  std::map<std::pair<int, int>, std::vector<int>> pairs;  // slave and master body: places
+  for (std::size_t k = 0; k < set_.active().size(); ++k) {
+    const auto row = static_cast<std::size_t>(set_.active()[k]);
+    pairs[{problem.slave_body[row], problem.master_body[row]}].push_back(static_cast<int>(k));
+  }
+  std::vector<std::vector<int>> of_slave(problem.bodies.size());
+  for (auto& [pair, places] : pairs) {
+    const auto slave = static_cast<std::size_t>(pair.first), master = static_cast<std::size_t>(pair.second);
+    const bool master_is_softer =
+        flexibility_on(problem, master, places) > clearly_softer * flexibility_on(problem, slave, places);
+    if (master_is_softer && add_block(problem, master, places)) continue;
+    of_slave[slave].insert(of_slave[slave].end(), places.begin(), places.end());
+  }
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+    std::sort(of_slave[b].begin(), of_slave[b].end());
+    // A slave held in part has no stiffness of its own to invert.
+    if (!add_block(problem, b, of_slave[b])) loose_.insert(loose_.end(), of_slave[b].begin(), of_slave[b].end());
+  }
+}
+
+double SchwarzGradients::flexibility_on(const ContactProblem& problem, std::size_t body,
+                                        const std::vector<int>& places) const {
+  const std::vector<int>& rows = problem.bodies[body].rows;
+  double sum = 0;
+  for (const int place : places) {
+    const auto found = std::lower_bound(rows.begin(), rows.end(), set_.active()[static_cast<std::size_t>(place)]);
+    const auto own = found - rows.begin();
+    sum += problem.bodies[body].matrix(own, own);
+  }
+  return sum;
+}
+
+Eigen::VectorXd SchwarzGradients::softer_multipliers(const Eigen::VectorXd& residual) const {
   if (large_) return large_->multipliers(residual);
   Eigen::VectorXd z(residual.size());
-  for (const Block& block : blocks_) {
-    const Eigen::VectorXd part = residual(block.places);
-    z(block.places) =
-        block.body ? block.body->multipliers(part) : Eigen::VectorXd(part.cwiseQuotient(set_.diagonal()(block.places)));
-  }
+  z(loose_) = residual(loose_).cwiseQuotient(set_.diagonal()(loose_));
+  for (const Block& block : blocks_) z(block.places) = block.body->multipliers(residual(block.places));
   return z;
 }
 
 /// The residual loses its rigid part, which belongs to the motions' amplitudes and would only bring cancellation.
 Eigen::VectorXd SchwarzGradients::precondition(Eigen::VectorXd& residual) const {
-  if (balance().empty()) return slave_multipliers(residual);
+  if (balance().empty()) return softer_multipliers(residual);
   residual = balance().without_rigid_part(residual);
-  Eigen::VectorXd z = slave_multipliers(residual);
+  Eigen::VectorXd z = softer_multipliers(residual);
   z.noalias() -= carried_ * (carried_.transpose() * residual);
   return z;
 }

@@ -28,7 +28,7 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
   std::vector<std::size_t> bodies;
   Eigen::Index offset = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-    OwnRows rows = own_rows(problem, b, set_.active(), false);
+    OwnRows rows = own_rows(problem, b, set_.active());
     if (rows.own.empty()) continue;
     const auto size = static_cast<Eigen::Index>(rows.own.size());
     Share share{std::move(rows.places),
