@@ -61,7 +61,7 @@ TEST(ConfigMistakes, OutOfRange) {
   expect_mistake(minimal + "[contact_solver]\nalpha = { block = 2 }\n",
                  "cases/block.toml:13:19: contact_solver.alpha.block: number 2; allowed: a number in (0, 1]");
   expect_mistake(minimal + "[contact_solver]\nalpha = { blok = 0.5 }\n",
-                 "cases/block.toml:13:11: contact_solver.alpha.blok: unknown body 'blok'; did you mean 'block'?");
+                 "cases/block.toml:13:18: contact_solver.alpha.blok: unknown body 'blok'; did you mean 'block'?");
   expect_mistake(minimal + "[contact_solver]\ndamping = 0\n",
                  "cases/block.toml:13:11: contact_solver.damping: number 0; allowed: a number in (0, 1]");
   expect_mistake(minimal, "--set time.end=0: time.end: number 0; allowed: a number > 0", {"time.end=0"});
