@@ -16,10 +16,26 @@ double facing_size(const std::vector<Facet>& facets, const std::vector<Facet>& o
   return count > 0 ? sum / count : 0;
 }
 
+/// True if the supports hold every node of the surface along its normal: such a surface is rigid, and multipliers on it
+/// could only act through the other one.
+bool is_held(const Surface& surface) {
+  for (const mesh::Face& face : surface.faces) {
+    const Facet facet(*surface.mesh, face);
+    for (int i = 0; i < facet.n_nodes(); ++i) {
+      const std::int64_t node = facet.nodes()[static_cast<std::size_t>(i)];
+      const auto held = surface.constraints->frame(node).leftCols(surface.constraints->n_held(node));
+      const Vector3 normal = facet.area_vector(facet.element().nodes().row(i).transpose()).normalized();
+      if ((held.transpose() * normal).norm() < 1 - 1e-6) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool first_is_better_slave(const Surface& first, const Surface& second) {
   constexpr double clearly_softer = 10.0;
+  if (const bool first_held = is_held(first); first_held != is_held(second)) return !first_held;
   if (first.young_modulus * clearly_softer < second.young_modulus) return true;
   if (second.young_modulus * clearly_softer < first.young_modulus) return false;
   const std::vector<Facet> a = make_facets(*first.mesh, first.faces);

@@ -141,6 +141,13 @@ TEST(Mortar, CoarserSurfaceIsTheBetterSlaveAndSofterWinsOverBoth) {
   EXPECT_TRUE(contact::first_is_better_slave(fine, coarse));
 }
 
+TEST(Mortar, HeldSurfaceIsNoSlave) {
+  const test::Assembly assembly({.divisions = {2, 2, 1}}, {.divisions = {4, 4, 1}}, true, 0.0);
+  const contact::Surface held = assembly.surface(0, "z0"), movable = assembly.surface(1, "z0");
+  EXPECT_FALSE(contact::first_is_better_slave(held, movable)) << "though it is coarser";
+  EXPECT_TRUE(contact::first_is_better_slave(movable, held));
+}
+
 TEST(Mortar, TiedBoxesCarryTension) {
   test::Assembly assembly({.type = CellType::hex20, .divisions = {3, 2, 1}}, {.divisions = {2, 3, 2}}, true, 0.02,
                           ContactType::tied);
