@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "creepcontact/contact/mortar.hpp"
 #include "creepcontact/contact/segments.hpp"
 
@@ -23,9 +25,11 @@ bool is_held(const Surface& surface) {
     const Facet facet(*surface.mesh, face);
     for (int i = 0; i < facet.n_nodes(); ++i) {
       const std::int64_t node = facet.nodes()[static_cast<std::size_t>(i)];
-      const auto held = surface.constraints->frame(node).leftCols(surface.constraints->n_held(node));
+      const Matrix3 frame = surface.constraints->frame(node);
       const Vector3 normal = facet.area_vector(facet.element().nodes().row(i).transpose()).normalized();
-      if ((held.transpose() * normal).norm() < 1 - 1e-6) return false;
+      double free_part = 1;  // square of the normal's part that is not held
+      for (int k = 0; k < surface.constraints->n_held(node); ++k) free_part -= std::pow(frame.col(k).dot(normal), 2);
+      if (free_part > 1e-6) return false;
     }
   }
   return true;

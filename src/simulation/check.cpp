@@ -35,7 +35,7 @@ void check(const config::Config& config, std::ostream& report) {
                         element_names(body.mesh()), body.mesh().nodes.size(), body.constraints().n_free(),
                         body.discretization().n_points(), body.material().name,
                         body.material().creeps() ? "" : " (elastic)");
-    if (body.n_parts() > 1) text += "  warning: " + parts_warning(body) + "\n";
+    for (const std::string& warning : mesh_warnings(body)) text += "  warning: " + warning + "\n";
     std::string described;
     for (const mechanics::FreeMotion& motion : body.free_motions())
       described += (described.empty() ? "" : ", ") + motion.description;

@@ -1,7 +1,11 @@
 #include "creepcontact/simulation/contact_elasticity.hpp"
 
+#include <algorithm>
+
 namespace creepcontact::simulation {
 namespace {
+
+constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
 
 contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
   const auto lap = watch.lap(Part::factorize);
@@ -15,7 +19,7 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
       watch_(watch),
       interface_(factorize(model, watch)),
       solver_(make_contact_solver(model, interface_.problem())),
-      frozen_(interface_.problem(), model.schwarz.tolerance) {
+      frozen_(interface_.problem(), std::max(model.schwarz.tolerance, jacobian_tolerance)) {
   counters_.factorizations = static_cast<std::int64_t>(model.bodies.size());
   for (const auto& body : model.bodies) {
     const auto n_free = static_cast<std::size_t>(body->constraints().n_free());

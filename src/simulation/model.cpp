@@ -107,16 +107,6 @@ Model build_model(const config::Config& config) {
   return model;
 }
 
-std::string parts_warning(const mechanics::Body& body) {
-  return fmt::format(
-      "body '{}': its mesh is in {} parts that share no faces and move apart from each other; if they are meant as "
-      "one, "
-      "let their volumes share surfaces (BooleanFragments or Coherence in the .geo file), or name them as bodies of "
-      "their "
-      "own with tied contact",
-      body.name(), body.n_parts());
-}
-
 std::unique_ptr<contact::ContactSolver> make_contact_solver(const Model& model,
                                                             const contact::ContactProblem& problem) {
   if (problem.large) {

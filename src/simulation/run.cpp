@@ -22,25 +22,6 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-void warn_of_parts(const Model& model) {
-  for (const auto& body : model.bodies)
-    if (body->n_parts() > 1) log::warning("{}", parts_warning(*body));
-}
-
-/// Linear tetrahedra, and linear wedges despite B-bar, are too stiff in incompressible deformation.
-void warn_of_locking(const Model& model) {
-  for (const auto& body : model.bodies) {
-    if (!body->material().creeps()) continue;
-    for (const mesh::CellBlock& block : body->mesh().blocks)
-      if ((block.type == mesh::CellType::tet4 || block.type == mesh::CellType::wedge6) && block.size() > 0)
-        log::warning(
-            "body '{}' has {} linear elements {}, which lock under creep: stresses will be wrong; mesh it with "
-            "quadratic "
-            "ones (mesh.order = 2) or hexahedra",
-            body->name(), block.size(), mesh::name(block.type));
-  }
-}
-
 io::Summary make_summary(const config::Config& config, const Model& model, const TimeLoop& loop,
                          const Stopwatch& watch) {
   io::Summary summary;
@@ -84,8 +65,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
 
   Model model = build_model(config);
   make_probes(config, model, model.pairs);  // mistakes in them show before anything is factored
-  warn_of_parts(model);
-  warn_of_locking(model);
+  for (const auto& body : model.bodies)
+    for (const std::string& warning : mesh_warnings(*body)) log::warning("{}", warning);
   for (const auto& body : model.bodies)
     log::info("body '{}': {} elements, {} unknowns", body->name(), body->discretization().n_elements(),
               body->constraints().n_free());

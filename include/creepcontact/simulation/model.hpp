@@ -31,8 +31,8 @@ struct Model {
 /// @throws ModelError with every mistake found, each with its place in the configuration
 Model build_model(const config::Config& config);
 
-/// What to say of a body whose mesh is in several parts.
-std::string parts_warning(const mechanics::Body& body);
+/// What to say of a body's mesh: parts that hang together nowhere, elements that lock or are folded. One entry each.
+std::vector<std::string> mesh_warnings(const mechanics::Body& body);
 
 std::unique_ptr<contact::ContactSolver> make_contact_solver(const Model& model, const contact::ContactProblem& problem);
 
