@@ -69,6 +69,21 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
   }
 }
 
+/// Two pairs of the same surfaces would press twice.
+void check_pairs(const std::vector<Contact>& contacts, Diagnostics& errors) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      if (contacts[i].name == contacts[j].name) continue;  // reported already
+      const auto& [a, b] = contacts[i].between;
+      const auto& [c, d] = contacts[j].between;
+      if ((a.name != c.name || b.name != d.name) && (a.name != d.name || b.name != c.name)) continue;
+      errors.add(
+          contacts[i].location,
+          fmt::format("the surfaces '{}' and '{}' are in contact already by contacts[{}]; leave one of the two out",
+                      a.name, b.name, j));
+    }
+}
+
 }  // namespace
 
 void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
@@ -80,6 +95,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   for (const Probe& probe : config.probes) check_name(probe.body, "body", bodies, errors);
   for (const Alpha::OfBody& alpha : config.contact_solver.alpha.of_body) check_name(alpha.body, "body", bodies, errors);
   check_unique(config.contacts, errors);
+  check_pairs(config.contacts, errors);
   check_unique(config.probes, errors);
   check_regions(config.bodies, errors);
   check_temperature(config, root, errors);

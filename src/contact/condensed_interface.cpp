@@ -5,13 +5,16 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "factored_flexibility.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
-constexpr double rounding = 1e-13;  // of the forces on a body: what sums to zero but for it
-constexpr double idle_work = 1e-8;  // of the forces on the body: rounding, or a load along an idle motion
+constexpr double rounding = 1e-13;            // of the forces on a body: what sums to zero but for it
+constexpr double no_component = 1e-14;        // of the largest entry of the contact rows
+constexpr double idle_work = 1e-8;            // of the forces on the body: rounding, or a load along an idle motion
+constexpr double imbalance_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
 
 std::vector<Pair> numbered(std::vector<Pair> pairs) {
   number_rows(pairs);
@@ -71,7 +74,11 @@ void CondensedInterface::make_rows() {
     rows.reduced = body.constraints().reduce_rows(sides_[b].full_rows);
     std::vector<char> is_pin(static_cast<std::size_t>(rows.reduced.cols()), 0);
     for (const std::int64_t pin : body.pins()) is_pin[static_cast<std::size_t>(pin)] = 1;
-    rows.reduced.prune([&](auto, auto column, double) { return !is_pin[static_cast<std::size_t>(column)]; });
+    // Components that are rounding would make unknowns of the whole surface's nodes trailing ones.
+    const double least = rows.reduced.nonZeros() > 0 ? no_component * rows.reduced.coeffs().cwiseAbs().maxCoeff() : 0.0;
+    rows.reduced.prune([&](auto, auto column, double value) {
+      return std::abs(value) > least && !is_pin[static_cast<std::size_t>(column)];
+    });
     for (const int row : rows.rows)
       rows.is_slaves.push_back(problem_.slave_body[static_cast<std::size_t>(row)] == static_cast<int>(b));
     sides_[b].trailing = contact_unknowns(rows.reduced);
@@ -113,14 +120,21 @@ std::int64_t CondensedInterface::n_products() const {
 
 InterfaceLoad CondensedInterface::no_load() const {
   return {Eigen::VectorXd::Zero(n_rows()), Eigen::VectorXd::Zero(floating_.size()),
-          Eigen::VectorXd::Zero(floating_.size())};
+          Eigen::VectorXd::Zero(floating_.size()), 0.0};
 }
 
 InterfaceLoad CondensedInterface::initial_load(double t) const {
   InterfaceLoad load = no_load();
-  for (const Pair& pair : pairs_)
-    load.gap.segment(pair.first_row, pair.coupling.n_rows()) =
-        pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
+  load.time = t;
+  for (const Pair& pair : pairs_) {
+    auto gap = load.gap.segment(pair.first_row, pair.coupling.n_rows());
+    gap = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
+    if (!gap.allFinite())
+      throw ModelError(
+          fmt::format("contact '{}': the gap is no finite number at t = {:.6g}; look for divisions by zero and "
+                      "roots or logarithms of negative numbers in its expression",
+                      pair.name, t));
+  }
   for (std::size_t b = 0; b < sides_.size(); ++b) {
     const std::span<const double> prescribed = bodies_[b]->prescribed();
     const std::vector<int>& rows = rows_[b].rows;
@@ -144,23 +158,33 @@ void CondensedInterface::take_resultant(std::size_t body, std::span<double> righ
 ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) const {
   const Eigen::VectorXd idle = floating_.idle().transpose() * load.work;
   const Eigen::VectorXd force = floating_.idle().cwiseAbs().transpose() * load.force;
-  for (Eigen::Index j = 0; j < idle.size(); ++j)
-    if (std::abs(idle[j]) > idle_work * force[j])
+  for (Eigen::Index j = 0; j < idle.size(); ++j) {
+    if (std::abs(idle[j]) <= idle_work * force[j]) continue;
+    const std::string motion = floating_.describe(floating_.idle().col(j));
+    if (std::abs(idle[j]) > imbalance_of_meshes * force[j])
       throw ModelError(fmt::format(
-          "{}: the loads drive this motion (generalised force {:.4g}), and neither supports nor contact hold "
-          "it; add a support, or balance the loads",
-          floating_.describe(floating_.idle().col(j)), idle[j]));
+          "{}: at t = {:.6g} the loads drive this motion (generalised force {:.4g}), and neither supports nor "
+          "contact hold it; add a support, or balance the loads",
+          motion, load.time, idle[j]));
+    if (!imbalance_warned_)
+      log::warning(
+          "{}: the loads are out of balance along this motion by {:.2g} of their sum, as on a mesh that is not quite "
+          "symmetric; single nodes hold it",
+          motion, std::abs(idle[j]) / force[j]);
+    imbalance_warned_ = true;
+  }
   Eigen::VectorXd resultant = floating_.held().transpose() * load.work;
   const Eigen::VectorXd sum = floating_.held().cwiseAbs().transpose() * load.force;
   resultant = (resultant.array().abs() > rounding * sum.array()).select(resultant, 0.0);
   return {load.gap, resultant};
 }
 
-void CondensedInterface::report(const UnbalancedLoad& unbalanced) const {
-  throw ModelError(fmt::format(
-      "{}: the loads drive the assembly along this motion and no contact stands in its way; add a support, or "
-      "a load that presses the bodies together",
-      floating_.describe(floating_.held() * unbalanced.motion)));
+void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {
+  throw ModelError(
+      fmt::format("{}: at t = {:.6g} the loads drive the assembly along this motion and no contact stands in its way; "
+                  "add a support, or "
+                  "a load that presses the bodies together",
+                  floating_.describe(floating_.held() * unbalanced.motion), t));
 }
 
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, InterfaceLoad& load) const {

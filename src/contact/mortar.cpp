@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "contact_geometry.hpp"
@@ -169,27 +170,54 @@ void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, co
   }
 }
 
-/// Rows that are hardly covered are added to the nearest kept row: dropping them breaks the patch test by 2-5 %.
-RowMatrix gather_rows(const std::vector<MultiplierNode>& multipliers, const std::vector<Vector3>& nodes,
-                      const std::vector<double>& covered, const std::vector<double>& full, std::vector<int>& kept) {
-  for (std::size_t i = 0; i < covered.size(); ++i)
-    if (covered[i] > 0 && covered[i] >= least_cover_of_row * full[i]) kept.push_back(static_cast<int>(i));
-  const auto position = [&](int i) {
-    return nodes[static_cast<std::size_t>(multipliers[static_cast<std::size_t>(i)].node)];
-  };
-  Triplets entries;
-  for (std::size_t k = 0; k < kept.size(); ++k) entries.emplace_back(static_cast<int>(k), kept[k], 1.0);
-  for (std::size_t i = 0; i < covered.size() && !kept.empty(); ++i) {
-    if (covered[i] <= 0 || covered[i] >= least_cover_of_row * full[i]) continue;
-    const auto distance = [&](int k) { return (position(k) - position(static_cast<int>(i))).squaredNorm(); };
-    const auto nearest =
-        std::min_element(kept.begin(), kept.end(), [&](int a, int b) { return distance(a) < distance(b); });
-    entries.emplace_back(static_cast<int>(nearest - kept.begin()), static_cast<int>(i), 1.0);
+/// Rows that are hardly covered are added to the nearest kept row: dropping them breaks the patch test by 2-5 %. The
+/// kept row shares a facet with them (forces must not wander); where there is none, the best covered row is kept.
+class Gathering {
+ public:
+  Gathering(const SurfaceNormals& normals, const std::vector<Vector3>& nodes, const std::vector<double>& covered,
+            const std::vector<double>& full)
+      : neighbours_(covered.size()), target_(covered.size(), -1) {
+    for (const std::vector<int>& corners : normals.multiplier_of_corner)
+      for (const int i : corners) neighbours_[at(i)].insert(neighbours_[at(i)].end(), corners.begin(), corners.end());
+    const auto part = [&](int i) { return covered[at(i)] / full[at(i)]; };
+    for (int i = 0; i < static_cast<int>(covered.size()); ++i)
+      if (covered[at(i)] > 0) order_.push_back(i);
+    std::stable_sort(order_.begin(), order_.end(), [&](int i, int j) { return part(i) > part(j); });
+    const auto position = [&](int i) { return nodes[static_cast<std::size_t>(normals.multipliers[at(i)].node)]; };
+    for (const int i : order_) {
+      target_[at(i)] = i;
+      if (part(i) >= least_cover_of_row) continue;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const int k : neighbours_[at(i)]) {
+        const double distance = (position(k) - position(i)).norm();
+        if (k == i || target_[at(k)] != k || distance >= nearest) continue;
+        nearest = distance;
+        target_[at(i)] = k;
+      }
+    }
+    for (std::size_t i = 0; i < target_.size(); ++i)
+      if (target_[i] == static_cast<int>(i)) kept_.push_back(target_[i]);
   }
-  RowMatrix gather(static_cast<int>(kept.size()), static_cast<int>(covered.size()));
-  gather.setFromTriplets(entries.begin(), entries.end());
-  return gather;
-}
+
+  const std::vector<int>& kept() const { return kept_; }
+  /// kept rows x all rows
+  RowMatrix matrix() const {
+    Triplets entries;
+    for (const int i : order_) {
+      const auto place = std::lower_bound(kept_.begin(), kept_.end(), target_[at(i)]) - kept_.begin();
+      entries.emplace_back(static_cast<int>(place), i, 1.0);
+    }
+    RowMatrix gather(static_cast<int>(kept_.size()), static_cast<int>(target_.size()));
+    gather.setFromTriplets(entries.begin(), entries.end());
+    return gather;
+  }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  std::vector<std::vector<int>> neighbours_;  // share a facet
+  std::vector<int> target_;                   // the row that each is added to; itself if kept, -1 if not covered
+  std::vector<int> order_, kept_;
+};
 
 RowMatrix sparse(int rows, int columns, const Triplets& entries) {
   RowMatrix matrix(rows, columns);
@@ -207,8 +235,9 @@ RowMatrix by_component(const RowMatrix& plain) {
 }
 
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
-  std::vector<int> kept;
-  const RowMatrix gather = gather_rows(normals_.multipliers, slave.mesh->nodes, covered_, full_, kept);
+  const Gathering gathering(normals_, slave.mesh->nodes, covered_, full_);
+  const std::vector<int>& kept = gathering.kept();
+  const RowMatrix gather = gathering.matrix();
   if (kept.empty())
     throw ModelError(
         fmt::format("contact between '{}' and '{}': the surfaces do not face each other anywhere; check "

@@ -30,8 +30,8 @@ constexpr double well_seen = 0.05, barely_seen = 0.003;
 
 class OpenEdges {
  public:
-  OpenEdges(const std::vector<Facet>& facets, const mechanics::Constraints& constraints, SurfaceNormals& normals)
-      : constraints_(constraints), normals_(normals), vertices_(normals.multipliers.size()) {
+  OpenEdges(const std::vector<Facet>& facets, const SymmetryPlanes& symmetry, SurfaceNormals& normals)
+      : symmetry_(symmetry), normals_(normals), vertices_(normals.multipliers.size()) {
     Edges count;
     for (std::size_t f = 0; f < facets.size(); ++f) {
       if (facets[f].n_nodes() != facets[f].n_corners()) continue;
@@ -98,7 +98,7 @@ class OpenEdges {
 
   bool is_mirrored(int v, const Vector3& outward) const {
     const MultiplierNode& at = normals_.multipliers[static_cast<std::size_t>(v)];
-    return held_part(outward, at.node, constraints_) > 0.8 && held_part(at.normal, at.node, constraints_) < 0.7;
+    return symmetry_.held_part(outward, at.node) > 0.8 && symmetry_.held_part(at.normal, at.node) < 0.7;
   }
 
   /// One pass, from what is known before it. @returns false if there was nothing to do
@@ -111,7 +111,7 @@ class OpenEdges {
     }
     for (const auto& [v, normal] : corrected) {
       MultiplierNode& at = normals_.multipliers[v];
-      at.normal = lay_into_symmetry_planes(normal, at.node, constraints_);
+      at.normal = symmetry_.lay(normal, at.node);
       vertices_[v].is_known = true;
     }
     return !corrected.empty();
@@ -148,16 +148,15 @@ class OpenEdges {
     return rank;
   }
 
-  const mechanics::Constraints& constraints_;
+  const SymmetryPlanes& symmetry_;
   SurfaceNormals& normals_;
   std::vector<Vertex> vertices_;
 };
 
 }  // namespace
 
-void correct_open_edges(const std::vector<Facet>& facets, const mechanics::Constraints& constraints,
-                        SurfaceNormals& normals) {
-  OpenEdges(facets, constraints, normals).correct();
+void correct_open_edges(const std::vector<Facet>& facets, const SymmetryPlanes& symmetry, SurfaceNormals& normals) {
+  OpenEdges(facets, symmetry, normals).correct();
   for (std::size_t f = 0; f < facets.size(); ++f)
     if (facets[f].n_nodes() == facets[f].n_corners())
       for (std::size_t i = 0; i < normals.normal_of_node[f].size(); ++i)

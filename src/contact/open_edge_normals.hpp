@@ -3,6 +3,7 @@
 /// wrong to first order.
 
 #include "creepcontact/contact/surface_normals.hpp"
+#include "symmetry.hpp"
 
 namespace creepcontact::contact {
 
@@ -11,7 +12,6 @@ namespace creepcontact::contact {
 /// the normals of nodes on open edges: first from the inner nodes, then the corners from the edges. Edges that lie in a
 /// plane of symmetry are not open. Nodes without such a neighbour keep
 /// what they have; nodes beside a kink are no help.
-void correct_open_edges(const std::vector<Facet>& facets, const mechanics::Constraints& constraints,
-                        SurfaceNormals& normals);
+void correct_open_edges(const std::vector<Facet>& facets, const SymmetryPlanes& symmetry, SurfaceNormals& normals);
 
 }  // namespace creepcontact::contact

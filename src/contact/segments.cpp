@@ -10,6 +10,7 @@ constexpr double reach_in_diameters = 3.0;
 constexpr double bulge_in_diameters = 0.25;  // of a curved face beyond the box of its nodes
 constexpr double smallest_segment = 1e-12;   // of the slave facet's area
 constexpr double no_area = 1e-10;            // of the squared diameter
+constexpr double covered_twice = 1.001;      // more of a facet's area: masters lie one behind the other
 constexpr double edge_on_cosine = 0.05;      // the surface bends away from the facet's plane
 
 /// How the overlap of two pieces is integrated: products of two shape functions and a hat.
@@ -68,29 +69,64 @@ std::vector<Segment> Segmentation::segments(std::size_t slave_facet) const {
     Segment segment{m, {}};
     cut(seen, master_[m], [&](const Polygon& overlap, bool in_pieces) {
       integrate(slave, seen.plane, master_[m], overlap, segment_rule(slave, master_[m], in_pieces), segment.points);
-      return false;
     });
     if (!segment.points.empty()) result.push_back(std::move(segment));
   }
+  double covered = 0, whole = 0;
+  for (const Segment& segment : result)
+    for (const SegmentPoint& point : segment.points) covered += point.weight;
+  for (int q = 0; q < slave.element().rule().size(); ++q)
+    whole +=
+        slave.element().rule().weights[q] * slave.area_vector(slave.element().rule().points.row(q).transpose()).norm();
+  if (covered > covered_twice * whole) keep_nearest(slave, seen.plane, result);
   return result;
 }
 
-bool Segmentation::has_partner(std::size_t slave_facet) const {
+void Segmentation::keep_nearest(const Facet& slave, const Plane& plane, std::vector<Segment>& segments) const {
+  const auto distance = [&](const Facet& master, const SegmentPoint& point) {
+    return std::abs(plane.normal.dot(master.position(point.master_xi) - slave.position(point.slave_xi)));
+  };
+  const auto is_inside = [](const Facet& facet, const Vector3& xi) {
+    constexpr double margin = 1e-9;
+    if (facet.n_corners() == 3) return xi.x() > margin && xi.y() > margin && xi.x() + xi.y() < 1 - margin;
+    return std::abs(xi.x()) < 1 - margin && std::abs(xi.y()) < 1 - margin;
+  };
+  const double same = 1e-6 * slave.diameter();
+  std::vector<Segment> nearest;
+  for (const Segment& segment : segments) {
+    Segment kept{segment.master, {}};
+    for (const SegmentPoint& point : segment.points) {
+      const double own = distance(master_[segment.master], point);
+      const Eigen::Vector2d p = plane.project(slave.position(point.slave_xi));
+      const bool hidden = std::any_of(segments.begin(), segments.end(), [&](const Segment& other) {
+        SegmentPoint opposite;
+        return other.master != segment.master && find_points(slave, plane, master_[other.master], p, opposite) &&
+               is_inside(master_[other.master], opposite.master_xi) &&
+               distance(master_[other.master], opposite) < own - same;
+      });
+      if (!hidden) kept.points.push_back(point);
+    }
+    if (!kept.points.empty()) nearest.push_back(std::move(kept));
+  }
+  segments = std::move(nearest);
+}
+
+double Segmentation::covered_part(std::size_t slave_facet) const {
   const Facet& slave = slave_[slave_facet];
   const Outline seen = outline(slave);
-  if (seen.pieces.empty()) return false;
-  const std::vector<std::size_t> near = candidates(slave, seen.plane);
-  return std::any_of(near.begin(), near.end(), [&](std::size_t m) {
-    SegmentPoint point;
-    return cut(seen, master_[m], [&](const Polygon& overlap, bool) {
-      return find_points(slave, seen.plane, master_[m], mean(overlap), point);
+  if (seen.pieces.empty()) return 0;
+  double covered = 0;
+  for (const std::size_t m : candidates(slave, seen.plane))
+    cut(seen, master_[m], [&](const Polygon& overlap, bool) {
+      SegmentPoint point;
+      if (find_points(slave, seen.plane, master_[m], mean(overlap), point)) covered += area(overlap);
     });
-  });
+  return covered / seen.area;
 }
 
 template <typename Work>
-bool Segmentation::cut(const Outline& outline, const Facet& master, const Work& work) const {
-  if (!(master.area_vector_at_centre().dot(outline.plane.normal) < 0)) return false;
+void Segmentation::cut(const Outline& outline, const Facet& master, const Work& work) const {
+  if (!(master.area_vector_at_centre().dot(outline.plane.normal) < 0)) return;
   const std::vector<Polygon> master_pieces = master.pieces(outline.plane, true);
   const bool in_pieces = outline.pieces.size() + master_pieces.size() > 2;
   Polygon overlap, scratch;
@@ -98,9 +134,8 @@ bool Segmentation::cut(const Outline& outline, const Facet& master, const Work& 
     for (const Polygon& b : master_pieces) {
       clip(a, b, overlap, scratch);
       if (overlap.empty() || area(overlap) < smallest_segment * outline.area) continue;
-      if (work(overlap, in_pieces)) return true;
+      work(overlap, in_pieces);
     }
-  return false;
 }
 
 void Segmentation::integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,

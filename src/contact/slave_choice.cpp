@@ -6,16 +6,27 @@
 namespace creepcontact::contact {
 namespace {
 
-/// Mean diameter of the facets that face the other surface.
-double facing_size(const std::vector<Facet>& facets, const std::vector<Facet>& others) {
+/// The part of a surface that faces the other one.
+struct Facing {
+  double diameter = 0;  ///< mean of its facets
+  double covered = 0;   ///< part of its facets' area that the other surface covers
+};
+
+Facing facing(const std::vector<Facet>& facets, const std::vector<Facet>& others) {
   const Segmentation segmentation(facets, others);
-  double sum = 0, count = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    if (segmentation.has_partner(f)) {
-      sum += facets[f].diameter();
-      ++count;
-    }
-  return count > 0 ? sum / count : 0;
+  Facing result;
+  double count = 0, area = 0;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const double part = segmentation.covered_part(f);
+    if (part <= 0) continue;
+    const double own = facets[f].area_vector_at_centre().norm();
+    result.diameter += facets[f].diameter();
+    result.covered += part * own;
+    area += own;
+    ++count;
+  }
+  if (count == 0) return {};
+  return {result.diameter / count, result.covered / area};
 }
 
 /// True if the supports hold every node of the surface along its normal: such a surface is rigid, and multipliers on it
@@ -39,12 +50,17 @@ bool is_held(const Surface& surface) {
 
 bool first_is_better_slave(const Surface& first, const Surface& second) {
   constexpr double clearly_softer = 10.0;
+  constexpr double sticks_out = 0.5;
   if (const bool first_held = is_held(first); first_held != is_held(second)) return !first_held;
-  if (first.young_modulus * clearly_softer < second.young_modulus) return true;
-  if (second.young_modulus * clearly_softer < first.young_modulus) return false;
   const std::vector<Facet> a = make_facets(*first.mesh, first.faces);
   const std::vector<Facet> b = make_facets(*second.mesh, second.faces);
-  return facing_size(a, b) >= facing_size(b, a) * (1 - 1e-9);
+  const Facing of_first = facing(a, b), of_second = facing(b, a);
+  // Facets that stick out far over the other surface are too coarse to show where it presses.
+  if (of_first.covered < sticks_out * of_second.covered) return false;
+  if (of_second.covered < sticks_out * of_first.covered) return true;
+  if (first.young_modulus * clearly_softer < second.young_modulus) return true;
+  if (second.young_modulus * clearly_softer < first.young_modulus) return false;
+  return of_first.diameter >= of_second.diameter * (1 - 1e-9);
 }
 
 }  // namespace creepcontact::contact

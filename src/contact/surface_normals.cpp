@@ -1,5 +1,6 @@
 #include "creepcontact/contact/surface_normals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -70,9 +71,8 @@ Vector3 normal_of(const Cluster& cluster) {
   return cluster.area.norm() > 0 ? Vector3(cluster.area.normalized()) : Vector3::UnitZ();  // no face has any area
 }
 
-}  // namespace
-
-SurfaceNormals surface_normals(const std::vector<Facet>& facets, const mechanics::Constraints& constraints) {
+/// Mean normals of the faces around, without regard to symmetry.
+SurfaceNormals mean_normals(const std::vector<Facet>& facets) {
   Clusters clusters(facets);
   SurfaceNormals result;
   result.multiplier_of_corner.resize(facets.size());
@@ -80,19 +80,52 @@ SurfaceNormals surface_normals(const std::vector<Facet>& facets, const mechanics
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const Facet& facet = facets[f];
     for (int i = 0; i < facet.n_nodes(); ++i) {
-      const std::int64_t node = facet.nodes()[static_cast<std::size_t>(i)];
       Cluster& cluster = clusters.at(facet, f, i);
-      const Vector3 normal = lay_into_symmetry_planes(normal_of(cluster), node, constraints);
+      const Vector3 normal = normal_of(cluster);
       result.normal_of_node[f].push_back(normal);
       if (i >= facet.n_corners()) continue;
       if (cluster.multiplier < 0) {
         cluster.multiplier = static_cast<int>(result.multipliers.size());
-        result.multipliers.push_back({node, normal});
+        result.multipliers.push_back({facet.nodes()[static_cast<std::size_t>(i)], normal});
       }
       result.multiplier_of_corner[f].push_back(cluster.multiplier);
     }
   }
-  correct_open_edges(facets, constraints, result);
+  return result;
+}
+
+/// Faces on one side of a supported plane alone do not tell a curved surface that meets it at a right angle from one
+/// that meets it obliquely; normals extrapolated from inside the surface do.
+void exclude_oblique_nodes(const std::vector<Facet>& facets, const SurfaceNormals& mean, SymmetryPlanes& symmetry) {
+  constexpr double oblique_share = 0.35;  // of the mean's tilt: what a curved surface would lose by extrapolation
+  constexpr double least_tilt = 0.02, least_tilt_of_quadratic = 0.05;
+  SurfaceNormals extrapolated = mean;
+  correct_open_edges(facets, SymmetryPlanes(), extrapolated);
+  std::vector<std::int64_t> oblique;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const Facet& facet = facets[f];
+    const double least = facet.n_nodes() == facet.n_corners() ? least_tilt : least_tilt_of_quadratic;
+    for (int i = 0; i < facet.n_nodes(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double tilt = symmetry.held_part(extrapolated.normal_of_node[f][at], facet.nodes()[at]);
+      const double of_mean = symmetry.held_part(mean.normal_of_node[f][at], facet.nodes()[at]);
+      if (tilt > std::max(least, oblique_share * of_mean)) oblique.push_back(facet.nodes()[at]);
+    }
+  }
+  for (const std::int64_t node : oblique) symmetry.exclude(node);
+}
+
+}  // namespace
+
+SurfaceNormals surface_normals(const std::vector<Facet>& facets, const mechanics::Constraints& constraints) {
+  SurfaceNormals result = mean_normals(facets);
+  SymmetryPlanes symmetry(constraints);
+  exclude_oblique_nodes(facets, result, symmetry);
+  for (MultiplierNode& at : result.multipliers) at.normal = symmetry.lay(at.normal, at.node);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (std::size_t i = 0; i < facets[f].nodes().size(); ++i)
+      result.normal_of_node[f][i] = symmetry.lay(result.normal_of_node[f][i], facets[f].nodes()[i]);
+  correct_open_edges(facets, symmetry, result);
   return result;
 }
 

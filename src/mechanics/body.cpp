@@ -32,6 +32,8 @@ struct Body::Impl {
   ElasticState isothermal() const { return {moduli, {}}; }
   linalg::SparseMatrix free_stiffness() const;
   void set_time(double t);
+  /// @throws ModelError if a force is infinite or not a number
+  void require_finite(const std::vector<double>& values, double t) const;
   [[noreturn]] void report_singular(const linalg::SingularMatrix& error) const;
 
   std::string name;
@@ -70,6 +72,14 @@ linalg::SparseMatrix Body::Impl::free_stiffness() const {
   return stiffness;
 }
 
+void Body::Impl::require_finite(const std::vector<double>& values, double t) const {
+  if (Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).allFinite()) return;
+  throw ModelError(fmt::format(
+      "body '{}': its loads, supports or temperature give no finite number at t = {:.6g}; look for divisions "
+      "by zero and roots or logarithms of negative numbers in their expressions",
+      name, t));
+}
+
 void Body::Impl::set_time(double t) {
   if (time == t) return;
   time.reset();  // stays unset if something below throws
@@ -84,6 +94,7 @@ void Body::Impl::set_time(double t) {
     discretization.add_internal_force(stress, forces);
     for (std::size_t i = 0; i < known.size(); ++i) known[i] -= forces[i];
   }
+  require_finite(known, t);
   time = t;
 }
 
@@ -95,10 +106,16 @@ void Body::Impl::report_singular(const linalg::SingularMatrix& error) const {
     const Vector3& x = mesh.nodes[static_cast<std::size_t>(node_of_free[static_cast<std::size_t>(error.row)])];
     place = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
   }
+  const bool reduced = std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const mesh::CellBlock& block) {
+    return block.type == mesh::CellType::hex20 && block.size() > 0;
+  });
   throw ModelError(
       fmt::format("body '{}': the stiffness is singular{} (reciprocal condition {:.2g}); a part of the body hangs on "
-                  "too few nodes, or the elements there are too thin or the material almost incompressible",
-                  name, place, error.rcond));
+                  "too few nodes, or the elements there are too thin or the material almost incompressible{}",
+                  name, place, error.rcond,
+                  reduced ? "; or hex20 elements stand one behind the other in a single row, where their reduced "
+                            "integration misses a motion: use two across"
+                          : ""));
 }
 
 Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
@@ -115,6 +132,7 @@ void Body::add_load(std::unique_ptr<Load> load) {
   Impl& body = *impl_;
   std::fill(body.forces.begin(), body.forces.end(), 0.0);
   load->add(body.time.value_or(0.0), body.forces);
+  body.require_finite(body.forces, body.time.value_or(0.0));
   for (std::size_t i = 0; i < body.forces.size(); ++i) {
     body.external[i] += body.forces[i];
     body.known[i] += body.forces[i];

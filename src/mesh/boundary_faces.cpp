@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <unordered_map>
+#include <unordered_set>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
@@ -65,6 +66,21 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
                                  place(mesh, cell)));
   }
   return faces;
+}
+
+std::size_t n_orphan_faces(const Mesh& mesh, const std::string& surface) {
+  std::unordered_set<FaceKey, FaceKeyHash> orphans;
+  for (const CellRef& ref : mesh.group(surface, 2).cells) {
+    const CellBlock& block = mesh.blocks[ref.block];
+    orphans.insert(face_key(block.type, block.cell(ref.cell)));
+  }
+  for (const CellBlock& block : mesh.blocks)
+    for (std::size_t c = 0; c < block.size() && !orphans.empty(); ++c)
+      for (const LocalFace& local : cell_faces(block.type))
+        orphans.erase(face_key(local.type, [&](int i) {
+          return block.cell(c)[static_cast<std::size_t>(local.nodes[static_cast<std::size_t>(i)])];
+        }));
+  return orphans.size();
 }
 
 }  // namespace creepcontact::mesh

@@ -53,7 +53,7 @@ void ContactElasticity::solve_contact(double t, const contact::ContactLoad& load
     last_ = std::move(result.state);
     gaps_ = std::move(result.gap);
   } catch (const contact::UnbalancedLoad& unbalanced) {
-    interface_.report(unbalanced);
+    interface_.report(unbalanced, t);
   }
 }
 

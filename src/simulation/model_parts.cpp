@@ -47,13 +47,38 @@ std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mes
   return result;
 }
 
+namespace {
+
+/// Faces that no element has: where bodies touch, a mesher may have merged nodes and left the faces of one of them
+/// behind.
+void require_no_orphans(const mesh::Mesh& whole, const std::string& surface) {
+  const auto found = whole.groups.find(surface);
+  if (found == whole.groups.end() || found->second.dimension != 2) return;
+  if (const std::size_t n = mesh::n_orphan_faces(whole, surface))
+    throw ModelError(
+        fmt::format("{} of the {} faces of surface '{}' belong to no volume element; bodies that touch may have lost "
+                    "them where the "
+                    "mesher merged their nodes: mesh the bodies a small distance apart and give the contact its gap",
+                    n, found->second.cells.size(), surface));
+}
+
+}  // namespace
+
 void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, Mistakes& mistakes) {
+  for (const config::Support& support : config.supports)
+    mistakes.collect(support.on.location, [&] { require_no_orphans(whole, support.on.name); });
   for (const config::Load& load : config.loads)
     if (load.on.given())
-      mistakes.collect(load.on.location, [&] { bodies_on(config, whole, meshes, load.on.name, load.body, 2); });
+      mistakes.collect(load.on.location, [&] {
+        bodies_on(config, whole, meshes, load.on.name, load.body, 2);
+        require_no_orphans(whole, load.on.name);
+      });
   for (const config::Contact& contact : config.contacts)
     for (const config::Reference& surface : contact.between)
-      mistakes.collect(surface.location, [&] { bodies_on(config, whole, meshes, surface.name, {}, 2); });
+      mistakes.collect(surface.location, [&] {
+        bodies_on(config, whole, meshes, surface.name, {}, 2);
+        require_no_orphans(whole, surface.name);
+      });
 }
 
 std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body) {

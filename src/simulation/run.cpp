@@ -107,8 +107,9 @@ RunResult run(const config::Config& config, const RunOptions& options) {
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {
-    result = {error.exit_status(),
-              fmt::format("{}; results up to t = {:.6g} are in {}", error.what(), loop.time(), directory.string())};
+    result = {error.exit_status(), error.what()};
+    if (loop.has_output())
+      result.message += fmt::format("; results up to t = {:.6g} are in {}", loop.time(), directory.string());
     write_summary(io::Summary::Status::failed, error.what());
     return result;
   }

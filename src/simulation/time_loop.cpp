@@ -54,6 +54,7 @@ void TimeLoop::restore() {
                     "written with, or run without --resume",
                     checkpoint_.string(), config_.file.string()));
   time_ = checkpoint.time;
+  has_output_ = true;
   first_step_ = checkpoint.next_step;
   state_ = checkpoint.state;
   earlier_ = checkpoint.counters;
@@ -109,6 +110,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
   {
     const auto lap = watch_.lap(Part::output);
     results_->output(Snapshot(system_.elasticity(), system_.layout(), t, y));
+    has_output_ = true;
   }
   if (after_output) after_output();
 }

@@ -27,6 +27,8 @@ class TimeLoop {
   End run();
 
   double time() const { return time_; }
+  /// False if the run failed before its first output.
+  bool has_output() const { return has_output_; }
   ode::Integrator::Counters integrator_counters() const;
   ode::System::Counters system_counters() const;
   const Results& results() const { return *results_; }
@@ -49,6 +51,7 @@ class TimeLoop {
   std::unique_ptr<Results> results_;
   Progress progress_;
   double time_ = 0;
+  bool has_output_ = false;
   double first_step_ = 0;
   std::vector<double> state_;                    // where the integration starts; then of output times
   std::map<std::string, std::int64_t> earlier_;  // counters of the runs before an interruption

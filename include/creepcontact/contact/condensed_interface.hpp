@@ -24,6 +24,7 @@ struct InterfaceLoad {
   Eigen::VectorXd gap;    ///< weighted gaps, n_rows
   Eigen::VectorXd work;   ///< on unit free motions of all bodies
   Eigen::VectorXd force;  ///< sum of absolute forces on the body of each motion, to measure the work by
+  double time = 0;
 };
 
 class FactoredFlexibility;
@@ -51,10 +52,11 @@ class CondensedInterface {
   void take_resultant(std::size_t body, std::span<double> right_hand_side, InterfaceLoad& load) const;
   /// gap += G^T y2. @param y  L^-1 P f of the body, all free unknowns
   void add_trace(std::size_t body, std::span<const double> y, InterfaceLoad& load) const;
-  /// The load for the contact solver. @throws ModelError if it pushes bodies along idle motions
+  /// The load for the contact solver. Warns once of loads that are out of balance along idle motions by rounding of the
+  /// mesh. @throws ModelError if they push bodies along idle motions by more than 1e-4 of their sum
   ContactLoad contact_load(const InterfaceLoad& load) const;
   /// @throws ModelError that names the bodies and their motion
-  [[noreturn]] void report(const UnbalancedLoad& unbalanced) const;
+  [[noreturn]] void report(const UnbalancedLoad& unbalanced, double t) const;
   /// y2 += G lambda
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const;
   /// u += the body's rigid motion. @param rigid  amplitudes of the contact problem's motions; displacement 3 n_nodes
@@ -83,6 +85,7 @@ class CondensedInterface {
   std::vector<Side> sides_;
   std::vector<BodyRows> rows_;
   double dense_bytes_ = 0;
+  mutable bool imbalance_warned_ = false;
   ContactProblem problem_;
   std::unique_ptr<FactoredFlexibility> large_;
 };

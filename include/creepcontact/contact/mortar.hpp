@@ -58,8 +58,10 @@ struct MortarCoupling {
 MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
                                std::span<const mechanics::RigidMotion> sliding = {});
 
-/// True if `first` should carry the multipliers: the one that supports do not hold along its normal; else the softer body where the moduli differ by more than 10, else the
-/// surface that is coarser where the two face each other. (The stiffer, finer side as slave gives useless pressures.)
+/// True if `first` should carry the multipliers: the one that supports do not hold along its normal; else the one
+/// that is covered, if facets of the other stick out far over it; else the softer body where the moduli differ by more
+/// than 10, else the surface that is coarser where the two face each other. (The stiffer, finer side as slave gives
+/// useless pressures.)
 bool first_is_better_slave(const Surface& first, const Surface& second);
 
 }  // namespace creepcontact::contact

@@ -26,11 +26,12 @@ class Segmentation {
  public:
   Segmentation(const std::vector<Facet>& slave, const std::vector<Facet>& master);
 
-  /// All segments of a slave facet. Facets whose normals do not oppose each other, or that are further apart than a few
-  /// facet diameters, do not see each other; facets without area see nothing.
+  /// All segments of a slave facet, each point opposite to the nearest master facet. Facets whose normals do not oppose
+  /// each other, or that are further apart than a few facet diameters, do not see each other; facets without area see
+  /// nothing.
   std::vector<Segment> segments(std::size_t slave_facet) const;
-  /// True if a slave facet overlaps any master facet in projection. Stops at the first; integrates nothing.
-  bool has_partner(std::size_t slave_facet) const;
+  /// Part of a slave facet's area, 0 to 1, that master facets cover in projection. Integrates nothing.
+  double covered_part(std::size_t slave_facet) const;
 
  private:
   /// A slave facet as its plane sees it.
@@ -43,9 +44,11 @@ class Segmentation {
   Outline outline(const Facet& slave) const;
   std::vector<std::size_t> candidates(const Facet& slave, const Plane& plane) const;
   /// @param work  called with each polygon that both facets share, and whether it is one of the pieces of a face with
-  ///   curved edges; cutting stops where it returns true
+  ///   curved edges
   template <typename Work>
-  bool cut(const Outline& outline, const Facet& master, const Work& work) const;
+  void cut(const Outline& outline, const Facet& master, const Work& work) const;
+  /// Of masters that lie one behind the other only the nearest is met.
+  void keep_nearest(const Facet& slave, const Plane& plane, std::vector<Segment>& segments) const;
   void integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,
                  const fem::QuadratureRule& rule, std::vector<SegmentPoint>& points) const;
   /// Opposite points of the two facets at p; what lies too far along the normal is another part of the body's skin.

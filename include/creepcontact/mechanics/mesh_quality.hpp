@@ -7,8 +7,8 @@
 
 namespace creepcontact::mechanics {
 
-/// Centres of the quadratic volume elements that are folded at a corner (Jacobian <= 0 there), though perhaps not at the
-/// integration points: mid-edge nodes lie too far from the middle of their edges. Cost: one Jacobian a corner.
+/// Centres of the quadratic volume elements that are folded at a corner (Jacobian <= 0 there), though perhaps not at
+/// the integration points: mid-edge nodes lie too far from the middle of their edges. Cost: one Jacobian a corner.
 std::vector<Vector3> folded_elements(const mesh::Mesh& mesh);
 
 }  // namespace creepcontact::mechanics

@@ -66,6 +66,9 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions);
 /// @throws ModelError if a surface cell is no face of any volume cell
 std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface);
 
+/// How many faces of a surface group are faces of no volume cell of the mesh. Cost: one pass over all cells.
+std::size_t n_orphan_faces(const Mesh& mesh, const std::string& surface);
+
 /// Distinct nodes of a group of any dimension, ascending.
 std::vector<std::int64_t> group_nodes(const Mesh& mesh, const std::string& name);
 

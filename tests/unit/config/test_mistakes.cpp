@@ -157,6 +157,10 @@ TEST(ConfigMistakes, Contacts) {
                  "cases/block.toml:13:11: contacts[0].between: 'a' twice");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"a\", \"b\"]\n",
                  "cases/block.toml:14:1: contacts[1]: the name 'a-b' is that of contacts[0] too");
+  expect_mistake(
+      minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"b\", \"a\"]\n",
+      "cases/block.toml:14:1: contacts[1]: the surfaces 'b' and 'a' are in contact already by contacts[0]; leave "
+      "one of the two out");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\ngap = \"geometrical\"\n",
                  "cases/block.toml:14:7: contacts[0].gap: expression 'geometrical': ");
 }

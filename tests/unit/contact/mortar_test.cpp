@@ -148,6 +148,25 @@ TEST(Mortar, HeldSurfaceIsNoSlave) {
   EXPECT_TRUE(contact::first_is_better_slave(movable, held));
 }
 
+/// A foot so small on a large face that it covers no multiplier of that face by a tenth.
+TEST(Mortar, SmallFootOnALargeFace) {
+  const test::Assembly assembly({.divisions = {1, 1, 1}, .distortion = 0},
+                                {.divisions = {2, 2, 1}, .lengths = {0.2, 0.2, 0.1}, .distortion = 0}, false, 0.0);
+  const contact::Surface floor = assembly.surface(0, "z1"), foot = assembly.surface(1, "z0");
+  EXPECT_TRUE(contact::first_is_better_slave(foot, floor)) << "though it is finer";
+  for (const auto& coupling : {contact::mortar_coupling(floor, foot, ContactType::unilateral),
+                               contact::mortar_coupling(foot, floor, ContactType::unilateral)}) {
+    double area = 0;
+    for (const double one : coupling.area) area += one;
+    EXPECT_NEAR(area, 0.04, 1e-12);
+    // Unit pressure presses both with the force of the foot's area.
+    const Eigen::VectorXd forces = coupling.slave_rows.transpose() * Eigen::VectorXd::Ones(coupling.n_rows());
+    double sum = 0;
+    for (Eigen::Index i = 2; i < forces.size(); i += 3) sum += forces[i];
+    EXPECT_NEAR(std::abs(sum), 0.04, 1e-12);
+  }
+}
+
 TEST(Mortar, TiedBoxesCarryTension) {
   test::Assembly assembly({.type = CellType::hex20, .divisions = {3, 2, 1}}, {.divisions = {2, 3, 2}}, true, 0.02,
                           ContactType::tied);

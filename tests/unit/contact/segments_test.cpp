@@ -86,11 +86,24 @@ TEST(Segments, PartnersAreThoseThatShareSegments) {
     const contact::Segmentation segmentation(slave, master);
     int partners = 0;
     for (std::size_t f = 0; f < slave.size(); ++f) {
-      EXPECT_EQ(segmentation.has_partner(f), !segmentation.segments(f).empty()) << f;
-      partners += segmentation.has_partner(f);
+      EXPECT_EQ(segmentation.covered_part(f) > 0, !segmentation.segments(f).empty()) << f;
+      partners += segmentation.covered_part(f) > 0;
     }
     EXPECT_EQ(partners, height > 1 ? 0 : 4 * 4) << "too far, or those under the smaller box";
   }
+}
+
+TEST(Segments, OfMastersOneBehindTheOtherTheNearestIsMet) {
+  const test::Part lower(test::box_mesh(CellType::hex8, {2, 2, 1}, Vector3::Ones(), {0, 0, -1}), "z1");
+  const test::Part near(test::box_mesh(CellType::hex8, {3, 2, 1}, {1, 1, 0.1}, {0, 0, 0.01}), "z0");
+  const test::Part far(test::box_mesh(CellType::hex8, {2, 3, 1}, {1, 1, 0.1}, {0, 0, 0.3}), "z0");
+  std::vector<Facet> masters = facets_of(far);
+  for (const Facet& facet : facets_of(near)) masters.push_back(facet);
+  const std::vector<Facet> slave = facets_of(lower);
+  const contact::Segmentation segmentation(slave, masters);
+  for (std::size_t f = 0; f < slave.size(); ++f)
+    for (const contact::Segment& segment : segmentation.segments(f)) EXPECT_GE(segment.master, facets_of(far).size());
+  EXPECT_NEAR(covered_area(slave, masters), 1.0, 1e-12);
 }
 
 // Contact on two faces of a block at once, one of them with a face of no area, the other surface seen edge-on by it.

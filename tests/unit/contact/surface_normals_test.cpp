@@ -52,6 +52,18 @@ TEST(SurfaceNormals, AreExactOnCylindersDividedAlongTheirAxis) {
             1e-13);
 }
 
+TEST(SurfaceNormals, SlopesThatMeetASupportedPlaneObliquelyStayStraight) {
+  for (const CellType type : {CellType::hex8, CellType::tet10, CellType::hex20})
+    for (const double slope : {0.1, 0.3, 1.0}) {
+      const mesh::Mesh box = test::box_mesh(type, {3, 2, 1});
+      const test::Part part(
+          test::mapped(box, [&](const Vector3& x) { return Vector3(x.x(), x.y(), x.z() + slope * x.x()); }), "z1",
+          {{"x0", Vector3::UnitX()}, {"y0", Vector3::UnitY()}});
+      EXPECT_LT(largest_error(part, [&](const Vector3&) { return Vector3(-slope, 0, 1).normalized(); }), 1e-12)
+          << mesh::name(type) << ' ' << slope;
+    }
+}
+
 TEST(SurfaceNormals, AreExactOnSpheresOfLinearFacesUpToTheOpenCorners) {
   for (const CellType type : {CellType::hex8, CellType::tet4, CellType::wedge6})
     for (const bool symmetric : {true, false})

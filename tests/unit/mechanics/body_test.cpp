@@ -90,6 +90,22 @@ TEST(Body, MovesInParts) {
   EXPECT_NO_THROW(body.factorize({}));
 }
 
+TEST(Body, LoadsThatAreNoNumbersAreAnError) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
+  const auto pressure = [&](const char* expression) {
+    return mechanics::pressure_load(box, mesh::boundary_faces(box, "z1"), Function::expression(expression, {"x", "t"}));
+  };
+  Body body("lid", box, elastic_material(), symmetry_supports(box), std::nullopt);
+  const std::string at_once = message_of([&] { body.add_load(pressure("sqrt(-1 - x)")); });
+  EXPECT_NE(at_once.find("body 'lid': its loads, supports or temperature give no finite number at t = 0"),
+            std::string::npos)
+      << at_once;
+  body.add_load(pressure("1/(2 - t)"));
+  body.set_time(1.0);
+  const std::string later = message_of([&] { body.set_time(2.0); });
+  EXPECT_NE(later.find("at t = 2"), std::string::npos) << later;
+}
+
 TEST(Body, FollowsTimeInLoadsAndSupports) {
   const mesh::Mesh bar = box_mesh(CellType::hex20, {2, 1, 1}, {2, 1, 1});
   std::vector<Support> supports = symmetry_supports(bar);

@@ -135,6 +135,15 @@ TEST(BoundaryFaces, PointOutOfEachOfTwoBodiesThatShareNodes) {
   }
 }
 
+TEST(BoundaryFaces, FacesOfNoElementAreCounted) {
+  Mesh mesh = two_blocks();
+  EXPECT_EQ(n_orphan_faces(mesh, "ends"), 0u);
+  EXPECT_EQ(n_orphan_faces(mesh, "interface"), 0u);
+  mesh.blocks[1].connectivity.insert(mesh.blocks[1].connectivity.end(), {0, 2, 4, 6});  // across the block
+  mesh.groups["ends"].cells.push_back({1, 3});
+  EXPECT_EQ(n_orphan_faces(mesh, "ends"), 1u);
+}
+
 TEST(BoundaryFaces, SurfaceInsideTheBodyIsAnError) {
   EXPECT_TRUE(contains(message([] { boundary_faces(two_blocks(), "interface"); }), "lies inside the body"));
 }
