@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "hourglass.hpp"
 #include "thermal_state.hpp"
 
 namespace creepcontact::mechanics {
@@ -31,6 +33,7 @@ struct Body::Impl {
 
   ElasticState isothermal() const { return {moduli, {}}; }
   linalg::SparseMatrix free_stiffness() const;
+  bool has_hex20() const;
   void set_time(double t);
   /// @throws ModelError if a force is infinite or not a number
   void require_finite(const std::vector<double>& values, double t) const;
@@ -48,6 +51,7 @@ struct Body::Impl {
   ThermalState thermal;
   std::vector<Moduli> moduli;
   std::vector<std::unique_ptr<Load>> loads;
+  bool stabilized = false;  // hourglass modes are held
   std::optional<linalg::SupernodalCholesky> factor;
 
   // At the set time: known = external + integral B^T H thermal strain - K prescribed.
@@ -60,7 +64,9 @@ struct Body::Impl {
 
 /// The pins' rows and columns are emptied but for the diagonal.
 linalg::SparseMatrix Body::Impl::free_stiffness() const {
-  linalg::SparseMatrix stiffness = constraints.reduce(discretization.stiffness(isothermal()));
+  linalg::SparseMatrix all = discretization.stiffness(isothermal());
+  if (stabilized) add_hourglass_stiffness(mesh, all);
+  linalg::SparseMatrix stiffness = constraints.reduce(all);
   if (pins.empty()) return stiffness;
   std::vector<char> pinned(static_cast<std::size_t>(constraints.n_free()), 0);
   for (const std::int64_t pin : pins) pinned[static_cast<std::size_t>(pin)] = 1;
@@ -70,6 +76,12 @@ linalg::SparseMatrix Body::Impl::free_stiffness() const {
           (pinned[static_cast<std::size_t>(it.row())] || pinned[static_cast<std::size_t>(column)]))
         it.valueRef() = 0;
   return stiffness;
+}
+
+bool Body::Impl::has_hex20() const {
+  return std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const mesh::CellBlock& block) {
+    return block.type == mesh::CellType::hex20 && block.size() > 0;
+  });
 }
 
 void Body::Impl::require_finite(const std::vector<double>& values, double t) const {
@@ -106,16 +118,10 @@ void Body::Impl::report_singular(const linalg::SingularMatrix& error) const {
     const Vector3& x = mesh.nodes[static_cast<std::size_t>(node_of_free[static_cast<std::size_t>(error.row)])];
     place = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
   }
-  const bool reduced = std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const mesh::CellBlock& block) {
-    return block.type == mesh::CellType::hex20 && block.size() > 0;
-  });
   throw ModelError(
       fmt::format("body '{}': the stiffness is singular{} (reciprocal condition {:.2g}); a part of the body hangs on "
-                  "too few nodes, or the elements there are too thin or the material almost incompressible{}",
-                  name, place, error.rcond,
-                  reduced ? "; or hex20 elements stand one behind the other in a single row, where their reduced "
-                            "integration misses a motion: use two across"
-                          : ""));
+                  "too few nodes, or the elements there are too thin or the material almost incompressible",
+                  name, place, error.rcond));
 }
 
 Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
@@ -191,6 +197,18 @@ void Body::factorize(std::vector<std::int64_t> trailing) {
   impl_->factor.emplace(stiffness, impl_->constraints.node_of_free(), trailing);
   try {
     impl_->factor->factorize(stiffness);
+    return;
+  } catch (const linalg::SingularMatrix& error) {
+    impl_->stabilized = impl_->has_hex20();
+    if (!impl_->stabilized) impl_->report_singular(error);
+  }
+  try {
+    impl_->factor->factorize(impl_->free_stiffness());
+    log::warning(
+        "body '{}': hex20 elements stand in single rows, where their reduced integration misses some motions; a "
+        "millionth of "
+        "their stiffness holds these",
+        impl_->name);
   } catch (const linalg::SingularMatrix& error) {
     impl_->factor.reset();
     impl_->report_singular(error);
