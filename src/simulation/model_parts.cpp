@@ -7,6 +7,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "turning_points.hpp"
 
 namespace creepcontact::simulation {
 
@@ -145,6 +146,7 @@ std::vector<double> breakpoints(const config::Config& config) {
   std::set<double> times(config.time.breakpoints.begin(), config.time.breakpoints.end());
   const auto add = [&](const Function& function) {
     for (const double t : function.breakpoints()) times.insert(t);
+    for (const double t : turning_points(function, config.time.end)) times.insert(t);
   };
   for (const config::Support& support : config.supports) {
     for (const auto& value : support.displacement)
