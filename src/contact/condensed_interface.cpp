@@ -12,6 +12,7 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr double rounding = 1e-13;            // of the forces on a body: what sums to zero but for it
+constexpr double overlap_of_rounding = 1e-9;  // of the size of a multiplier's area
 constexpr double no_component = 1e-14;        // of the largest entry of the contact rows
 constexpr double idle_work = 1e-8;            // of the forces on the body: rounding, or a load along an idle motion
 constexpr double imbalance_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
@@ -155,7 +156,28 @@ void CondensedInterface::take_resultant(std::size_t body, std::span<double> righ
   load.force.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(n_motions)).setConstant(force);
 }
 
+/// Rows that no body can follow carry no pressure, whatever their gap.
+void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) const {
+  if (overlap_warned_) return;
+  const Eigen::VectorXd flexibility = row_flexibility(problem_);
+  for (const Pair& pair : pairs_) {
+    if (pair.coupling.type == ContactType::tied) continue;
+    double deepest = 0;
+    for (int r = 0; r < pair.coupling.n_rows(); ++r)
+      if (!(flexibility[pair.first_row + r] > no_component * flexibility.maxCoeff()))
+        deepest = std::min(deepest, load.gap[pair.first_row + r] / pair.coupling.area[static_cast<std::size_t>(r)]);
+    if (-deepest <= overlap_of_rounding * std::sqrt(pair.coupling.area.front())) continue;
+    overlap_warned_ = true;
+    log::warning(
+        "contact '{}': both surfaces are held by supports where they overlap by {:.4g} at t = {:.6g}; the overlap "
+        "stays and "
+        "gives no pressure",
+        pair.name, -deepest, load.time);
+  }
+}
+
 ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) const {
+  warn_of_held_overlaps(load);
   const Eigen::VectorXd idle = floating_.idle().transpose() * load.work;
   const Eigen::VectorXd force = floating_.idle().cwiseAbs().transpose() * load.force;
   for (Eigen::Index j = 0; j < idle.size(); ++j) {

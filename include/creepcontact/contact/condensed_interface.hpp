@@ -73,6 +73,7 @@ class CondensedInterface {
   void make_problem();
   void make_rows();
   void condense(std::size_t body);
+  void warn_of_held_overlaps(const InterfaceLoad& load) const;
 
   struct Side {
     RowMatrix full_rows;                 // rows.size() x 3 n_nodes
@@ -85,7 +86,7 @@ class CondensedInterface {
   std::vector<Side> sides_;
   std::vector<BodyRows> rows_;
   double dense_bytes_ = 0;
-  mutable bool imbalance_warned_ = false;
+  mutable bool imbalance_warned_ = false, overlap_warned_ = false;
   ContactProblem problem_;
   std::unique_ptr<FactoredFlexibility> large_;
 };
