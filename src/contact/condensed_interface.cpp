@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
@@ -49,6 +50,7 @@ CondensedInterface::CondensedInterface(std::span<const std::unique_ptr<mechanics
     large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
     problem_.large = large_.get();
   }
+  immovable_ = immovable_rows(problem_);
 }
 
 CondensedInterface::~CondensedInterface() = default;
@@ -156,22 +158,20 @@ void CondensedInterface::take_resultant(std::size_t body, std::span<double> righ
   load.force.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(n_motions)).setConstant(force);
 }
 
-/// Rows that no body can follow carry no pressure, whatever their gap.
 void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) const {
-  if (overlap_warned_) return;
-  const Eigen::VectorXd flexibility = row_flexibility(problem_);
+  if (overlap_warned_ || immovable_.empty()) return;
   for (const Pair& pair : pairs_) {
     if (pair.coupling.type == ContactType::tied) continue;
     double deepest = 0;
-    for (int r = 0; r < pair.coupling.n_rows(); ++r)
-      if (!(flexibility[pair.first_row + r] > no_component * flexibility.maxCoeff()))
-        deepest = std::min(deepest, load.gap[pair.first_row + r] / pair.coupling.area[static_cast<std::size_t>(r)]);
+    for (const int row : immovable_)
+      if (const int r = row - pair.first_row; r >= 0 && r < pair.coupling.n_rows())
+        deepest = std::min(deepest, load.gap[row] / pair.coupling.area[static_cast<std::size_t>(r)]);
     if (-deepest <= overlap_of_rounding * std::sqrt(pair.coupling.area.front())) continue;
     overlap_warned_ = true;
     log::warning(
         "contact '{}': both surfaces are held by supports where they overlap by {:.4g} at t = {:.6g}; the overlap "
-        "stays and "
-        "gives no pressure",
+        "stays "
+        "and gives no pressure",
         pair.name, -deepest, load.time);
   }
 }

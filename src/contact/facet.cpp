@@ -107,6 +107,13 @@ Polygon Facet::outline(const Plane& plane) const {
   return result;
 }
 
+double Facet::surface_area() const {
+  const fem::QuadratureRule& rule = element_->rule();
+  double sum = 0;
+  for (int q = 0; q < rule.size(); ++q) sum += rule.weights[q] * area_vector(rule.points.row(q).transpose()).norm();
+  return sum;
+}
+
 std::vector<Polygon> Facet::pieces(const Plane& plane, bool flipped) const {
   const Polygon edges = outline(plane);
   std::vector<Polygon> result;

@@ -93,17 +93,13 @@ HatMatrix Assembler::dual_transformation(std::size_t f, const std::vector<Segmen
   const Facet& facet = slave_facets_[f];
   const int n = facet.n_corners();
   FacetSums sums{HatMatrix::Zero(n, n), HatVector::Zero(n)};
-  double full = 0;
-  for (int q = 0; q < facet.element().rule().size(); ++q)
-    full +=
-        facet.element().rule().weights[q] * facet.area_vector(facet.element().rule().points.row(q).transpose()).norm();
   for (const Segment& segment : segments)
     for (const SegmentPoint& point : segment.points) {
       const HatVector hats = hat_values(facet, point.slave_xi);
       sums.mass += point.weight * hats * hats.transpose();
       sums.integral += point.weight * hats;
     }
-  if (sums.integral.sum() < least_cover_of_dual_facet * full) return HatMatrix::Identity(n, n);
+  if (sums.integral.sum() < least_cover_of_dual_facet * facet.surface_area()) return HatMatrix::Identity(n, n);
   // psi = D M^-1 phi  =>  integral psi_i phi_j = delta_ij integral phi_j
   return HatMatrix(sums.mass.ldlt().solve(HatMatrix(sums.integral.asDiagonal()))).transpose();
 }

@@ -72,13 +72,10 @@ std::vector<Segment> Segmentation::segments(std::size_t slave_facet) const {
     });
     if (!segment.points.empty()) result.push_back(std::move(segment));
   }
-  double covered = 0, whole = 0;
+  double covered = 0;
   for (const Segment& segment : result)
     for (const SegmentPoint& point : segment.points) covered += point.weight;
-  for (int q = 0; q < slave.element().rule().size(); ++q)
-    whole +=
-        slave.element().rule().weights[q] * slave.area_vector(slave.element().rule().points.row(q).transpose()).norm();
-  if (covered > covered_twice * whole) keep_nearest(slave, seen.plane, result);
+  if (covered > covered_twice * slave.surface_area()) keep_nearest(slave, seen.plane, result);
   return result;
 }
 

@@ -18,6 +18,12 @@ struct HertzErrors {
   double overhang;  ///< largest pressure outside of the contact
 };
 
+/// Name of a parameterised test.
+inline std::string hertz_name(bool sphere, double upper_modulus, const std::string& slave) {
+  const char* upper = upper_modulus > 1 ? "_upper_stiff" : upper_modulus < 1 ? "_upper_soft" : "_alike";
+  return (sphere ? "sphere" : "cylinder") + (upper + ("_slave_" + slave));
+}
+
 /// @param r_of  distance of a contact point from the centre. @param area_radius  what contact_area says
 template <typename Radius>
 HertzErrors hertz_errors(const std::vector<ContactPoint>& points, const reference::Hertz& exact, double area_radius,

@@ -78,11 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, HertzRound,
                                          Case{true, 1, "upper_round", true}, Case{true, 1e3, "auto", false}),
                          [](const auto& parameter) {
                            const Case& tested = parameter.param;
-                           return std::string(tested.sphere ? "sphere" : "cylinder") +
-                                  (tested.upper_modulus > 1   ? "_stiff"
-                                   : tested.upper_modulus < 1 ? "_soft"
-                                                              : "_alike") +
-                                  "_slave_" + tested.slave;
+                           return test::hertz_name(tested.sphere, tested.upper_modulus, tested.slave);
                          });
 
 // Bodies that contact alone holds in the direction of the load.

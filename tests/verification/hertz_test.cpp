@@ -86,11 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, Hertz,
                                          Case{true, 1e-3}),
                          [](const auto& parameter) {
                            const Case& tested = parameter.param;
-                           return std::string(tested.sphere ? "sphere" : "cylinder") +
-                                  (tested.upper_modulus > 1   ? "_upper_stiff"
-                                   : tested.upper_modulus < 1 ? "_upper_soft"
-                                                              : "_alike") +
-                                  "_slave_" + tested.slave;
+                           return test::hertz_name(tested.sphere, tested.upper_modulus, tested.slave);
                          });
 
 // The stiffer, finer side as slave gives pressures that are noise in part: the automatic choice must be the other one.

@@ -88,6 +88,7 @@ class CondensedInterface {
   double dense_bytes_ = 0;
   mutable bool imbalance_warned_ = false, overlap_warned_ = false;
   ContactProblem problem_;
+  std::vector<int> immovable_;  // rows
   std::unique_ptr<FactoredFlexibility> large_;
 };
 

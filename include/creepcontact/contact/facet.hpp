@@ -47,6 +47,8 @@ class Facet {
   const Vector3& centre_xi() const { return centre_xi_; }
   Vector3 centre() const { return position(centre_xi_); }
   Vector3 area_vector_at_centre() const { return area_vector(centre_xi_); }
+  /// By the element's own rule.
+  double surface_area() const;
   /// Longest distance between two corners.
   double diameter() const { return diameter_; }
   const Eigen::AlignedBox3d& box() const { return box_; }

@@ -75,6 +75,10 @@ Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem);
 /// by contact alone F_ii may vanish: its rigid motions put a floor under it.
 Eigen::VectorXd row_flexibility(const ContactProblem& problem);
 
+/// Rows that no body can move along (supports hold both sides), ascending: they carry no multiplier, whatever their
+/// gap.
+std::vector<int> immovable_rows(const ContactProblem& problem);
+
 /// Flexibility that makes F + c N N^T regular at the pins without a new scale: trace F / |N|^2; 0 without motions.
 double pin_flexibility(const ContactProblem& problem);
 

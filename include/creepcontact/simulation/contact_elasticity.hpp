@@ -29,8 +29,7 @@ class ContactElasticity {
   /// Equilibrium at time t for these creep strains; a pure function of both, contact warm-started from keep_warm().
   /// Results below are valid until the next call.
   /// @throws SolverError if the contact iteration does not converge; ModelError if a body that contact alone holds
-  /// flies
-  ///         off
+  /// flies off
   /// Cost: one forward and one backward solve a body.
   /// Source: Stankevich (2012), steps 8-11 of the implicit scheme.
   void solve(double t, const CreepViews& creep);
