@@ -27,6 +27,7 @@ class ArkodeIntegrator final : public SundialsIntegrator {
   int local_errors(N_Vector errors) const override;
   double internal_time() const override;
   Statistics statistics() const override;
+  int restart_interval() const override { return options_.restart_interval; }
 
  private:
   enum class Kind { explicit_rk, implicit_rk };

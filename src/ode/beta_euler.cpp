@@ -46,6 +46,17 @@ void BetaEuler::initialize(double t, std::span<const double> y, double step) {
   load_strain_.reset();
 }
 
+RestartPoint BetaEuler::save() const {
+  RestartPoint point = EulerScheme::save();
+  point.memory["load_residual"] = load_strain_.residual();
+  return point;
+}
+
+void BetaEuler::restore(const RestartPoint& point) {
+  EulerScheme::restore(point);
+  load_strain_.restore(point.memory.at("load_residual"));
+}
+
 void BetaEuler::attempt(const StepClock::Target& target) {
   target_ = target;
   for_each_index(state_.size(), [&](std::size_t i) { candidate_[i] = state_[i] + target.step * rate_[i]; });

@@ -22,6 +22,8 @@ class BetaEuler final : public EulerScheme {
   BetaEuler(System& system, const IntegratorOptions& options);
   std::string name() const override { return "beta_euler"; }
   void initialize(double t, std::span<const double> y, double step = 0) override;
+  RestartPoint save() const override;
+  void restore(const RestartPoint& point) override;
 
  protected:
   void attempt(const StepClock::Target& target) override;

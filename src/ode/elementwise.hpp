@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace creepcontact::ode {
 
@@ -30,12 +31,17 @@ void for_each_piece(std::size_t n, Operation operation) {
   for (std::size_t begin = 0; begin < n; begin += piece_length) operation(begin, std::min(piece_length, n - begin));
 }
 
-/// Sum of term(begin, length) over the same pieces.
+/// Sum of term(begin, length) over the same pieces, added in their order: the same bits whatever the threads do.
 template <typename Term>
 double sum_over_pieces(std::size_t n, Term term) {
+  static thread_local std::vector<double> kept;  // allocated once
+  std::vector<double>& part = kept;              // of the calling thread
+  part.resize((n + piece_length - 1) / piece_length);
+#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
+  for (std::size_t p = 0; p < part.size(); ++p)
+    part[p] = term(p * piece_length, std::min(piece_length, n - p * piece_length));
   double sum = 0;
-#pragma omp parallel for schedule(static) reduction(+ : sum) if (n >= parallel_threshold)
-  for (std::size_t begin = 0; begin < n; begin += piece_length) sum += term(begin, std::min(piece_length, n - begin));
+  for (const double value : part) sum += value;
   return sum;
 }
 

@@ -31,6 +31,7 @@ void EulerScheme::initialize(double t, std::span<const double> y, double) {
   begin_ = t;
   last_step_ = 0;
   proposal_ = options_.step;
+  stable_.reset();
   try {
     system_.rate(t, state_, rate_);
   } catch (const RecoverableError& error) {
@@ -38,9 +39,38 @@ void EulerScheme::initialize(double t, std::span<const double> y, double) {
   }
 }
 
+RestartPoint EulerScheme::save() const {
+  RestartPoint point = Integrator::save();
+  point.memory["lost_time"] = {clock_.lost()};
+  point.memory["rate"] = rate_;
+  if (stable_) point.memory["stable_step"] = {*stable_};
+  return point;
+}
+
+void EulerScheme::restore(const RestartPoint& point) {
+  rate_ = point.memory.at("rate");
+  clock_.start(point.time, point.memory.at("lost_time").at(0));
+  state_ = previous_ = point.state;
+  begin_ = point.time;
+  last_step_ = 0;
+  proposal_ = point.next_step;
+  stable_.reset();
+  if (point.memory.contains("stable_step")) stable_ = point.memory.at("stable_step").at(0);
+  system_.forget_evaluations();
+}
+
+void EulerScheme::foresee_stable_step() {
+  stable_.reset();
+  if (options_.step > 0) return;
+  try {
+    stable_ = stable_step();
+  } catch (const RecoverableError&) {  // the step before it stands; the next one reports what stops it
+  }
+}
+
 double EulerScheme::wanted_step(double t_limit) {
   if (options_.step > 0) return options_.step;
-  const double dt = options_.step_factor * stable_step();
+  const double dt = options_.step_factor * (stable_ ? *stable_ : stable_step());
   if (!(dt > 0))
     throw SolverError(fmt::format("{}: the stable step at t = {:.6g} is {}; give a fixed step", name(), time(), dt));
   if (std::isinf(dt) && std::isinf(t_limit))
@@ -78,6 +108,7 @@ StepReport EulerScheme::step(double t_limit) {
     proposal_ = wanted;
     ++counters_.steps;
     system_.accept(time(), state_);
+    foresee_stable_step();
     return {.time = time(), .step = target.step, .order = order(), .error_estimate = 0};
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// What the two Euler schemes share: the step length, the limit, retries, the last step kept for interpolation.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ class EulerScheme : public Integrator {
   double next_step() const final { return proposal_; }
   Counters counters() const final { return counters_; }
 
+  bool restores_exactly() const final { return true; }
+  RestartPoint save() const override;
+  void restore(const RestartPoint& point) override;
+
  protected:
   /// Fills candidate_ with the state at target.time and candidate_rate_ with a rate there.
   /// @throws RecoverableError if a smaller step may succeed, SolverError if the scheme gives up
@@ -44,12 +49,15 @@ class EulerScheme : public Integrator {
 
  private:
   double wanted_step(double t_limit);
+  /// Right after a step, where it often costs nothing and depends on nothing that is evaluated for outputs later.
+  void foresee_stable_step();
 
   StepClock clock_;
   std::vector<double> previous_, previous_rate_;  ///< at the beginning of the last step
   double begin_ = 0;                              ///< of the last step
   double last_step_ = 0;
   double proposal_ = 0;
+  std::optional<double> stable_;  ///< the stable step at time(), once known
   Counters counters_;
 };
 

@@ -20,6 +20,8 @@ class LoadStrain {
   LoadStrain(std::size_t size, double gamma) : gamma_(gamma), residual_(size) {}
 
   void reset() { std::ranges::fill(residual_, 0.0); }
+  const std::vector<double>& residual() const { return residual_; }
+  void restore(const std::vector<double>& residual) { residual_ = residual; }
 
   /// The strain e^(k) with which to solve equilibrium for the iterate y.
   void load(std::span<const double> y, std::span<double> e) const {

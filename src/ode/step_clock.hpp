@@ -9,11 +9,13 @@ namespace creepcontact::ode {
 
 class StepClock {
  public:
-  void start(double t) {
+  /// @param lost  of a clock to go on with
+  void start(double t, double lost = 0) {
     time_ = t;
-    lost_ = 0;
+    lost_ = lost;
   }
   double time() const { return time_; }
+  double lost() const { return lost_; }
 
   /// Where a step of length dt leads, t_limit at most.
   struct Target {

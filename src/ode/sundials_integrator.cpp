@@ -50,11 +50,21 @@ void SundialsIntegrator::initialize(double t, std::span<const double> y, double 
     if (!(scale[i] > 0)) throw std::invalid_argument(fmt::format("scale()[{}] = {} is not positive", i, scale[i]));
     weights[i] = 1 / (options_.tolerance * scale[i]);
   }
-  before_ = counters();
   std::ranges::copy(y, view(state_.get(), y.size()).begin());
   time_ = begin_ = t;
   proposal_ = step;
-  restart(t, state_.get(), step);
+  begin_anew(step);
+}
+
+void SundialsIntegrator::begin_anew(double step) {
+  before_ = counters();
+  restart(time_, state_.get(), step);
+  steps_since_restart_ = 0;
+  system_.forget_evaluations();
+}
+
+bool SundialsIntegrator::at_restart_point() const {
+  return restart_interval() == 0 || steps_since_restart_ == 0 || steps_since_restart_ >= restart_interval();
 }
 
 void SundialsIntegrator::limit(double t_limit) {
@@ -91,11 +101,14 @@ int SundialsIntegrator::evolve_with_retries(double t_limit, double& t) {
 StepReport SundialsIntegrator::step(double t_limit) {
   if (!(t_limit > time_)) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time_));
   StepReport report;
+  // Not right after the step before: interpolate() has needed the memory until now.
+  if (restart_interval() > 0 && steps_since_restart_ >= restart_interval()) begin_anew(proposal_);
   // Too close for arithmetic on the time: the library would not step either.
   const double rounding = 100 * std::numeric_limits<double>::epsilon() * std::abs(time_);
   if (t_limit - internal_time() <= rounding) {
     report = {.time = t_limit, .step = t_limit - time_, .order = statistics().order, .error_estimate = 0};
     time_ = t_limit;
+    ++steps_since_restart_;
     system_.accept(time_, state());
     return report;
   }
@@ -120,6 +133,7 @@ StepReport SundialsIntegrator::step(double t_limit) {
             .step = time_ - begin_,
             .order = now.order,
             .error_estimate = N_VWrmsNorm(work_.get(), weights_.get())};
+  ++steps_since_restart_;
   system_.accept(time_, state());
   return report;
 }

@@ -24,6 +24,8 @@ class SundialsIntegrator : public Integrator {
   std::span<const double> state() const final { return view(state_.get(), system_.size()); }
   double next_step() const final { return proposal_; }
   Counters counters() const final;
+  bool at_restart_point() const final;
+  bool restores_exactly() const final { return restart_interval() > 0; }
 
  protected:
   /// @throws ConfigError if the tolerance is not positive
@@ -45,6 +47,9 @@ class SundialsIntegrator : public Integrator {
   virtual int local_errors(N_Vector errors) const = 0;
   virtual double internal_time() const = 0;
   virtual Statistics statistics() const = 0;
+  /// The memory of a package cannot be read, but it can be dropped: after so many steps the method begins anew from
+  /// the state and the proposed step alone, in every run, so that a restored one computes the same. 0: never.
+  virtual int restart_interval() const { return 0; }
 
   /// @throws std::runtime_error naming the function if the flag of a SUNDIALS call is an error
   static void check(int flag, const char* function);
@@ -55,6 +60,7 @@ class SundialsIntegrator : public Integrator {
   Vector state_;  ///< y at time_, padded to one entry if the system is empty
 
  private:
+  void begin_anew(double step);
   void limit(double t_limit);
   int evolve_with_retries(double t_limit, double& t);
   double horizon(double t_limit) const;
@@ -68,6 +74,7 @@ class SundialsIntegrator : public Integrator {
   double begin_ = 0;  ///< of the last step
   double proposal_ = 0;
   bool stop_set_ = false;
+  int steps_since_restart_ = 0;
   Counters before_;  ///< of all restarts before the last
 };
 

@@ -2,6 +2,7 @@
 /// Time integration behind one interface: the article's Euler schemes and SUNDIALS.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,6 +31,15 @@ struct IntegratorOptions {
   int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
   double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
   double end_time = 0;               ///< end of the run, bounds the first step
+  int restart_interval = 20;         ///< ARKODE: steps from one restart point to the next
+};
+
+/// All that the steps to come depend on, as a checkpoint keeps it.
+struct RestartPoint {
+  double time = 0;
+  double next_step = 0;
+  std::vector<double> state;
+  std::map<std::string, std::vector<double>> memory;  ///< the method's own; names are those of its members
 };
 
 class Integrator {
@@ -53,6 +63,16 @@ class Integrator {
   virtual double time() const = 0;
   virtual std::span<const double> state() const = 0;
   virtual double next_step() const = 0;  ///< proposal for the next step (restart)
+
+  /// True after the steps (and initialize()) from whose end save() and restore() can take the integration up again.
+  virtual bool at_restart_point() const { return true; }
+  /// True if a restored integrator makes the very steps, to the last bit, that the saved one makes after save(); false:
+  /// the same within the tolerance.
+  virtual bool restores_exactly() const { return false; }
+  /// The end of the last step, a restart point. Methods with a memory of their own add it to `memory`.
+  virtual RestartPoint save() const;
+  /// In place of initialize(). @throws std::out_of_range if the point lacks what the method keeps (another one's)
+  virtual void restore(const RestartPoint& point);
 
   struct Counters {
     std::int64_t steps = 0;

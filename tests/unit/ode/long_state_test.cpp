@@ -2,6 +2,9 @@
 
 #include "every_integrator.hpp"
 
+extern "C" void omp_set_num_threads(int);
+extern "C" int omp_get_max_threads();
+
 namespace creepcontact::ode {
 namespace {
 
@@ -21,6 +24,21 @@ TEST_P(LongState, GivesTheSameAsAShortOne) {
     for (std::size_t i : {std::size_t{0}, copies / 2, copies - 1})
       EXPECT_NEAR(found[k][i], expected[k][0], 1e-6) << "t = " << times[k] << ", entry " << i;
   EXPECT_EQ(long_run->counters().steps, short_run->counters().steps);
+}
+
+TEST_P(LongState, HasTheSameBitsForAnyNumberOfThreads) {
+  const int usual = omp_get_max_threads();
+  Values lambda(25001);
+  for (std::size_t i = 0; i < lambda.size(); ++i) lambda[i] = -1 - std::abs(std::sin(static_cast<double>(i)));
+  std::vector<Values> ends;
+  for (int threads : {1, 3, 4, 4, 5}) {
+    omp_set_num_threads(threads);
+    LinearSystem system(lambda, true);
+    auto run = make(system, 1e-3);
+    ends.push_back(integrate(*run, 0, Values(lambda.size(), 0.5), {0.3}).back());
+  }
+  omp_set_num_threads(usual);
+  for (const Values& end : ends) EXPECT_TRUE(end == ends.front());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LongState, testing::ValuesIn(all_names()), test_name);
