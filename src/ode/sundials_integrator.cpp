@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
+#include "error_norm.hpp"
 
 namespace creepcontact::ode {
 
@@ -44,16 +45,16 @@ void SundialsIntegrator::check(int flag, const char* function) {
 
 void SundialsIntegrator::initialize(double t, std::span<const double> y, double step) {
   N_VConst(1.0, weights_.get());
-  const std::span<const double> scale = system_.scale();
-  const std::span<double> weights = view(weights_.get(), scale.size());
-  for (std::size_t i = 0; i < scale.size(); ++i) {
-    if (!(scale[i] > 0)) throw std::invalid_argument(fmt::format("scale()[{}] = {} is not positive", i, scale[i]));
-    weights[i] = 1 / (options_.tolerance * scale[i]);
-  }
+  take_weights();
   std::ranges::copy(y, view(state_.get(), y.size()).begin());
   time_ = begin_ = t;
   proposal_ = step;
   begin_anew(step);
+}
+
+void SundialsIntegrator::take_weights() {
+  const std::span<const double> scale = system_.scale();
+  set_error_weights(scale, options_.tolerance, view(weights_.get(), scale.size()));
 }
 
 void SundialsIntegrator::begin_anew(double step) {
@@ -135,6 +136,7 @@ StepReport SundialsIntegrator::step(double t_limit) {
             .error_estimate = N_VWrmsNorm(work_.get(), weights_.get())};
   ++steps_since_restart_;
   system_.accept(time_, state());
+  take_weights();
   return report;
 }
 

@@ -10,8 +10,7 @@
 
 namespace creepcontact::ode {
 
-/// Weights: rtol = 0, atol_i = tolerance * scale()_i, taken at initialize(): with a relative part the error of the
-/// stress would grow with the creep strain.
+/// Weights: those of set_error_weights(), taken anew after every step.
 class SundialsIntegrator : public Integrator {
  public:
   std::string name() const final { return name_; }
@@ -61,6 +60,7 @@ class SundialsIntegrator : public Integrator {
 
  private:
   void begin_anew(double step);
+  void take_weights();
   void limit(double t_limit);
   int evolve_with_retries(double t_limit, double& t);
   double horizon(double t_limit) const;

@@ -5,40 +5,27 @@
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
+#include "stress_scale.hpp"
 
 namespace creepcontact::simulation {
-namespace {
-
-/// Root mean square of the equivalent stress over the points of a body.
-double typical_stress(const BodyState& state) {
-  double sum = 0;
-  const std::size_t n = state.stress.size() / 6;
-  for (std::size_t p = 0; p < n; ++p) {
-    const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
-    sum += q * q;
-  }
-  return std::sqrt(sum / static_cast<double>(n));
-}
-
-double young_modulus(const material::Moduli& h) {
-  return h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu);
-}
-
-constexpr double least_share_of_stress = 1e-2;  // of the most stressed body: others need no finer resolution
-
-}  // namespace
 
 CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times)
     : elasticity_(elasticity),
       watch_(watch),
       layout_(elasticity.model()),
-      scale_(layout_.size()),
+      scale_(std::make_unique<StressScale>(elasticity.model(), layout_)),
       state_(layout_.size()) {
   for (const auto& body : elasticity.model().bodies) {
     points_.emplace_back(*body);
     stress_change_.emplace_back(6 * body->discretization().n_points());
   }
   if (size() > 0) set_scale(output_times);
+}
+
+CreepRate::~CreepRate() = default;
+
+std::span<const double> CreepRate::scale() const {
+  return scale_->values();
 }
 
 std::vector<double> CreepRate::elastic_stresses(const std::vector<double>& times) {
@@ -52,13 +39,12 @@ std::vector<double> CreepRate::elastic_stresses(const std::vector<double>& times
       continue;  // a load that lifts a body off later: the run goes on up to there
     }
     for (std::size_t b = 0; b < stress.size(); ++b)
-      stress[b] = std::max(stress[b], typical_stress(elasticity_.states()[b]));
+      stress[b] = std::max(stress[b], StressScale::typical(elasticity_.states()[b]));
   }
   return stress;
 }
 
 void CreepRate::set_scale(const std::vector<double>& output_times) {
-  const auto& bodies = elasticity_.model().bodies;
   const double end = output_times.back();
   std::vector<double> times{0.0, end};
   for (const double t : elasticity_.model().breakpoints)
@@ -66,16 +52,10 @@ void CreepRate::set_scale(const std::vector<double>& output_times) {
   std::vector<double> stress = elastic_stresses(times);
   // Loads that vanish at all these times may still act in between.
   if (*std::max_element(stress.begin(), stress.end()) == 0) stress = elastic_stresses(output_times);
-  const double largest = *std::max_element(stress.begin(), stress.end());
-  if (!(largest > 0))
+  if (!(*std::max_element(stress.begin(), stress.end()) > 0))
     throw ModelError(
         "nothing loads the bodies: at no output time does any load, support, temperature or gap give stress");
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const double value =
-        std::max(stress[b], least_share_of_stress * largest) / young_modulus(bodies[b]->elastic().at(0));
-    std::fill_n(scale_.begin() + static_cast<std::ptrdiff_t>(layout_.offset(b)),
-                layout_.stride(b) * bodies[b]->discretization().n_points(), value);
-  }
+  scale_->set_elastic(stress);
 }
 
 void CreepRate::evaluate(double t, std::span<const double> y) {
@@ -145,8 +125,10 @@ double CreepRate::stable_step(double t, std::span<const double> y) {
 }
 
 void CreepRate::accept(double /*t*/, std::span<const double> /*y*/) {
-  // The last evaluation is at or beside the accepted point: its contact state is the nearest one at hand.
+  // The last evaluation is at or beside the accepted point: its contact state and stress are the nearest ones at hand.
   elasticity_.keep_warm();
+  const auto lap = watch_.lap(Part::material);
+  scale_->follow(elasticity_.states());
 }
 
 ode::System::Counters CreepRate::counters() const {

@@ -34,6 +34,7 @@ class System {
   virtual double stable_step(double t, std::span<const double> y) = 0;
 
   /// Error of y_i that the user takes for one unit of relative accuracy: absolute tolerance = tolerance * scale()[i].
+  /// May change with accept().
   virtual std::span<const double> scale() const = 0;
 
   /// (t, y) is an accepted step: warm starts are taken from here.

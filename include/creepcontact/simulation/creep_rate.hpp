@@ -2,6 +2,7 @@
 /// Creep of all bodies as a differential equation: y = creep strains and internal variables of every integration point,
 /// f(t, y) = the laws' rates at the stress of the elastic contact equilibrium.
 
+#include <memory>
 #include <vector>
 
 #include "creepcontact/ode/system.hpp"
@@ -11,12 +12,16 @@
 
 namespace creepcontact::simulation {
 
+class StressScale;
+
 class CreepRate final : public ode::System {
  public:
   /// Solves for the elastic stress at the times that matter, to set the error scale.
   /// @param output_times  ascending, the last is the end of the run. @param elasticity, watch must outlive the object
   /// @throws ModelError if nothing gives any stress at any of these times
   CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times);
+
+  ~CreepRate() override;
 
   std::size_t size() const override { return layout_.size(); }
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
@@ -26,7 +31,8 @@ class CreepRate final : public ode::System {
   void prepare_preconditioner(double t, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;
-  std::span<const double> scale() const override { return scale_; }
+  /// Follows the stress of the accepted steps: typical stress / Young's modulus.
+  std::span<const double> scale() const override;
   void accept(double t, std::span<const double> y) override;
   Counters counters() const override;
 
@@ -46,7 +52,7 @@ class CreepRate final : public ode::System {
   Stopwatch& watch_;
   StateLayout layout_;
   std::vector<MaterialPoints> points_;  // one a body
-  std::vector<double> scale_;
+  std::unique_ptr<StressScale> scale_;
   bool evaluated_ = false;
   double time_ = 0;
   std::vector<double> state_;  // of the last evaluation
