@@ -12,9 +12,12 @@
 namespace creepcontact::ode {
 
 namespace {
-/// With order 5, weakly damped, the step oscillates near a steady state: 393 evaluations instead of 257 on average in
-/// runs over 1e4 relaxation times, and none saved in short ones.
-constexpr int max_bdf_order = 4;
+/// The higher orders are weakly damped: their steps oscillate and fail where contact changes or a steady state comes
+/// near, and they pay by fewer steps for small tolerances only. Solves for the same error of the stress: with order 3 a
+/// fifth fewer than with 4 at 1e-2 to 1e-3, a third more at 1e-6; order 5 costs twice as many on growing contact.
+int max_bdf_order(double tolerance) {
+  return tolerance >= 2e-4 ? 3 : 4;
+}
 constexpr int anderson_depth = 3;
 }  // namespace
 
@@ -55,7 +58,7 @@ void CvodeIntegrator::use_newton_krylov() {
   check(CVodeSetNonlinConvCoef(memory_, newton_coefficient), "CVodeSetNonlinConvCoef");
   check(CVodeSetEpsLin(memory_, krylov_coefficient), "CVodeSetEpsLin");
   check(CVodeSetJacEvalFrequency(memory_, linearisation_interval), "CVodeSetJacEvalFrequency");
-  check(CVodeSetMaxOrd(memory_, max_bdf_order), "CVodeSetMaxOrd");
+  check(CVodeSetMaxOrd(memory_, max_bdf_order(options_.tolerance)), "CVodeSetMaxOrd");
 }
 
 void CvodeIntegrator::use_fixed_point() {

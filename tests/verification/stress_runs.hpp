@@ -1,0 +1,97 @@
+#pragma once
+/// Runs of one model with different integrators and tolerances, compared by the stress at all integration points.
+
+#include <memory>
+#include <numeric>
+
+#include "creepcontact/config/reader.hpp"
+#include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/simulation/creep_rate.hpp"
+#include "creepcontact/simulation/vocabulary.hpp"
+
+namespace creepcontact::test {
+
+/// Stress of all bodies at the output times after t = 0, and what it cost.
+struct StressHistory {
+  std::vector<std::vector<double>> stress;  ///< an output time: all points x 6
+  std::int64_t elastic_solves = 0;          ///< of the integration alone, without those for the output times
+  ode::Integrator::Counters steps;
+};
+
+/// Largest over the output times.
+struct StressError {
+  double norm = 0;     ///< root mean square over the volume, relative to that of the reference
+  double maximum = 0;  ///< at any point, relative to the largest stress of the reference
+};
+
+/// The model is meshed and factored once for all runs.
+class StressRuns {
+ public:
+  explicit StressRuns(const config::Config& config)
+      : time_(config.time), model_(simulation::build_model(config)), elasticity_(model_, watch_) {
+    for (const auto& body : model_.bodies) {
+      const auto weights = body->discretization().weights();
+      volume_.insert(volume_.end(), weights.begin(), weights.end());
+    }
+  }
+  static StressRuns of_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
+    return StressRuns(config::read(std::string(CREEPCONTACT_CONFIGS "/") + name, simulation::vocabulary(), overrides));
+  }
+
+  StressHistory run(double tolerance, const std::string& integrator_name = "cvode_bdf") {
+    simulation::CreepRate system(elasticity_, watch_, time_.output);
+    ode::IntegratorOptions options{.tolerance = tolerance};
+    options.end_time = time_.end;
+    const auto integrator = ode::make_integrator(integrator_name, system, options);
+    std::vector<double> state(system.size(), 0.0);
+    integrator->initialize(0, state);
+    StressHistory history;
+    const std::int64_t before = system.counters().elastic_solves;
+    std::int64_t for_output = 0;
+    for (auto next = time_.output.begin() + 1; next != time_.output.end();) {
+      integrator->step(time_.end);
+      for (; next != time_.output.end() && *next <= integrator->time(); ++next) {
+        const std::int64_t solves = system.counters().elastic_solves;
+        integrator->interpolate(*next, state);
+        system.equilibrium(*next, state);
+        for_output += system.counters().elastic_solves - solves;
+        history.stress.push_back(all_stress());
+      }
+    }
+    history.elastic_solves = system.counters().elastic_solves - before - for_output;
+    history.steps = integrator->counters();
+    return history;
+  }
+
+  StressError error(const StressHistory& history, const StressHistory& reference) const {
+    StressError error;
+    for (std::size_t k = 0; k < reference.stress.size(); ++k) {
+      double difference = 0, sum = 0, largest_difference = 0, largest = 0;
+      for (std::size_t p = 0; p < volume_.size(); ++p) {
+        const Eigen::Map<const Tensor6> a(&history.stress[k][6 * p]), b(&reference.stress[k][6 * p]);
+        difference += volume_[p] * (a - b).squaredNorm();
+        sum += volume_[p] * b.squaredNorm();
+        largest_difference = std::max(largest_difference, (a - b).norm());
+        largest = std::max(largest, b.norm());
+      }
+      error.norm = std::max(error.norm, std::sqrt(difference / sum));
+      error.maximum = std::max(error.maximum, largest_difference / largest);
+    }
+    return error;
+  }
+
+ private:
+  std::vector<double> all_stress() const {
+    std::vector<double> all;
+    for (const auto& state : elasticity_.states()) all.insert(all.end(), state.stress.begin(), state.stress.end());
+    return all;
+  }
+
+  config::Time time_;
+  Stopwatch watch_;
+  simulation::Model model_;
+  simulation::ContactElasticity elasticity_;
+  std::vector<double> volume_;
+};
+
+}  // namespace creepcontact::test
