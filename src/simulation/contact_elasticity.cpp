@@ -5,6 +5,8 @@
 namespace creepcontact::simulation {
 namespace {
 
+/// Smaller factors stay in the cache: waking the threads costs more than the pass.
+constexpr std::int64_t parallel_bytes = 1 << 20;
 constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
 
 contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
@@ -21,6 +23,13 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
       solver_(make_contact_solver(model, interface_.problem())),
       frozen_(interface_.problem(), std::max(model.schwarz.tolerance, jacobian_tolerance)) {
   counters_.factorizations = static_cast<std::int64_t>(model.bodies.size());
+  std::int64_t largest = 0, all = 0;
+  for (const auto& body : model.bodies) {
+    const std::int64_t bytes = body->factor().factor_bytes();
+    largest = std::max(largest, bytes);
+    all += bytes;
+  }
+  parallel_passes_ = all - largest > parallel_bytes;
   for (const auto& body : model.bodies) {
     const auto n_free = static_cast<std::size_t>(body->constraints().n_free());
     const auto n_full = static_cast<std::size_t>(body->constraints().n_full());
@@ -31,11 +40,31 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
   }
 }
 
-void ContactElasticity::forward(std::size_t body, contact::InterfaceLoad& load) {
-  interface_.take_resultant(body, work_[body].right_hand_side, load);
+template <typename Pass>
+void ContactElasticity::pass_through_factors(const Pass& pass) {
   const auto lap = watch_.lap(Part::solve);
-  model_.bodies[body]->factor().forward(work_[body].right_hand_side, work_[body].factored);
-  interface_.add_trace(body, work_[body].factored, load);
+  const int n_bodies = static_cast<int>(model_.bodies.size());
+  // One thread cannot use the whole bandwidth of the memory, which is what a pass costs.
+#pragma omp parallel for schedule(dynamic, 1) if (n_bodies > 1 && parallel_passes_)
+  for (int b = 0; b < n_bodies; ++b) pass(static_cast<std::size_t>(b));
+}
+
+contact::InterfaceLoad ContactElasticity::forward(contact::InterfaceLoad load) {
+  const std::size_t n_bodies = model_.bodies.size();
+  for (std::size_t b = 0; b < n_bodies; ++b) interface_.take_resultant(b, work_[b].right_hand_side, load);
+  pass_through_factors(
+      [&](std::size_t b) { model_.bodies[b]->factor().forward(work_[b].right_hand_side, work_[b].factored); });
+  const auto lap = watch_.lap(Part::contact);
+  for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, load);
+  return load;
+}
+
+void ContactElasticity::backward(const Eigen::VectorXd& multiplier) {
+  {
+    const auto lap = watch_.lap(Part::contact);
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b) interface_.add_multipliers(b, multiplier, work_[b].factored);
+  }
+  pass_through_factors([&](std::size_t b) { model_.bodies[b]->factor().backward(work_[b].factored, work_[b].free); });
 }
 
 void ContactElasticity::log_contact(ContactLog& log) {
@@ -57,27 +86,18 @@ void ContactElasticity::solve_contact(double t, const contact::ContactLoad& load
   }
 }
 
-void ContactElasticity::backward(std::size_t body, const Eigen::VectorXd& multiplier) {
-  interface_.add_multipliers(body, multiplier, work_[body].factored);
-  const auto lap = watch_.lap(Part::solve);
-  model_.bodies[body]->factor().backward(work_[body].factored, work_[body].free);
-}
-
 void ContactElasticity::solve(double t, const CreepViews& creep) {
   const std::size_t n_bodies = model_.bodies.size();
   for (const auto& body : model_.bodies) body->set_time(t);
-  contact::InterfaceLoad load = interface_.initial_load(t);
-  for (std::size_t b = 0; b < n_bodies; ++b) {
-    {
-      const auto lap = watch_.lap(Part::material);
-      model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
-    }
-    forward(b, load);
-  }
-  if (interface_.n_rows() > 0) solve_contact(t, interface_.contact_load(load));
-  for (std::size_t b = 0; b < n_bodies; ++b) {
-    backward(b, last_.multiplier);
+  {
     const auto lap = watch_.lap(Part::material);
+    for (std::size_t b = 0; b < n_bodies; ++b) model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
+  }
+  const contact::InterfaceLoad load = forward(interface_.initial_load(t));
+  if (interface_.n_rows() > 0) solve_contact(t, interface_.contact_load(load));
+  backward(last_.multiplier);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < n_bodies; ++b) {
     const mechanics::Body& body = *model_.bodies[b];
     body.constraints().expand(work_[b].free, body.prescribed(), states_[b].displacement);
     interface_.add_rigid_motion(b, last_.rigid, states_[b].displacement);
@@ -88,23 +108,21 @@ void ContactElasticity::solve(double t, const CreepViews& creep) {
 
 void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<std::vector<double>>& stress) {
   const std::size_t n_bodies = model_.bodies.size();
-  contact::InterfaceLoad load = interface_.no_load();
-  for (std::size_t b = 0; b < n_bodies; ++b) {
-    {
-      const auto lap = watch_.lap(Part::material);
+  {
+    const auto lap = watch_.lap(Part::material);
+    for (std::size_t b = 0; b < n_bodies; ++b)
       model_.bodies[b]->initial_strain_force(creep_change[b], work_[b].right_hand_side);
-    }
-    forward(b, load);
   }
+  const contact::InterfaceLoad load = forward(interface_.no_load());
   contact::ContactState change;
   if (interface_.n_rows() > 0) {
     const auto lap = watch_.lap(Part::contact);
     // Initial strains are in equilibrium with themselves: no resultants.
     change = frozen_.solve(last_.active, {load.gap, {}}).state;
   }
+  backward(change.multiplier);
+  const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < n_bodies; ++b) {
-    backward(b, change.multiplier);
-    const auto lap = watch_.lap(Part::material);
     const mechanics::Body& body = *model_.bodies[b];
     body.constraints().expand(work_[b].free, work_[b].no_displacement, work_[b].displacement);
     interface_.add_rigid_motion(b, change.rigid, work_[b].displacement);

@@ -67,9 +67,12 @@ class ContactElasticity {
     std::vector<double> displacement;                     // 3 n_nodes, of linearized()
     std::vector<double> no_displacement;                  // zeros
   };
-  void forward(std::size_t body, contact::InterfaceLoad& load);
+  /// Right-hand sides through the factors of all bodies, side by side. @returns the load with their traces
+  contact::InterfaceLoad forward(contact::InterfaceLoad load);
+  template <typename Pass>
+  void pass_through_factors(const Pass& pass);
   void solve_contact(double t, const contact::ContactLoad& load);
-  void backward(std::size_t body, const Eigen::VectorXd& multiplier);
+  void backward(const Eigen::VectorXd& multiplier);
 
   Model& model_;
   Stopwatch& watch_;
@@ -81,6 +84,7 @@ class ContactElasticity {
   Eigen::VectorXd gaps_;
   std::vector<BodyState> states_;
   std::vector<Work> work_;
+  bool parallel_passes_ = false;  ///< worth it
   Counters counters_;
 };
 
