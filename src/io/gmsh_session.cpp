@@ -10,8 +10,21 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 
+/// Gmsh's own, declared in none of its installed headers; weak: absent in versions that hide it.
+class FunctionManager {
+ public:
+  [[gnu::weak]] static FunctionManager* Instance();
+  [[gnu::weak]] void clear();
+};
+
 namespace creepcontact::io {
 namespace {
+
+/// Gmsh 4.8 keeps the macros of a .geo beyond the session, with the file they stood in, and crashes where a later
+/// session calls one of the same name.
+void forget_macros() {
+  if (&FunctionManager::Instance != nullptr) FunctionManager::Instance()->clear();
+}
 
 /// Text that is a file for the life of the object.
 class TemporaryGeo {
@@ -56,6 +69,7 @@ std::string take_errors(const std::string& name) {
 
 GmshSession::GmshSession(std::string name) : name_(std::move(name)) {
   gmsh::initialize(0, nullptr, false);
+  forget_macros();
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);  // the mesh must not depend on the machine
   // An exception out of the parser would leave it with the rest of the file, for the next file to stumble over.

@@ -3,31 +3,13 @@
 /// pass through both factors, `of_the_floor` to the time in which memory hands over both factors twice.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <chrono>
 #include <numeric>
 
+#include "performance/measuring.hpp"
 #include "unit/contact/assembly.hpp"
 
 namespace creepcontact::test {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-template <typename Work>
-double least_seconds(int times, const Work& work) {
-  double least = 1e300;
-  for (int k = 0; k < times; ++k) {
-    const auto start = Clock::now();
-    work();
-    least = std::min(least, seconds_since(start));
-  }
-  return least;
-}
 
 class Scene {
  public:
@@ -68,16 +50,6 @@ class Scene {
   }
 
  private:
-  static double bandwidth() {
-    const std::vector<double> block(std::size_t{1} << 26, 1.0);  // 512 MB
-    double sum = 0;
-    const double seconds = least_seconds(3, [&] {
-      sum += Eigen::Map<const Eigen::VectorXd>(block.data(), static_cast<Eigen::Index>(block.size())).sum();
-    });
-    benchmark::DoNotOptimize(sum);
-    return 8.0 * static_cast<double>(block.size()) / seconds;
-  }
-
   std::unique_ptr<Assembly> assembly_;
   contact::ContactLoad load_, later_;
   std::vector<std::vector<double>> vectors_;

@@ -46,6 +46,8 @@ class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;
+  /// The integrator at work: name(), unless this one hands the steps to others.
+  virtual std::string method() const { return name(); }
 
   /// Starts (or starts anew after a jump) from (t, y).
   /// @param step  proposed first step, 0: let the integrator choose

@@ -134,6 +134,12 @@ TEST_F(GmshReader, TheSameFileGivesTheSameMesh) {
     EXPECT_EQ(first.blocks[b].connectivity, second.blocks[b].connectivity);
 }
 
+TEST_F(GmshReader, MacrosMayHaveTheSameNamesInTheNextFile) {
+  const auto file = geo("Macro Double\n  height = 2*height;\nReturn\n" + test::cube_geo("hex") + "Call Double;\n");
+  const Mesh first = read_mesh(file, {}), second = read_mesh(file, {});
+  EXPECT_EQ(first.nodes, second.nodes);
+}
+
 TEST_F(GmshReader, MshFilesOfAllFormatsGiveTheMeshOfTheGeo) {
   const std::string text = test::cube_geo("wedge") + "Physical Volume(\"again\") = {out[1]};\n";
   const Mesh expected = read_mesh(geo(text), {2, {}});

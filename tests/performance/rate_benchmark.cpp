@@ -1,0 +1,138 @@
+/// A creep rate and a Jacobian product of two blocks in contact against the passes through the factors that they
+/// contain, and the shares of a whole run. Counters are ratios measured in one run: `of_a_pass` to a forward and a
+/// backward pass through all factors on one thread, `of_the_floor` to the time in which one thread reads the factors
+/// twice.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <map>
+#include <numeric>
+
+#include "creepcontact/config/reader.hpp"
+#include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/simulation/creep_rate.hpp"
+#include "creepcontact/simulation/vocabulary.hpp"
+#include "performance/measuring.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+/// Pressed blocks with so many elements along the sides of the upper block.
+config::Config pressed_blocks(int n) {
+  return config::read(CREEPCONTACT_CONFIGS "/pressed_blocks.toml", simulation::vocabulary(),
+                      {fmt::format("mesh.parameters={{n_lower={},n_upper={}}}", n * 5 / 4, n)});
+}
+
+class Scene {
+ public:
+  explicit Scene(int n)
+      : config_(pressed_blocks(n)),
+        model_(simulation::build_model(config_)),
+        elasticity_(model_, watch_),
+        system_(elasticity_, watch_, config_.time.output),
+        state_(system_.size()),
+        rate_(system_.size()) {
+    for (const auto& body : model_.bodies) {
+      vectors_.emplace_back(body->constraints().n_free(), 1.0);
+      bytes_ += static_cast<double>(body->factor().factor_bytes());
+      unknowns_ += static_cast<double>(vectors_.back().size());
+    }
+    system_.rate(0, state_, rate_);  // contact from scratch
+    system_.accept(0, state_);
+    floor_ = 2 * bytes_ / bandwidth();
+    pass_ = least_seconds(7, [&] { pass(); });
+  }
+
+  void pass() {
+    for (std::size_t b = 0; b < vectors_.size(); ++b) {
+      model_.bodies[b]->factor().forward(vectors_[b], vectors_[b]);
+      model_.bodies[b]->factor().backward(vectors_[b], vectors_[b]);
+    }
+  }
+  void rate() {
+    state_[0] += 1e-12;  // another point: the last one is kept
+    system_.rate(0, state_, rate_);
+  }
+  void product() { system_.jacobian_times(0, state_, state_, rate_); }
+
+  void count(benchmark::State& state, double seconds) const {
+    state.counters["unknowns"] = unknowns_;
+    state.counters["of_a_pass"] = seconds / pass_;
+    state.counters["of_the_floor"] = seconds / floor_;
+    state.counters["factor_MB"] = bytes_ / 1e6;
+  }
+
+ private:
+  config::Config config_;
+  Stopwatch watch_;
+  simulation::Model model_;
+  simulation::ContactElasticity elasticity_;
+  simulation::CreepRate system_;
+  std::vector<double> state_, rate_;
+  std::vector<std::vector<double>> vectors_;
+  double bytes_ = 0, unknowns_ = 0, pass_ = 0, floor_ = 0;
+};
+
+Scene& scene(int n) {
+  static std::map<int, Scene> scenes;
+  return scenes.try_emplace(n, n).first->second;
+}
+
+template <typename Work>
+void measure(benchmark::State& state, Work work) {
+  omp_set_num_threads(static_cast<int>(state.range(1)));
+  Scene& s = scene(static_cast<int>(state.range(0)));
+  double least = 1e300;
+  for (auto _ : state) least = std::min(least, least_seconds(1, [&] { work(s); }));
+  s.count(state, least);
+}
+void pass(benchmark::State& state) {
+  measure(state, [](Scene& s) { s.pass(); });
+}
+void rate(benchmark::State& state) {
+  measure(state, [](Scene& s) { s.rate(); });
+}
+void product(benchmark::State& state) {
+  measure(state, [](Scene& s) { s.product(); });
+}
+const std::vector<std::vector<std::int64_t>> cases{{10, 15}, {1, 2}};  // 50,000 and 150,000 unknowns; threads
+BENCHMARK(pass)->ArgsProduct({{10, 15}, {1}})->Unit(benchmark::kMillisecond);
+BENCHMARK(rate)->ArgsProduct(cases)->Unit(benchmark::kMillisecond);
+BENCHMARK(product)->ArgsProduct(cases)->Unit(benchmark::kMillisecond);
+
+/// 50,000 unknowns, tolerance 1e-3: `other` is the share of all that is neither the factorisation nor passes, `memory`
+/// the growth of the resident memory over the bytes of the factors and 14 state vectors.
+void run(benchmark::State& state) {
+  omp_set_num_threads(static_cast<int>(state.range(1)));
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  };
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    const config::Config config = pressed_blocks(static_cast<int>(state.range(0)));
+    Stopwatch watch;
+    simulation::Model model = simulation::build_model(config);
+    simulation::ContactElasticity elasticity(model, watch);
+    simulation::CreepRate system(elasticity, watch, config.time.output);
+    const auto integrator =
+        ode::make_integrator(config.time.integrator, system, {.tolerance = 1e-3, .end_time = config.time.end});
+    integrator->initialize(0, std::vector<double>(system.size()));
+    while (integrator->time() < config.time.end) integrator->step(config.time.end);
+    const double total = seconds_since(start);
+    double bytes = 14.0 * 8 * static_cast<double>(system.size());
+    for (const auto& body : model.bodies) bytes += static_cast<double>(body->factor().factor_bytes());
+    state.counters["solves"] = static_cast<double>(system.counters().elastic_solves);
+    state.counters["other"] = 1 - (watch.seconds(Part::factorize) + watch.seconds(Part::solve)) / total;
+    state.counters["memory"] = peak() / bytes;
+  }
+}
+BENCHMARK(run)->ArgsProduct({{10}, {1, 2}})->Unit(benchmark::kSecond)->Iterations(1);
+
+}  // namespace
+}  // namespace creepcontact::test
+
+BENCHMARK_MAIN();
