@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -66,18 +67,18 @@ struct Expression final : Function::Definition {
 
 struct Table final : Function::Definition {
   Table(const std::string& variable, std::vector<double> points, std::vector<double> ordinates)
-      : Definition(fmt::format("table in {} with {} points", variable, points.size())),
+      : Definition(fmt::format("{{ {} = {}, values = {} }}", variable, points, ordinates)),
         argument(known_variable(variable).member),
         abscissae(std::move(points)),
         values(std::move(ordinates)) {
     variables.insert(variable);
-    if (variable == "t") breakpoints = abscissae;
+    if (variable == "t") std::unique_copy(abscissae.begin(), abscissae.end(), std::back_inserter(breakpoints));
   }
 
   double value(const Arguments& at) const override {
     const double s = at.*argument;
     // The negation sends a NaN to the first branch instead of past the end.
-    if (!(s > abscissae.front())) return std::isnan(s) ? s : values.front();
+    if (!(s >= abscissae.front())) return std::isnan(s) ? s : values.front();
     if (s >= abscissae.back()) return values.back();
     const auto i =
         static_cast<std::size_t>(std::upper_bound(abscissae.begin(), abscissae.end(), s) - abscissae.begin());
@@ -136,6 +137,14 @@ Function Function::expression(const std::string& text, const std::vector<std::st
   }
 }
 
+std::size_t Function::misplaced_point(const std::string& variable, const std::vector<double>& abscissae) {
+  for (std::size_t i = 1; i < abscissae.size(); ++i) {
+    const bool jump = variable == "t" && abscissae[i] == abscissae[i - 1] && (i < 2 || abscissae[i - 2] < abscissae[i]);
+    if (!(abscissae[i] > abscissae[i - 1]) && !jump) return i;
+  }
+  return abscissae.size();
+}
+
 Function Function::table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values) {
   if (variable != "t" && variable != "T")
     throw std::invalid_argument(fmt::format("a table is in 't' or 'T', not in '{}'", variable));
@@ -146,11 +155,10 @@ Function Function::table(const std::string& variable, std::vector<double> abscis
   const auto finite = [](double number) { return std::isfinite(number); };
   if (!std::all_of(abscissae.begin(), abscissae.end(), finite) || !std::all_of(values.begin(), values.end(), finite))
     throw std::invalid_argument(fmt::format("the table in {} holds a number that is not finite", variable));
-  for (std::size_t i = 1; i < abscissae.size(); ++i) {
-    if (abscissae[i] <= abscissae[i - 1])
-      throw std::invalid_argument(fmt::format("the points of the table in {} must increase: {} follows {} (entry {})",
-                                              variable, abscissae[i], abscissae[i - 1], i + 1));
-  }
+  if (const std::size_t i = misplaced_point(variable, abscissae); i < abscissae.size())
+    throw std::invalid_argument(fmt::format("the points of the table in {} must increase: {} follows {} (entry {}){}",
+                                            variable, abscissae[i], abscissae[i - 1], i + 1,
+                                            variable == "t" ? "; a jump is the same time twice" : ""));
   if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
     return values.front();
   return Function(std::make_shared<Table>(variable, std::move(abscissae), std::move(values)));

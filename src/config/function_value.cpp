@@ -51,14 +51,13 @@ std::optional<Function> read_expression(const Item& item, const std::string& wri
   return std::nullopt;
 }
 
-bool increasing(const Item& item, const std::vector<double>& abscissae, Context& context) {
-  for (std::size_t i = 1; i < abscissae.size(); ++i) {
-    if (abscissae[i] > abscissae[i - 1]) continue;
-    context.errors.add(item.element(i).location,
-                       fmt::format("{} after {}: the points of a table must increase", abscissae[i], abscissae[i - 1]));
-    return false;
-  }
-  return true;
+bool increasing(const Item& item, const std::string& variable, const std::vector<double>& abscissae, Context& context) {
+  const std::size_t i = Function::misplaced_point(variable, abscissae);
+  if (i == abscissae.size()) return true;
+  context.errors.add(item.element(i).location,
+                     fmt::format("{} after {}: the points of a table must increase{}", abscissae[i], abscissae[i - 1],
+                                 variable == "t" ? "; a jump is the same time twice" : ""));
+  return false;
 }
 
 std::optional<Function> read_points(const Item& item, const Allowed& allowed, Context& context) {
@@ -90,7 +89,7 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
                        "as many values as points, at least one");
     return std::nullopt;
   }
-  if (!increasing(points, *abscissae, context)) return std::nullopt;
+  if (!increasing(points, *given, *abscissae, context)) return std::nullopt;
   return Function::table(*given, *abscissae, *values);
 }
 

@@ -44,6 +44,9 @@ class Schwarz final : public ContactSolver {
     fallback_->set_recorder(recorder);
   }
 
+  bool has_given_up_sweeps() const override { return sweeps_fail_; }
+  void give_up_sweeps() override { sweeps_fail_ = true; }
+
  private:
   enum class End { solved, unbalanced, cycling, not_converged };
 

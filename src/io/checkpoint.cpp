@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "hdf5_file.hpp"
 
@@ -16,7 +17,7 @@ namespace creepcontact::io {
 namespace {
 
 constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
-constexpr std::string_view magic = "creepcontact checkpoint 1\n";
+constexpr std::string_view magic = "creepcontact checkpoint 2\n";
 
 /// The user block: what the bytes behind it must be like. Padded with zeros.
 std::string seal(std::uint64_t n_bytes, std::uint32_t crc) {
@@ -43,6 +44,7 @@ void write_content(const std::filesystem::path& path, const Checkpoint& checkpoi
   const Hdf5Silence silence;
   Hdf5Handle file = create_hdf5(path, seal_size);
   write_array(file, "fingerprint", std::span<const char>(checkpoint.fingerprint));
+  write_array(file, "integrator", std::span<const char>(checkpoint.integrator));
   write_array(file, "time", std::array{checkpoint.time});
   write_array(file, "next_step", std::array{checkpoint.next_step});
   write_array(file, "state", checkpoint.state);
@@ -61,6 +63,8 @@ Checkpoint read_content(const std::filesystem::path& path) {
   Checkpoint checkpoint;
   const std::vector<char> fingerprint = read_array<char>(file, "fingerprint");
   checkpoint.fingerprint.assign(fingerprint.begin(), fingerprint.end());
+  const std::vector<char> integrator = read_array<char>(file, "integrator");
+  checkpoint.integrator.assign(integrator.begin(), integrator.end());
   checkpoint.time = read_array<double>(file, "time").at(0);
   checkpoint.next_step = read_array<double>(file, "next_step").at(0);
   checkpoint.state = read_array<double>(file, "state");
@@ -85,13 +89,27 @@ void check_seal(const std::filesystem::path& path) {
     throw ConfigError(fmt::format("'{}' is no checkpoint of this version of creepcontact", path.string()));
   if (!complete || found != computed_seal(stream)) {
     throw ConfigError(
-        fmt::format("the checkpoint '{}' is cut short or damaged (its checksum is wrong); run without "
-                    "--resume to begin anew",
-                    path.string()));
+        fmt::format("the checkpoint '{}' is cut short or damaged (its checksum is wrong)", path.string()));
   }
 }
 
+/// A second name for the old file, so that its own stays until the new one takes it.
+void keep_previous(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return;
+  const std::filesystem::path previous = previous_checkpoint(path);
+  std::error_code error;
+  std::filesystem::remove(aside(previous), error);
+  std::filesystem::create_hard_link(path, aside(previous), error);
+  if (error) std::filesystem::copy_file(path, aside(previous), error);  // file systems without links
+  if (!error) std::filesystem::rename(aside(previous), previous, error);
+  if (error) throw Error(fmt::format("cannot write the checkpoint '{}': {}", previous.string(), error.message()), 4);
+}
+
 }  // namespace
+
+std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
+  return path.parent_path() / (path.stem().string() + ".previous" + path.extension().string());
+}
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const std::filesystem::path part = aside(path);
@@ -106,6 +124,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   stream.close();
   if (!stream) throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), std::strerror(errno)), 4);
+  keep_previous(path);
   move_into_place(path);
 }
 
@@ -115,6 +134,37 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
     return read_content(path);
   } catch (const std::exception& error) {
     throw ConfigError(fmt::format("the checkpoint '{}' lacks a part: {}", path.string(), error.what()));
+  }
+}
+
+Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
+  const std::filesystem::path previous = previous_checkpoint(path);
+  if (!std::filesystem::exists(path) && !std::filesystem::exists(previous))
+    throw ConfigError(
+        fmt::format("there is no checkpoint '{}' to go on from; run without --resume to begin", path.string()));
+  std::string damage;
+  try {
+    return read_checkpoint(path);
+  } catch (const ConfigError& error) {
+    damage = error.what();
+  }
+  try {
+    Checkpoint checkpoint = read_checkpoint(previous);
+    log::warning("{}; the run goes on from the previous one, of t = {:.6g}", damage, checkpoint.time);
+    std::filesystem::rename(previous, path);
+    return checkpoint;
+  } catch (const ConfigError& error) {
+    throw ConfigError(fmt::format("{}, and {}; run without --resume to begin anew", damage, error.what()));
+  }
+}
+
+void remove_checkpoints(const std::filesystem::path& path) {
+  const std::filesystem::path previous = previous_checkpoint(path);
+  for (const std::filesystem::path& file : {path, previous, aside(path), aside(previous)}) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error)
+      throw ConfigError(fmt::format("cannot remove the old checkpoint '{}': {}", file.string(), error.message()));
   }
 }
 

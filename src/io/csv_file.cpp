@@ -1,6 +1,7 @@
 #include "creepcontact/io/csv_file.hpp"
 
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
@@ -81,6 +82,11 @@ void CsvFile::write(std::string_view row) {
   const bool written = std::fwrite(row.data(), 1, row.size(), file_.get()) == row.size() &&
                        std::fputc('\n', file_.get()) != EOF && std::fflush(file_.get()) == 0;
   if (!written) throw Error(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)), 4);
+}
+
+void CsvFile::sync() {
+  if (::fsync(::fileno(file_.get())) != 0)
+    throw Error(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)), 4);
 }
 
 }  // namespace creepcontact::io

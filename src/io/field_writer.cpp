@@ -130,6 +130,7 @@ void FieldWriter::read_collection(double last_time) {
     const double time = node.attribute("timestep").as_double();
     if (time <= last_time) entries_.push_back({time, node.attribute("file").as_string()});
   }
+  write_collection();
 }
 
 }  // namespace creepcontact::io

@@ -32,6 +32,7 @@ void EulerScheme::initialize(double t, std::span<const double> y, double) {
   last_step_ = 0;
   proposal_ = options_.step;
   stable_.reset();
+  system_.forget_evaluations();
   try {
     system_.rate(t, state_, rate_);
   } catch (const RecoverableError& error) {

@@ -24,6 +24,7 @@ class SundialsIntegrator : public Integrator {
   double next_step() const final { return proposal_; }
   Counters counters() const final;
   bool at_restart_point() const final;
+  bool restarts_after_every_step() const final { return restart_interval() <= 1; }
   bool restores_exactly() const final { return restart_interval() > 0; }
 
  protected:

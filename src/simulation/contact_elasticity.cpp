@@ -89,6 +89,7 @@ void ContactElasticity::solve_contact(double t, const contact::ContactLoad& load
 void ContactElasticity::solve(double t, const CreepViews& creep) {
   const std::size_t n_bodies = model_.bodies.size();
   for (const auto& body : model_.bodies) body->set_time(t);
+  time_ = t;
   {
     const auto lap = watch_.lap(Part::material);
     for (std::size_t b = 0; b < n_bodies; ++b) model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
@@ -129,6 +130,26 @@ void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<s
     body.discretization().stress(work_[b].displacement, {body.elastic().moduli, {}}, creep_change[b], stress[b]);
   }
   ++counters_.elastic_solves;
+}
+
+void ContactElasticity::save(Memory& memory) const {
+  memory["contact.multiplier"].assign(warm_.multiplier.begin(), warm_.multiplier.end());
+  memory["contact.rigid"].assign(warm_.rigid.begin(), warm_.rigid.end());
+  memory["contact.active"].assign(warm_.active.begin(), warm_.active.end());
+  memory["contact.sweeps_given_up"] = {solver_->has_given_up_sweeps() ? 1.0 : 0.0};
+}
+
+void ContactElasticity::restore(const Memory& memory) {
+  const auto vector = [&](const char* name) {
+    const std::vector<double>& values = memory.at(name);
+    return Eigen::VectorXd(Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  warm_.multiplier = vector("contact.multiplier");
+  warm_.rigid = vector("contact.rigid");
+  const std::vector<double>& active = memory.at("contact.active");
+  warm_.active.assign(active.begin(), active.end());
+  last_ = warm_;
+  if (memory.at("contact.sweeps_given_up").at(0) != 0) solver_->give_up_sweeps();
 }
 
 }  // namespace creepcontact::simulation

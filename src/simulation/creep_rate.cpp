@@ -48,7 +48,7 @@ void CreepRate::set_scale(const std::vector<double>& output_times) {
   const double end = output_times.back();
   std::vector<double> times{0.0, end};
   for (const double t : elasticity_.model().breakpoints)
-    if (t > 0 && t < end) times.push_back(t);
+    if (t > 0 && t < end) times.insert(times.end(), {std::nextafter(t, 0.0), t});  // before and after a jump
   std::vector<double> stress = elastic_stresses(times);
   // Loads that vanish at all these times may still act in between.
   if (*std::max_element(stress.begin(), stress.end()) == 0) stress = elastic_stresses(output_times);
@@ -58,8 +58,20 @@ void CreepRate::set_scale(const std::vector<double>& output_times) {
   scale_->set_elastic(stress);
 }
 
-void CreepRate::evaluate(double t, std::span<const double> y) {
-  if (evaluated_ && t == time_ && std::equal(y.begin(), y.end(), state_.begin())) return;
+void CreepRate::begin_segment(double begin, double end) {
+  segment_begin_ = begin;
+  segment_end_ = end;
+}
+
+double CreepRate::load_time(double t) const {
+  if (t >= segment_end_) return std::nextafter(segment_end_, -std::numeric_limits<double>::infinity());
+  if (t == segment_begin_) return std::nextafter(t, std::numeric_limits<double>::infinity());
+  return t;
+}
+
+bool CreepRate::evaluate(double t, std::span<const double> y) {
+  t = load_time(t);
+  if (evaluated_ && t == time_ && std::equal(y.begin(), y.end(), state_.begin())) return false;
   evaluated_ = false;
   std::copy(y.begin(), y.end(), state_.begin());
   layout_.views(state_, views_);
@@ -71,14 +83,17 @@ void CreepRate::evaluate(double t, std::span<const double> y) {
   for (MaterialPoints& points : points_) points.set_time(t);
   time_ = t;
   evaluated_ = true;
+  for_output_ = false;
+  return true;
 }
 
 void CreepRate::equilibrium(double t, std::span<const double> y) {
-  evaluate(t, y);
+  if (evaluate(t, y)) for_output_ = true;
 }
 
 void CreepRate::rate(double t, std::span<const double> y, std::span<double> rate) {
   evaluate(t, y);
+  for_output_ = false;
   ++rate_evaluations_;
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < points_.size(); ++b)
@@ -124,11 +139,23 @@ double CreepRate::stable_step(double t, std::span<const double> y) {
   return stiffest > 0 ? 2 / stiffest : std::numeric_limits<double>::infinity();
 }
 
-void CreepRate::accept(double /*t*/, std::span<const double> /*y*/) {
-  // The last evaluation is at or beside the accepted point: its contact state and stress are the nearest ones at hand.
+void CreepRate::accept(double t, std::span<const double> /*y*/) {
+  // The last evaluation is at or beside the accepted point: its contact state and stress are the nearest ones at hand,
+  // unless the step was too short for any and the last one is an output's of long ago.
+  if (for_output_ && load_time(t) != time_) return;
   elasticity_.keep_warm();
   const auto lap = watch_.lap(Part::material);
   scale_->follow(elasticity_.states());
+}
+
+void CreepRate::save(ContactElasticity::Memory& memory) const {
+  elasticity_.save(memory);
+  memory["stress_scale"] = scale_->stress();
+}
+
+void CreepRate::restore(const ContactElasticity::Memory& memory) {
+  elasticity_.restore(memory);
+  scale_->restore(memory.at("stress_scale"));
 }
 
 ode::System::Counters CreepRate::counters() const {

@@ -28,6 +28,11 @@ void Results::output(const Snapshot& snapshot) {
   if (fields_) fields_->write(snapshot.time(), point_arrays(snapshot), cell_arrays(snapshot));
 }
 
+void Results::sync() {
+  history_->sync();
+  steps_->sync();
+}
+
 void Results::step(const ode::StepReport& report, const ode::System::Counters& before,
                    const ode::System::Counters& after) {
   steps_->write({.time = report.time,

@@ -24,6 +24,8 @@ class Results {
   void output(const Snapshot& snapshot);
   /// A row of steps.csv. @param before, after  counters around the step
   void step(const ode::StepReport& report, const ode::System::Counters& before, const ode::System::Counters& after);
+  /// Waits until all rows are on the disk itself; field files are when they are written.
+  void sync();
   /// Last row of history.csv.
   const std::vector<double>& last_values() const { return values_; }
 

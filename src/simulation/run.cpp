@@ -113,7 +113,10 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     write_summary(io::Summary::Status::failed, error.what());
     return result;
   }
-  if (!options.quiet)
+  if (loop.was_complete())
+    result.message =
+        fmt::format("the run was complete already, up to t = {:.6g}; a later time.end prolongs it", loop.time());
+  else if (!options.quiet)
     fmt::print("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
                result.exit_status == 0 ? "done" : "interrupted", summary.steps, summary.elastic_solves,
                summary.schwarz_iterations, summary.wall_seconds.total, directory.string());

@@ -56,7 +56,9 @@ Snapshot::Snapshot(const ContactElasticity& elasticity, const StateLayout& layou
 const BodyFields& Snapshot::fields(std::size_t body) const {
   const auto found = fields_.find(body);
   if (found != fields_.end()) return found->second;
-  return fields_.try_emplace(body, *elasticity_.model().bodies[body], elasticity_.states()[body], creep_[body], time_)
+  return fields_
+      .try_emplace(body, *elasticity_.model().bodies[body], elasticity_.states()[body], creep_[body],
+                   elasticity_.time())
       .first->second;
 }
 

@@ -1,16 +1,12 @@
 #include "time_loop.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/base/log.hpp"
-#include "creepcontact/io/checkpoint.hpp"
-#include "fingerprint.hpp"
 
 namespace creepcontact::simulation {
 namespace {
-
-constexpr double seconds_between_checkpoints = 30;
 
 ode::IntegratorOptions integrator_options(const config::Time& time) {
   ode::IntegratorOptions options;
@@ -32,43 +28,31 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
     : config_(config),
       system_(system),
       watch_(watch),
-      checkpoint_(directory / "checkpoint.h5"),
-      fingerprint_(fingerprint(system.elasticity().model())),
+      checkpoints_(config, system.elasticity().model(), directory),
       progress_(config.time.output, quiet),
       state_(system.size(), 0.0) {
   io::Continuation continuation;
   if (resume) {
-    restore();
+    resumed_ = checkpoints_.read(system);
+    time_ = resumed_->time;
+    was_complete_ = time_ >= config.time.end;
+    has_output_ = true;
+    earlier_ = resumed_->counters;
+    system.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
+  } else {
+    checkpoints_.remove();
   }
   results_ = std::make_unique<Results>(config, directory, system.elasticity(), continuation);
   if (system.size() > 0)
     integrator_ = ode::make_integrator(config.time.integrator, system, integrator_options(config.time));
+  next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
+  const std::vector<double>& breakpoints = system.elasticity().model().breakpoints;
+  next_break_ = std::upper_bound(breakpoints.begin(), breakpoints.end(), time_);
 }
 
-void TimeLoop::restore() {
-  const io::Checkpoint checkpoint = io::read_checkpoint(checkpoint_);
-  if (checkpoint.fingerprint != fingerprint_ || checkpoint.state.size() != state_.size())
-    throw ConfigError(
-        fmt::format("{}: the checkpoint is of another model than '{}'; give the configuration it was "
-                    "written with, or run without --resume",
-                    checkpoint_.string(), config_.file.string()));
-  time_ = checkpoint.time;
-  has_output_ = true;
-  first_step_ = checkpoint.next_step;
-  state_ = checkpoint.state;
-  earlier_ = checkpoint.counters;
-}
-
-void TimeLoop::write_checkpoint() {
-  const auto lap = watch_.lap(Part::output);
-  io::Checkpoint checkpoint;
-  checkpoint.fingerprint = fingerprint_;
-  checkpoint.time = time_;
-  if (integrator_) {
-    checkpoint.next_step = integrator_->next_step();
-    checkpoint.state.assign(integrator_->state().begin(), integrator_->state().end());
-  }
+io::Checkpoint TimeLoop::checkpoint() const {
+  io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
   const ode::System::Counters of_system = system_counters();
   const ode::Integrator::Counters of_integrator = integrator_counters();
   checkpoint.counters = {{"steps", of_integrator.steps},
@@ -80,8 +64,27 @@ void TimeLoop::write_checkpoint() {
                          {"contact_solves", of_system.contact_solves},
                          {"schwarz_iterations", of_system.schwarz_iterations},
                          {"factorizations", of_system.factorizations}};
-  io::write_checkpoint(checkpoint_, checkpoint);
-  last_checkpoint_ = std::chrono::steady_clock::now();
+  return checkpoint;
+}
+
+void TimeLoop::keep_restart_point() {
+  if (!at_restart_point()) return;
+  // The copy costs little against a step, but not nothing: made if the next restart point may be far, or a result that
+  // fails to be written may spoil the step.
+  const bool far = !integrator_->restarts_after_every_step();
+  const double reach = 2 * integrator_->next_step();
+  const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
+  kept_.reset();
+  if (far || output_ahead) kept_ = checkpoint();
+}
+
+void TimeLoop::write_checkpoint() {
+  const auto lap = watch_.lap(Part::output);
+  // The end is one for whoever prolongs the run.
+  const bool here = settled_ && (at_restart_point() || time_ >= config_.time.end);
+  if (!here && !kept_) return;
+  results_->sync();  // a checkpoint stands for all results before it
+  checkpoints_.write(here ? checkpoint() : *kept_);
 }
 
 ode::Integrator::Counters TimeLoop::integrator_counters() const {
@@ -116,9 +119,12 @@ void TimeLoop::output(double t, std::span<const double> y) {
 }
 
 TimeLoop::End TimeLoop::run() {
+  if (was_complete_) return End::completed;
   const Interrupt interrupt;
   try {
-    if (time_ == 0 && earlier_.empty()) output(0, state_);
+    begin_segment();
+    if (!resumed_) output(0, state_);
+    settled_ = !integrator_;
     if (integrator_)
       integrate(interrupt);
     else
@@ -134,47 +140,72 @@ TimeLoop::End TimeLoop::run() {
   return time_ >= config_.time.end ? End::completed : End::interrupted;
 }
 
+void TimeLoop::begin_segment() {
+  const std::vector<double>& breakpoints = system_.elasticity().model().breakpoints;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  // At the end of the run there is no state after a jump that would still be integrated, but one to be reported.
+  const double last = time_ < config_.time.end ? config_.time.end : never;
+  system_.begin_segment(next_break_ != breakpoints.begin() ? *(next_break_ - 1) : -never,
+                        next_break_ != breakpoints.end() ? *next_break_ : last);
+}
+
+void TimeLoop::outputs_of_step(bool breakpoint) {
+  const auto end = config_.time.output.end();
+  for (; next_output_ != end && *next_output_ < time_; ++next_output_) {
+    integrator_->interpolate(*next_output_, state_);
+    output(*next_output_, state_);
+  }
+  if (breakpoint) begin_segment();  // a result at a jump is that after it
+  if (next_output_ != end && *next_output_ == time_) {
+    output(time_, integrator_->state());
+    ++next_output_;
+  }
+}
+
 void TimeLoop::integrate(const Interrupt& interrupt) {
   const double end = config_.time.end;
-  const std::vector<double>& outputs = config_.time.output;
-  const std::vector<double>& breakpoints = system_.elasticity().model().breakpoints;
-  auto next_output = std::upper_bound(outputs.begin(), outputs.end(), time_);
-  auto next_break = std::upper_bound(breakpoints.begin(), breakpoints.end(), time_);
-  integrator_->initialize(time_, std::vector<double>(state_), first_step_);
+  const auto last_break = system_.elasticity().model().breakpoints.end();
+  if (resumed_)
+    restore(*resumed_, config_, *integrator_);
+  else
+    integrator_->initialize(time_, state_);
+  resumed_.reset();
+  settled_ = true;
   while (time_ < end && !interrupt.requested()) {
-    const double stop = next_break != breakpoints.end() ? *next_break : end;
-    const bool may_pass_outputs = integrator_->interpolates() || next_output == outputs.end();
+    if (checkpoints_.due()) write_checkpoint();
+    keep_restart_point();
+    const double stop = next_break_ != last_break ? *next_break_ : end;
+    const bool may_pass_outputs = integrator_->interpolates() || next_output_ == config_.time.output.end();
     const ode::System::Counters before = system_.counters();
-    const ode::StepReport report = integrator_->step(may_pass_outputs ? stop : std::min(stop, *next_output));
-    results_->step(report, before, system_.counters());
+    const ode::StepReport report = integrator_->step(may_pass_outputs ? stop : std::min(stop, *next_output_));
+    settled_ = false;
     time_ = integrator_->time();
+    results_->step(report, before, system_.counters());
     progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
-    for (; next_output != outputs.end() && *next_output <= time_; ++next_output) {
-      if (*next_output == time_) {
-        output(time_, integrator_->state());
-      } else {
-        integrator_->interpolate(*next_output, state_);
-        output(*next_output, state_);
-      }
+    const bool breakpoint = time_ >= stop;
+    if (breakpoint && next_break_ != last_break) ++next_break_;
+    outputs_of_step(breakpoint);
+    if (breakpoint && time_ < end) {
+      const std::span<const double> y = integrator_->state();
+      integrator_->initialize(time_, std::vector<double>(y.begin(), y.end()));
     }
-    if (next_break != breakpoints.end() && time_ >= *next_break) {
-      ++next_break;
-      integrator_->initialize(time_, std::vector<double>(integrator_->state().begin(), integrator_->state().end()));
-    }
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - last_checkpoint_).count() >
-        seconds_between_checkpoints)
-      write_checkpoint();
+    settled_ = true;
   }
   progress_.clear();
 }
 
 void TimeLoop::elastic_history(const Interrupt& interrupt) {
-  for (const double t : config_.time.output) {
-    if (t <= time_) continue;
+  const std::vector<double>& breakpoints = system_.elasticity().model().breakpoints;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  for (; next_output_ != config_.time.output.end(); ++next_output_) {
     if (interrupt.requested()) return;
+    if (checkpoints_.due()) write_checkpoint();
+    const double t = *next_output_;
+    const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
+    system_.begin_segment(jump ? t : -never, never);
     output(t, state_);
-    time_ = t;
     system_.accept(t, state_);
+    time_ = t;
   }
   time_ = config_.time.end;
 }

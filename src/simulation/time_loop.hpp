@@ -1,13 +1,14 @@
 #pragma once
 /// The time loop of a run: integrator, outputs, breakpoints, checkpoints.
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "checkpoints.hpp"
 #include "creepcontact/simulation/creep_rate.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
@@ -27,6 +28,8 @@ class TimeLoop {
   End run();
 
   double time() const { return time_; }
+  /// True if the checkpoint was that of the end: there was nothing to do.
+  bool was_complete() const { return was_complete_; }
   /// False if the run failed before its first output.
   bool has_output() const { return has_output_; }
   ode::Integrator::Counters integrator_counters() const;
@@ -37,25 +40,36 @@ class TimeLoop {
 
  private:
   void output(double t, std::span<const double> y);
+  /// All output times up to time_, those before it interpolated. @param breakpoint  a segment of the loads ends here
+  void outputs_of_step(bool breakpoint);
+  void begin_segment();
   void integrate(const Interrupt& interrupt);
   void elastic_history(const Interrupt& interrupt);
+  /// True if a run that is resumed from here computes the same.
+  bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
+  io::Checkpoint checkpoint() const;
+  /// Keeps a copy where the next step may lead to no restart point.
+  void keep_restart_point();
+  /// The newest restart point to disk.
   void write_checkpoint();
-  void restore();
 
   const config::Config& config_;
   CreepRate& system_;
   Stopwatch& watch_;
-  std::filesystem::path checkpoint_;
-  std::string fingerprint_;
+  Checkpoints checkpoints_;
   std::unique_ptr<ode::Integrator> integrator_;
   std::unique_ptr<Results> results_;
   Progress progress_;
   double time_ = 0;
   bool has_output_ = false;
-  double first_step_ = 0;
-  std::vector<double> state_;                    // where the integration starts; then of output times
+  bool was_complete_ = false;
+  bool settled_ = false;                         // integrated up to time_, and all results up to there are on disk
+  std::optional<io::Checkpoint> resumed_;        // until the integration has begun
+  std::optional<io::Checkpoint> kept_;           // the last restart point, if steps have left it
+  std::vector<double> state_;                    // of output times
   std::map<std::string, std::int64_t> earlier_;  // counters of the runs before an interruption
-  std::chrono::steady_clock::time_point last_checkpoint_ = std::chrono::steady_clock::now();
+  std::vector<double>::const_iterator next_output_;
+  std::vector<double>::const_iterator next_break_;
 };
 
 }  // namespace creepcontact::simulation

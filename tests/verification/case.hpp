@@ -18,7 +18,7 @@
 
 namespace creepcontact::test {
 
-/// history.csv
+/// history.csv, or steps.csv
 struct History {
   std::vector<std::string> names;
   std::vector<std::vector<double>> rows;
@@ -33,6 +33,11 @@ struct History {
       if (names[i] == name) return row(time)[i];
     throw std::out_of_range("no column " + name);
   }
+  std::vector<double> times() const {
+    std::vector<double> result;
+    for (const auto& row : rows) result.push_back(row[0]);
+    return result;
+  }
 };
 
 struct Outcome {
@@ -40,6 +45,7 @@ struct Outcome {
   std::string message;
   History history;
   std::string summary;
+  History steps = {};  ///< steps.csv
 
   /// A number of summary.json.
   double count(const std::string& key) const {
@@ -107,7 +113,7 @@ inline Outcome run_case(const std::string& toml, const std::string& geo,
   const auto results = directory.path() / "results";
   const simulation::RunResult result = simulation::run(config, {.output = results.string(), .quiet = true});
   Outcome outcome{result.exit_status, result.message, read_history(results / "history.csv"),
-                  read_text(results / "summary.json")};
+                  read_text(results / "summary.json"), read_history(results / "steps.csv")};
   EXPECT_EQ(outcome.exit_status, 0) << outcome.message;
   return outcome;
 }

@@ -28,9 +28,13 @@ class Function {
   /// @throws std::invalid_argument with the parser's message and the position in the expression
   static Function expression(const std::string& text, const std::vector<std::string>& allowed);
 
-  /// Linear between the points, constant outside. @param variable "t" or "T"; abscissae strictly increasing
+  /// Linear between the points, constant outside. @param variable "t" or "T"; abscissae increasing. One in t that
+  /// stands there twice is a jump: the function has the second value there, and the first up to it.
   /// @throws std::invalid_argument if sizes differ, are zero, or abscissae do not increase
   static Function table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values);
+
+  /// Index of the first abscissa that a table in this variable cannot have after the one before it; else their number.
+  static std::size_t misplaced_point(const std::string& variable, const std::vector<double>& abscissae);
 
   double operator()(const Arguments& at) const;
 
@@ -39,9 +43,9 @@ class Function {
   bool depends_on_place() const;        ///< x, y or z
   bool depends_on_time() const;         ///< t
   bool depends_on_temperature() const;  ///< T
-  /// Times at which a table in t has its points (kinks); empty otherwise.
+  /// Times at which a table in t has its points (kinks and jumps), increasing; empty otherwise.
   std::vector<double> breakpoints() const;
-  /// As the user wrote it, for messages.
+  /// As the user wrote it: two functions of the same text are the same.
   const std::string& text() const;
 
   struct Definition;

@@ -147,6 +147,7 @@ struct Time {
 struct Output {
   std::filesystem::path directory;  ///< relative to the working directory; not given: results/<stem> beside the file
   bool fields = true;               ///< write fields.pvd and fields/*.vtu
+  double checkpoint_seconds = 30;   ///< wall time between checkpoints; 0: one after every step
 };
 
 enum class Reduce { mean, max, min, sum };

@@ -20,6 +20,10 @@ class ContactSolver {
   virtual ContactResult solve(const ContactLoad& load, const ContactState& warm) = 0;
   /// Who is told of every iteration from now on; null: nobody. @param recorder must outlive its use
   virtual void set_recorder(IterationRecorder* recorder) = 0;
+  /// True once sweeps have failed to converge and are not tried again: all that solves to come depend on, warm apart.
+  virtual bool has_given_up_sweeps() const { return false; }
+  /// As if they had failed already.
+  virtual void give_up_sweeps() {}
 };
 
 /// Parameters of the alternating Schwarz iteration; defaults as in the configuration.

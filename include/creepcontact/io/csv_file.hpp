@@ -28,6 +28,8 @@ class CsvFile {
   /// @param row  cells separated by commas, without the end of line
   /// @throws Error if the disk does not take the row
   void write(std::string_view row);
+  /// Waits until all rows are on the disk itself. @throws Error if it does not take them
+  void sync();
 
  private:
   struct Close {

@@ -16,6 +16,7 @@ class HistoryWriter {
 
   /// @param values  one a probe, in the order of the names; @throws Error if the disk does not take the row
   void write(double time, std::span<const double> values);
+  void sync() { file_.sync(); }
 
  private:
   CsvFile file_;

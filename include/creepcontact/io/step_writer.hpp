@@ -26,6 +26,7 @@ class StepWriter {
 
   /// @throws Error if the disk does not take the row
   void write(const StepRow& row);
+  void sync() { file_.sync(); }
 
  private:
   CsvFile file_;

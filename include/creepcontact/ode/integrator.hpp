@@ -68,6 +68,8 @@ class Integrator {
 
   /// True after the steps (and initialize()) from whose end save() and restore() can take the integration up again.
   virtual bool at_restart_point() const { return true; }
+  /// True if all steps end at such a point.
+  virtual bool restarts_after_every_step() const { return true; }
   /// True if a restored integrator makes the very steps, to the last bit, that the saved one makes after save(); false:
   /// the same within the tolerance.
   virtual bool restores_exactly() const { return false; }

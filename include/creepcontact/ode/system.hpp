@@ -39,8 +39,8 @@ class System {
 
   /// (t, y) is an accepted step: warm starts are taken from here.
   virtual void accept(double t, std::span<const double> y) = 0;
-  /// Evaluations made before the last accept() must not be handed out again: those to come then depend, to the last
-  /// bit, on what accept() has stored alone. Integrators call it where they begin anew.
+  /// Evaluations made so far must not be handed out again: those to come then depend, to the last bit, on what accept()
+  /// has stored alone. Integrators call it where they begin anew.
   virtual void forget_evaluations() {}
 
   // Counters of all that was asked so far, for reports.

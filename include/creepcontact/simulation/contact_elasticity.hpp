@@ -3,7 +3,9 @@
 /// value the creep rate needs.
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "creepcontact/base/stopwatch.hpp"
@@ -34,6 +36,7 @@ class ContactElasticity {
   /// Source: Stankevich (2012), steps 8-11 of the implicit scheme.
   void solve(double t, const CreepViews& creep);
   const std::vector<BodyState>& states() const { return states_; }
+  double time() const { return time_; }  ///< of the last solve
   /// Multipliers (contact pressures) and weighted gaps of all contact rows.
   const Eigen::VectorXd& multipliers() const { return last_.multiplier; }
   const Eigen::VectorXd& gaps() const { return gaps_; }
@@ -45,6 +48,11 @@ class ContactElasticity {
 
   /// The last solution becomes the start of the contact iterations to come (call at accepted steps only).
   void keep_warm() { warm_ = last_; }
+  /// All that solves to come depend on beside their arguments, for a checkpoint.
+  using Memory = std::map<std::string, std::vector<double>>;
+  void save(Memory& memory) const;
+  /// @throws std::out_of_range if something is missing
+  void restore(const Memory& memory);
 
   /// Writes every contact iteration from now on. @param log must outlive the object
   void log_contact(ContactLog& log);
@@ -82,6 +90,7 @@ class ContactElasticity {
   ContactLog* log_ = nullptr;
   contact::ContactState last_, warm_;
   Eigen::VectorXd gaps_;
+  double time_ = 0;
   std::vector<BodyState> states_;
   std::vector<Work> work_;
   bool parallel_passes_ = false;  ///< worth it

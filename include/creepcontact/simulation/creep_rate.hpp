@@ -2,6 +2,7 @@
 /// Creep of all bodies as a differential equation: y = creep strains and internal variables of every integration point,
 /// f(t, y) = the laws' rates at the stress of the elastic contact equilibrium.
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -34,16 +35,29 @@ class CreepRate final : public ode::System {
   /// Follows the stress of the accepted steps: typical stress / Young's modulus.
   std::span<const double> scale() const override;
   void accept(double t, std::span<const double> y) override;
+  void forget_evaluations() override { evaluated_ = false; }
   Counters counters() const override;
+
+  /// Loads, supports, gaps and temperatures may jump at both ends of the time from `begin` to `end`: from now on
+  /// they are, at these times, their limits from within.
+  void begin_segment(double begin, double end);
+
+  /// All that evaluations to come depend on beside their arguments, for a checkpoint.
+  void save(ContactElasticity::Memory& memory) const;
+  /// @throws std::out_of_range if something is missing
+  void restore(const ContactElasticity::Memory& memory);
 
   /// Equilibrium for a state, for output: fills elasticity().states().
   void equilibrium(double t, std::span<const double> y);
   ContactElasticity& elasticity() { return elasticity_; }
+  const ContactElasticity& elasticity() const { return elasticity_; }
   const StateLayout& layout() const { return layout_; }
 
  private:
-  /// Stress at (t, y): solved, or kept from the last call if that was at the same point.
-  void evaluate(double t, std::span<const double> y);
+  /// Stress at (t, y): solved, or kept from the last call if that was at the same point. @returns whether it was solved
+  bool evaluate(double t, std::span<const double> y);
+  /// The time at which loads are to be taken for t.
+  double load_time(double t) const;
   void set_scale(const std::vector<double>& output_times);
   /// Typical stress of every body without creep, the largest over these times.
   std::vector<double> elastic_stresses(const std::vector<double>& times);
@@ -53,9 +67,12 @@ class CreepRate final : public ode::System {
   StateLayout layout_;
   std::vector<MaterialPoints> points_;  // one a body
   std::unique_ptr<StressScale> scale_;
+  double segment_begin_ = -std::numeric_limits<double>::infinity();
+  double segment_end_ = std::numeric_limits<double>::infinity();
   bool evaluated_ = false;
-  double time_ = 0;
+  double time_ = 0;            // of the loads
   std::vector<double> state_;  // of the last evaluation
+  bool for_output_ = false;    // the last evaluation was no integrator's
   std::vector<mechanics::CreepStrainView> views_;
   std::vector<std::vector<double>> stress_change_;
   std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;

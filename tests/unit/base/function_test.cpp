@@ -104,6 +104,21 @@ TEST(Function, TableIsLinearInsideAndConstantOutside) {
   EXPECT_EQ(f.breakpoints(), (std::vector<double>{0, 10, 30}));
 }
 
+TEST(Function, TableInTimeMayJump) {
+  const auto f = Function::table("t", {0, 0, 10, 10, 20, 20}, {5, 1, 2, 7, 3, 9});
+  const double before = std::nextafter(10.0, 0.0), after = std::nextafter(10.0, 11.0);
+  EXPECT_EQ(f({.t = -1}), 5);
+  EXPECT_EQ(f({.t = 0}), 1);
+  EXPECT_DOUBLE_EQ(f({.t = before}), 2);
+  EXPECT_EQ(f({.t = 10}), 7);
+  EXPECT_DOUBLE_EQ(f({.t = after}), 7);
+  EXPECT_DOUBLE_EQ(f({.t = 15}), 5);
+  EXPECT_DOUBLE_EQ(f({.t = std::nextafter(20.0, 0.0)}), 3);
+  EXPECT_EQ(f({.t = 20}), 9);
+  EXPECT_EQ(f.breakpoints(), (std::vector<double>{0, 10, 20}));
+  EXPECT_EQ(f.text(), "{ t = [0, 0, 10, 10, 20, 20], values = [5, 1, 2, 7, 3, 9] }");
+}
+
 TEST(Function, TableInTemperatureHasNoBreakpoints) {
   const auto f = Function::table("T", {20, 500}, {2.1e5, 1.7e5});
   EXPECT_DOUBLE_EQ(f({.t = 500, .T = 260}), 1.9e5);
@@ -122,7 +137,8 @@ TEST(Function, TableMistakesAreRefused) {
   EXPECT_THROW(Function::table("x", {0, 1}, {0, 1}), std::invalid_argument);
   EXPECT_THROW(Function::table("t", {}, {}), std::invalid_argument);
   EXPECT_THROW(Function::table("t", {0, 1}, {0}), std::invalid_argument);
-  EXPECT_THROW(Function::table("t", {0, 1, 1}, {0, 1, 2}), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {0, 1, 1, 1}, {0, 1, 2, 3}), std::invalid_argument);
+  EXPECT_THROW(Function::table("T", {0, 1, 1}, {0, 1, 2}), std::invalid_argument);
   EXPECT_THROW(Function::table("t", {1, 0}, {0, 1}), std::invalid_argument);
   EXPECT_THROW(Function::table("t", {0, std::nan("")}, {0, 1}), std::invalid_argument);
 }

@@ -90,8 +90,12 @@ TEST(ConfigMistakes, Functions) {
   const std::string loads = minimal + "[[loads]]\non = \"a\"\n";
   expect_mistake(loads + "pressure = \"100*(t\"\n", "cases/block.toml:14:12: loads[0].pressure: expression '100*(t': ");
   expect_mistake(loads + "pressure = \"q\"\n", "cases/block.toml:14:12: loads[0].pressure: expression 'q': ");
-  expect_mistake(loads + "pressure = { t = [0, 5, 5], values = [1, 2, 3] }\n",
-                 "cases/block.toml:14:25: loads[0].pressure.t[2]: 5 after 5: the points of a table must increase");
+  expect_mistake(loads + "pressure = { t = [0, 5, 5, 5], values = [1, 2, 3, 4] }\n",
+                 "cases/block.toml:14:28: loads[0].pressure.t[3]: 5 after 5: the points of a table must increase; a "
+                 "jump is the same time twice");
+  expect_mistake(
+      minimal + "[materials.other]\nyoung_modulus = { T = [0, 5, 5], values = [1, 2, 3] }\npoisson_ratio = 0\n",
+      "materials.other.young_modulus.T[2]: 5 after 5: the points of a table must increase");
   expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2, 3] }\n",
                  "cases/block.toml:14:12: loads[0].pressure: 2 points and 3 values");
   expect_mistake(loads + "pressure = { t = [0, 5], value = [1, 2] }\n",

@@ -16,6 +16,7 @@ using test::message_of;
 Checkpoint example() {
   Checkpoint checkpoint;
   checkpoint.fingerprint = "sha of the model";
+  checkpoint.integrator = "beta_euler";
   checkpoint.time = 1.0 / 3;
   checkpoint.next_step = 0.1;
   for (int i = 0; i < 1000; ++i) checkpoint.state.push_back(i / 7.0);
@@ -41,6 +42,7 @@ TEST_F(CheckpointFile, ReadsBackExactly) {
   write_checkpoint(path_, expected);
   const Checkpoint found = read_checkpoint(path_);
   EXPECT_EQ(found.fingerprint, expected.fingerprint);
+  EXPECT_EQ(found.integrator, expected.integrator);
   EXPECT_EQ(found.time, expected.time);
   EXPECT_EQ(found.next_step, expected.next_step);
   EXPECT_EQ(found.state, expected.state);
@@ -102,6 +104,61 @@ TEST_F(CheckpointFile, ForeignMissingAndUnwritableFilesAreNamed) {
       contains(message_of<ConfigError>([&] { read_checkpoint(directory_ / "none.h5"); }), "No such file or directory"));
   EXPECT_TRUE(contains(message_of<Error>([&] { write_checkpoint(directory_ / "none/checkpoint.h5", example()); }),
                        "cannot write the checkpoint"));
+}
+
+class TwoCheckpoints : public CheckpointFile {
+ protected:
+  void write(double time) {
+    Checkpoint checkpoint = example();
+    checkpoint.time = time;
+    write_checkpoint(path_, checkpoint);
+  }
+  std::filesystem::path previous_ = directory_ / "checkpoint.previous.h5";
+};
+
+TEST_F(TwoCheckpoints, TheOneBeforeIsKept) {
+  EXPECT_EQ(previous_checkpoint(path_), previous_);
+  write(1);
+  EXPECT_FALSE(std::filesystem::exists(previous_));
+  write(2);
+  write(3);
+  EXPECT_EQ(read_checkpoint(path_).time, 3);
+  EXPECT_EQ(read_checkpoint(previous_).time, 2);
+  EXPECT_EQ(read_last_checkpoint(path_).time, 3);
+  EXPECT_FALSE(std::filesystem::exists(aside(previous_)));
+}
+
+TEST_F(TwoCheckpoints, ThePreviousOneTakesThePlaceOfADamagedOne) {
+  write(1);
+  write(2);
+  test::write_text(path_, test::read_text(path_).substr(0, 700));
+  EXPECT_EQ(read_last_checkpoint(path_).time, 1);
+  EXPECT_FALSE(std::filesystem::exists(previous_));
+  write(3);  // the damaged one must not become the previous one
+  EXPECT_EQ(read_checkpoint(previous_).time, 1);
+}
+
+TEST_F(TwoCheckpoints, WhatIsWrongWithBothIsSaid) {
+  const std::string none = message_of<ConfigError>([&] { read_last_checkpoint(path_); });
+  EXPECT_TRUE(contains(none, "there is no checkpoint '" + path_.string() + "'")) << none;
+  write(1);
+  write(2);
+  test::write_text(path_, "");
+  test::write_text(previous_, test::read_text(previous_) + "x");
+  const std::string message = message_of<ConfigError>([&] { read_last_checkpoint(path_); });
+  EXPECT_TRUE(contains(message, path_.string() + "' is no checkpoint")) << message;
+  EXPECT_TRUE(contains(message, previous_.string() + "' is cut short or damaged")) << message;
+  EXPECT_TRUE(contains(message, "run without --resume to begin anew")) << message;
+}
+
+TEST_F(TwoCheckpoints, AreRemovedWithWhatWasBegunBesideThem) {
+  write(1);
+  write(2);
+  for (const auto& path : {path_, previous_}) test::write_text(aside(path), "half");
+  remove_checkpoints(path_);
+  for (const auto& path : {path_, previous_, aside(path_), aside(previous_)})
+    EXPECT_FALSE(std::filesystem::exists(path)) << path;
+  remove_checkpoints(path_);
 }
 
 }  // namespace

@@ -224,5 +224,53 @@ TEST(CreepRate, CountsWhatItCosts) {
   EXPECT_EQ(after.factorizations, 2);
 }
 
+/// The top jumps from -0.025 to -0.05 at t = 1, written with < or with <=, or as a table.
+TEST(CreepRateSegments, LoadsAtTheirEndsAreLimitsFromWithin) {
+  const Case blocks;
+  for (const char* value :
+       {"'t<1 ? -0.025 : -0.05'", "'t<=1 ? -0.025 : -0.05'", "{t=[0,1,1,2],values=[-0.025,-0.025,-0.05,-0.05]}"}) {
+    System system(
+        blocks.config("", {std::string("supports.3.displacement.z=") + value, direct_contact, "time.breakpoints=[1]"}));
+    const std::vector<double> y(system.rate.size(), 0.0);
+    const auto pressure = [&](double begin, double end) {
+      system.rate.begin_segment(begin, end);
+      rate_at(system, 1, y);
+      return system.elasticity.multipliers().maxCoeff();
+    };
+    EXPECT_NEAR(pressure(0, 1), 1, 1e-9) << value;
+    EXPECT_NEAR(pressure(1, 4), 2, 1e-9) << value;
+  }
+}
+
+TEST(CreepRateMemory, MakesTheNextEvaluationTheSame) {
+  const Case blocks;
+  const config::Config config = blocks.config("", partly_open);
+  System one(config), other(config);
+  const std::vector<double> y = random_state(one, 0.3, 1), next = random_state(one, 0.3, 2);
+  rate_at(one, 0, y);
+  one.rate.accept(0, y);
+  ContactElasticity::Memory memory;
+  one.elasticity.save(memory);
+  other.elasticity.restore(memory);
+  EXPECT_EQ(rate_at(other, 0, next), rate_at(one, 0, next));
+  EXPECT_EQ(one.elasticity.multipliers(), other.elasticity.multipliers());
+  memory.erase("contact.active");
+  EXPECT_THROW(other.elasticity.restore(memory), std::out_of_range);
+}
+
+TEST(CreepRateMemory, ForgottenEvaluationsAreMadeAnew) {
+  const Case blocks;
+  System system(blocks.config());
+  const std::vector<double> y(system.rate.size(), 0.0);
+  rate_at(system, 0, y);
+  const auto solves = [&] { return system.rate.counters().elastic_solves; };
+  const auto before = solves();
+  rate_at(system, 0, y);
+  EXPECT_EQ(solves(), before);
+  system.rate.forget_evaluations();
+  rate_at(system, 0, y);
+  EXPECT_EQ(solves(), before + 1);
+}
+
 }  // namespace
 }  // namespace creepcontact::simulation::test

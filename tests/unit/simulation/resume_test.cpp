@@ -1,4 +1,5 @@
 #include <csignal>
+#include <map>
 
 #include "../../../src/simulation/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
@@ -8,9 +9,10 @@ namespace creepcontact::simulation::test {
 namespace {
 
 /// Begins a run and interrupts it, as Ctrl-C does, right after an output time. @returns the time it reached
-double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs) {
+double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs,
+                       bool resume = false) {
   System system(config);
-  TimeLoop loop(config, system.rate, system.watch, directory, false, true);
+  TimeLoop loop(config, system.rate, system.watch, directory, resume, true);
   loop.after_output = [&] {
     if (--outputs == 0) std::raise(SIGINT);
   };
@@ -50,7 +52,7 @@ TEST_P(Resume, EndsAsTheUninterruptedRun) {
     EXPECT_NEAR(found.rows[i][1], expected.rows[i][1], GetParam().tolerance) << "row " << i;
   if (GetParam().tolerance == 0) {
     EXPECT_EQ(resumed, read_text(whole / "history.csv"));
-    EXPECT_EQ(Csv(parts / "steps.csv").column("time"), Csv(whole / "steps.csv").column("time"));
+    EXPECT_EQ(read_text(parts / "steps.csv"), read_text(whole / "steps.csv"));
   }
   // The costs of both parts are in the summary.
   const std::string summary = read_text(parts / "summary.json");
@@ -64,23 +66,51 @@ TEST_P(Resume, EndsAsTheUninterruptedRun) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, Resume,
-    testing::Values(ResumeCase{"explicit_euler",
-                               0,
-                               {"time.integrator=explicit_euler", "time.step=0.25",
-                                "contact_solver.method=active_set"}},
-                    ResumeCase{"explicit_euler_odd_step",
-                               1e-13,
-                               {"time.integrator=explicit_euler", "time.step=0.1", "contact_solver.method=active_set"}},
-                    ResumeCase{"explicit_euler_schwarz", 1e-9, {"time.integrator=explicit_euler", "time.step=0.25"}},
-                    ResumeCase{"explicit_euler_stable", 1e-9, {"time.integrator=explicit_euler"}},
-                    ResumeCase{"beta_euler", 1e-8, {"time.integrator=beta_euler", "time.step=0.25"}},
-                    ResumeCase{"cvode_bdf", 5e-4, {}}, ResumeCase{"arkode_dirk", 5e-4, {"time.integrator=arkode_dirk"}},
-                    ResumeCase{"with_breakpoints", 5e-4, {"time.breakpoints=[0.75, 1, 2]"}},
-                    ResumeCase{"elastic",
-                               0,
-                               {"materials.soft.creep=[]", "materials.hard.creep=[]",
-                                "supports.3.displacement.z=-0.01*(1+t)", "contact_solver.method=active_set"}}),
+    testing::Values(
+        ResumeCase{"explicit_euler", 0, {"time.integrator=explicit_euler", "time.step=0.25"}},
+        ResumeCase{"explicit_euler_odd_step",
+                   0,
+                   {"time.integrator=explicit_euler", "time.step=0.1", "contact_solver.method=active_set"}},
+        ResumeCase{"explicit_euler_stable", 0, {"time.integrator=explicit_euler", "time.step_factor=0.1"}},
+        ResumeCase{"beta_euler", 0, {"time.integrator=beta_euler", "time.step=0.125", "time.inner_tolerance=1e-7"}},
+        ResumeCase{"beta_euler_stable", 0, {"time.integrator=beta_euler", "time.step_factor=0.2", "time.beta=0.5"}},
+        ResumeCase{
+            "beta_euler_anderson",
+            0,
+            {"time.integrator=beta_euler", "time.step=0.3", "time.inner_anderson=3", "time.residual_correction=0.5"}},
+        ResumeCase{"arkode_erk", 0, {"time.integrator=arkode_erk", "time.tolerance=1e-8"}},
+        ResumeCase{"arkode_dirk", 0, {"time.integrator=arkode_dirk", "time.tolerance=1e-8"}},
+        ResumeCase{"arkode_with_breakpoints", 0, {"time.integrator=arkode_dirk", "time.breakpoints=[0.75, 1, 2]"}},
+        ResumeCase{"contact_that_opens",
+                   0,
+                   {"time.integrator=arkode_erk", "time.tolerance=1e-6", "contacts.0.gap='0.02*x*sin(t)-0.01'"}},
+        ResumeCase{"failing_sweeps",
+                   0,
+                   {"time.integrator=arkode_erk", "contact_solver.acceleration=none", "contact_solver.alpha=1.0",
+                    "contact_solver.max_iterations=20"}},
+        ResumeCase{"cvode_bdf", 5e-4, {}}, ResumeCase{"cvode_adams", 5e-4, {"time.integrator=cvode_adams"}},
+        ResumeCase{"cvode_with_breakpoints", 5e-4, {"time.breakpoints=[0.75, 1, 2]"}},
+        ResumeCase{"elastic",
+                   0,
+                   {"materials.soft.creep=[]", "materials.hard.creep=[]", "supports.3.displacement.z=-0.01*(1+t)",
+                    "contacts.0.gap='0.02*x*sin(t)-0.01'"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
+
+/// Steps too are the same, with their costs: nothing but the wall time tells the resumed run from the other.
+TEST(ResumeTwice, LeavesTheStepsOfTheUninterruptedRun) {
+  const Case blocks;
+  const config::Config config =
+      blocks.config(pressure_probe, {"time.integrator=arkode_dirk", "time.tolerance=1e-8", "time.breakpoints=[1.2]",
+                                     "time.output=[0.5, 1, 1.6, 3]", "output.checkpoint_seconds=0"});
+  const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
+  ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
+  interrupted_run(config, parts, 2);
+  for (int more : {1, 2}) interrupted_run(config, parts, more, true);
+  ASSERT_EQ(run(config, {.output = parts.string(), .resume = true, .quiet = true}).exit_status, 0);
+  for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
+    EXPECT_EQ(read_text(parts / file), read_text(whole / file)) << file;
+  EXPECT_GT(Csv(whole / "steps.csv").rows.size(), 60U);
+}
 
 TEST(ResumeAtOnce, FromAnInterruptionBeforeTheFirstStep) {
   const Case blocks;
@@ -91,21 +121,139 @@ TEST(ResumeAtOnce, FromAnInterruptionBeforeTheFirstStep) {
   EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), (std::vector<double>{0, 1, 4}));
 }
 
-TEST(ResumeMistakes, CheckpointOfAnotherModel) {
+TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
+  const std::string loads = "[[loads]]\non = 'side_x'\npressure = 0.01\n[temperature]\nvalue = '20+t'\n";
   const Case blocks;
   const std::filesystem::path out = blocks / "out";
-  interrupted_run(blocks.config(pressure_probe), out, 1);
+  interrupted_run(blocks.config(pressure_probe + loads), out, 1);
   const std::string history = read_text(out / "history.csv"), checkpoint = read_text(out / "checkpoint.h5");
-  for (const char* other : {"materials.soft.young_modulus=101", "materials.hard.creep.0.n=5", "mesh.order=2",
-                            "bodies.upper.material=soft"}) {
-    const config::Config config = blocks.config(pressure_probe, {other});
+  const std::vector<std::pair<const char*, const char*>> changes{
+      {"materials.soft.young_modulus=101", "materials changed: young_modulus of 'soft' was '100' and is '101'"},
+      {"materials.hard.creep.0.n=5", "materials changed: creep of 'hard' was 'norton, A = 0.001, n = 4' and is"},
+      {"mesh.order=2", "mesh changed: that of body 'lower' was '36 nodes"},
+      {"mesh.file=moved.geo", "mesh changed: that of body 'upper' was '45 nodes"},
+      {"bodies.upper.material=soft", "bodies changed: material of 'upper' was 'hard' and is 'soft'"},
+      {"supports.3.displacement.z=-0.03", "supports changed: displacement z on 'top' was '-0.025' and is '-0.03'"},
+      {"loads.0.pressure={t=[0,1],values=[0.01,0.02]}",
+       "loads changed: pressure on 'side_x' was '0.01' and is '{ t = [0, 1], values = [0.01, 0.02] }'"},
+      {"loads=[]", "loads changed: pressure on 'side_x' was '0.01' and is gone"},
+      {"temperature.value='20+2*t'", "temperature changed: value was '20+t' and is '20+2*t'"},
+      {"contacts.0.gap=0.01", "contacts changed: gap of 'lower_top-upper_bottom' was '0' and is '0.01'"},
+      {"contacts.0.slave=upper_bottom", "contacts changed: slave of"},
+      {"contact_solver.method=active_set", "contact_solver changed: method was 'schwarz' and is 'active_set'"}};
+  std::string moved = separate_blocks();  // as many nodes, elsewhere
+  moved.replace(moved.find("{0, 0, 0, 2, 1, 1}"), 18, "{0, 0, 0, 2, 1, 1.01}");
+  io::test::write_text(blocks / "moved.geo", moved);
+  for (const auto& [change, text] : changes) {
+    const config::Config config = blocks.config(pressure_probe + loads, {change});
     const std::string message =
         message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true, .quiet = true}); });
     EXPECT_TRUE(contains(message, (out / "checkpoint.h5").string() + ": the checkpoint is of another model"))
-        << other << ": " << message;
+        << change << ": " << message;
+    EXPECT_TRUE(contains(message, text)) << change << ": " << message;
   }
   EXPECT_EQ(read_text(out / "history.csv"), history);
   EXPECT_EQ(read_text(out / "checkpoint.h5"), checkpoint);
+}
+
+/// What may be changed between two parts of a run.
+TEST(ResumeChanges, TolerancesTimesAndIntegratorsMay) {
+  const Case blocks;
+  for (const char* change : {"time.tolerance=1e-5", "time.integrator=arkode_dirk", "time.integrator=beta_euler",
+                             "time.output=[0.7, 2]", "contact_solver.tolerance=1e-11", "time.breakpoints=[2.2]"}) {
+    const std::filesystem::path out = blocks / change;
+    const std::vector<std::string> outputs{"time.output=[0.5, 1, 2]", "time.step=0.125"};
+    interrupted_run(blocks.config(pressure_probe, outputs), out, 2);
+    std::vector<std::string> changed = outputs;
+    changed.emplace_back(change);
+    const RunResult result =
+        run(blocks.config(pressure_probe, changed), {.output = out.string(), .resume = true, .quiet = true});
+    EXPECT_EQ(result.exit_status, 0) << change << ": " << result.message;
+    for (const auto& row : Csv(out / "history.csv").rows)
+      EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 2e-2) << change << " at " << row[0];
+  }
+}
+
+TEST(ResumeChanges, ALaterEndProlongsACompletedRun) {
+  const Case blocks;
+  const std::vector<std::string> before{"time.output=[1, 3]"}, after{"time.output=[1, 3, 5, 6]", "time.end=7"};
+  for (const char* integrator : {"cvode_bdf", "arkode_erk", "explicit_euler"}) {
+    const std::filesystem::path out = blocks / integrator;
+    std::vector<std::string> first = before, second = after;
+    for (auto* overrides : {&first, &second}) {
+      overrides->push_back(std::string("time.integrator=") + integrator);
+      overrides->emplace_back("time.step=0.0625");
+    }
+    ASSERT_EQ(run(blocks.config(pressure_probe, first), {.output = out.string(), .quiet = true}).exit_status, 0);
+    const std::string steps = read_text(out / "steps.csv");
+    ASSERT_EQ(
+        run(blocks.config(pressure_probe, second), {.output = out.string(), .resume = true, .quiet = true}).exit_status,
+        0);
+    const Csv history(out / "history.csv");
+    EXPECT_EQ(history.column("time"), (std::vector<double>{0, 1, 3, 4, 5, 6, 7})) << "the old end stays";
+    for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 5e-3) << integrator << row[0];
+    EXPECT_EQ(read_text(out / "steps.csv").substr(0, steps.size()), steps);
+    EXPECT_TRUE(contains(read_text(out / "summary.json"), "\"time_reached\": 7")) << integrator;
+  }
+}
+
+TEST(ResumeChanges, ACompletedRunIsLeftAsItIs) {
+  const Case blocks;
+  const config::Config config = blocks.config(pressure_probe, {"time.integrator=arkode_erk", "time.output=[1, 3]"});
+  const RunOptions options{.output = (blocks / "out").string(), .resume = true};
+  ASSERT_EQ(run(config, {.output = options.output, .quiet = true}).exit_status, 0);
+  std::map<std::string, std::string> before;
+  for (const char* file : {"history.csv", "steps.csv", "fields.pvd", "checkpoint.h5"})
+    before[file] = read_text(blocks / "out" / file);
+  const RunResult result = run(config, options);
+  EXPECT_EQ(result.exit_status, 0);
+  EXPECT_TRUE(contains(result.message, "complete already, up to t = 4")) << result.message;
+  for (const auto& [file, text] : before) EXPECT_EQ(read_text(blocks / "out" / file), text) << file;
+  EXPECT_TRUE(contains(read_text(blocks / "out/summary.json"), "\"status\": \"completed\""));
+}
+
+/// A run that begins anew must not be taken for the continuation of the one before it.
+TEST(ResumeMistakes, ANewRunForgetsTheOldCheckpoints) {
+  const Case blocks;
+  const config::Config config = blocks.config(pressure_probe, {"output.checkpoint_seconds=0"});
+  const std::filesystem::path out = blocks / "out";
+  ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+  ASSERT_TRUE(std::filesystem::exists(out / "checkpoint.previous.h5"));
+  {
+    System system(config);
+    const TimeLoop loop(config, system.rate, system.watch, out, false, true);  // killed before its first step
+  }
+  EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.h5"));
+  EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.previous.h5"));
+}
+
+TEST(ResumeMistakes, DamagedCheckpoints) {
+  const Case blocks;
+  const config::Config config = blocks.config(
+      pressure_probe,
+      {"output.checkpoint_seconds=0", "time.integrator=beta_euler", "time.step=0.25", "time.output=[0.5, 1, 1.6, 3]"});
+  const std::filesystem::path whole = blocks / "whole", out = blocks / "out";
+  ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
+  interrupted_run(config, out, 3);
+  std::string newest = read_text(out / "checkpoint.h5");
+  newest[newest.size() / 2] = static_cast<char>(newest[newest.size() / 2] ^ 1);
+  io::test::write_text(out / "checkpoint.h5", newest);
+  const std::string older = read_text(out / "checkpoint.previous.h5");
+  io::test::write_text(out / "checkpoint.previous.h5", older.substr(0, older.size() - 100));
+  const std::string message =
+      message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true, .quiet = true}); });
+  for (const char* text : {"checkpoint.h5' is cut short or damaged", "checkpoint.previous.h5' is cut short or damaged",
+                           "run without --resume to begin anew"})
+    EXPECT_TRUE(contains(message, text)) << message;
+
+  io::test::write_text(out / "checkpoint.previous.h5", older);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(config, {.output = out.string(), .resume = true, .quiet = true}).exit_status, 0);
+  const std::string warning = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(contains(warning, "damaged")) << warning;
+  EXPECT_TRUE(contains(warning, "the run goes on from the previous one")) << warning;
+  for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
+    EXPECT_EQ(read_text(out / file), read_text(whole / file)) << file;
 }
 
 TEST(ResumeMistakes, NoCheckpoint) {
