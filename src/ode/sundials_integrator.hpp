@@ -26,6 +26,7 @@ class SundialsIntegrator : public Integrator {
   bool at_restart_point() const final;
   bool restarts_after_every_step() const final { return restart_interval() <= 1; }
   bool restores_exactly() const final { return restart_interval() > 0; }
+  void restore(const RestartPoint& point) final;
 
  protected:
   /// @throws ConfigError if the tolerance is not positive
@@ -76,7 +77,8 @@ class SundialsIntegrator : public Integrator {
   double proposal_ = 0;
   bool stop_set_ = false;
   int steps_since_restart_ = 0;
-  Counters before_;  ///< of all restarts before the last
+  int careful_steps_ = 0;  ///< still to be made with the smaller tolerance of a start anew
+  Counters before_;        ///< of all restarts before the last
 };
 
 }  // namespace creepcontact::ode

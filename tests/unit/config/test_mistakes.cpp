@@ -95,7 +95,7 @@ TEST(ConfigMistakes, Functions) {
                  "jump is the same time twice");
   expect_mistake(
       minimal + "[materials.other]\nyoung_modulus = { T = [0, 5, 5], values = [1, 2, 3] }\npoisson_ratio = 0\n",
-      "materials.other.young_modulus.T[2]: 5 after 5: the points of a table must increase");
+      "cases/block.toml:13:30: materials.other.young_modulus.T[2]: 5 after 5: the points of a table must increase");
   expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2, 3] }\n",
                  "cases/block.toml:14:12: loads[0].pressure: 2 points and 3 values");
   expect_mistake(loads + "pressure = { t = [0, 5], value = [1, 2] }\n",

@@ -143,6 +143,7 @@ TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
       {"contact_solver.method=active_set", "contact_solver changed: method was 'schwarz' and is 'active_set'"}};
   std::string moved = separate_blocks();  // as many nodes, elsewhere
   moved.replace(moved.find("{0, 0, 0, 2, 1, 1}"), 18, "{0, 0, 0, 2, 1, 1.01}");
+  moved.replace(moved.find("e = 1e-3"), 8, "e = 0.02");
   io::test::write_text(blocks / "moved.geo", moved);
   for (const auto& [change, text] : changes) {
     const config::Config config = blocks.config(pressure_probe + loads, {change});
