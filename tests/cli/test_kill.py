@@ -168,7 +168,7 @@ class KilledExactly(KillTest):
 class KilledWithinTolerance(KillTest):
     """CVODE begins anew with every start; that must add no error to speak of to the run's own."""
 
-    kills = 15
+    kills = 10
     tolerance = 1e-4
 
     def error(self, output):
