@@ -48,18 +48,18 @@ void SundialsIntegrator::check(int flag, const char* function) {
 }
 
 void SundialsIntegrator::initialize(double t, std::span<const double> y, double step) {
+  careful_steps_ = 0;
   N_VConst(1.0, weights_.get());
   take_weights();
   std::ranges::copy(y, view(state_.get(), y.size()).begin());
   time_ = begin_ = t;
   proposal_ = step;
-  careful_steps_ = 0;
   begin_anew(step);
 }
 
 void SundialsIntegrator::take_weights() {
   const std::span<const double> scale = system_.scale();
-  set_error_weights(scale, options_.tolerance, view(weights_.get(), scale.size()));
+  set_error_weights(scale, (careful_steps_ > 0 ? care : 1.0) * options_.tolerance, view(weights_.get(), scale.size()));
 }
 
 void SundialsIntegrator::begin_anew(double step) {
@@ -70,10 +70,10 @@ void SundialsIntegrator::begin_anew(double step) {
 }
 
 void SundialsIntegrator::restore(const RestartPoint& point) {
-  initialize(point.time, point.state, restores_exactly() ? point.next_step : 0);
+  initialize(point.time, point.state, point.next_step);
   if (restores_exactly()) return;
   careful_steps_ = steps_of_a_start;
-  N_VScale(1 / care, weights_.get(), weights_.get());
+  take_weights();
 }
 
 bool SundialsIntegrator::at_restart_point() const {
@@ -147,7 +147,7 @@ StepReport SundialsIntegrator::step(double t_limit) {
             .order = now.order,
             .error_estimate = (careful_steps_ > 0 ? care : 1.0) * N_VWrmsNorm(work_.get(), weights_.get())};
   ++steps_since_restart_;
-  if (careful_steps_ > 0 && --careful_steps_ == 0) N_VScale(care, weights_.get(), weights_.get());
+  if (careful_steps_ > 0) --careful_steps_;
   system_.accept(time_, state());
   take_weights();
   return report;

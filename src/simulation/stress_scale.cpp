@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace creepcontact::simulation {
 namespace {
@@ -21,14 +22,16 @@ StressScale::StressScale(const Model& model, const StateLayout& layout)
     : model_(model), layout_(layout), stress_(model.bodies.size(), 0.0), values_(layout.size(), 1.0) {}
 
 double StressScale::typical(const BodyState& state) {
+  constexpr std::size_t piece = 1000;  // summed by one thread: the sum has the same bits for any number of them
   const std::size_t n = state.stress.size() / 6;
-  double sum = 0;
-#pragma omp parallel for schedule(static) reduction(+ : sum) if (n > 2000)
-  for (std::size_t p = 0; p < n; ++p) {
-    const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
-    sum += q * q;
-  }
-  return std::sqrt(sum / static_cast<double>(n));
+  std::vector<double> sums((n + piece - 1) / piece);
+#pragma omp parallel for schedule(static) if (n > 2 * piece)
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t p = i * piece; p < std::min(n, (i + 1) * piece); ++p) {
+      const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
+      sums[i] += q * q;
+    }
+  return std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(n));
 }
 
 void StressScale::set_elastic(const std::vector<double>& stress) {

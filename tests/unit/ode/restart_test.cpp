@@ -102,24 +102,23 @@ TEST(RestartOfBetaEuler, KeepsTheResidualAndTheClock) {
   EXPECT_THROW(resumed->restore({.time = 0, .next_step = 0, .state = Values(4), .memory = {}}), std::out_of_range);
 }
 
-/// Taken up anew after every third step, CVODE is no less accurate than left alone.
-TEST(RestartOfCvode, AddsNoErrorToSpeakOf) {
+/// However often it is taken up anew, CVODE keeps the accuracy that the tolerance promises (three of them).
+TEST(RestartOfCvode, KeepsTheAccuracy) {
   const double tolerance = 1e-4, end = 1000;
-  const auto error = [&](bool restarting) {
+  for (const int every : {1, 10, 1000000}) {
     RelaxingBar system;
     auto integrator = make_integrator("cvode_bdf", system, {.tolerance = tolerance, .end_time = end});
     integrator->initialize(0, Values{0});
-    double largest = 0;
+    double error = 0;
     for (int steps = 1; integrator->time() < end; ++steps) {
       const StepReport report = integrator->step(end);
       EXPECT_LT(report.error_estimate, 1);
       const double stress = RelaxingBar::stress(integrator->state()[0]);
-      largest = std::max(largest, std::abs(stress - RelaxingBar::exact_stress(report.time)));
-      if (restarting && steps % 3 == 0) integrator->restore(integrator->save());
+      error = std::max(error, std::abs(stress - RelaxingBar::exact_stress(report.time)));
+      if (steps % every == 0) integrator->restore(integrator->save());
     }
-    return largest / RelaxingBar::initial_stress;
-  };
-  EXPECT_LT(error(true), error(false) + tolerance);
+    EXPECT_LT(error, 3 * tolerance * RelaxingBar::initial_stress) << "every " << every;
+  }
 }
 
 TEST(RestartOfArkode, CostsLittle) {
