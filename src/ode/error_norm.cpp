@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "creepcontact/base/error.hpp"
+
 namespace creepcontact::ode {
 
 void set_error_weights(std::span<const double> scale, double tolerance, std::span<double> weights) {
@@ -13,6 +15,10 @@ void set_error_weights(std::span<const double> scale, double tolerance, std::spa
     throw std::invalid_argument(fmt::format("scale()[{}] = {} is not positive", bad - scale.begin(), *bad));
   const double unit = local_share * tolerance;
   for_each_index(scale.size(), [&](std::size_t i) { weights[i] = 1 / (unit * scale[i]); });
+}
+
+ErrorNorm::ErrorNorm(double tolerance) : tolerance_(tolerance) {
+  if (!(tolerance > 0)) throw ConfigError(fmt::format("tolerance = {}: must be positive", tolerance));
 }
 
 }  // namespace creepcontact::ode

@@ -8,6 +8,7 @@
 #include "creepcontact/ode/integrator.hpp"
 #include "cvode_integrator.hpp"
 #include "explicit_euler.hpp"
+#include "runge_kutta_chebyshev.hpp"
 
 namespace creepcontact::ode {
 
@@ -30,6 +31,8 @@ const std::vector<IntegratorInfo>& integrators() {
        ArkodeIntegrator::explicit_rk},
       {"arkode_dirk", "ARKODE ESDIRK 3(2), implicit, Newton-Krylov, error control: restarts without loss of order",
        ArkodeIntegrator::diagonally_implicit_rk},
+      {"rkc2", "Runge-Kutta-Chebyshev 2, stabilised explicit, error control: for moderate stiffness, no Jacobian",
+       make<RungeKuttaChebyshev>},
   };
   return all;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Time of a fixed-step scheme, summed with compensation so that rounding leaves no sliver before a limit.
+/// Time of a one-step method, summed with compensation so that rounding leaves no sliver before a limit.
 
 #include <algorithm>
 #include <cmath>

@@ -27,6 +27,18 @@ TEST_P(Limits, EndsExactlyOnEachOfSeveral) {
   }
 }
 
+TEST_P(Limits, AreNotLookedBeyond) {
+  LinearSystem system({-1.0, -3.0});
+  double limit = 0;
+  system.interceptor = [&](double t, std::span<const double>) { EXPECT_LE(t, limit); };
+  auto integrator = make(system, 1e-4);
+  integrator->initialize(0, Values{1, 1});
+  for (double next : {0.001, 0.1, 0.5, 3.0}) {
+    limit = next;
+    run_to(*integrator, limit);
+  }
+}
+
 TEST_P(Limits, MayBeWhereTheStepWouldHaveEndedAnyway) {
   LinearSystem system({-1.0});
   auto free = make(system, 1e-4);

@@ -1,0 +1,190 @@
+#include "runge_kutta_chebyshev.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "creepcontact/base/error.hpp"
+#include "elementwise.hpp"
+
+namespace creepcontact::ode {
+
+namespace {
+/// The radius may grow in the course of the step; a tenth more costs a twentieth more stages.
+constexpr double radius_safety = 1.1;
+/// 13000 stable steps of explicit Euler in one. What more stages save is little against what a rejected step loses,
+/// and the rounding errors of the recursion grow with their square.
+constexpr int max_stages = 200;
+constexpr double step_safety = 0.8;
+constexpr double largest_growth = 10, largest_cut = 0.1;
+constexpr double failure_cut = 0.25;
+/// A step up to the limit may be longer than the proposed one by so much, so that no sliver is left.
+constexpr double stretch = 1.1;
+/// Relative to the time: a method that creeps up to a point with ever smaller steps has failed.
+constexpr double smallest_step = 1e-12;
+constexpr int max_attempts = 30;
+constexpr double tiny_error = 1e-10;  // grows no further than a larger one would
+}  // namespace
+
+RungeKuttaChebyshev::RungeKuttaChebyshev(System& system, const IntegratorOptions& options)
+    : system_(system), options_(options), norm_(options.tolerance) {
+  for (auto* vector : {&state_, &rate_, &newer_, &older_, &stage_rate_, &previous_, &previous_rate_})
+    vector->resize(system.size());
+}
+
+void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double step) {
+  norm_.set_scale(system_.scale());
+  clock_.start(t);
+  std::ranges::copy(y, state_.begin());
+  begin_ = t;
+  proposal_ = step;
+  controlled_step_ = controlled_error_ = 0;
+  try {
+    system_.rate(t, state_, rate_);
+    radius_ = radius(t, state_);
+  } catch (const RecoverableError& error) {
+    throw SolverError(fmt::format("{}: no rate at the start, t = {:.6g}: {}", name(), t, error.what()));
+  }
+}
+
+double RungeKuttaChebyshev::radius(double t, std::span<const double> y) {
+  const double stable = system_.stable_step(t, y);
+  if (!(stable > 0)) throw RecoverableError(fmt::format("the stable step of explicit Euler is {}", stable));
+  return 2 * radius_safety / stable;
+}
+
+/// From the change of the rate over one stable step, as RKC does.
+double RungeKuttaChebyshev::first_step(double t_limit) {
+  double longest = (options_.end_time > time() ? std::min(options_.end_time, t_limit) : t_limit) - time();
+  if (std::isinf(longest)) longest = std::max(1.0, std::abs(time()));
+  double h = radius_ > 0 ? std::min(longest, 1 / radius_) : longest;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      for_each_index(state_.size(), [&](std::size_t i) { newer_[i] = state_[i] + h * rate_[i]; });
+      system_.rate(time() + h, newer_, stage_rate_);
+      break;
+    } catch (const RecoverableError& error) {
+      ++counters_.convergence_failures;
+      if (attempt == max_attempts) give_up(h, error.what());
+      h *= failure_cut;
+    }
+  }
+  const double change = norm_([&](std::size_t begin, std::size_t n) {
+    return h * (piece(stage_rate_.data(), begin, n) - piece(std::as_const(rate_).data(), begin, n));
+  });
+  return 0.1 * h < longest * std::sqrt(change) ? 0.1 * h / std::sqrt(change) : longest;
+}
+
+StepReport RungeKuttaChebyshev::step(double t_limit) {
+  if (!(t_limit > time())) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time()));
+  if (!(proposal_ > 0)) proposal_ = first_step(t_limit);
+  double h = proposal_;
+  for (int attempt = 1;; ++attempt) {
+    if (radius_ > 0) h = std::min(h, chebyshev_stability_bound(max_stages) / radius_);
+    const bool last = t_limit - time() <= stretch * h;
+    const StepClock::Target target = clock_.target(last ? t_limit - time() : h, t_limit);
+    std::string reason;
+    try {
+      run_stages(target);
+      const double error = local_error(target.step);
+      if (error <= 1) {
+        const double next_radius = radius(target.time, newer_);
+        const bool cut = target.step < h;  // by the limit: says nothing about the step that accuracy allows
+        accept(target);
+        proposal_ = cut ? h : next_step_after(target.step, error, attempt > 1);
+        radius_ = next_radius;
+        return {.time = time(), .step = target.step, .order = 2, .error_estimate = error};
+      }
+      ++counters_.rejected_steps;
+      reason = fmt::format(
+          "the local error stays above the tolerance ({:.2g} times) however small the step. Most often a load or "
+          "temperature jumps there: name that time as a breakpoint; else choose a larger tolerance",
+          error);
+      // An error that is no number fails the comparison, too.
+      h = target.step * (error < 1e9 ? std::max(largest_cut, step_safety / std::cbrt(error)) : largest_cut);
+    } catch (const RecoverableError& failure) {
+      ++counters_.convergence_failures;
+      reason = failure.what();
+      h = failure_cut * target.step;
+    }
+    if (attempt == max_attempts || h <= smallest_step * std::abs(time())) give_up(h, reason);
+  }
+}
+
+void RungeKuttaChebyshev::run_stages(const StepClock::Target& target) {
+  const double h = target.step;
+  const auto count = static_cast<std::size_t>(chebyshev_stage_count(h * radius_));
+  if (stages_.size() != count) stages_ = chebyshev_stages(static_cast<int>(count));
+  const double first = h * stages_[0].mu_rate;
+  for_each_index(state_.size(), [&](std::size_t i) { newer_[i] = state_[i] + first * rate_[i]; });
+  const std::vector<double>* before = &state_;  // Y_{j-2}, overwritten by Y_j from the third stage on
+  for (std::size_t j = 1; j < count; ++j) {
+    system_.rate(time() + stages_[j - 1].c * h, newer_, stage_rate_);
+    const auto [mu, nu, mu_rate, gamma_rate, c] = stages_[j];
+    const double own = 1 - mu - nu;
+    const double new_part = h * mu_rate;
+    const double old_part = h * gamma_rate;
+    for_each_index(state_.size(), [&](std::size_t i) {
+      older_[i] =
+          own * state_[i] + mu * newer_[i] + nu * (*before)[i] + new_part * stage_rate_[i] + old_part * rate_[i];
+    });
+    std::swap(newer_, older_);
+    before = &older_;
+  }
+  system_.rate(target.time, newer_, stage_rate_);
+}
+
+double RungeKuttaChebyshev::local_error(double h) const {
+  return norm_([&](std::size_t begin, std::size_t n) {
+    return 0.8 * (piece(state_.data(), begin, n) - piece(newer_.data(), begin, n)) +
+           0.4 * h * (piece(rate_.data(), begin, n) + piece(stage_rate_.data(), begin, n));
+  });
+}
+
+void RungeKuttaChebyshev::accept(const StepClock::Target& target) {
+  std::swap(previous_, state_);
+  std::swap(previous_rate_, rate_);
+  std::swap(state_, newer_);
+  std::swap(rate_, stage_rate_);
+  begin_ = time();
+  clock_.advance(target);
+  last_step_ = target.step;
+  ++counters_.steps;
+  system_.accept(time(), state_);
+  norm_.set_scale(system_.scale());
+}
+
+/// The trend of the last two steps goes on, but a step made shorter is not followed by a longer one.
+double RungeKuttaChebyshev::next_step_after(double h, double error, bool repeated) {
+  const double bounded = std::max(error, tiny_error);
+  double factor = step_safety / std::cbrt(bounded);
+  if (controlled_step_ > 0) factor *= std::cbrt(controlled_error_ / bounded) * h / controlled_step_;
+  controlled_step_ = h;
+  controlled_error_ = bounded;
+  return h * std::clamp(factor, largest_cut, repeated ? 1.0 : largest_growth);
+}
+
+void RungeKuttaChebyshev::give_up(double h, const std::string& reason) const {
+  throw SolverError(fmt::format("{}: no step from t = {:.6g}, not even one of {:.3g}: {}", name(), time(), h, reason));
+}
+
+void RungeKuttaChebyshev::interpolate(double t, std::span<double> y) const {
+  if (t == time()) {
+    std::ranges::copy(state_, y.begin());
+    return;
+  }
+  if (!(t >= begin_ && t < time()))
+    throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", name(), t));
+  const double x = (t - begin_) / last_step_;
+  const double to_end = x * x * (3 - 2 * x);
+  const double old_slope = last_step_ * x * (1 - x) * (1 - x);
+  const double new_slope = -last_step_ * x * x * (1 - x);
+  for_each_index(y.size(), [&](std::size_t i) {
+    y[i] = previous_[i] + to_end * (state_[i] - previous_[i]) + old_slope * previous_rate_[i] + new_slope * rate_[i];
+  });
+}
+
+}  // namespace creepcontact::ode
