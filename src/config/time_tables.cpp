@@ -11,6 +11,22 @@ struct TimeKeys : Time {
   OutputTimes wanted;
 };
 
+Value<TimeStep> time_step() {
+  const Value<WordOrNumber> given = words_or_number({"stable", "adaptive"}, greater(0));
+  Value<TimeStep> value{.type = given.type, .read = {}};
+  value.read = [=](const Item& item, Context& context) -> std::optional<TimeStep> {
+    const auto found = given.read(item, context);
+    if (!found) return std::nullopt;
+    if (found->word.empty()) return TimeStep{StepMode::fixed, found->number};
+    return TimeStep{found->word == "stable" ? StepMode::stable : StepMode::adaptive};
+  };
+  value.show = [=](const TimeStep& step) {
+    const std::string word = step.mode == StepMode::stable ? "stable" : "adaptive";
+    return given.show(step.mode == StepMode::fixed ? WordOrNumber{{}, step.length} : WordOrNumber{word});
+  };
+  return value;
+}
+
 std::optional<Time> make_time(TimeKeys keys, const Item& item, Context& context) {
   keys.location = item.location;
   std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
@@ -26,10 +42,12 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
       field<TimeKeys>("integrator", &TimeKeys::integrator, choice("integrator", vocabulary.integrators),
                       "method of time integration"),
       field<TimeKeys>("tolerance", &TimeKeys::tolerance, number(greater(0)),
-                      "relative accuracy of the stress; the Euler schemes do not use it"),
+                      "relative accuracy of the stress; the Euler schemes use it with step \"adaptive\""),
       field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and the end always are"),
-      field<TimeKeys>("step", &TimeKeys::step, word_or_number("stable", greater(0)),
-                      "Euler schemes: fixed step; \"stable\": the stable step times step_factor"),
+      field<TimeKeys>(
+          "step", &TimeKeys::step, time_step(),
+          "Euler schemes: fixed step; \"stable\": the stable step times step_factor; \"adaptive\": chosen to "
+          "meet the tolerance"),
       field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(greater(0)), "Euler schemes, step \"stable\""),
       field<TimeKeys>("beta", &TimeKeys::beta, number({.min = 0.5, .max = 1}),
                       "beta_euler: 0.5 the trapezoidal rule, 1 implicit Euler"),

@@ -128,21 +128,37 @@ Value<std::string> choice(const std::string& what, const std::vector<std::string
   return value;
 }
 
-Value<std::optional<double>> word_or_number(const std::string& word, Range range) {
-  const Value<double> given = number(range, range.describe() + " or \"" + word + '"');
-  Value<std::optional<double>> value{.type = given.type, .read = {}};
-  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::optional<double>> {
-    if (item.node->value<std::string>() == word) return std::optional<double>();
-    if (const auto* wrong = item.node->as_string()) {
-      context.errors.add_unknown(item.location, fmt::format("unknown value '{}'", wrong->get()), wrong->get(), {word},
-                                 type);
-      return std::nullopt;
+Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range range) {
+  const Value<double> given =
+      number(range, fmt::format("{} or \"{}\"", range.describe(), fmt::join(words, "\" or \"")));
+  Value<WordOrNumber> value{.type = given.type, .read = {}};
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<WordOrNumber> {
+    const auto* text = item.node->as_string();
+    if (!text) {
+      const auto found = given.read(item, context);
+      return found ? std::optional(WordOrNumber{{}, *found}) : std::nullopt;
     }
-    const auto found = given.read(item, context);
-    if (!found) return std::nullopt;
-    return found;
+    if (std::find(words.begin(), words.end(), text->get()) != words.end()) return WordOrNumber{text->get(), 0};
+    context.errors.add_unknown(item.location, fmt::format("unknown value '{}'", text->get()), text->get(), words, type);
+    return std::nullopt;
   };
-  value.show = [=](const std::optional<double>& shown) { return shown ? given.show(*shown) : '"' + word + '"'; };
+  value.show = [=](const WordOrNumber& shown) {
+    return shown.word.empty() ? given.show(shown.number) : '"' + shown.word + '"';
+  };
+  return value;
+}
+
+Value<std::optional<double>> word_or_number(const std::string& word, Range range) {
+  const Value<WordOrNumber> either = words_or_number({word}, range);
+  Value<std::optional<double>> value{.type = either.type, .read = {}};
+  value.read = [=](const Item& item, Context& context) -> std::optional<std::optional<double>> {
+    const auto found = either.read(item, context);
+    if (!found) return std::nullopt;
+    return found->word.empty() ? std::optional(found->number) : std::optional<double>();
+  };
+  value.show = [=](const std::optional<double>& shown) {
+    return either.show(shown ? WordOrNumber{{}, *shown} : WordOrNumber{word, 0});
+  };
   return value;
 }
 

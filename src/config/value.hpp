@@ -55,6 +55,11 @@ Value<Reference> reference(const std::string& what);
 /// @param type  not given: from the range
 Value<double> number(Range range = {}, const std::string& type = {});
 Value<int> integer(int min, int max = std::numeric_limits<int>::max());
+struct WordOrNumber {
+  std::string word;  ///< empty: a number
+  double number = 0;
+};
+Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range range);
 /// A word that stands for "not given", or a number.
 Value<std::optional<double>> word_or_number(const std::string& word, Range range);
 Value<bool> boolean();

@@ -15,13 +15,18 @@ namespace {
 /// image than this many changes comes of residuals that depend on each other, where the least-squares problem has no
 /// solution of its own: points of equal stress, say, which differ by nothing or by rounding.
 constexpr double trust_factor = 10;
+/// Adaptive steps: contraction of the plain iterations in the whole step. Longer steps take more iterations than they
+/// save steps (e^-1 would be the best), and the accelerated ones go twice as far.
+constexpr double adaptive_contraction = 0.5;
+constexpr double anderson_gain = 2;
 
 }  // namespace
 
 BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
-    : EulerScheme(system, options),
-      load_strain_(system.size(), options.residual_correction),
+    : EulerScheme(system, options, system.size()),
+      load_strain_(options.residual_correction),
       load_(system.size()),
+      load_rate_(system.size()),
       iterate_(system.size()) {
   if (!(options.beta >= 0.5 && options.beta <= 1))
     throw ConfigError(
@@ -41,50 +46,42 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
     anderson_ = std::make_unique<AndersonIteration>(system.size(), options.inner_anderson, trust_factor);
 }
 
-void BetaEuler::initialize(double t, std::span<const double> y, double step) {
-  EulerScheme::initialize(t, y, step);
-  load_strain_.reset();
+double BetaEuler::longest_adaptive_step() const {
+  return adaptive_contraction * (anderson_ ? anderson_gain : 1) / (2 * options_.beta);
 }
 
-RestartPoint BetaEuler::save() const {
-  RestartPoint point = EulerScheme::save();
-  point.memory["load_residual"] = load_strain_.residual();
-  return point;
-}
-
-void BetaEuler::restore(const RestartPoint& point) {
-  EulerScheme::restore(point);
-  load_strain_.restore(point.memory.at("load_residual"));
-}
-
-void BetaEuler::attempt(const StepClock::Target& target) {
+void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {
+  from_ = &from;
   target_ = target;
-  for_each_index(state_.size(), [&](std::size_t i) { candidate_[i] = state_[i] + target.step * rate_[i]; });
+  for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
   ConvergenceWatch watch(options_.inner_tolerance, options_.max_inner_iterations);
   if (anderson_)
-    anderson_->run(candidate_, [&](std::span<const double> y, std::span<double> image) {
+    anderson_->run(to.state, [&](std::span<const double> y, std::span<double> image) {
       map(y, image);
       return watch.see(max_difference(image, y)) != ConvergenceWatch::State::running;
     });
   else
-    iterate_plainly(watch);
+    iterate_plainly(to.state, watch);
   if (watch.state() != ConvergenceWatch::State::converged) give_up(watch);
+  std::ranges::copy(load_rate_, to.rate.begin());
+  LoadStrain::residual(to.state, load_, to.load_residual);
 }
 
 void BetaEuler::map(std::span<const double> y, std::span<double> image) {
   const double old_part = target_.step * (1 - options_.beta);
   const double new_part = target_.step * options_.beta;
-  load_strain_.load(y, load_);
-  system_.rate(target_.time, load_, candidate_rate_);
-  for_each_index(y.size(),
-                 [&](std::size_t i) { image[i] = state_[i] + old_part * rate_[i] + new_part * candidate_rate_[i]; });
+  load_strain_.load(y, from_->load_residual, load_);
+  system_.rate(target_.time, load_, load_rate_);
+  for_each_index(y.size(), [&](std::size_t i) {
+    image[i] = from_->state[i] + old_part * from_->rate[i] + new_part * load_rate_[i];
+  });
 }
 
-void BetaEuler::iterate_plainly(ConvergenceWatch& watch) {
+void BetaEuler::iterate_plainly(std::vector<double>& y, ConvergenceWatch& watch) {
   do {
-    map(candidate_, iterate_);
-    watch.see(max_difference(iterate_, candidate_));
-    std::swap(candidate_, iterate_);
+    map(y, iterate_);
+    watch.see(max_difference(iterate_, y));
+    std::swap(y, iterate_);
   } while (watch.state() == ConvergenceWatch::State::running);
 }
 
@@ -95,7 +92,7 @@ void BetaEuler::give_up(const ConvergenceWatch& watch) {
                                  ? fmt::format(" (inner_anderson = {} carries some times as far): take a smaller step",
                                                options_.inner_anderson)
                                  : ": take a smaller step, accelerated iterations (inner_anderson = 3)";
-  throw SolverError(fmt::format(
+  fail(fmt::format(
       "beta_euler: the inner iterations {} in the step of {:.3g} from t = {:.6g} (change {:.2g} after {} iterations, "
       "inner_tolerance {:.2g}). The stable step of explicit Euler is {:.3g} there, and plain iterations contract only "
       "for steps below stable / (2 beta) = {:.3g}{}, beta = 0.5, or cvode_bdf",

@@ -21,24 +21,23 @@ class BetaEuler final : public EulerScheme {
   /// @throws ConfigError for beta < 0.5 (not stable) or > 1, and for settings out of range
   BetaEuler(System& system, const IntegratorOptions& options);
   std::string name() const override { return "beta_euler"; }
-  void initialize(double t, std::span<const double> y, double step = 0) override;
-  RestartPoint save() const override;
-  void restore(const RestartPoint& point) override;
 
  protected:
-  void attempt(const StepClock::Target& target) override;
+  void advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) override;
   int order() const override { return options_.beta == 0.5 ? 2 : 1; }
-  void accepted() override { load_strain_.accept(candidate_, load_); }
+  double longest_adaptive_step() const override;
 
  private:
   /// image = y_n + dt [(1 - beta) f(t_n, y_n) + beta f(t_{n+1}, e)], e the load strain of y
   void map(std::span<const double> y, std::span<double> image);
-  void iterate_plainly(ConvergenceWatch& watch);
+  void iterate_plainly(std::vector<double>& y, ConvergenceWatch& watch);
   [[noreturn]] void give_up(const ConvergenceWatch& watch);
 
-  StepClock::Target target_;  ///< of the step under way
+  const EulerPoint* from_ = nullptr;  ///< of the step under way
+  StepClock::Target target_;
   LoadStrain load_strain_;
   std::vector<double> load_;                     ///< e^(k), the argument of the last rate evaluation
+  std::vector<double> load_rate_;                ///< its rate
   std::vector<double> iterate_;                  ///< y^(k+1) under construction
   std::unique_ptr<AndersonIteration> anderson_;  ///< none: plain iterations
 };

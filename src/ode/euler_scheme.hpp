@@ -1,5 +1,6 @@
 #pragma once
-/// What the two Euler schemes share: the step length, the limit, retries, the last step kept for interpolation.
+/// What the two Euler schemes share: the step length, its control, the limit, retries, the last step kept for
+/// interpolation.
 
 #include <optional>
 #include <string>
@@ -7,54 +8,72 @@
 
 #include "creepcontact/ode/integrator.hpp"
 #include "step_clock.hpp"
+#include "step_doubling.hpp"
 
 namespace creepcontact::ode {
 
-/// A scheme supplies attempt(); this class decides where the step ends and what becomes of a failure.
+/// A scheme supplies advance(); this class decides where the step ends and what becomes of a failure.
 class EulerScheme : public Integrator {
  public:
-  EulerScheme(System& system, const IntegratorOptions& options);
+  /// @throws ConfigError for settings out of range
+  EulerScheme(System& system, const IntegratorOptions& options) : EulerScheme(system, options, 0) {}
 
-  /// One rate evaluation. The proposed step is not used: the options say how long the steps are.
+  /// One rate evaluation. The proposed step is used by adaptive steps alone.
   void initialize(double t, std::span<const double> y, double step = 0) override;
   StepReport step(double t_limit) final;
 
   bool interpolates() const final { return true; }
-  /// y_n + theta (1 - theta) dt f_n + theta^2 (y_{n+1} - y_n): second order, linear for the explicit scheme.
+  /// y_n + theta (1 - theta) dt f_n + theta^2 (y_{n+1} - y_n): second order; linear for single explicit steps.
   void interpolate(double t, std::span<double> y) const final;
 
   double time() const final { return clock_.time(); }
-  std::span<const double> state() const final { return state_; }
+  std::span<const double> state() const final { return current_.state; }
   double next_step() const final { return proposal_; }
   Counters counters() const final { return counters_; }
 
   bool restores_exactly() const final { return true; }
-  RestartPoint save() const override;
-  void restore(const RestartPoint& point) override;
+  RestartPoint save() const final;
+  void restore(const RestartPoint& point) final;
 
  protected:
-  /// Fills candidate_ with the state at target.time and candidate_rate_ with a rate there.
-  /// @throws RecoverableError if a smaller step may succeed, SolverError if the scheme gives up
-  virtual void attempt(const StepClock::Target& target) = 0;
-  virtual int order() const = 0;
-  /// The scheme keeps what it needs of the accepted step; state_ and candidate_ are still the old and the new state.
-  virtual void accepted() {}
+  /// @param residual_size  of EulerPoint::load_residual
+  EulerScheme(System& system, const IntegratorOptions& options, std::size_t residual_size);
 
-  double stable_step() { return system_.stable_step(time(), state_); }
+  /// One step of the scheme, a pure function of `from`: fills the state, and whatever of `to` falls out on the way.
+  /// @throws RecoverableError if a smaller step may succeed, SolverError if the scheme gives up
+  virtual void advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) = 0;
+  /// Completes what the next step begins with.
+  virtual void complete(double /*t*/, EulerPoint& /*to*/) {}
+  virtual int order() const = 0;
+  /// In stable steps: under error control longer ones are not worth a try. Infinity: all are.
+  virtual double longest_adaptive_step() const = 0;
+
+  bool adaptive() const { return doubling_.has_value(); }
+  /// A step that cannot be made: under error control a shorter one follows, else it is the end.
+  [[noreturn]] void fail(const std::string& message) const;
+  double stable_step() { return system_.stable_step(time(), current_.state); }
 
   System& system_;
   const IntegratorOptions options_;
-  std::vector<double> state_, rate_;                ///< y_n and f_n
-  std::vector<double> candidate_, candidate_rate_;  ///< y_{n+1} and f_{n+1}
 
  private:
   double wanted_step(double t_limit);
+  double adaptive_step(double t_limit);
+  /// Fills next_. @returns its error in units of the tolerance, 0 without error control
+  double attempt(const StepClock::Target& target);
+  void propose(double wanted, double made, double error, bool repeated);
+  void accept(const StepClock::Target& target);
+  /// At time(); infinity if nothing creeps. @throws SolverError if it is no step
+  double known_stable_step();
+  bool needs_stable_step() const;
   /// Right after a step, where it often costs nothing and depends on nothing that is evaluated for outputs later.
   void foresee_stable_step();
 
   StepClock clock_;
-  std::vector<double> previous_, previous_rate_;  ///< at the beginning of the last step
-  double begin_ = 0;                              ///< of the last step
+  EulerPoint current_, next_;
+  EulerPoint previous_;                   ///< at the beginning of the last step
+  std::optional<StepDoubling> doubling_;  ///< adaptive steps
+  double begin_ = 0;                      ///< of the last step
   double last_step_ = 0;
   double proposal_ = 0;
   std::optional<double> stable_;  ///< the stable step at time(), once known

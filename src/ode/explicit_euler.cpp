@@ -4,19 +4,21 @@
 
 #include <cmath>
 
-#include "creepcontact/base/error.hpp"
 #include "elementwise.hpp"
 
 namespace creepcontact::ode {
 
-void ExplicitEuler::attempt(const StepClock::Target& target) {
-  for_each_index(state_.size(), [&](std::size_t i) { candidate_[i] = state_[i] + target.step * rate_[i]; });
-  if (!std::isfinite(max_difference(candidate_, state_)))
-    throw SolverError(fmt::format(
+void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {
+  for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
+  if (!std::isfinite(max_difference(to.state, from.state)))
+    fail(fmt::format(
         "explicit_euler: the state has grown beyond all bounds after t = {:.6g}; steps of {:.3g} are unstable there, "
-        "the stable step is {:.3g}. Take step = \"stable\", a smaller step, or cvode_bdf",
+        "the stable step is {:.3g}. Take step = \"stable\" or \"adaptive\", a smaller step, or cvode_bdf",
         time(), target.step, stable_step()));
-  system_.rate(target.time, candidate_, candidate_rate_);
+}
+
+void ExplicitEuler::complete(double t, EulerPoint& to) {
+  system_.rate(t, to.state, to.rate);
 }
 
 }  // namespace creepcontact::ode

@@ -5,8 +5,8 @@
 
 namespace creepcontact::ode {
 
-/// Cost: one rate evaluation a step, made at the new state before it is accepted, so that a failure there can be
-/// answered by a smaller step and accept() meets the point of the last evaluation.
+/// Cost: one rate evaluation a step (two, one a half, if adaptive), made at the new state before it is accepted, so
+/// that a failure there can be answered by a smaller step and accept() meets the point of the last evaluation.
 /// residual_correction is without effect: the load of every evaluation is the state itself, so that the residual of
 /// nodal forces, which the article's incremental form carries along, is zero here by construction.
 class ExplicitEuler final : public EulerScheme {
@@ -15,8 +15,14 @@ class ExplicitEuler final : public EulerScheme {
   std::string name() const override { return "explicit_euler"; }
 
  protected:
-  void attempt(const StepClock::Target& target) override;
+  void advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) override;
+  void complete(double t, EulerPoint& to) override;
   int order() const override { return 1; }
+  /// Either half is a stable step: beyond that the error estimate would reject most of them.
+  double longest_adaptive_step() const override { return 2 * margin; }
+
+ private:
+  static constexpr double margin = 0.9;
 };
 
 }  // namespace creepcontact::ode

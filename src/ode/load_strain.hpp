@@ -2,7 +2,6 @@
 /// The residual of nodal forces that an inner iteration leaves behind, and what becomes of it.
 
 #include <span>
-#include <vector>
 
 #include "elementwise.hpp"
 
@@ -17,24 +16,19 @@ namespace creepcontact::ode {
 /// Source: Stankevich (2012), correction of the load vector by the residual.
 class LoadStrain {
  public:
-  LoadStrain(std::size_t size, double gamma) : gamma_(gamma), residual_(size) {}
+  explicit LoadStrain(double gamma) : gamma_(gamma) {}
 
-  void reset() { std::ranges::fill(residual_, 0.0); }
-  const std::vector<double>& residual() const { return residual_; }
-  void restore(const std::vector<double>& residual) { residual_ = residual; }
-
-  /// The strain e^(k) with which to solve equilibrium for the iterate y.
-  void load(std::span<const double> y, std::span<double> e) const {
-    for_each_index(y.size(), [&](std::size_t i) { e[i] = y[i] - (1 - gamma_) * residual_[i]; });
+  /// The strain e^(k) with which to solve equilibrium for the iterate y of a step that begins with the residual.
+  void load(std::span<const double> y, std::span<const double> residual, std::span<double> e) const {
+    for_each_index(y.size(), [&](std::size_t i) { e[i] = y[i] - (1 - gamma_) * residual[i]; });
   }
-  /// The step ended with y, computed from the equilibrium under e.
-  void accept(std::span<const double> y, std::span<const double> e) {
-    for_each_index(y.size(), [&](std::size_t i) { residual_[i] = y[i] - e[i]; });
+  /// What a step leaves that ended with y, computed from the equilibrium under e.
+  static void residual(std::span<const double> y, std::span<const double> e, std::span<double> left) {
+    for_each_index(y.size(), [&](std::size_t i) { left[i] = y[i] - e[i]; });
   }
 
  private:
   double gamma_;
-  std::vector<double> residual_;  ///< delta_n
 };
 
 }  // namespace creepcontact::ode

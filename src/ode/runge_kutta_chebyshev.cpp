@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "elementwise.hpp"
+#include "first_step.hpp"
 
 namespace creepcontact::ode {
 
@@ -21,8 +22,6 @@ constexpr int max_stages = 200;
 constexpr double step_safety = 0.8;
 constexpr double largest_growth = 10, largest_cut = 0.1;
 constexpr double failure_cut = 0.25;
-/// A step up to the limit may be longer than the proposed one by so much, so that no sliver is left.
-constexpr double stretch = 1.1;
 /// Relative to the time: a method that creeps up to a point with ever smaller steps has failed.
 constexpr double smallest_step = 1e-12;
 constexpr int max_attempts = 30;
@@ -50,32 +49,41 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
   }
 }
 
+RestartPoint RungeKuttaChebyshev::save() const {
+  RestartPoint point = Integrator::save();
+  point.memory = {{"lost_time", {clock_.lost()}},
+                  {"rate", rate_},
+                  {"radius", {radius_}},
+                  {"controlled", {controlled_step_, controlled_error_}}};
+  return point;
+}
+
+void RungeKuttaChebyshev::restore(const RestartPoint& point) {
+  rate_ = point.memory.at("rate");
+  radius_ = point.memory.at("radius").at(0);
+  controlled_step_ = point.memory.at("controlled").at(0);
+  controlled_error_ = point.memory.at("controlled").at(1);
+  clock_.start(point.time, point.memory.at("lost_time").at(0));
+  norm_.set_scale(system_.scale());
+  state_ = point.state;
+  begin_ = point.time;
+  proposal_ = point.next_step;
+  system_.forget_evaluations();
+}
+
 double RungeKuttaChebyshev::radius(double t, std::span<const double> y) {
   const double stable = system_.stable_step(t, y);
   if (!(stable > 0)) throw RecoverableError(fmt::format("the stable step of explicit Euler is {}", stable));
   return 2 * radius_safety / stable;
 }
 
-/// From the change of the rate over one stable step, as RKC does.
 double RungeKuttaChebyshev::first_step(double t_limit) {
-  double longest = (options_.end_time > time() ? std::min(options_.end_time, t_limit) : t_limit) - time();
-  if (std::isinf(longest)) longest = std::max(1.0, std::abs(time()));
-  double h = radius_ > 0 ? std::min(longest, 1 / radius_) : longest;
-  for (int attempt = 1;; ++attempt) {
-    try {
-      for_each_index(state_.size(), [&](std::size_t i) { newer_[i] = state_[i] + h * rate_[i]; });
-      system_.rate(time() + h, newer_, stage_rate_);
-      break;
-    } catch (const RecoverableError& error) {
-      ++counters_.convergence_failures;
-      if (attempt == max_attempts) give_up(h, error.what());
-      h *= failure_cut;
-    }
+  const Start start{time(), state_, rate_, longest_first_step(time(), t_limit, options_.end_time), 2 / radius_};
+  try {
+    return ode::first_step(system_, norm_, start, newer_, stage_rate_, counters_.convergence_failures);
+  } catch (const RecoverableError& error) {
+    give_up(0, error.what());
   }
-  const double change = norm_([&](std::size_t begin, std::size_t n) {
-    return h * (piece(stage_rate_.data(), begin, n) - piece(std::as_const(rate_).data(), begin, n));
-  });
-  return 0.1 * h < longest * std::sqrt(change) ? 0.1 * h / std::sqrt(change) : longest;
 }
 
 StepReport RungeKuttaChebyshev::step(double t_limit) {
@@ -84,8 +92,7 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
   double h = proposal_;
   for (int attempt = 1;; ++attempt) {
     if (radius_ > 0) h = std::min(h, chebyshev_stability_bound(max_stages) / radius_);
-    const bool last = t_limit - time() <= stretch * h;
-    const StepClock::Target target = clock_.target(last ? t_limit - time() : h, t_limit);
+    const StepClock::Target target = clock_.target(h, t_limit, StepClock::stretch);
     std::string reason;
     try {
       run_stages(target);

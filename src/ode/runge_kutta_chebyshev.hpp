@@ -36,6 +36,10 @@ class RungeKuttaChebyshev final : public Integrator {
   double next_step() const override { return proposal_; }
   Counters counters() const override { return counters_; }
 
+  bool restores_exactly() const override { return true; }
+  RestartPoint save() const override;
+  void restore(const RestartPoint& point) override;
+
  private:
   double first_step(double t_limit);
   /// All stages into newer_, its rate into stage_rate_. @throws RecoverableError

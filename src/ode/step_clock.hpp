@@ -17,16 +17,20 @@ class StepClock {
   double time() const { return time_; }
   double lost() const { return lost_; }
 
+  /// For steps under error control: enough to leave no sliver before a limit, too little to spoil the accuracy.
+  static constexpr double stretch = 0.1;
+
   /// Where a step of length dt leads, t_limit at most.
   struct Target {
     double time = 0;
     double step = 0;
     double lost = 0;
   };
-  /// A remainder that exceeds dt by rounding only is taken whole.
-  Target target(double dt, double t_limit) const {
+  /// A remainder that exceeds dt by rounding only, or by the fraction `most_stretch` of dt, is taken whole.
+  Target target(double dt, double t_limit, double most_stretch = 0) const {
     const double rest = t_limit - time_;
-    const double rounding = std::max(1e-12 * dt, 4 * std::numeric_limits<double>::epsilon() * std::abs(time_));
+    const double rounding =
+        std::max(std::max(1e-12, most_stretch) * dt, 4 * std::numeric_limits<double>::epsilon() * std::abs(time_));
     if (rest <= dt + rounding) return {t_limit, rest, 0};
     const double increment = dt - lost_;  // Kahan summation
     const double next = time_ + increment;

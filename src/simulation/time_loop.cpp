@@ -8,10 +8,22 @@
 namespace creepcontact::simulation {
 namespace {
 
+ode::StepChoice step_choice(const config::TimeStep& step) {
+  switch (step.mode) {
+    case config::StepMode::fixed:
+      return step.length;
+    case config::StepMode::stable:
+      return ode::StepMode::stable;
+    case config::StepMode::adaptive:
+      return ode::StepMode::adaptive;
+  }
+  return {};
+}
+
 ode::IntegratorOptions integrator_options(const config::Time& time) {
   ode::IntegratorOptions options;
   options.tolerance = time.tolerance;
-  options.step = time.step.value_or(0.0);
+  options.step = step_choice(time.step);
   options.step_factor = time.step_factor;
   options.beta = time.beta;
   options.inner_tolerance = time.inner_tolerance;

@@ -129,12 +129,19 @@ struct ContactSolver {
   double dense_limit_mb = 2000;  ///< memory of the contact zones' matrices; beyond it they are not formed
 };
 
+enum class StepMode { fixed, stable, adaptive };
+
+struct TimeStep {
+  StepMode mode = StepMode::stable;
+  double length = 0;  ///< fixed
+};
+
 struct Time {
   double end = 0;
   std::string integrator = "cvode_bdf";
   double tolerance = 1e-4;     ///< relative stress accuracy
   std::vector<double> output;  ///< increasing, from 0 to end, both included
-  std::optional<double> step;  ///< Euler schemes: fixed step; not given: "stable"
+  TimeStep step;               ///< Euler schemes
   double step_factor = 1.0;    ///< times the stable step
   double beta = 1.0;           ///< beta_euler, in [0.5, 1]
   double inner_tolerance = 1e-10;

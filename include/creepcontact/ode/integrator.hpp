@@ -20,10 +20,22 @@ struct StepReport {
   double error_estimate = 0;  ///< weighted root mean square in units of the tolerance; 0 if the method has none
 };
 
+enum class StepMode { fixed, stable, adaptive };
+
+/// How long the steps of the Euler schemes are.
+struct StepChoice {
+  StepMode mode = StepMode::stable;
+  double length = 0;  ///< fixed
+
+  StepChoice() = default;
+  StepChoice(StepMode how) : mode(how) {}
+  StepChoice(double fixed) : mode(StepMode::fixed), length(fixed) {}
+};
+
 /// Settings of all integrators, each using its own; defaults are the configuration's.
 struct IntegratorOptions {
-  double tolerance = 1e-4;  ///< relative accuracy; absolute tolerance = tolerance * System::scale()
-  double step = 0;          ///< Euler: fixed step; 0: the stable step times step_factor
+  double tolerance = 1e-4;             ///< relative accuracy; absolute tolerance = tolerance * System::scale()
+  StepChoice step = StepMode::stable;  ///< Euler: fixed, the stable step times step_factor, or under error control
   double step_factor = 1.0;
   double beta = 1.0;                 ///< beta_euler, >= 0.5
   double inner_tolerance = 1e-10;    ///< beta_euler: bound on the maximum creep-strain change of the inner iterations

@@ -32,7 +32,7 @@ TEST(ConfigDefaults, MinimalConfiguration) {
   EXPECT_EQ(config.time.integrator, "cvode_bdf");
   EXPECT_EQ(config.time.tolerance, 1e-4);
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 100}));
-  EXPECT_FALSE(config.time.step.has_value());
+  EXPECT_EQ(config.time.step.mode, StepMode::stable);
   EXPECT_EQ(config.time.beta, 1.0);
   EXPECT_EQ(config.time.inner_anderson, 0);
   EXPECT_EQ(config.output.directory, "cases/results/block");

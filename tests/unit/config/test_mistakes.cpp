@@ -53,7 +53,8 @@ TEST(ConfigMistakes, WrongType) {
 
 TEST(ConfigMistakes, OutOfRange) {
   expect_mistake(minimal + "beta = 0.4\n", at_12 + "8: time.beta: number 0.4; allowed: a number in [0.5, 1]");
-  expect_mistake(minimal + "step = 0\n", at_12 + "8: time.step: number 0; allowed: a number > 0 or \"stable\"");
+  expect_mistake(minimal + "step = 0\n",
+                 at_12 + "8: time.step: number 0; allowed: a number > 0 or \"stable\" or \"adaptive\"");
   expect_mistake(minimal + "step = \"stabel\"\n",
                  at_12 + "8: time.step: unknown value 'stabel'; did you mean 'stable'? (allowed: a number > 0 or");
   expect_mistake(minimal + "[contact_solver]\nalpha = 1.5\n",

@@ -20,7 +20,7 @@ TEST(ConfigOverrides, Values) {
   EXPECT_EQ(config.contact_solver.alpha.all, 0.5);
   EXPECT_EQ(config.title, "two words");
   EXPECT_EQ(config.units, "mm and N");
-  EXPECT_FALSE(config.time.step.has_value());
+  EXPECT_EQ(config.time.step.mode, StepMode::stable);
   EXPECT_EQ(config.mesh.parameters.at("h"), 2.0);
 }
 

@@ -159,7 +159,8 @@ TEST(ConfigReading, ContactTimeAndOutput) {
   EXPECT_EQ(config.contact_solver.alpha.all, 0.5);
   EXPECT_EQ(config.contact_solver.acceleration, Acceleration::aitken);
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 1, 10, 100, 1e4}));
-  EXPECT_EQ(config.time.step, 1.0);
+  EXPECT_EQ(config.time.step.mode, StepMode::fixed);
+  EXPECT_EQ(config.time.step.length, 1.0);
   EXPECT_EQ(config.time.inner_anderson, 3);
   EXPECT_EQ(config.time.breakpoints, (std::vector<double>{20, 100}));
   EXPECT_EQ(config.output.directory, "out");
@@ -167,6 +168,12 @@ TEST(ConfigReading, ContactTimeAndOutput) {
   EXPECT_EQ(config.probes[0].reduce, Reduce::max);
   EXPECT_EQ(config.probes[1].reduce, Reduce::sum);
   EXPECT_EQ((*config.probes[2].at)[1], 120.0);
+}
+
+TEST(ConfigReading, StepOfTheEulerSchemes) {
+  EXPECT_EQ(parse_text(minimal + "step = 2\n").time.step.length, 2);
+  EXPECT_EQ(parse_text(minimal + "step = \"stable\"\n").time.step.mode, StepMode::stable);
+  EXPECT_EQ(parse_text(minimal + "step = \"adaptive\"\n").time.step.mode, StepMode::adaptive);
 }
 
 TEST(ConfigReading, OutputTimeSeries) {

@@ -89,7 +89,7 @@ TEST(InnerAnderson, ConvergesThreeTimesBeyondThePlainBound) {
       IntegratorOptions options{.step = 3 * contraction_bound(system, beta), .beta = beta, .inner_tolerance = 1e-12};
       options.inner_anderson = depth;
       expect_plain_iterations_fail(system, options);
-      const double dt = options.step;
+      const double dt = options.step.length;
       const Values y = steps(system, 1, options).state;
       for (std::size_t i = 0; i < lambda.size(); ++i) {  // y' = lambda (y - cos t) - sin t from y = 0
         const double explicit_part = dt * (1 - beta) * -lambda[i];
@@ -108,9 +108,10 @@ TEST(InnerAnderson, ConvergesThreeTimesBeyondThePlainBoundForCreep) {
     expect_plain_iterations_fail(bars, options);
     const Values y = steps(bars, 1, options).state;
     Values rate(8);
-    bars.rate(options.step, y, rate);
+    bars.rate(options.step.length, y, rate);
     // y is the image of an argument within the tolerance; the map amplifies at most threefold.
-    for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(y[i], options.step * rate[i], 3 * tolerance) << "depth " << depth;
+    for (std::size_t i = 0; i < 8; ++i)
+      EXPECT_NEAR(y[i], options.step.length * rate[i], 3 * tolerance) << "depth " << depth;
   }
 }
 

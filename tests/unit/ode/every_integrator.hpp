@@ -1,5 +1,5 @@
 #pragma once
-/// Tests that every registered integrator has to pass, named after it.
+/// Tests that every registered integrator has to pass, named after it: also with other settings, see variants().
 
 #include <gtest/gtest.h>
 
@@ -10,14 +10,17 @@ namespace creepcontact::ode {
 class EveryIntegrator : public testing::TestWithParam<std::string> {
  protected:
   std::unique_ptr<Integrator> make(System& system, double tolerance = 1e-5) const {
-    return make_integrator(GetParam(), system, accurate_options(GetParam(), tolerance));
+    return make_variant(GetParam(), system, accurate_options(GetParam(), tolerance));
   }
+  /// Without error control.
   static bool is_euler(const std::string& name) { return name.ends_with("_euler"); }
 };
 
+/// The names of all integrators, and of those with settings that change the course of a step.
 inline std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const IntegratorInfo& info : integrators()) names.push_back(info.name);
+  for (const char* variant : {"explicit_euler_adaptive", "beta_euler_adaptive"}) names.emplace_back(variant);
   return names;
 }
 

@@ -38,7 +38,7 @@ TEST_P(NewtonKrylov, ReachesTheSteadyStateOfGradedBars) {
     ParallelBars bars(30, 1e4);
     IntegratorOptions options = accurate_options(GetParam(), tolerance);
     options.end_time = 1e3 * tau;
-    auto integrator = make_integrator(GetParam(), bars, options);
+    auto integrator = make_variant(GetParam(), bars, options);
     integrate(*integrator, 0, Values(30), {options.end_time});
     const Values stress = bars.stress(integrator->state());
     for (std::size_t i = 0; i < stress.size(); ++i)

@@ -89,7 +89,7 @@ TEST(RestartOfBetaEuler, KeepsTheResidualAndTheClock) {
   ParallelBars system(4, 100), fresh(4, 100);
   const IntegratorOptions options{.step = 0.1 * system.stable_step(0, Values(4)), .beta = 0.5, .inner_tolerance = 1e-6};
   auto whole = make_integrator("beta_euler", system, options), resumed = make_integrator("beta_euler", fresh, options);
-  const double end = 1000.5 * options.step;
+  const double end = 1000.5 * options.step.length;
   whole->initialize(0, Values(4));
   for (int i = 0; i < 7; ++i) whole->step(end);
   resumed->restore(whole->save());

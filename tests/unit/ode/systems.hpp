@@ -189,17 +189,30 @@ inline std::vector<Values> integrate(Integrator& integrator, double t0, const Va
   return states;
 }
 
-/// Settings with which every registered integrator reaches roughly the accuracy `tolerance` on the test systems: the
-/// Euler schemes, which know no tolerance, by their step.
-inline IntegratorOptions accurate_options(const std::string& name, double tolerance) {
+/// "beta_euler_adaptive" -> "beta_euler"
+inline std::string registered_name(const std::string& variant) {
+  return variant.substr(0, variant.find("_adaptive"));
+}
+
+/// Settings with which every integrator, or variant of one, reaches roughly the accuracy `tolerance` on the test
+/// systems: the Euler schemes without error control by their step.
+inline IntegratorOptions accurate_options(const std::string& variant, double tolerance) {
   IntegratorOptions options{.tolerance = tolerance};
-  if (name == "explicit_euler") options.step_factor = std::min(0.5, 20 * tolerance);
-  if (name == "beta_euler") {
+  if (variant == "explicit_euler") options.step_factor = std::min(0.5, 20 * tolerance);
+  if (variant.starts_with("beta_euler")) {
     options.beta = 0.5;
     options.step_factor = std::min(0.5, 5 * std::sqrt(tolerance));
     options.inner_tolerance = 1e-13;
   }
+  if (variant.ends_with("_adaptive")) options.step = StepMode::adaptive;
+  // The tolerance holds for a step; the number of steps of a method of first order grows with its inverse root.
+  if (variant == "explicit_euler_adaptive") options.tolerance = std::min(1.0, 10 * tolerance) * tolerance;
   return options;
+}
+
+inline std::unique_ptr<Integrator> make_variant(const std::string& variant, System& system,
+                                                const IntegratorOptions& options) {
+  return make_integrator(registered_name(variant), system, options);
 }
 
 }  // namespace creepcontact::ode
