@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -42,11 +43,17 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
         fmt::format("inner_anderson = {}: must be at least 0 (0: plain iterations)", options.inner_anderson));
   if (!(options.residual_correction >= 0 && options.residual_correction <= 1))
     throw ConfigError(fmt::format("residual_correction = {}: must lie between 0 and 1", options.residual_correction));
+  if (options.inner_anderson > 0 && options.inner == InnerIteration::newton)
+    throw ConfigError(
+        fmt::format("inner_anderson = {}: accelerates inner = \"fixed_point\"; leave it out, or 0, with \"newton\"",
+                    options.inner_anderson));
   if (options.inner_anderson > 0)
     anderson_ = std::make_unique<AndersonIteration>(system.size(), options.inner_anderson, trust_factor);
+  if (options.inner == InnerIteration::newton) newton_ = std::make_unique<NewtonIteration>(system);
 }
 
 double BetaEuler::longest_adaptive_step() const {
+  if (newton_) return std::numeric_limits<double>::infinity();
   return adaptive_contraction * (anderson_ ? anderson_gain : 1) / (2 * options_.beta);
 }
 
@@ -55,7 +62,9 @@ void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target,
   target_ = target;
   for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
   ConvergenceWatch watch(options_.inner_tolerance, options_.max_inner_iterations);
-  if (anderson_)
+  if (newton_)
+    iterate_by_newton(to, watch);
+  else if (anderson_)
     anderson_->run(to.state, [&](std::span<const double> y, std::span<double> image) {
       map(y, image);
       return watch.see(max_difference(image, y)) != ConvergenceWatch::State::running;
@@ -63,7 +72,7 @@ void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target,
   else
     iterate_plainly(to.state, watch);
   if (watch.state() != ConvergenceWatch::State::converged) give_up(watch);
-  std::ranges::copy(load_rate_, to.rate.begin());
+  if (!newton_) std::ranges::copy(load_rate_, to.rate.begin());
   LoadStrain::residual(to.state, load_, to.load_residual);
 }
 
@@ -85,13 +94,38 @@ void BetaEuler::iterate_plainly(std::vector<double>& y, ConvergenceWatch& watch)
   } while (watch.state() == ConvergenceWatch::State::running);
 }
 
+/// An explicit step is a good guess unless it passes the solution by more than its own length: long steps do.
+bool BetaEuler::good_guess(std::span<const double> y) {
+  try {
+    map(y, iterate_);
+  } catch (const RecoverableError&) {
+    return false;
+  }
+  return max_difference(iterate_, y) <= max_difference(y, from_->state);
+}
+
+void BetaEuler::iterate_by_newton(EulerPoint& to, ConvergenceWatch& watch) {
+  if (!good_guess(to.state)) {
+    std::ranges::copy(from_->state, to.state.begin());
+    map(to.state, iterate_);
+  }
+  const NewtonIteration::Equation equation{target_.time, target_.step * options_.beta,
+                                           [&](std::span<const double> y, std::span<double> image) { map(y, image); },
+                                           load_, load_rate_};
+  newton_->run(equation, to.state, iterate_, to.rate, watch);
+}
+
 void BetaEuler::give_up(const ConvergenceWatch& watch) {
+  if (newton_)
+    throw RecoverableError(
+        fmt::format("the Newton iterations end with a change of {:.2g} after {} iterations, inner_tolerance {:.2g}",
+                    watch.change(), watch.iterations(), options_.inner_tolerance));
   const double stable = stable_step();
   const char* what = watch.state() == ConvergenceWatch::State::diverging ? "diverge" : "do not converge";
-  const std::string advice = anderson_
-                                 ? fmt::format(" (inner_anderson = {} carries some times as far): take a smaller step",
-                                               options_.inner_anderson)
-                                 : ": take a smaller step, accelerated iterations (inner_anderson = 3)";
+  const std::string advice =
+      anderson_ ? fmt::format(" (inner_anderson = {} carries some times as far): take a smaller step",
+                              options_.inner_anderson)
+                : ": take a smaller step, inner = \"newton\", accelerated iterations (inner_anderson = 3)";
   fail(fmt::format(
       "beta_euler: the inner iterations {} in the step of {:.3g} from t = {:.6g} (change {:.2g} after {} iterations, "
       "inner_tolerance {:.2g}). The stable step of explicit Euler is {:.3g} there, and plain iterations contract only "

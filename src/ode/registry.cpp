@@ -21,8 +21,9 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
-      {"explicit_euler", "explicit Euler, fixed step or the Cormeau step (Stankevich 2012)", make<ExplicitEuler>},
-      {"beta_euler", "implicit Euler with beta >= 0.5, fixed-point inner iterations (Stankevich 2012)",
+      {"explicit_euler", "explicit Euler; fixed, Cormeau or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
+      {"beta_euler",
+       "implicit Euler with beta >= 0.5; fixed-point or Newton iterations, fixed or adaptive steps (Stankevich 2012)",
        make<BetaEuler>},
       {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control: the default", CvodeIntegrator::bdf},
       {"cvode_adams", "CVODE Adams of order 1 to 12, fixed-point iterations, error control: for slow creep",

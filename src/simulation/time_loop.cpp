@@ -26,6 +26,7 @@ ode::IntegratorOptions integrator_options(const config::Time& time) {
   options.step = step_choice(time.step);
   options.step_factor = time.step_factor;
   options.beta = time.beta;
+  if (time.inner == config::InnerIteration::newton) options.inner = ode::InnerIteration::newton;
   options.inner_tolerance = time.inner_tolerance;
   options.inner_anderson = time.inner_anderson;
   options.residual_correction = time.residual_correction;

@@ -136,14 +136,17 @@ struct TimeStep {
   double length = 0;  ///< fixed
 };
 
+enum class InnerIteration { fixed_point, newton };
+
 struct Time {
   double end = 0;
   std::string integrator = "cvode_bdf";
-  double tolerance = 1e-4;     ///< relative stress accuracy
-  std::vector<double> output;  ///< increasing, from 0 to end, both included
-  TimeStep step;               ///< Euler schemes
-  double step_factor = 1.0;    ///< times the stable step
-  double beta = 1.0;           ///< beta_euler, in [0.5, 1]
+  double tolerance = 1e-4;                             ///< relative stress accuracy
+  std::vector<double> output;                          ///< increasing, from 0 to end, both included
+  TimeStep step;                                       ///< Euler schemes
+  double step_factor = 1.0;                            ///< times the stable step
+  double beta = 1.0;                                   ///< beta_euler, in [0.5, 1]
+  InnerIteration inner = InnerIteration::fixed_point;  ///< beta_euler
   double inner_tolerance = 1e-10;
   int inner_anderson = 0;  ///< beta_euler: depth of Anderson acceleration; 0: the plain iterations of the article
   double residual_correction = 0.0;

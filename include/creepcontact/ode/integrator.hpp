@@ -32,12 +32,16 @@ struct StepChoice {
   StepChoice(double fixed) : mode(StepMode::fixed), length(fixed) {}
 };
 
+/// How beta_euler solves for the new state.
+enum class InnerIteration { fixed_point, newton };
+
 /// Settings of all integrators, each using its own; defaults are the configuration's.
 struct IntegratorOptions {
   double tolerance = 1e-4;             ///< relative accuracy; absolute tolerance = tolerance * System::scale()
   StepChoice step = StepMode::stable;  ///< Euler: fixed, the stable step times step_factor, or under error control
   double step_factor = 1.0;
-  double beta = 1.0;                 ///< beta_euler, >= 0.5
+  double beta = 1.0;  ///< beta_euler, >= 0.5
+  InnerIteration inner = InnerIteration::fixed_point;
   double inner_tolerance = 1e-10;    ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
   int max_inner_iterations = 200;    ///< beta_euler
   int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain

@@ -176,6 +176,11 @@ TEST(ConfigReading, StepOfTheEulerSchemes) {
   EXPECT_EQ(parse_text(minimal + "step = \"adaptive\"\n").time.step.mode, StepMode::adaptive);
 }
 
+TEST(ConfigReading, InnerIterationOfBetaEuler) {
+  EXPECT_EQ(parse_text(minimal).time.inner, InnerIteration::fixed_point);
+  EXPECT_EQ(parse_text(minimal + "inner = \"newton\"\n").time.inner, InnerIteration::newton);
+}
+
 TEST(ConfigReading, OutputTimeSeries) {
   const std::vector<double> log =
       parse_text(minimal + "output = { first = 1, count = 3, spacing = \"log\" }").time.output;

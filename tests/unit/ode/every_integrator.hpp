@@ -13,14 +13,18 @@ class EveryIntegrator : public testing::TestWithParam<std::string> {
     return make_variant(GetParam(), system, accurate_options(GetParam(), tolerance));
   }
   /// Without error control.
-  static bool is_euler(const std::string& name) { return name.ends_with("_euler"); }
+  static bool is_euler(const std::string& name) {
+    return registered_name(name).ends_with("_euler") && !name.ends_with("_adaptive");
+  }
 };
 
 /// The names of all integrators, and of those with settings that change the course of a step.
 inline std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const IntegratorInfo& info : integrators()) names.push_back(info.name);
-  for (const char* variant : {"explicit_euler_adaptive", "beta_euler_adaptive"}) names.emplace_back(variant);
+  for (const char* variant :
+       {"explicit_euler_adaptive", "beta_euler_adaptive", "beta_euler_newton", "beta_euler_newton_adaptive"})
+    names.emplace_back(variant);
   return names;
 }
 

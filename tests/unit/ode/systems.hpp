@@ -189,9 +189,9 @@ inline std::vector<Values> integrate(Integrator& integrator, double t0, const Va
   return states;
 }
 
-/// "beta_euler_adaptive" -> "beta_euler"
+/// "beta_euler_newton_adaptive" -> "beta_euler"
 inline std::string registered_name(const std::string& variant) {
-  return variant.substr(0, variant.find("_adaptive"));
+  return variant.substr(0, std::min(variant.find("_newton"), variant.find("_adaptive")));
 }
 
 /// Settings with which every integrator, or variant of one, reaches roughly the accuracy `tolerance` on the test
@@ -204,6 +204,7 @@ inline IntegratorOptions accurate_options(const std::string& variant, double tol
     options.step_factor = std::min(0.5, 5 * std::sqrt(tolerance));
     options.inner_tolerance = 1e-13;
   }
+  if (variant.find("_newton") != std::string::npos) options.inner = InnerIteration::newton;
   if (variant.ends_with("_adaptive")) options.step = StepMode::adaptive;
   // The tolerance holds for a step; the number of steps of a method of first order grows with its inverse root.
   if (variant == "explicit_euler_adaptive") options.tolerance = std::min(1.0, 10 * tolerance) * tolerance;

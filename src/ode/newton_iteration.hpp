@@ -1,0 +1,54 @@
+#pragma once
+/// Newton's method for the equation of an implicit step, y = G(y) := constant + gamma f(t, e(y)) with de/dy = 1.
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "convergence_watch.hpp"
+#include "creepcontact/ode/system.hpp"
+
+namespace creepcontact::ode {
+
+/// Each correction solves (I - gamma J) dy = G(y) - y by GMRES (SUNDIALS SPGMR) with System::jacobian_times and
+/// System::precondition; it is halved while the residual does not fall (Armijo). The preconditioner stands on the
+/// right, other than in the integrators of SUNDIALS: on the left it hides the error of the creep that changes no
+/// stress by the factor of the stiffness, and that of a step of 1000 stable steps would pass unseen.
+/// Cost of a correction: one evaluation of G, and a Jacobian product for each Krylov vector.
+class NewtonIteration {
+ public:
+  struct Equation {
+    double t = 0, gamma = 0;
+    /// image = G(y). @throws RecoverableError
+    std::function<void(std::span<const double> y, std::span<double> image)> evaluate;
+    std::span<const double> point;  ///< e(y) of the last evaluation, where the Jacobian is taken
+    std::span<const double> rate;   ///< f(t, e) there
+  };
+
+  explicit NewtonIteration(System& system);
+  ~NewtonIteration();
+  NewtonIteration(const NewtonIteration&) = delete;
+  NewtonIteration& operator=(const NewtonIteration&) = delete;
+
+  /// Iterates until the watch has seen enough. It is told of the last change of y, or of what the linear solver has
+  /// left of the residual if that is more: in a relaxing system either bounds what it has missed of the change.
+  /// @param y      first guess, where G was evaluated last; the solution
+  /// @param image  G of the first guess
+  /// @param rate   f of the solution, as the equation has it
+  /// @throws RecoverableError if a correction cannot be made; what System throws, as it is
+  void run(const Equation& equation, std::span<double> y, std::span<const double> image, std::span<double> rate,
+           ConvergenceWatch& watch);
+
+ private:
+  struct Krylov;
+  /// Takes back of the correction what keeps the residual from falling; residual_ is then that of the new y.
+  void line_search(const Equation& equation, std::span<double> y, std::span<const double> dy);
+
+  std::unique_ptr<Krylov> krylov_;
+  std::vector<double> residual_;  ///< G(y) - y of the last evaluation
+  std::vector<double> base_;      ///< y before the correction
+  std::vector<double> image_;
+};
+
+}  // namespace creepcontact::ode
