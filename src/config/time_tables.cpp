@@ -1,5 +1,11 @@
 /// [time]
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+
 #include "output_times.hpp"
 #include "table.hpp"
 #include "tables.hpp"
@@ -27,10 +33,38 @@ Value<TimeStep> time_step() {
   return value;
 }
 
-std::optional<Time> make_time(TimeKeys keys, const Item& item, Context& context) {
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// A table of the integrator, in whatever case, with ARKODE's prefix or without.
+void check_table(const Time& time, const Vocabulary& vocabulary, const Location& where, Context& context) {
+  if (time.table.empty()) return;
+  const auto found = vocabulary.tables.find(time.integrator);
+  if (found == vocabulary.tables.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, tables] : vocabulary.tables) names.push_back(name);
+    context.errors.add(where, fmt::format("integrator \"{}\" has no tables to choose from; leave it out, or take {}",
+                                          time.integrator, fmt::join(names, " or ")));
+    return;
+  }
+  const std::string prefix = "arkode_";
+  std::string wanted = lower_case(time.table);
+  if (wanted.starts_with(prefix)) wanted.erase(0, prefix.size());
+  if (std::find(found->second.begin(), found->second.end(), wanted) == found->second.end())
+    context.errors.add_unknown(
+        where,
+        fmt::format("{} has no table '{}' with an embedded method for error control", time.integrator, time.table),
+        wanted, found->second);
+}
+
+std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const Item& item, Context& context) {
   keys.location = item.location;
   std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
   if (keys.end > 0) keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
+  check_table(keys, vocabulary, item.child("table").location, context);
   return Time(std::move(keys));
 }
 
@@ -61,10 +95,14 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "beta_euler: depth of Anderson acceleration of the fixed-point iterations; 0: none"),
       field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number({.min = 0, .max = 1}),
                       "Euler schemes: fraction of the nodal-force residual that the next step corrects"),
+      field<TimeKeys>("table", &TimeKeys::table, name("a Butcher table of ARKODE"),
+                      "arkode_erk, arkode_dirk: Butcher table with an embedded method"),
       field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
                       "times of jumps and kinks in expressions; those of tables are known"),
   });
-  return converted<Time>(keys, make_time);
+  return converted<Time>(keys, [vocabulary](TimeKeys read, const Item& item, Context& context) {
+    return make_time(std::move(read), vocabulary, item, context);
+  });
 }
 
 }  // namespace creepcontact::config

@@ -5,12 +5,20 @@
 
 #include <new>
 
+#include "butcher_tables.hpp"
 #include "krylov_settings.hpp"
 
 namespace creepcontact::ode {
 
 namespace {
-constexpr int method_order = 3;  // of both tables
+/// Hermite interpolation of ARKODE reaches the fifth degree.
+constexpr int most_accurate_interpolation = 6;
+
+const ButcherTable& table_of(bool implicit, const IntegratorOptions& options) {
+  if (implicit)
+    return find_table(diagonally_implicit_tables(), options.table.empty() ? "ark324l2sa_dirk_4_2_3" : options.table);
+  return find_table(explicit_tables(), options.table.empty() ? "bogacki_shampine_4_2_3" : options.table);
+}
 /// Extrapolates from the last step, at lower order for the later stages: a quarter fewer evaluations than starting the
 /// stages from the old state, and more robust over long steps than extrapolating at full order.
 constexpr int variable_order_predictor = 2;
@@ -25,9 +33,11 @@ ArkodeIntegrator::ArkodeIntegrator(std::string name, Kind kind, System& system, 
   check(ARKStepSetErrHandlerFn(memory_, SundialsCallbacks::message, &callbacks_), "ARKStepSetErrHandlerFn");
   check(ARKStepSetUserData(memory_, &callbacks_), "ARKStepSetUserData");
   check(ARKStepWFtolerances(memory_, SundialsCallbacks::weights), "ARKStepWFtolerances");
-  check(ARKStepSetTableNum(memory_, implicit ? ARKODE_ARK324L2SA_DIRK_4_2_3 : ARKODE_DIRK_NONE,
-                           implicit ? ARKODE_ERK_NONE : ARKODE_BOGACKI_SHAMPINE_4_2_3),
-        "ARKStepSetTableNum");
+  const ButcherTable& table = table_of(implicit, options);
+  order_ = table.order;
+  check(ARKStepSetTableName(memory_, implicit ? table.arkode_name.c_str() : "ARKODE_DIRK_NONE",
+                            implicit ? "ARKODE_ERK_NONE" : table.arkode_name.c_str()),
+        "ARKStepSetTableName");
 }
 
 ArkodeIntegrator::~ArkodeIntegrator() {
@@ -81,6 +91,10 @@ int ArkodeIntegrator::evolve(double horizon, N_Vector y, double& t) {
   return ARKStepEvolve(memory_, horizon, y, &t, ARK_ONE_STEP);
 }
 
+bool ArkodeIntegrator::interpolates() const {
+  return order_ <= most_accurate_interpolation;
+}
+
 int ArkodeIntegrator::interpolate_into(double t, N_Vector y) const {
   return ARKStepGetDky(memory_, t, 0, y);
 }
@@ -104,7 +118,7 @@ SundialsIntegrator::Statistics ArkodeIntegrator::statistics() const {
   // Every other failed attempt is one of the stage iterations or of a rate that could not be evaluated.
   now.convergence_failures = attempts - now.steps - now.rejected;
   check(ARKStepGetCurrentStep(memory_, &now.next_step), "ARKStepGetCurrentStep");
-  now.order = method_order;
+  now.order = order_;
   return now;
 }
 

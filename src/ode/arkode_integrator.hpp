@@ -11,12 +11,14 @@ namespace creepcontact::ode {
 
 class ArkodeIntegrator final : public SundialsIntegrator {
  public:
-  /// Bogacki-Shampine 3(2): explicit, for times short against the relaxation.
+  /// Explicit, for times short against the relaxation; Bogacki-Shampine 3(2) if options.table names no other.
   static std::unique_ptr<Integrator> explicit_rk(System& system, const IntegratorOptions& options);
-  /// ESDIRK 3(2), L-stable and stiffly accurate (Kennedy and Carpenter 2003, ARK3(2)4L[2]SA), with the Newton-Krylov
-  /// iteration of cvode_bdf in every stage.
+  /// With the Newton-Krylov iteration of cvode_bdf in every stage; ESDIRK 3(2), L-stable and stiffly accurate (Kennedy
+  /// and Carpenter 2003, ARK3(2)4L[2]SA) if options.table names no other.
   static std::unique_ptr<Integrator> diagonally_implicit_rk(System& system, const IntegratorOptions& options);
   ~ArkodeIntegrator() override;
+
+  bool interpolates() const override;
 
  protected:
   void restart(double t, N_Vector y, double first_step) override;
@@ -35,6 +37,7 @@ class ArkodeIntegrator final : public SundialsIntegrator {
   void use_newton_krylov();
 
   Kind kind_;
+  int order_ = 0;
   void* memory_ = nullptr;
   SUNLinearSolver linear_ = nullptr;
 };

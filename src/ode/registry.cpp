@@ -5,6 +5,7 @@
 
 #include "arkode_integrator.hpp"
 #include "beta_euler.hpp"
+#include "butcher_tables.hpp"
 #include "creepcontact/ode/integrator.hpp"
 #include "cvode_integrator.hpp"
 #include "explicit_euler.hpp"
@@ -28,10 +29,14 @@ const std::vector<IntegratorInfo>& integrators() {
       {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control: the default", CvodeIntegrator::bdf},
       {"cvode_adams", "CVODE Adams of order 1 to 12, fixed-point iterations, error control: for slow creep",
        CvodeIntegrator::adams},
-      {"arkode_erk", "ARKODE Bogacki-Shampine 3(2), explicit, error control: for times short against the relaxation",
-       ArkodeIntegrator::explicit_rk},
-      {"arkode_dirk", "ARKODE ESDIRK 3(2), implicit, Newton-Krylov, error control: restarts without loss of order",
-       ArkodeIntegrator::diagonally_implicit_rk},
+      {"arkode_erk",
+       "ARKODE explicit Runge-Kutta, Bogacki-Shampine 3(2) or another, error control: for times short against the "
+       "relaxation",
+       ArkodeIntegrator::explicit_rk, table_names(explicit_tables())},
+      {"arkode_dirk",
+       "ARKODE implicit Runge-Kutta, ESDIRK 3(2) or another, Newton-Krylov, error control: restarts without loss of "
+       "order",
+       ArkodeIntegrator::diagonally_implicit_rk, table_names(diagonally_implicit_tables())},
       {"rkc2", "Runge-Kutta-Chebyshev 2, stabilised explicit, error control: for moderate stiffness, no Jacobian",
        make<RungeKuttaChebyshev>},
   };

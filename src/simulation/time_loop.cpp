@@ -30,6 +30,7 @@ ode::IntegratorOptions integrator_options(const config::Time& time) {
   options.inner_tolerance = time.inner_tolerance;
   options.inner_anderson = time.inner_anderson;
   options.residual_correction = time.residual_correction;
+  options.table = time.table;
   options.end_time = time.end;
   return options;
 }

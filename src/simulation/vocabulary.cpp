@@ -89,7 +89,10 @@ config::Vocabulary vocabulary() {
     }
     result.laws.push_back(std::move(entry));
   }
-  for (const ode::IntegratorInfo& info : ode::integrators()) result.integrators.push_back(info.name);
+  for (const ode::IntegratorInfo& info : ode::integrators()) {
+    result.integrators.push_back(info.name);
+    if (!info.tables.empty()) result.tables[info.name] = info.tables;
+  }
   for (const QuantityInfo& info : quantities()) {
     config::Quantity entry;
     entry.name = info.name;

@@ -150,6 +150,7 @@ struct Time {
   double inner_tolerance = 1e-10;
   int inner_anderson = 0;  ///< beta_euler: depth of Anderson acceleration; 0: the plain iterations of the article
   double residual_correction = 0.0;
+  std::string table;                ///< arkode_erk, arkode_dirk: Butcher table; empty: the integrator's own choice
   std::vector<double> breakpoints;  ///< increasing; those of tables in t are not among them
   Location location;
 };

@@ -1,6 +1,7 @@
 #pragma once
 /// Names that the configuration may use but other modules define; the caller of the reader passes them in.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Quantity {
 struct Vocabulary {
   std::vector<Law> laws;
   std::vector<std::string> integrators;
+  std::map<std::string, std::vector<std::string>> tables;  ///< Butcher tables, of the integrators that let one choose
   std::vector<Quantity> quantities;
 };
 

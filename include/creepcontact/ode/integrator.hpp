@@ -46,6 +46,7 @@ struct IntegratorOptions {
   int max_inner_iterations = 200;    ///< beta_euler
   int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
   double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
+  std::string table = {};            ///< ARKODE: name of a Butcher table with an embedded method; empty: the default
   double end_time = 0;               ///< end of the run, bounds the first step
   int restart_interval = 20;         ///< ARKODE: steps from one restart point to the next
 };
@@ -106,6 +107,7 @@ struct IntegratorInfo {
   std::string name;
   std::string description;
   std::unique_ptr<Integrator> (*make)(System& system, const IntegratorOptions& options);
+  std::vector<std::string> tables = {};  ///< that IntegratorOptions::table may name
 };
 
 /// All integrators, by name: what a configuration may ask for.

@@ -13,7 +13,8 @@ namespace creepcontact::config {
 
 inline Vocabulary test_vocabulary() {
   Vocabulary words;
-  words.integrators = {"explicit_euler", "beta_euler", "cvode_bdf"};
+  words.integrators = {"explicit_euler", "beta_euler", "cvode_bdf", "arkode_erk"};
+  words.tables = {{"arkode_erk", {"heun_euler_2_1_2", "bogacki_shampine_4_2_3"}}};
   words.laws = {
       {"norton", {{"A", "factor"}, {"n", "exponent"}}},
       {"hereditary",

@@ -51,6 +51,17 @@ TEST(ConfigMistakes, WrongType) {
   expect_mistake(minimal + "tolerance = nan\n", at_12 + "13: time.tolerance: number nan; allowed: a number > 0");
 }
 
+TEST(ConfigMistakes, ButcherTables) {
+  const std::string erk = minimal + "integrator = \"arkode_erk\"\n";
+  expect_mistake(erk + "table = \"heun_euler\"\n",
+                 "cases/block.toml:13:9: time.table: arkode_erk has no table 'heun_euler' with an embedded method for "
+                 "error control; did you mean 'heun_euler_2_1_2'? (allowed: heun_euler_2_1_2, bogacki_shampine_4_2_3)");
+  expect_mistake(minimal + "table = \"heun_euler_2_1_2\"\n",
+                 at_12 +
+                     "9: time.table: integrator \"cvode_bdf\" has no tables to choose from; leave it out, or take "
+                     "arkode_erk");
+}
+
 TEST(ConfigMistakes, OutOfRange) {
   expect_mistake(minimal + "beta = 0.4\n", at_12 + "8: time.beta: number 0.4; allowed: a number in [0.5, 1]");
   expect_mistake(minimal + "step = 0\n",
@@ -79,7 +90,7 @@ TEST(ConfigMistakes, UnknownWord) {
   expect_mistake(minimal + "integrator = \"cvode_bfd\"\n",
                  at_12 +
                      "14: time.integrator: unknown integrator 'cvode_bfd'; did you mean 'cvode_bdf'? "
-                     "(allowed: explicit_euler, beta_euler, cvode_bdf)");
+                     "(allowed: explicit_euler, beta_euler, cvode_bdf, arkode_erk)");
   expect_mistake(
       minimal + "[[materials.steel.creep]]\nlaw = \"nortan\"\nA = 1\n",
       "cases/block.toml:13:7: materials.steel.creep[0].law: unknown creep law 'nortan'; did you mean 'norton'?");

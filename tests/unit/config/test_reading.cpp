@@ -181,6 +181,12 @@ TEST(ConfigReading, InnerIterationOfBetaEuler) {
   EXPECT_EQ(parse_text(minimal + "inner = \"newton\"\n").time.inner, InnerIteration::newton);
 }
 
+TEST(ConfigReading, ButcherTableInAnySpelling) {
+  for (const char* name :
+       {"heun_euler_2_1_2", "HEUN_EULER_2_1_2", "ARKODE_HEUN_EULER_2_1_2", "arkode_heun_euler_2_1_2"})
+    EXPECT_EQ(parse_text(minimal + "integrator = \"arkode_erk\"\ntable = \"" + name + "\"\n").time.table, name);
+}
+
 TEST(ConfigReading, OutputTimeSeries) {
   const std::vector<double> log =
       parse_text(minimal + "output = { first = 1, count = 3, spacing = \"log\" }").time.output;

@@ -1,0 +1,133 @@
+/// Butcher tables by name: all that ARKODE has, each of its order.
+
+#include <arkode/arkode_arkstep.h>
+#include <gtest/gtest.h>
+
+#include "../../../src/ode/butcher_tables.hpp"
+#include "creepcontact/base/error.hpp"
+#include "systems.hpp"
+
+namespace creepcontact::ode {
+namespace {
+
+TEST(ButcherTables, AllOfArkodeWithAnEmbeddedMethod) {
+  EXPECT_EQ(explicit_tables().size(), ARKODE_MAX_ERK_NUM - ARKODE_MIN_ERK_NUM) << "all but Knoth-Wolke";
+  EXPECT_EQ(diagonally_implicit_tables().size(), ARKODE_MAX_DIRK_NUM - ARKODE_MIN_DIRK_NUM + 1);
+}
+
+TEST(ButcherTables, AreFoundInAnySpelling) {
+  for (const char* name : {"dormand_prince_7_4_5", "DORMAND_PRINCE_7_4_5", "ARKODE_DORMAND_PRINCE_7_4_5"})
+    EXPECT_EQ(find_table(explicit_tables(), name).order, 5);
+  EXPECT_EQ(find_table(explicit_tables(), "ark548l2sab_erk_8_4_5").arkode_name, "ARKODE_ARK548L2SAb_ERK_8_4_5");
+}
+
+TEST(ButcherTables, OthersAreRefusedByName) {
+  LinearSystem system({-1.0});
+  for (const auto& [integrator, table] : {std::pair{"arkode_erk", "sdirk_2_1_2"},
+                                          {"arkode_erk", "knoth_wolke_3_3"},
+                                          {"arkode_dirk", "heun_euler_2_1_2"}}) {
+    IntegratorOptions options;
+    options.table = table;
+    try {
+      make_integrator(integrator, system, options);
+      ADD_FAILURE() << table;
+    } catch (const ConfigError& error) {
+      for (const char* part : {table, "embedded", "_2_1_2"})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+}
+
+struct Case {
+  std::string integrator, table;
+};
+
+class EveryTable : public testing::TestWithParam<Case> {};
+
+/// The bar relaxes from half its initial stress, where steps of 1/32 h are short against its relaxation.
+/// Steps of equal length: each is proposed anew, under a tolerance that accepts it.
+double error_of_equal_steps(const Case& method, int steps, int& order) {
+  constexpr double begin_stress = RelaxingBar::initial_stress / 2;
+  RelaxingBar bar;
+  IntegratorOptions options{.tolerance = 1e6};
+  options.table = method.table;
+  auto integrator = make_integrator(method.integrator, bar, options);
+  Values y{begin_stress / RelaxingBar::E};
+  for (int k = 0; k < steps; ++k) {
+    const double next = (k + 1.0) / steps;
+    integrator->initialize(static_cast<double>(k) / steps, y, 1.0 / steps);
+    order = integrator->step(next).order;
+    EXPECT_EQ(integrator->time(), next);
+    y.assign(integrator->state().begin(), integrator->state().end());
+  }
+  constexpr double n = RelaxingBar::n;
+  const double exact = std::pow(std::pow(begin_stress, 1 - n) + (n - 1) * RelaxingBar::A * RelaxingBar::E, 1 / (1 - n));
+  return std::abs(RelaxingBar::stress(y[0]) - exact);
+}
+
+/// The tolerance is that of the Newton iteration, too: implicit methods get the order from the number of steps it
+/// takes.
+double observed_order_of_implicit(const Case& method, int& order) {
+  std::vector<double> steps, errors;
+  for (double tolerance : {1e-5, 1e-9}) {
+    RelaxingBar bar;
+    IntegratorOptions options{.tolerance = tolerance};
+    options.table = method.table;
+    auto integrator = make_integrator(method.integrator, bar, options);
+    integrator->initialize(0, Values{0});
+    while (integrator->time() < 1) order = integrator->step(1).order;
+    steps.push_back(static_cast<double>(integrator->counters().steps));
+    errors.push_back(std::abs(RelaxingBar::stress(integrator->state()[0]) - RelaxingBar::exact_stress(1)));
+  }
+  return std::log(errors[0] / errors[1]) / std::log(steps[1] / steps[0]);
+}
+
+TEST_P(EveryTable, HasTheOrderThatItReports) {
+  const Case& method = GetParam();
+  int order = 0;
+  if (method.integrator == "arkode_erk") {
+    const int digit = method.table.back() - '0';
+    const int steps = digit <= 3 ? 128 : digit <= 5 ? 32 : digit <= 6 ? 16 : 4;  // errors well above rounding
+    const double coarse = error_of_equal_steps(method, steps, order);
+    const double fine = error_of_equal_steps(method, 2 * steps, order);
+    // Order 8 shows only where rounding begins: ratios of 6.6, 7.0, 7.5 in extended precision.
+    EXPECT_GT(std::log2(coarse / fine), order - (order <= 6 ? 0.4 : 1.5));
+    EXPECT_LT(std::log2(coarse / fine), order + 0.9);
+  } else {
+    const double observed = observed_order_of_implicit(method, order);
+    EXPECT_GT(observed, order - 1.0);
+  }
+  EXPECT_EQ(order, method.table.back() - '0') << "the name ends with it";
+}
+
+TEST_P(EveryTable, MeetsTheTolerance) {
+  const Case& method = GetParam();
+  for (double tolerance : {1e-3, 1e-5}) {
+    RelaxingBar bar;
+    IntegratorOptions options{.tolerance = tolerance, .end_time = 10};
+    options.table = method.table;
+    auto integrator = make_integrator(method.integrator, bar, options);
+    const Values times = {0.1, 1, 10};
+    integrator->initialize(0, Values{0});
+    for (double t : times) {
+      while (integrator->time() < t) integrator->step(integrator->interpolates() ? 10 : t);
+      Values y(1);
+      integrator->interpolate(t, y);
+      EXPECT_NEAR(RelaxingBar::stress(y[0]), RelaxingBar::exact_stress(t), 20 * tolerance * RelaxingBar::initial_stress)
+          << "t = " << t;
+    }
+  }
+}
+
+std::vector<Case> all_tables() {
+  std::vector<Case> cases;
+  for (const IntegratorInfo& info : integrators())
+    for (const std::string& table : info.tables) cases.push_back({info.name, table});
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryTable, testing::ValuesIn(all_tables()),
+                         [](const auto& method) { return method.param.table; });
+
+}  // namespace
+}  // namespace creepcontact::ode
