@@ -183,6 +183,7 @@ void EulerScheme::accept(const StepClock::Target& target) {
   last_step_ = target.step;
   ++counters_.steps;
   system_.accept(time(), current_.state);
+  if (doubling_) doubling_->set_scale(system_.scale());
   foresee_stable_step();
 }
 

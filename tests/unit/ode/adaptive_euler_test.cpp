@@ -8,6 +8,8 @@
 namespace creepcontact::ode {
 namespace {
 
+constexpr double local_share = 0.4;  ///< of the tolerance, for local errors
+
 IntegratorOptions adaptive(double tolerance, double beta = 1) {
   return {.tolerance = tolerance, .step = StepMode::adaptive, .beta = beta, .inner_tolerance = 1e-14};
 }
@@ -20,14 +22,14 @@ TEST(AdaptiveEuler, TakesTwoHalvesAndReportsTheirError) {
   const StepReport report = integrator->step(10);
   EXPECT_EQ(report.step, 0.1);
   EXPECT_NEAR(integrator->state()[0], 0.95 * 0.95, 1e-15);
-  EXPECT_NEAR(report.error_estimate, (0.95 * 0.95 - 0.9) / 0.1, 1e-12);
+  EXPECT_NEAR(report.error_estimate, (0.95 * 0.95 - 0.9) / (local_share * 0.1), 1e-12);
   EXPECT_EQ(system.counters().rate_evaluations, 3) << "start, middle, end";
 
   LinearSystem again({-1.0});
   auto trapezoidal = make_integrator("beta_euler", again, adaptive(0.1, 0.5));
   trapezoidal->initialize(0, Values{1}, 0.1);
   const double half = (1 - 0.025) / (1 + 0.025), whole = (1 - 0.05) / (1 + 0.05);
-  EXPECT_NEAR(trapezoidal->step(10).error_estimate, std::abs(half * half - whole) / 3 / 0.1, 1e-10);
+  EXPECT_NEAR(trapezoidal->step(10).error_estimate, std::abs(half * half - whole) / 3 / (local_share * 0.1), 1e-10);
   EXPECT_NEAR(trapezoidal->state()[0], half * half, 1e-13);
 }
 
@@ -44,7 +46,7 @@ TEST(AdaptiveEuler, TheEstimateIsTheErrorOfTheStep) {
       integrator->initialize(0, Values{1}, h);
       const double estimate = integrator->step(10).error_estimate;
       const double error = std::abs(integrator->state()[0] - std::exp(-h));
-      EXPECT_NEAR(estimate / error, 1, 2 * h) << scheme.name << " beta = " << scheme.beta;
+      EXPECT_NEAR(local_share * estimate / error, 1, 2 * h) << scheme.name << " beta = " << scheme.beta;
     }
 }
 

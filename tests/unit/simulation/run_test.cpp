@@ -55,8 +55,16 @@ TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Run,
                          testing::Values(RunCase{"explicit_euler", 5e-3, {"time.step=0.0625"}},
                                          RunCase{"beta_euler", 1e-3, {"time.step=0.25", "time.beta=0.5"}},
-                                         RunCase{"cvode_bdf", 1e-3, {}}, RunCase{"arkode_dirk", 1e-3, {}}),
+                                         RunCase{"cvode_bdf", 1e-3, {}}, RunCase{"arkode_dirk", 1e-3, {}},
+                                         RunCase{"rkc2", 1e-3, {}}),
                          [](const auto& tested) { return std::string(tested.param.integrator); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Settings, Run,
+    testing::Values(RunCase{"explicit_euler", 5e-3, {"time.step=adaptive", "time.tolerance=1e-5"}},
+                    RunCase{"beta_euler", 1e-3, {"time.step=adaptive", "time.beta=0.5", "time.inner=newton"}},
+                    RunCase{"arkode_erk", 1e-3, {"time.table=ARKODE_DORMAND_PRINCE_7_4_5"}}),
+    [](const auto& tested) { return std::string(tested.param.integrator); });
 
 TEST(RunBreakpoints, AreEndsOfSteps) {
   const Case blocks;
