@@ -158,12 +158,17 @@ StepReport EulerScheme::step(double t_limit) {
     const double smallest = adaptive() ? smallest_step * std::abs(time()) : 0;
     if (attempts == (adaptive() ? max_adaptive_attempts : max_halvings + 1) || factor * target.step <= smallest ||
         time() + factor * target.step == time())
-      throw SolverError(fmt::format(
-          "{}: no step from t = {:.6g}, not even one of {:.3g}: {}. The stable step is {:.3g}; take a smaller step, "
-          "or an integrator that controls it (cvode_bdf)",
-          name(), time(), target.step, reason, stable_step()));
+      give_up(target.step, reason);
     dt = factor * target.step;
   }
+}
+
+void EulerScheme::give_up(double shortest, const std::string& reason) {
+  const char* advice = adaptive() ? "choose a larger tolerance, or take cvode_bdf"
+                                  : "take a smaller step, or an integrator that controls it (cvode_bdf)";
+  throw SolverError(
+      fmt::format("{}: no step from t = {:.6g}, not even one of {:.3g}: {}. The stable step is {:.3g}; {}", name(),
+                  time(), shortest, reason, stable_step(), advice));
 }
 
 void EulerScheme::propose(double wanted, double made, double error, bool repeated) {

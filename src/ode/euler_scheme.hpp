@@ -61,6 +61,8 @@ class EulerScheme : public Integrator {
   double adaptive_step(double t_limit);
   /// Fills next_. @returns its error in units of the tolerance, 0 without error control
   double attempt(const StepClock::Target& target);
+  [[noreturn]] void give_up(double shortest, const std::string& reason);
+  /// The next adaptive step, after one of length `made` instead of `wanted`.
   void propose(double wanted, double made, double error, bool repeated);
   void accept(const StepClock::Target& target);
   /// At time(); infinity if nothing creeps. @throws SolverError if it is no step

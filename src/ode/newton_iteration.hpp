@@ -13,9 +13,9 @@ namespace creepcontact::ode {
 
 /// Each correction solves (I - gamma J) dy = G(y) - y by GMRES (SUNDIALS SPGMR) with System::jacobian_times and
 /// System::precondition; it is halved while the residual does not fall (Armijo). The preconditioner stands on the
-/// right, other than in the integrators of SUNDIALS: on the left it hides the error of the creep that changes no
-/// stress by the factor of the stiffness, and that of a step of 1000 stable steps would pass unseen.
-/// Cost of a correction: one evaluation of G, and a Jacobian product for each Krylov vector.
+/// right, other than in the integrators of SUNDIALS, so that GMRES measures the true residual and its norm bounds the
+/// error: on the left it would measure one divided by the stiffness of the step, which creep that changes no stress
+/// does not have. Cost of a correction: one evaluation of G, and a Jacobian product for each Krylov vector.
 class NewtonIteration {
  public:
   struct Equation {

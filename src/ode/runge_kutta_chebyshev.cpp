@@ -82,7 +82,7 @@ double RungeKuttaChebyshev::first_step(double t_limit) {
   try {
     return ode::first_step(system_, norm_, start, newer_, stage_rate_, counters_.convergence_failures);
   } catch (const RecoverableError& error) {
-    give_up(0, error.what());
+    throw SolverError(fmt::format("{}: no step from t = {:.6g}: {}", name(), time(), error.what()));
   }
 }
 
