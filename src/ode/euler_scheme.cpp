@@ -108,8 +108,8 @@ double EulerScheme::wanted_step(double t_limit) {
 
 double EulerScheme::adaptive_step(double t_limit) {
   if (!(proposal_ > 0)) {
-    const double longest = longest_first_step(time(), t_limit, options_.end_time);
-    const Start start{time(), current_.state, current_.rate, longest, known_stable_step()};
+    const double latest = latest_first_end(time(), t_limit, options_.end_time);
+    const Start start{time(), current_.state, current_.rate, latest, known_stable_step()};
     EulerPoint& work = doubling_->work();
     try {
       proposal_ = first_step(system_, doubling_->norm(), start, work.state, work.rate, counters_.convergence_failures);

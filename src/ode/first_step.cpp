@@ -12,11 +12,12 @@ constexpr int max_attempts = 20;
 
 double first_step(System& system, const ErrorNorm& norm, const Start& start, std::vector<double>& state,
                   std::vector<double>& rate, std::int64_t& failures) {
-  double h = std::min(start.longest, 0.5 * start.stable);
+  const double longest = start.latest - start.time;
+  double h = std::min(longest, 0.5 * start.stable);
   for (int attempt = 1;; ++attempt) {
     try {
       for_each_index(state.size(), [&](std::size_t i) { state[i] = start.state[i] + h * start.rate[i]; });
-      system.rate(start.time + h, state, rate);
+      system.rate(std::min(start.time + h, start.latest), state, rate);
       break;
     } catch (const RecoverableError&) {
       if (attempt == max_attempts) throw;
@@ -27,12 +28,12 @@ double first_step(System& system, const ErrorNorm& norm, const Start& start, std
   const double change = norm([&](std::size_t begin, std::size_t n) {
     return h * (piece(std::as_const(rate).data(), begin, n) - piece(start.rate.data(), begin, n));
   });
-  return 0.1 * h < start.longest * std::sqrt(change) ? 0.1 * h / std::sqrt(change) : start.longest;
+  return 0.1 * h < longest * std::sqrt(change) ? 0.1 * h / std::sqrt(change) : longest;
 }
 
-double longest_first_step(double time, double t_limit, double end_time) {
+double latest_first_end(double time, double t_limit, double end_time) {
   const double horizon = end_time > time ? std::min(end_time, t_limit) : t_limit;
-  return std::isinf(horizon) ? std::max(1.0, std::abs(time)) : horizon - time;
+  return std::isinf(horizon) ? time + std::max(1.0, std::abs(time)) : horizon;
 }
 
 }  // namespace creepcontact::ode

@@ -8,12 +8,12 @@
 
 namespace creepcontact::ode {
 
-/// Where a first step starts, and how long it may be.
+/// Where a first step starts, and what bounds it.
 struct Start {
   double time = 0;
   const std::vector<double>& state;
   const std::vector<double>& rate;
-  double longest = 0;
+  double latest = 0;  ///< where it ends at the latest
   double stable = 0;  ///< stable step of explicit Euler
 };
 
@@ -25,7 +25,7 @@ struct Start {
 double first_step(System& system, const ErrorNorm& norm, const Start& start, std::vector<double>& state,
                   std::vector<double>& rate, std::int64_t& failures);
 
-/// How long a first step towards t_limit may be, where the run ends at end_time (if that lies ahead).
-double longest_first_step(double time, double t_limit, double end_time);
+/// The end of a first step towards t_limit, at the latest, where the run ends at end_time (if that lies ahead).
+double latest_first_end(double time, double t_limit, double end_time);
 
 }  // namespace creepcontact::ode

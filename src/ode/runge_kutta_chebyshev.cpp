@@ -78,7 +78,7 @@ double RungeKuttaChebyshev::radius(double t, std::span<const double> y) {
 }
 
 double RungeKuttaChebyshev::first_step(double t_limit) {
-  const Start start{time(), state_, rate_, longest_first_step(time(), t_limit, options_.end_time), 2 / radius_};
+  const Start start{time(), state_, rate_, latest_first_end(time(), t_limit, options_.end_time), 2 / radius_};
   try {
     return ode::first_step(system_, norm_, start, newer_, stage_rate_, counters_.convergence_failures);
   } catch (const RecoverableError& error) {
