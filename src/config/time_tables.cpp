@@ -71,12 +71,16 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
 }  // namespace
 
 Value<Time> time_table(const Vocabulary& vocabulary) {
+  const auto linear_solver =
+      choice<LinearSolver>("linear solver", {{"krylov", LinearSolver::krylov}, {"tangent", LinearSolver::tangent}});
   const auto keys = table<TimeKeys>({
       field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required),
       field<TimeKeys>("integrator", &TimeKeys::integrator, choice("integrator", vocabulary.integrators),
                       "method of time integration"),
       field<TimeKeys>("tolerance", &TimeKeys::tolerance, number(greater(0)),
                       "relative accuracy of the stress; the Euler schemes use it with step \"adaptive\""),
+      field<TimeKeys>("linear_solver", &TimeKeys::linear_solver, linear_solver,
+                      "cvode_bdf, arkode_dirk: how the Newton systems are solved"),
       field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and the end always are"),
       field<TimeKeys>(
           "step", &TimeKeys::step, time_step(),

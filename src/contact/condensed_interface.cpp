@@ -100,20 +100,9 @@ void CondensedInterface::make_rows() {
 void CondensedInterface::condense(std::size_t b) {
   mechanics::Body& body = *bodies_[b];
   Side& side = sides_[b];
-  const RowMatrix& reduced = rows_[b].reduced;
   body.factorize(side.trailing);
-  std::vector<int> place(static_cast<std::size_t>(reduced.cols()), -1);
-  for (std::size_t i = 0; i < side.trailing.size(); ++i)
-    place[static_cast<std::size_t>(side.trailing[i])] = static_cast<int>(i);
-  side.traces.setZero(static_cast<Eigen::Index>(side.trailing.size()), reduced.rows());
-  for (int r = 0; r < reduced.outerSize(); ++r)
-    for (RowMatrix::InnerIterator it(reduced, r); it; ++it)
-      if (const int i = place[static_cast<std::size_t>(it.col())]; i >= 0) side.traces(i, r) = it.value();
-  if (side.traces.size() > 0) {
-    const Eigen::MatrixXd factor = body.factor().trailing_factor();
-    factor.triangularView<Eigen::Lower>().solveInPlace(side.traces);
-  }
-  problem_.bodies[b].matrix = side.traces.transpose() * side.traces;
+  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, body.factor());
+  problem_.bodies[b].matrix = side.condensed.flexibility();
   problem_.total(rows_[b].rows, rows_[b].rows) += problem_.bodies[b].matrix;
 }
 
@@ -218,8 +207,7 @@ void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, 
     load.gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
     return;
   }
-  const Eigen::Map<const Eigen::VectorXd> all(y.data(), static_cast<Eigen::Index>(y.size()));
-  load.gap(rows.rows) += sides_[body].traces.transpose() * all.tail(sides_[body].traces.rows());
+  load.gap(rows.rows) += sides_[body].condensed.gaps(y);
 }
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier,
@@ -227,15 +215,14 @@ void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd
   const BodyRows& rows = rows_[body];
   if (rows.rows.empty() || y.empty()) return;
   const Eigen::VectorXd own = multiplier(rows.rows);
-  Eigen::Map<Eigen::VectorXd> all(y.data(), static_cast<Eigen::Index>(y.size()));
   if (large_) {
     Eigen::VectorXd forces = rows.reduced.transpose() * own;
     const std::span<double> in_place(forces.data(), y.size());
     bodies_[body]->factor().forward(in_place, in_place);
-    all += forces;
+    Eigen::Map<Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())) += forces;
     return;
   }
-  all.tail(sides_[body].traces.rows()).noalias() += sides_[body].traces * own;
+  sides_[body].condensed.add_forces(own, y);
 }
 
 void CondensedInterface::add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid,

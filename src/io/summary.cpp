@@ -38,6 +38,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["integrator"] = summary.integrator;
   json["steps"] = summary.steps;
   json["rejected_steps"] = summary.rejected_steps;
+  json["convergence_failures"] = summary.convergence_failures;
   json["rhs_evaluations"] = summary.rhs_evaluations;
   json["jacobian_products"] = summary.jacobian_products;
   json["elastic_solves"] = summary.elastic_solves;

@@ -35,7 +35,9 @@ void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> bl
 
 struct SupernodalCholesky::Impl {
   Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of, std::span<const std::int64_t> trailing);
+  Impl(const Impl& analysed);
   void factorize(const SparseMatrix& lower);
+  void make_workspace();
 
   std::int64_t* permutation() const { return integers(factor->Perm); }
   template <typename Visit>
@@ -66,6 +68,18 @@ SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::i
   if (!std::equal(trailing.begin(), trailing.end(), permutation() + (lower.rows() - n_trailing))) {
     throw std::logic_error("CHOLMOD moved the trailing unknowns");
   }
+  make_workspace();
+}
+
+SupernodalCholesky::Impl::Impl(const Impl& analysed)
+    : factor(cholmod_l_copy_factor(analysed.factor.get(), context.get()), {context.get()}),
+      n_entries(analysed.n_entries),
+      n_trailing(analysed.n_trailing) {
+  context.check("copy the factor of");
+  make_workspace();
+}
+
+void SupernodalCholesky::Impl::make_workspace() {
   vector.resize(factor->n);
   update.resize(std::max<std::size_t>(factor->maxesize, 1));
   vector_view = view(vector);
@@ -122,6 +136,12 @@ SupernodalCholesky::SupernodalCholesky(const SparseMatrix& lower, std::span<cons
                                        std::span<const std::int64_t> trailing) {
   check_arguments(lower, block_of, trailing);
   impl_ = std::make_unique<Impl>(lower, block_of, trailing);
+}
+
+SupernodalCholesky::SupernodalCholesky(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+SupernodalCholesky SupernodalCholesky::same_pattern() const {
+  return SupernodalCholesky(std::make_unique<Impl>(*impl_));
 }
 
 SupernodalCholesky::~SupernodalCholesky() = default;

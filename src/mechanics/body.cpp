@@ -33,6 +33,7 @@ struct Body::Impl {
 
   ElasticState isothermal() const { return {moduli, {}}; }
   linalg::SparseMatrix free_stiffness() const;
+  linalg::SparseMatrix on_free_unknowns(const linalg::SparseMatrix& all) const;
   bool has_hex20() const;
   void set_time(double t);
   /// @throws ModelError if a force is infinite or not a number
@@ -62,10 +63,14 @@ struct Body::Impl {
   std::vector<double> stress;          // of the prescribed displacement
 };
 
-/// The pins' rows and columns are emptied but for the diagonal.
 linalg::SparseMatrix Body::Impl::free_stiffness() const {
   linalg::SparseMatrix all = discretization.stiffness(isothermal());
-  if (stabilized) add_hourglass_stiffness(mesh, all);
+  if (stabilized) add_hourglass_stiffness(mesh, all.diagonal(), all);
+  return on_free_unknowns(all);
+}
+
+/// The pins' rows and columns are emptied but for the diagonal.
+linalg::SparseMatrix Body::Impl::on_free_unknowns(const linalg::SparseMatrix& all) const {
   linalg::SparseMatrix stiffness = constraints.reduce(all);
   if (pins.empty()) return stiffness;
   std::vector<char> pinned(static_cast<std::size_t>(constraints.n_free()), 0);
@@ -221,6 +226,14 @@ std::int64_t Body::estimate_factor_bytes() const {
 
 linalg::SparseMatrix Body::stiffness() const {
   return impl_->free_stiffness();
+}
+
+linalg::SparseMatrix Body::stiffness(std::span<const Matrix6> moduli) const {
+  linalg::SparseMatrix all = impl_->discretization.stiffness(moduli);
+  // The elastic one also here: it stands for no material, and creep does not relax it.
+  if (impl_->stabilized)
+    add_hourglass_stiffness(impl_->mesh, impl_->discretization.stiffness(impl_->isothermal()).diagonal(), all);
+  return impl_->on_free_unknowns(all);
 }
 
 linalg::SupernodalCholesky& Body::factor() {

@@ -61,6 +61,7 @@ class ElementBlock {
   void body_force(std::span<const Vector3> force_density, std::span<double> element_forces) const;
   /// 3 n_nodes square, node by node.
   Eigen::MatrixXd element_stiffness(std::size_t e, const ElasticState& elastic) const;
+  Eigen::MatrixXd element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const;
 
  protected:
   ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start);
@@ -70,6 +71,8 @@ class ElementBlock {
   const std::vector<double>& derivatives() const { return derivatives_; }
 
  private:
+  /// Gradients of the shape functions at the points of an element: a column a point, three numbers a node.
+  Eigen::MatrixXd gradients(std::size_t e) const;
   void tabulate();
   void measure(const std::vector<Vector3>& nodes);
 

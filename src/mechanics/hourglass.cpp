@@ -29,8 +29,7 @@ Square beside_quadratics(const mesh::Mesh& mesh, std::span<const std::int64_t> c
 
 }  // namespace
 
-void add_hourglass_stiffness(const mesh::Mesh& mesh, linalg::SparseMatrix& lower) {
-  const Eigen::VectorXd diagonal = lower.diagonal();
+void add_hourglass_stiffness(const mesh::Mesh& mesh, const Eigen::VectorXd& diagonal, linalg::SparseMatrix& lower) {
   for (const mesh::CellBlock& block : mesh.blocks) {
     if (block.type != mesh::CellType::hex20) continue;
     for (std::size_t c = 0; c < block.size(); ++c) {

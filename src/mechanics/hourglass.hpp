@@ -10,7 +10,8 @@ namespace creepcontact::mechanics {
 /// polynomial of the place represents. Quadratic displacements, and with them all patch tests, are left alone;
 /// hourglass modes are no quadratic polynomials. Elements in a row one behind the other need it: neighbours on two
 /// sides do not hold these modes as those in a block do.
-/// @param lower  over all 3 n_nodes unknowns, as Discretization::stiffness() makes it
-void add_hourglass_stiffness(const mesh::Mesh& mesh, linalg::SparseMatrix& lower);
+/// @param diagonal  of the elastic stiffness, by which an element's own is measured
+/// @param lower     over all 3 n_nodes unknowns, as Discretization::stiffness() makes it
+void add_hourglass_stiffness(const mesh::Mesh& mesh, const Eigen::VectorXd& diagonal, linalg::SparseMatrix& lower);
 
 }  // namespace creepcontact::mechanics

@@ -7,20 +7,29 @@
 
 namespace creepcontact::mechanics {
 
+Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
+  const auto n = static_cast<Eigen::Index>(n_nodes_);
+  Eigen::MatrixXd result(3 * n, static_cast<Eigen::Index>(n_points_));
+  for (std::size_t p = 0; p < n_points_; ++p) {
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inverse(geometry_[e * n_points_ + p].inverse);
+    const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[p * n_nodes_ * 3], 3, n);
+    Eigen::Map<Eigen::Matrix3Xd>(result.col(static_cast<Eigen::Index>(p)).data(), 3, n).noalias() =
+        inverse.transpose() * table;
+  }
+  return result;
+}
+
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
   const auto n = static_cast<Eigen::Index>(n_nodes_), n_dofs = 3 * n, n_p = static_cast<Eigen::Index>(n_points_);
   const bool averages = reference_.averages_volumetric_strain();
-  // Shape-function gradients, a column a point; weights of the terms lambda tr tr and 2 mu e:e.
-  Eigen::MatrixXd gradients(n_dofs, n_p);
+  const Eigen::MatrixXd gradients = this->gradients(e);
+  // Weights of the terms lambda tr tr and 2 mu e:e.
   Eigen::VectorXd lambda(n_p), mu(n_p), mean = Eigen::VectorXd::Zero(n_dofs);
   double volume = 0, bulk = 0;
   for (Eigen::Index p = 0; p < n_p; ++p) {
     const std::size_t point = e * n_points_ + static_cast<std::size_t>(p);
     const PointGeometry& at = geometry_[point];
     const Moduli& h = elastic.at(start_.point + point);
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inverse(at.inverse);
-    const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[static_cast<std::size_t>(p) * n_nodes_ * 3], 3, n);
-    Eigen::Map<Eigen::Matrix3Xd>(gradients.col(p).data(), 3, n).noalias() = inverse.transpose() * table;
     mu[p] = at.weight * h.mu;
     // B-bar: the deviatoric part of the point's own strain, and the bulk modulus times the mean volumetric strain.
     lambda[p] = at.weight * (averages ? -2.0 / 3.0 * h.mu : h.lambda);
@@ -38,6 +47,39 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
     }
   }
   return stiffness;
+}
+
+Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
+  const auto n = static_cast<Eigen::Index>(n_nodes_), n_p = static_cast<Eigen::Index>(n_points_);
+  constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+  const Eigen::MatrixXd gradients = this->gradients(e);
+  // B of all points on top of each other: strain in Mandel order, a column an unknown.
+  Eigen::MatrixXd strain = Eigen::MatrixXd::Zero(6 * n_p, 3 * n);
+  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(3 * n);
+  double volume = 0;
+  for (Eigen::Index p = 0; p < n_p; ++p) {
+    for (Eigen::Index a = 0; a < n; ++a) {
+      const Vector3 g = gradients.block<3, 1>(3 * a, p), shear = half_sqrt2 * g;
+      auto block = strain.block<6, 3>(6 * p, 3 * a);
+      block.diagonal() = g;
+      block(3, 0) = block(4, 2) = shear.y();
+      block(3, 1) = block(5, 2) = shear.x();
+      block(4, 1) = block(5, 0) = shear.z();
+    }
+    const double weight = geometry_[e * n_points_ + static_cast<std::size_t>(p)].weight;
+    mean += weight * gradients.col(p).transpose();
+    volume += weight;
+  }
+  if (reference_.averages_volumetric_strain())
+    for (Eigen::Index p = 0; p < n_p; ++p)
+      strain.middleRows<3>(6 * p).rowwise() += (mean / volume - gradients.col(p).transpose()) / 3;
+  Eigen::MatrixXd stress(6 * n_p, 3 * n);
+  for (Eigen::Index p = 0; p < n_p; ++p) {
+    const std::size_t point = e * n_points_ + static_cast<std::size_t>(p);
+    stress.middleRows<6>(6 * p).noalias() =
+        (geometry_[point].weight * moduli[start_.point + point]) * strain.middleRows<6>(6 * p);
+  }
+  return strain.transpose() * stress;
 }
 
 namespace {
@@ -90,7 +132,8 @@ void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes
 
 }  // namespace
 
-linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) const {
+template <typename Moduli>
+linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
   Neighbours neighbours(n_nodes_);
   // Entries are numbered block by block, so the element of an entry follows by division.
   const auto element_of_entry = [&](std::size_t entry) {
@@ -119,7 +162,7 @@ linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) cons
     for (std::size_t first = 0; first < block->n_elements(); first += chunk) {
       const std::size_t count = std::min(chunk, block->n_elements() - first);
 #pragma omp parallel for schedule(static) if (n_owners > 1)
-      for (std::size_t i = 0; i < count; ++i) elements[i] = block->element_stiffness(first + i, elastic);
+      for (std::size_t i = 0; i < count; ++i) elements[i] = block->element_stiffness(first + i, moduli);
 #pragma omp parallel for schedule(static) if (n_owners > 1)
       for (int owner = 0; owner < n_owners; ++owner)
         for (std::size_t i = 0; i < count; ++i)
@@ -127,6 +170,14 @@ linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) cons
     }
   }
   return matrix;
+}
+
+linalg::SparseMatrix Discretization::stiffness(const ElasticState& elastic) const {
+  return assemble(elastic);
+}
+
+linalg::SparseMatrix Discretization::stiffness(std::span<const Matrix6> moduli) const {
+  return assemble(moduli);
 }
 
 }  // namespace creepcontact::mechanics

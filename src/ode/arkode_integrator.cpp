@@ -51,7 +51,8 @@ std::unique_ptr<Integrator> ArkodeIntegrator::explicit_rk(System& system, const 
 
 std::unique_ptr<Integrator> ArkodeIntegrator::diagonally_implicit_rk(System& system, const IntegratorOptions& options) {
   std::unique_ptr<ArkodeIntegrator> arkode(new ArkodeIntegrator("arkode_dirk", Kind::implicit_rk, system, options));
-  arkode->use_newton_krylov();
+  options.linear_solver == LinearSolver::tangent ? arkode->use_newton_tangent() : arkode->use_newton_krylov();
+  arkode->use_stage_settings();
   return arkode;
 }
 
@@ -62,9 +63,18 @@ void ArkodeIntegrator::use_newton_krylov() {
   check(ARKStepSetJacTimes(memory_, nullptr, SundialsCallbacks::jacobian_times), "ARKStepSetJacTimes");
   check(ARKStepSetPreconditioner(memory_, SundialsCallbacks::prepare_preconditioner, SundialsCallbacks::precondition),
         "ARKStepSetPreconditioner");
-  check(ARKStepSetNonlinConvCoef(memory_, newton_coefficient), "ARKStepSetNonlinConvCoef");
   check(ARKStepSetEpsLin(memory_, krylov_coefficient), "ARKStepSetEpsLin");
   check(ARKStepSetJacEvalFrequency(memory_, linearisation_interval), "ARKStepSetJacEvalFrequency");
+}
+
+void ArkodeIntegrator::use_newton_tangent() {
+  tangent_.emplace(callbacks_, context_);
+  check(ARKStepSetLinearSolver(memory_, tangent_->solver.get(), tangent_->matrix.get()), "ARKStepSetLinearSolver");
+  check(ARKStepSetLinSysFn(memory_, SundialsCallbacks::prepare_tangent_with_mass), "ARKStepSetLinSysFn");
+}
+
+void ArkodeIntegrator::use_stage_settings() {
+  check(ARKStepSetNonlinConvCoef(memory_, newton_coefficient), "ARKStepSetNonlinConvCoef");
   check(ARKStepSetPredictorMethod(memory_, variable_order_predictor), "ARKStepSetPredictorMethod");
   // The stage rate from the stage equation instead of from f: one evaluation less a stage, and the error of the
   // Newton iteration is not multiplied by the stiffness on its way into the next step and the dense output. (Without

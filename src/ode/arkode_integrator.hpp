@@ -4,8 +4,10 @@
 #include <sundials/sundials_linearsolver.h>
 
 #include <memory>
+#include <optional>
 
 #include "sundials_integrator.hpp"
+#include "tangent_solver.hpp"
 
 namespace creepcontact::ode {
 
@@ -13,7 +15,7 @@ class ArkodeIntegrator final : public SundialsIntegrator {
  public:
   /// Explicit, for times short against the relaxation; Bogacki-Shampine 3(2) if options.table names no other.
   static std::unique_ptr<Integrator> explicit_rk(System& system, const IntegratorOptions& options);
-  /// With the Newton-Krylov iteration of cvode_bdf in every stage; ESDIRK 3(2), L-stable and stiffly accurate (Kennedy
+  /// With the Newton iteration of cvode_bdf in every stage; ESDIRK 3(2), L-stable and stiffly accurate (Kennedy
   /// and Carpenter 2003, ARK3(2)4L[2]SA) if options.table names no other.
   static std::unique_ptr<Integrator> diagonally_implicit_rk(System& system, const IntegratorOptions& options);
   ~ArkodeIntegrator() override;
@@ -35,11 +37,14 @@ class ArkodeIntegrator final : public SundialsIntegrator {
   enum class Kind { explicit_rk, implicit_rk };
   ArkodeIntegrator(std::string name, Kind kind, System& system, const IntegratorOptions& options);
   void use_newton_krylov();
+  void use_newton_tangent();
+  void use_stage_settings();
 
   Kind kind_;
   int order_ = 0;
   void* memory_ = nullptr;
   SUNLinearSolver linear_ = nullptr;
+  std::optional<TangentSolver> tangent_;
 };
 
 }  // namespace creepcontact::ode

@@ -38,7 +38,7 @@ CvodeIntegrator::~CvodeIntegrator() {
 
 std::unique_ptr<Integrator> CvodeIntegrator::bdf(System& system, const IntegratorOptions& options) {
   std::unique_ptr<CvodeIntegrator> cvode(new CvodeIntegrator("cvode_bdf", CV_BDF, system, options));
-  cvode->use_newton_krylov();
+  options.linear_solver == LinearSolver::tangent ? cvode->use_newton_tangent() : cvode->use_newton_krylov();
   return cvode;
 }
 
@@ -59,6 +59,14 @@ void CvodeIntegrator::use_newton_krylov() {
   check(CVodeSetEpsLin(memory_, krylov_coefficient), "CVodeSetEpsLin");
   check(CVodeSetJacEvalFrequency(memory_, linearisation_interval), "CVodeSetJacEvalFrequency");
   check(CVodeSetMaxOrd(memory_, max_bdf_order(options_.tolerance)), "CVodeSetMaxOrd");
+}
+
+void CvodeIntegrator::use_newton_tangent() {
+  tangent_.emplace(callbacks_, context_);
+  check(CVodeSetLinearSolver(memory_, tangent_->solver.get(), tangent_->matrix.get()), "CVodeSetLinearSolver");
+  check(CVodeSetLinSysFn(memory_, SundialsCallbacks::prepare_tangent), "CVodeSetLinSysFn");
+  check(CVodeSetNonlinConvCoef(memory_, newton_coefficient), "CVodeSetNonlinConvCoef");
+  check(CVodeSetMaxOrd(memory_, max_bdf_order), "CVodeSetMaxOrd");
 }
 
 void CvodeIntegrator::use_fixed_point() {

@@ -5,14 +5,16 @@
 #include <sundials/sundials_nonlinearsolver.h>
 
 #include <memory>
+#include <optional>
 
 #include "sundials_integrator.hpp"
+#include "tangent_solver.hpp"
 
 namespace creepcontact::ode {
 
 class CvodeIntegrator final : public SundialsIntegrator {
  public:
-  /// BDF with Newton iterations, each a preconditioned GMRES solve with System::jacobian_times.
+  /// BDF with Newton iterations, each a preconditioned GMRES solve with System::jacobian_times, or a direct one.
   static std::unique_ptr<Integrator> bdf(System& system, const IntegratorOptions& options);
   /// Adams-Moulton with Anderson-accelerated fixed-point iterations: no Jacobian, for slow creep.
   static std::unique_ptr<Integrator> adams(System& system, const IntegratorOptions& options);
@@ -31,10 +33,12 @@ class CvodeIntegrator final : public SundialsIntegrator {
  private:
   CvodeIntegrator(std::string name, int method, System& system, const IntegratorOptions& options);
   void use_newton_krylov();
+  void use_newton_tangent();
   void use_fixed_point();
 
   void* memory_ = nullptr;
   SUNLinearSolver linear_ = nullptr;
+  std::optional<TangentSolver> tangent_;
   SUNNonlinearSolver nonlinear_ = nullptr;
 };
 

@@ -61,6 +61,23 @@ int SundialsCallbacks::precondition(realtype, N_Vector, N_Vector, N_Vector r, N_
   return me.guarded([&] { me.system_.precondition(gamma, view(r, me.size_), view(z, me.size_)); });
 }
 
+int SundialsCallbacks::prepare_tangent(realtype t, N_Vector y, N_Vector, SUNMatrix, booleantype, booleantype* renewed,
+                                       realtype gamma, void* self, N_Vector, N_Vector, N_Vector) {
+  SundialsCallbacks& me = object(self);
+  *renewed = SUNTRUE;  // also where only gamma has changed: the factorisation is the cost, not the Jacobian
+  return me.guarded([&] { me.system_.prepare_tangent(t, view(y, me.size_), gamma); });
+}
+
+int SundialsCallbacks::prepare_tangent_with_mass(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix, SUNMatrix,
+                                                 booleantype reuse, booleantype* renewed, realtype gamma, void* self,
+                                                 N_Vector work1, N_Vector work2, N_Vector work3) {
+  return prepare_tangent(t, y, rate, matrix, reuse, renewed, gamma, self, work1, work2, work3);
+}
+
+int SundialsCallbacks::solve_tangent(N_Vector r, N_Vector z) noexcept {
+  return guarded([&] { system_.solve_tangent(view(r, size_), view(z, size_)); });
+}
+
 void SundialsCallbacks::message(int code, const char*, const char*, char* text, void* self) {
   if (code < 0) object(self).guarded([&] { object(self).message_ = text; });
 }

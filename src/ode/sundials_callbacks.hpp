@@ -2,6 +2,7 @@
 /// System as the C functions that CVODE and ARKODE call. No exception crosses them: a RecoverableError becomes +1 (try
 /// a smaller step); anything else is kept and becomes -1 (stop), to be rethrown when the integrator has returned.
 
+#include <sundials/sundials_matrix.h>
 #include <sundials/sundials_nvector.h>
 
 #include <exception>
@@ -19,8 +20,8 @@ class SundialsCallbacks {
   SundialsCallbacks(const SundialsCallbacks&) = delete;
   SundialsCallbacks& operator=(const SundialsCallbacks&) = delete;
 
-  // The prototypes are those of CVRhsFn, CVEwtFn, CVLsJacTimesVecFn, CVLsPrecSetupFn, CVLsPrecSolveFn, CVErrHandlerFn
-  // and of their ARKODE twins; `self` is the SundialsCallbacks.
+  // The prototypes are those of CVRhsFn, CVEwtFn, CVLsJacTimesVecFn, CVLsPrecSetupFn, CVLsPrecSolveFn, CVLsLinSysFn,
+  // CVErrHandlerFn and of their ARKODE twins; `self` is the SundialsCallbacks. ARKLsLinSysFn has a mass matrix, too.
   static int rate(realtype t, N_Vector y, N_Vector rate, void* self);
   static int weights(N_Vector y, N_Vector weights, void* self);
   static int jacobian_times(N_Vector v, N_Vector product, realtype t, N_Vector y, N_Vector rate, void* self,
@@ -29,7 +30,16 @@ class SundialsCallbacks {
                                     realtype gamma, void* self);
   static int precondition(realtype t, N_Vector y, N_Vector rate, N_Vector r, N_Vector z, realtype gamma, realtype delta,
                           int side, void* self);
+  static int prepare_tangent(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix, booleantype reuse,
+                             booleantype* renewed, realtype gamma, void* self, N_Vector work1, N_Vector work2,
+                             N_Vector work3);
+  static int prepare_tangent_with_mass(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix, SUNMatrix mass,
+                                       booleantype reuse, booleantype* renewed, realtype gamma, void* self,
+                                       N_Vector work1, N_Vector work2, N_Vector work3);
   static void message(int code, const char* module, const char* function, char* text, void* self);
+
+  /// z = System::solve_tangent(r) for a SUNLinearSolver. @returns 0, +1 or -1
+  int solve_tangent(N_Vector r, N_Vector z) noexcept;
 
   /// What weights() hands out: 1 / absolute tolerance.
   void set_weights(N_Vector weights) { weights_ = weights; }

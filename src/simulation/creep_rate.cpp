@@ -129,6 +129,16 @@ void CreepRate::precondition(double gamma, std::span<const double> r, std::span<
     if (!points_[b].empty()) points_[b].precondition(gamma, r.data() + layout_.offset(b), z.data() + layout_.offset(b));
 }
 
+void CreepRate::prepare_tangent(double t, std::span<const double> y, double gamma) {
+  evaluate(t, y);
+  if (!tangent_) tangent_.emplace(elasticity_, points_, layout_, watch_);
+  tangent_->prepare(gamma, y);
+}
+
+void CreepRate::solve_tangent(std::span<const double> r, std::span<double> z) {
+  tangent_->solve(r, z);
+}
+
 double CreepRate::stable_step(double t, std::span<const double> y) {
   evaluate(t, y);
   double stiffest = 0;
@@ -167,6 +177,10 @@ ode::System::Counters CreepRate::counters() const {
   result.contact_solves = elastic.contact_solves;
   result.schwarz_iterations = elastic.schwarz_iterations;
   result.factorizations = elastic.factorizations;
+  if (tangent_) {
+    result.elastic_solves += tangent_->solves();
+    result.factorizations += tangent_->factorizations();
+  }
   result.active_contacts = static_cast<std::int64_t>(elasticity_.active_contacts());
   return result;
 }

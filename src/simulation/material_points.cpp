@@ -79,19 +79,22 @@ void MaterialPoints::derivative(std::span<const double> stress, const double* st
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    material::Point at = point(p, stress, state);
-    const double* d_strain = d_state + stride_ * p;
-    const double* d_internal = d_strain + 6;
-    double* d_strain_rate = d_rate + stride_ * p;
-    double* d_internal_rate = d_strain_rate + 6;
-    std::fill(d_strain_rate, d_internal_rate, 0.0);
-    for (const auto& law : body_.material().creep) {
-      law->derivative(at, d_stress.data() + 6 * p, d_strain, d_internal, d_strain_rate, d_internal_rate);
-      at.internal += law->n_internal();
-      at.parameters += law->n_parameters();
-      d_internal += law->n_internal();
-      d_internal_rate += law->n_internal();
-    }
+    derivative_at(p, stress, state, d_stress.data() + 6 * p, d_state + stride_ * p, d_rate + stride_ * p);
+  }
+}
+
+void MaterialPoints::derivative_at(std::size_t p, std::span<const double> stress, const double* state,
+                                   const double* d_stress, const double* d_state, double* d_rate) const {
+  material::Point at = point(p, stress, state);
+  const double* d_internal = d_state + 6;
+  double* d_internal_rate = d_rate + 6;
+  std::fill(d_rate, d_internal_rate, 0.0);
+  for (const auto& law : body_.material().creep) {
+    law->derivative(at, d_stress, d_state, d_internal, d_rate, d_internal_rate);
+    at.internal += law->n_internal();
+    at.parameters += law->n_parameters();
+    d_internal += law->n_internal();
+    d_internal_rate += law->n_internal();
   }
 }
 

@@ -34,6 +34,7 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
   const ode::System::Counters counters = loop.system_counters();
   summary.steps = steps.steps;
   summary.rejected_steps = steps.rejected_steps;
+  summary.convergence_failures = steps.convergence_failures;
   summary.rhs_evaluations = counters.rate_evaluations;
   summary.jacobian_products = counters.jacobian_products;
   summary.elastic_solves = counters.elastic_solves;

@@ -31,8 +31,19 @@ ode::IntegratorOptions integrator_options(const config::Time& time) {
   options.inner_anderson = time.inner_anderson;
   options.residual_correction = time.residual_correction;
   options.table = time.table;
+  options.linear_solver =
+      time.linear_solver == config::LinearSolver::tangent ? ode::LinearSolver::tangent : ode::LinearSolver::krylov;
   options.end_time = time.end;
   return options;
+}
+
+/// A tangent stiffness must be condensed anew with every factorisation, which iterated contact is not made for.
+void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface) {
+  if (config.time.linear_solver != config::LinearSolver::tangent || interface.is_dense()) return;
+  throw ConfigError(
+      fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
+                  "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
+                  config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
 }
 
 }  // namespace
@@ -45,6 +56,7 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
       checkpoints_(config, system.elasticity().model(), directory),
       progress_(config.time.output, quiet),
       state_(system.size(), 0.0) {
+  require_condensed_contact(config, system.elasticity().interface());
   io::Continuation continuation;
   if (resume) {
     resumed_ = checkpoints_.read(system);

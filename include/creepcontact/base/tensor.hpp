@@ -12,6 +12,7 @@ namespace creepcontact {
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 using Tensor6 = Eigen::Matrix<double, 6, 1>;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;  ///< linear map of such tensors, as of strain to stress
 
 namespace tensor {
 

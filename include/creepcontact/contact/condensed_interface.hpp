@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "creepcontact/contact/body_rows.hpp"
+#include "creepcontact/contact/condensed_rows.hpp"
 #include "creepcontact/contact/floating_motions.hpp"
 #include "creepcontact/contact/problem.hpp"
 #include "creepcontact/mechanics/body.hpp"
@@ -44,6 +45,9 @@ class CondensedInterface {
   const ContactProblem& problem() const { return problem_; }
   const FloatingMotions& floating() const { return floating_; }
   int n_rows() const { return problem_.n_rows(); }
+  const BodyRows& rows(std::size_t body) const { return rows_[body]; }
+  /// Free unknowns that the body's factor eliminates last, those that its rows touch, if is_dense().
+  std::span<const std::int64_t> trailing(std::size_t body) const { return sides_[body].trailing; }
 
   /// Without creep, loads and contact: given gap and prescribed displacements at the bodies' set time.
   InterfaceLoad initial_load(double t) const;
@@ -78,7 +82,7 @@ class CondensedInterface {
   struct Side {
     RowMatrix full_rows;                 // rows.size() x 3 n_nodes
     std::vector<std::int64_t> trailing;  // unknowns that the rows touch
-    Eigen::MatrixXd traces;              // G, n_trailing x rows.size(); empty if large
+    CondensedRows condensed;             // empty if large
   };
   std::span<const std::unique_ptr<mechanics::Body>> bodies_;
   std::vector<Pair> pairs_;

@@ -23,7 +23,7 @@ struct Summary {
   std::string title, units, version;
   std::string integrator;
   double time_reached = 0;
-  std::int64_t steps = 0, rejected_steps = 0;
+  std::int64_t steps = 0, rejected_steps = 0, convergence_failures = 0;
   std::int64_t rhs_evaluations = 0, jacobian_products = 0;
   std::int64_t elastic_solves = 0;  ///< one = one forward and backward pass through the factor of every body
   std::int64_t contact_solves = 0, schwarz_iterations = 0;

@@ -32,6 +32,10 @@ class SupernodalCholesky {
   SupernodalCholesky(SupernodalCholesky&&) noexcept;
   SupernodalCholesky& operator=(SupernodalCholesky&&) noexcept;
 
+  /// A solver of its own for matrices of the same pattern, without a second analysis; factorize() must follow.
+  /// Cost: a copy of the factor. @throws SolverError if memory is short
+  SupernodalCholesky same_pattern() const;
+
   /// Numeric factorisation; the pattern must be the one analysed. All cores are used.
   /// @throws SingularMatrix (a plain struct: the caller knows the body and names it); factorize() may then be called
   ///         again; SolverError if memory is short
@@ -56,6 +60,7 @@ class SupernodalCholesky {
 
  private:
   struct Impl;
+  explicit SupernodalCholesky(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

@@ -60,6 +60,8 @@ class Body {
   std::int64_t estimate_factor_bytes() const;
   /// Lower triangle over the free unknowns, the pins' rows and columns emptied but for the diagonal. Cost: assembly.
   linalg::SparseMatrix stiffness() const;
+  /// The same with symmetric moduli of any kind, one a point, in place of the elastic ones.
+  linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
   /// Valid after factorize().
   linalg::SupernodalCholesky& factor();
 

@@ -64,6 +64,8 @@ class Discretization {
 
   /// Stiffness over all 3 n_nodes dofs, lower triangle.
   linalg::SparseMatrix stiffness(const ElasticState& elastic) const;
+  /// integral B^T D B for symmetric moduli D of any kind, one a point; the same pattern.
+  linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
 
   /// Point values (n_points x width) to nodes by element-wise least squares/extrapolation and averaging (n_nodes x
   /// width).
@@ -73,6 +75,8 @@ class Discretization {
 
  private:
   const ElementBlock& block_of(std::size_t element) const;
+  template <typename Moduli>
+  linalg::SparseMatrix assemble(const Moduli& moduli) const;
   void gather(std::span<double> forces) const;
 
   std::vector<std::shared_ptr<const ElementBlock>> blocks_;

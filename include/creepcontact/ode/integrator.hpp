@@ -35,6 +35,9 @@ struct StepChoice {
 /// How beta_euler solves for the new state.
 enum class InnerIteration { fixed_point, newton };
 
+/// How implicit methods solve their Newton systems: GMRES with System::jacobian_times, or System::solve_tangent.
+enum class LinearSolver { krylov, tangent };
+
 /// Settings of all integrators, each using its own; defaults are the configuration's.
 struct IntegratorOptions {
   double tolerance = 1e-4;             ///< relative accuracy; absolute tolerance = tolerance * System::scale()
@@ -46,6 +49,7 @@ struct IntegratorOptions {
   int max_inner_iterations = 200;    ///< beta_euler
   int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
   double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
+  LinearSolver linear_solver = LinearSolver::krylov;  ///< cvode_bdf, arkode_dirk
   std::string table = {};            ///< ARKODE: name of a Butcher table with an embedded method; empty: the default
   double end_time = 0;               ///< end of the run, bounds the first step
   int restart_interval = 20;         ///< ARKODE: steps from one restart point to the next

@@ -41,6 +41,8 @@ class ContactElasticity {
   const Eigen::VectorXd& multipliers() const { return last_.multiplier; }
   const Eigen::VectorXd& gaps() const { return gaps_; }
   std::size_t active_contacts() const { return last_.active.size(); }
+  /// Rows in contact, ascending.
+  const std::vector<int>& active_set() const { return last_.active; }
 
   /// Change of stress for a change of creep strain with the contact set of the last solve frozen.
   /// @param stress  one a body, n_points x 6. Cost: as solve().

@@ -4,12 +4,14 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "creepcontact/ode/system.hpp"
 #include "creepcontact/simulation/contact_elasticity.hpp"
 #include "creepcontact/simulation/material_points.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
+#include "creepcontact/simulation/tangent_system.hpp"
 
 namespace creepcontact::simulation {
 
@@ -31,6 +33,9 @@ class CreepRate final : public ode::System {
                       std::span<double> product) override;
   void prepare_preconditioner(double t, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
+  /// Contact must be condensed to dense matrices (CondensedInterface::is_dense).
+  void prepare_tangent(double t, std::span<const double> y, double gamma) override;
+  void solve_tangent(std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;
   /// Follows the stress of the accepted steps: typical stress / Young's modulus.
   std::span<const double> scale() const override;
@@ -65,7 +70,8 @@ class CreepRate final : public ode::System {
   ContactElasticity& elasticity_;
   Stopwatch& watch_;
   StateLayout layout_;
-  std::vector<MaterialPoints> points_;  // one a body
+  std::vector<MaterialPoints> points_;    // one a body
+  std::optional<TangentSystem> tangent_;  // made when it is first asked for
   std::unique_ptr<StressScale> scale_;
   double segment_begin_ = -std::numeric_limits<double>::infinity();
   double segment_end_ = std::numeric_limits<double>::infinity();

@@ -15,6 +15,9 @@ class MaterialPoints {
   explicit MaterialPoints(mechanics::Body& body);
 
   bool empty() const { return stride_ == 0; }
+  std::size_t size() const { return n_points_; }
+  std::size_t stride() const { return stride_; }
+  mechanics::ElasticState elastic() const { return body_.elastic(); }
   /// Parameters of the laws at the temperature of time t (no work where it does not change).
   void set_time(double t);
 
@@ -22,6 +25,9 @@ class MaterialPoints {
   void rate(std::span<const double> stress, const double* state, double* rate) const;
   void derivative(std::span<const double> stress, const double* state, std::span<const double> d_stress,
                   const double* d_state, double* d_rate) const;
+  /// The same at one point; d_stress (6), d_state and d_rate (stride) are those of the point.
+  void derivative_at(std::size_t p, std::span<const double> stress, const double* state, const double* d_stress,
+                     const double* d_state, double* d_rate) const;
   /// Keeps d(rate)/d(stress) of this point for precondition().
   void linearize(std::span<const double> stress, const double* state);
   /// z = (I + gamma C H)^-1 r, closed form of Sherman and Morrison for isotropic laws.

@@ -28,6 +28,7 @@ TEST_F(SummaryFile, HasEveryEntryOfTheContract) {
   summary.time_reached = 1e4;
   summary.steps = 1;
   summary.rejected_steps = 2;
+  summary.convergence_failures = 20;
   summary.rhs_evaluations = 3;
   summary.jacobian_products = 4;
   summary.elastic_solves = 5;
@@ -39,8 +40,8 @@ TEST_F(SummaryFile, HasEveryEntryOfTheContract) {
   summary.peak_memory_mb = 99.5;
   const nlohmann::json expected = nlohmann::json::parse(R"({
     "title": "", "units": "mm, N", "version": "0.1.0", "status": "completed", "time_reached": 1e4,
-    "integrator": "cvode_bdf", "steps": 1, "rejected_steps": 2, "rhs_evaluations": 3, "jacobian_products": 4,
-    "elastic_solves": 5, "contact_solves": 6, "schwarz_iterations": 7, "factorizations": 8,
+    "integrator": "cvode_bdf", "steps": 1, "rejected_steps": 2, "convergence_failures": 20,
+    "rhs_evaluations": 3, "jacobian_products": 4, "elastic_solves": 5, "contact_solves": 6, "schwarz_iterations": 7, "factorizations": 8,
     "bodies": {"ring": {"dofs": 10, "elements": 11, "integration_points": 12}},
     "wall_seconds": {"total": 1.0, "factorize": 2.0, "solve": 3.0, "material": 4.0, "contact": 5.0, "output": 6.0},
     "peak_memory_mb": 99.5})");

@@ -122,6 +122,24 @@ TEST_P(ElementLoops, StiffnessIsTheElementLoop) {
   for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-10);
 }
 
+TEST_P(ElementLoops, StiffnessOfAnyModuliIsTheElementLoop) {
+  std::vector<Matrix6> moduli;
+  for (std::size_t p = 0; p < body_.n_points(); ++p) {
+    const std::vector<double> entries = noise(36, 20 + static_cast<unsigned>(p));
+    const Matrix6 root = Matrix6::Map(entries.data());
+    moduli.emplace_back(root * root.transpose());
+  }
+  const auto lower = body_.stiffness(moduli);
+  const std::vector<double> u = noise(n_dofs_, 8), at_points = strain(u);
+  std::vector<double> stress(n_values_), forces(n_dofs_, 0.0);
+  for (std::size_t p = 0; p < moduli.size(); ++p)
+    Tensor6::Map(&stress[6 * p]) = moduli[p] * Tensor6::Map(&at_points[6 * p]);
+  body_.add_internal_force(stress, forces);
+  const Eigen::VectorXd product =
+      lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(n_dofs_));
+  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-11);
+}
+
 TEST_P(ElementLoops, StiffnessIsSortedLowerAndHasSixZeroModes) {
   const mesh::Mesh small = box_mesh(GetParam(), {2, 2, 1}, Vector3::Ones(), Vector3::Zero(), 0.0);
   const Discretization body(small);

@@ -1,6 +1,7 @@
 #pragma once
 /// Small systems with known solutions, which count and check what an integrator asks of them.
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -46,6 +47,27 @@ class TestSystem : public System {
     gammas.push_back(gamma);
     for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / (1 - gamma * diagonal_[i]);
   }
+  void prepare_tangent(double t, std::span<const double> y, double gamma) override {
+    ++counters_.factorizations;
+    if (tangent_interceptor) tangent_interceptor(gamma);
+    if (!at_last_rate(t, y)) ++calls_elsewhere;
+    gammas.push_back(gamma);
+    const auto n = static_cast<Eigen::Index>(y.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
+    Values unit(y.size()), column(y.size());
+    for (std::size_t j = 0; j < y.size(); ++j) {
+      unit[j] = 1;
+      df(t, y, unit, column);
+      unit[j] = 0;
+      matrix.col(static_cast<Eigen::Index>(j)) -= gamma * Eigen::Map<const Eigen::VectorXd>(column.data(), n);
+    }
+    tangent_.compute(matrix);
+  }
+  void solve_tangent(std::span<const double> r, std::span<double> z) override {
+    ++tangent_solves;
+    const auto n = static_cast<Eigen::Index>(r.size());
+    Eigen::Map<Eigen::VectorXd>(z.data(), n) = tangent_.solve(Eigen::Map<const Eigen::VectorXd>(r.data(), n));
+  }
   double stable_step(double t, std::span<const double> y) override {
     Values diagonal(y.size());
     local(t, y, diagonal);
@@ -61,8 +83,11 @@ class TestSystem : public System {
 
   /// Called before every rate evaluation; may throw.
   std::function<void(double, std::span<const double>)> interceptor;
+  /// Called before every factorisation; may throw.
+  std::function<void(double gamma)> tangent_interceptor;
   int calls_elsewhere = 0;  ///< Jacobian products and preparations at another point than the last rate evaluation
   int preparations = 0;
+  int tangent_solves = 0;
   Values gammas;
   Values accepted_times;
   Values accepted;
@@ -78,6 +103,7 @@ class TestSystem : public System {
   }
   Values scale_;
   Values diagonal_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> tangent_;
   double last_t_ = std::numeric_limits<double>::quiet_NaN();
   Values last_y_;
   Counters counters_;

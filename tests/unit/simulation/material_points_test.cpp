@@ -7,8 +7,6 @@
 namespace creepcontact::simulation::test {
 namespace {
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
 /// The point-wise part of the Jacobian, -C H, column by column from the laws' own derivative.
 std::vector<Matrix6> local_jacobians(const System& system, const MaterialPoints& points, std::span<const double> y) {
   const mechanics::Body& body = *system.model.bodies[0];

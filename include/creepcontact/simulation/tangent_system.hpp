@@ -1,0 +1,56 @@
+#pragma once
+/// Direct solver of the Newton systems (I - gamma J) z = r of the creep rate. MaterialTangent eliminates the state
+/// point by point; K_tan du = integral B^T D e with K_tan = integral B^T D B is left, with the contact set frozen.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "creepcontact/base/stopwatch.hpp"
+#include "creepcontact/contact/frozen_interface.hpp"
+#include "creepcontact/simulation/contact_elasticity.hpp"
+#include "creepcontact/simulation/material_tangent.hpp"
+#include "creepcontact/simulation/state_layout.hpp"
+
+namespace creepcontact::simulation {
+
+class TangentSystem {
+ public:
+  /// @param elasticity, points (one a body), layout and watch must outlive the object
+  /// Memory: a second factor of every body that creeps, and stride (stride + 6) + 36 numbers a point.
+  TangentSystem(const ContactElasticity& elasticity, const std::vector<MaterialPoints>& points,
+                const StateLayout& layout, Stopwatch& watch);
+
+  /// Factors the system at the last equilibrium of the elasticity, with the contact set it found there.
+  /// @throws ode::RecoverableError if a tangent stiffness is not positive definite, or the contact rows contradict each
+  ///         other. Cost: an assembly and a factorisation of every body that creeps.
+  void prepare(double gamma, std::span<const double> y);
+  /// z of the system last prepared. Cost: as an elastic solve.
+  void solve(std::span<const double> r, std::span<double> z);
+
+  std::int64_t solves() const { return solves_; }
+  std::int64_t factorizations() const { return factorizations_; }
+
+ private:
+  struct Side {
+    std::optional<MaterialTangent> material;            // of a body that creeps; an elastic one has nothing here,
+    std::optional<linalg::SupernodalCholesky> factor;   // and its own factor serves
+    std::vector<double> stress;                         // n_points x 6: D e, then the strain B du
+    std::vector<double> displacement, no_displacement;  // 3 n_nodes
+    std::vector<double> free;                           // n_free
+  };
+  linalg::SupernodalCholesky& factor(std::size_t body);
+  void factorize(std::size_t body);
+  void forward(std::size_t body, const double* r, Eigen::VectorXd& gap);
+  void backward(std::size_t body, const contact::ContactState& change);
+
+  const ContactElasticity& elasticity_;
+  const StateLayout& layout_;
+  Stopwatch& watch_;
+  std::vector<Side> sides_;
+  std::unique_ptr<contact::FrozenInterface> interface_;
+  std::int64_t solves_ = 0, factorizations_ = 0;
+};
+
+}  // namespace creepcontact::simulation

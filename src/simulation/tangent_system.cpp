@@ -1,0 +1,115 @@
+#include "creepcontact/simulation/tangent_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/ode/system.hpp"
+
+namespace creepcontact::simulation {
+
+TangentSystem::TangentSystem(const ContactElasticity& elasticity, const std::vector<MaterialPoints>& points,
+                             const StateLayout& layout, Stopwatch& watch)
+    : elasticity_(elasticity), layout_(layout), watch_(watch), sides_(points.size()) {
+  for (std::size_t b = 0; b < sides_.size(); ++b) {
+    const mechanics::Body& body = *elasticity.model().bodies[b];
+    if (points[b].empty()) continue;
+    Side& side = sides_[b];
+    side.material.emplace(points[b]);
+    side.stress.resize(6 * body.discretization().n_points());
+    side.displacement.resize(static_cast<std::size_t>(body.constraints().n_full()));
+    side.no_displacement.resize(side.displacement.size());
+    side.free.resize(static_cast<std::size_t>(body.constraints().n_free()));
+  }
+}
+
+linalg::SupernodalCholesky& TangentSystem::factor(std::size_t body) {
+  return sides_[body].factor ? *sides_[body].factor : elasticity_.model().bodies[body]->factor();
+}
+
+void TangentSystem::factorize(std::size_t b) {
+  Side& side = sides_[b];
+  mechanics::Body& body = *elasticity_.model().bodies[b];
+  const auto lap = watch_.lap(Part::factorize);
+  if (!side.factor) side.factor.emplace(body.factor().same_pattern());
+  ++factorizations_;
+  try {
+    side.factor->factorize(body.stiffness(side.material->moduli()));
+  } catch (const linalg::SingularMatrix& error) {
+    throw ode::RecoverableError(
+        fmt::format("body '{}': the tangent stiffness is not positive definite (reciprocal condition {:.2g})",
+                    body.name(), error.rcond));
+  }
+}
+
+void TangentSystem::prepare(double gamma, std::span<const double> y) {
+  interface_.reset();
+  std::vector<const linalg::SupernodalCholesky*> factors;
+  for (std::size_t b = 0; b < sides_.size(); ++b) {
+    if (sides_[b].material) {
+      {
+        const auto lap = watch_.lap(Part::material);
+        sides_[b].material->prepare(gamma, elasticity_.states()[b].stress, y.data() + layout_.offset(b));
+      }
+      factorize(b);
+    }
+    factors.push_back(&factor(b));
+  }
+  const auto lap = watch_.lap(Part::contact);
+  interface_ = std::make_unique<contact::FrozenInterface>(elasticity_.interface(), elasticity_.active_set(), factors);
+}
+
+void TangentSystem::forward(std::size_t b, const double* r, Eigen::VectorXd& gap) {
+  Side& side = sides_[b];
+  const mechanics::Body& body = *elasticity_.model().bodies[b];
+  {
+    const auto lap = watch_.lap(Part::material);
+    side.material->initial_stress(r, side.stress);
+    std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
+    body.discretization().add_internal_force(side.stress, side.displacement);
+    body.constraints().restrict_to_free(side.displacement, side.free);
+    // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
+    for (const std::int64_t pin : body.pins()) side.free[static_cast<std::size_t>(pin)] = 0;
+  }
+  const auto lap = watch_.lap(Part::solve);
+  factor(b).forward(side.free, side.free);
+  interface_->add_trace(b, side.free, gap);
+}
+
+void TangentSystem::backward(std::size_t b, const contact::ContactState& change) {
+  Side& side = sides_[b];
+  const mechanics::Body& body = *elasticity_.model().bodies[b];
+  {
+    const auto lap = watch_.lap(Part::solve);
+    interface_->add_multipliers(b, change.multiplier, side.free);
+    factor(b).backward(side.free, side.free);
+  }
+  const auto lap = watch_.lap(Part::material);
+  body.constraints().expand(side.free, side.no_displacement, side.displacement);
+  elasticity_.interface().add_rigid_motion(b, change.rigid, side.displacement);
+  body.discretization().strain(side.displacement, side.stress);
+}
+
+void TangentSystem::solve(std::span<const double> r, std::span<double> z) {
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(interface_->n_rows());
+  // Nothing but contact strains an elastic body, and its displacement is not asked for: it needs no pass.
+  for (std::size_t b = 0; b < sides_.size(); ++b)
+    if (sides_[b].material) forward(b, r.data() + layout_.offset(b), gap);
+  contact::ContactState change;
+  try {
+    const auto lap = watch_.lap(Part::contact);
+    change = interface_->close(gap);
+  } catch (const SolverError& error) {
+    throw ode::RecoverableError(error.what());
+  }
+  for (std::size_t b = 0; b < sides_.size(); ++b) {
+    if (!sides_[b].material) continue;
+    backward(b, change);
+    const auto lap = watch_.lap(Part::material);
+    sides_[b].material->solution(r.data() + layout_.offset(b), sides_[b].stress, z.data() + layout_.offset(b));
+  }
+  ++solves_;
+}
+
+}  // namespace creepcontact::simulation

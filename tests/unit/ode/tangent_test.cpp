@@ -1,0 +1,94 @@
+/// The implicit integrators with a direct solver of their Newton systems.
+
+#include "creepcontact/base/error.hpp"
+#include "every_integrator.hpp"
+
+namespace creepcontact::ode {
+namespace {
+
+constexpr double tau = 1 / (ParallelBars::E * 1e-14 * 1e8);  ///< relaxation time of the slowest of the bars [h]
+
+class Tangent : public testing::TestWithParam<std::string> {
+ protected:
+  std::unique_ptr<Integrator> make(System& system, double tolerance, double end_time = 0) const {
+    return make_integrator(GetParam(), system,
+                           {.tolerance = tolerance, .linear_solver = LinearSolver::tangent, .end_time = end_time});
+  }
+};
+
+TEST_P(Tangent, AsksForFactorsAtTheLastEvaluationAndForNoProducts) {
+  ParallelBars bars(20, 100);
+  auto integrator = make(bars, 1e-4);
+  integrate(*integrator, 0, Values(20), {10 * tau});
+  EXPECT_EQ(bars.calls_elsewhere, 0);
+  EXPECT_EQ(bars.counters().jacobian_products, 0);
+  EXPECT_EQ(bars.preparations, 0);
+  EXPECT_GT(bars.tangent_solves, 0);
+  for (const double gamma : bars.gammas) EXPECT_GT(gamma, 0);
+}
+
+TEST_P(Tangent, FactorsServeManySolves) {
+  ParallelBars bars(20, 100);
+  auto integrator = make(bars, 1e-4, 10 * tau);
+  integrate(*integrator, 0, Values(20), {10 * tau});
+  EXPECT_GT(bars.counters().factorizations, 2);
+  EXPECT_LT(3 * bars.counters().factorizations, bars.tangent_solves);
+}
+
+TEST_P(Tangent, ReachesTheSteadyStateOfGradedBars) {
+  for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
+    ParallelBars bars(30, 1e4);
+    auto integrator = make(bars, tolerance, 1e3 * tau);
+    integrate(*integrator, 0, Values(30), {1e3 * tau});
+    const Values stress = bars.stress(integrator->state());
+    for (std::size_t i = 0; i < stress.size(); ++i)
+      EXPECT_NEAR(stress[i], bars.steady_stress(i), 2 * tolerance * ParallelBars::mean_stress) << i;
+    EXPECT_EQ(integrator->counters().convergence_failures, 0);
+    EXPECT_LT(bars.counters().factorizations, integrator->counters().steps);
+    RecordProperty("factorizations", static_cast<int>(bars.counters().factorizations));
+    RecordProperty("tangent_solves", bars.tangent_solves);
+  }
+}
+
+TEST_P(Tangent, FollowsARelaxationAsCloselyAsKrylov) {
+  const Values times{0.1, 1, 10, 100, 1000};
+  const auto error = [&](LinearSolver linear_solver) {
+    RelaxingBar bar;
+    auto integrator = make_integrator(GetParam(), bar, {.tolerance = 1e-5, .linear_solver = linear_solver});
+    const auto states = integrate(*integrator, 0, Values(1), times);
+    double largest = 0;
+    for (std::size_t i = 0; i < times.size(); ++i)
+      largest = std::max(largest, std::abs(RelaxingBar::stress(states[i][0]) - RelaxingBar::exact_stress(times[i])));
+    return largest / RelaxingBar::initial_stress;
+  };
+  EXPECT_LT(error(LinearSolver::tangent), 1e-4);
+  EXPECT_LT(error(LinearSolver::tangent), 1.2 * error(LinearSolver::krylov) + 1e-6);
+}
+
+TEST_P(Tangent, ASingularMatrixIsMendedByASmallerStep) {
+  RelaxingBar bar;
+  const auto run = [&] {
+    auto integrator = make(bar, 1e-5);
+    integrate(*integrator, 0, Values(1), {100.0});
+    return integrator->counters().convergence_failures;
+  };
+  ASSERT_EQ(run(), 0);
+  const double largest = *std::max_element(bar.gammas.begin(), bar.gammas.end());
+  bar.tangent_interceptor = [&](double gamma) {
+    if (gamma > 0.2 * largest) throw RecoverableError("singular");
+  };
+  EXPECT_GT(run(), 0);
+}
+
+TEST_P(Tangent, OtherErrorsPassThrough) {
+  RelaxingBar bar;
+  bar.tangent_interceptor = [](double) { throw ModelError("no such matrix"); };
+  auto integrator = make(bar, 1e-5);
+  integrator->initialize(0, Values(1));
+  EXPECT_THROW(integrator->step(1), ModelError);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Tangent, testing::Values("cvode_bdf", "arkode_dirk"), test_name);
+
+}  // namespace
+}  // namespace creepcontact::ode

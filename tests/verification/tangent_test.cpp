@@ -1,0 +1,89 @@
+/// The direct solver of the Newton systems against the Krylov iteration: the same histories, by other work.
+
+#include "boxes.hpp"
+#include "case.hpp"
+#include "rings.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+constexpr double tolerance = 1e-4;
+
+/// Both rings creep, the disc `grading` times as fast as the shaft.
+std::string relaxing_fit(const std::vector<RingMesh>& rings, double grading) {
+  return "[mesh]\nfile = \"case.geo\"\norder = 2\n" + body("shaft", 1.75e5, 0.3, 1e-17 / grading, 5) +
+         body("disc", 1.6e5, 0.3, 1e-17, 5) + ring_supports(rings, true) +
+         contact("shaft_outer", "disc_inner", "gap = -0.09") +
+         "[time]\nend = 1e6\noutput = [10, 100, 1e3, 1e4, 1e5, 1e6]\n" +
+         probe("fit", "contact_pressure", "on = \"shaft_outer\"") +
+         probe("hoop", "stress_theta", "at = [60, 0, 5]\nbody = \"disc\"");
+}
+
+/// A stiff body with a curved foot sinks into a creeping one: contact grows from the middle outwards.
+std::string sinking_foot() {
+  std::string toml =
+      "[mesh]\nfile = \"case.geo\"\norder = 1\n" + body("lower", 1e5, 0.3, 1e-12, 4) + body("upper", 2e5, 0.3) +
+      support("lower_z0", "z") + "[[loads]]\non = \"upper_z1\"\npressure = 50\n" +
+      contact("lower_z1", "upper_z0", "gap = \"2e-3*x^2\"") + "[time]\nend = 1e4\noutput = [10, 100, 1e3, 1e4]\n" +
+      probe("force", "contact_force_z", "on = \"upper_z0\"") + probe("area", "contact_area", "on = \"lower_z1\"") +
+      probe("pressure", "contact_pressure", "on = \"lower_z1\"\nreduce = \"max\"") +
+      probe("sinking", "displacement_z", "on = \"upper_z1\"");
+  for (const char* name : {"lower", "upper"}) {
+    toml += support(std::string(name) + "_x0", "x");
+    toml += support(std::string(name) + "_y0", "y");
+    toml += support(std::string(name) + "_y1", "y");
+  }
+  return toml;
+}
+
+struct Compared {
+  Outcome krylov, tangent;
+};
+
+Compared compare(const std::string& toml, const std::string& geo, const std::string& integrator) {
+  const std::vector<std::string> common{"time.integrator=" + integrator, fmt::format("time.tolerance={}", tolerance)};
+  std::vector<std::string> direct = common;
+  direct.emplace_back("time.linear_solver=tangent");
+  Compared result{run_case(toml, geo, common), run_case(toml, geo, direct)};
+  EXPECT_EQ(result.krylov.count("convergence_failures"), 0);
+  EXPECT_EQ(result.tangent.count("convergence_failures"), 0);
+  EXPECT_EQ(result.tangent.count("jacobian_products"), 0);
+  EXPECT_LT(result.tangent.count("factorizations"), result.tangent.count("steps"));
+  return result;
+}
+
+/// Both runs err by their tolerance, which is relative to the stress at the beginning.
+void expect_equal(const Compared& runs, const std::string& probe, double size) {
+  for (const auto& row : runs.krylov.history.rows)
+    EXPECT_NEAR(runs.tangent.history.at(probe, row[0]), runs.krylov.history.at(probe, row[0]), 10 * tolerance * size)
+        << probe << " at t = " << row[0];
+}
+
+class TangentAndKrylov : public testing::TestWithParam<const char*> {};
+
+TEST_P(TangentAndKrylov, RelaxAShrinkFitAlike) {
+  const std::vector<RingMesh> rings{{"shaft", 40, 60, 4, 8}, {"disc", 60, 120, 6, 7, 1.15}};
+  for (const double grading : {5.0, 1e4}) {
+    const Compared runs = compare(relaxing_fit(rings, grading), rings_geo(rings, 10), GetParam());
+    expect_equal(runs, "fit", runs.krylov.history.at("fit", 0));
+    expect_equal(runs, "hoop", runs.krylov.history.at("hoop", 0));
+    EXPECT_LT(runs.krylov.history.at("fit", 1e6), 0.5 * runs.krylov.history.at("fit", 0)) << "it must relax";
+  }
+}
+
+TEST_P(TangentAndKrylov, LetContactGrowAlike) {
+  const std::vector<Box> boxes{{"lower", {0, 0, 0}, {2, 0.25, 1}, {16, 1, 8}},
+                               {"upper", {0, 0, 1}, {2, 0.25, 1}, {12, 1, 4}}};
+  const Compared runs = compare(sinking_foot(), boxes_geo(boxes), GetParam());
+  const History& history = runs.krylov.history;
+  for (const char* name : {"force", "pressure", "sinking"})
+    expect_equal(runs, name, std::abs(history.at(name, name == std::string("sinking") ? 1e4 : 0)));
+  expect_equal(runs, "area", 10 * history.at("area", 1e4));
+  EXPECT_GT(history.at("area", 1e4), 1.5 * history.at("area", 0)) << "it must grow";
+}
+
+INSTANTIATE_TEST_SUITE_P(Integrators, TangentAndKrylov, testing::Values("cvode_bdf", "arkode_dirk"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+}  // namespace
+}  // namespace creepcontact::test
