@@ -24,10 +24,6 @@ TangentSystem::TangentSystem(const ContactElasticity& elasticity, const std::vec
   }
 }
 
-linalg::SupernodalCholesky& TangentSystem::factor(std::size_t body) {
-  return sides_[body].factor ? *sides_[body].factor : elasticity_.model().bodies[body]->factor();
-}
-
 void TangentSystem::factorize(std::size_t b) {
   Side& side = sides_[b];
   mechanics::Body& body = *elasticity_.model().bodies[b];
@@ -45,19 +41,18 @@ void TangentSystem::factorize(std::size_t b) {
 
 void TangentSystem::prepare(double gamma, std::span<const double> y) {
   interface_.reset();
-  std::vector<const linalg::SupernodalCholesky*> factors;
+  std::vector<const linalg::SupernodalCholesky*> factors(sides_.size());
   for (std::size_t b = 0; b < sides_.size(); ++b) {
-    if (sides_[b].material) {
-      {
-        const auto lap = watch_.lap(Part::material);
-        sides_[b].material->prepare(gamma, elasticity_.states()[b].stress, y.data() + layout_.offset(b));
-      }
-      factorize(b);
+    if (!sides_[b].material) continue;
+    {
+      const auto lap = watch_.lap(Part::material);
+      sides_[b].material->prepare(gamma, elasticity_.states()[b].stress, y.data() + layout_.offset(b));
     }
-    factors.push_back(&factor(b));
+    factorize(b);
+    factors[b] = &*sides_[b].factor;
   }
-  const auto lap = watch_.lap(Part::contact);
-  interface_ = std::make_unique<contact::FrozenInterface>(elasticity_.interface(), elasticity_.active_set(), factors);
+  const auto lap = watch_.lap(Part::factorize);
+  interface_ = std::make_unique<contact::TangentInterface>(elasticity_.interface(), factors);
 }
 
 void TangentSystem::forward(std::size_t b, const double* r, Eigen::VectorXd& gap) {
@@ -73,7 +68,7 @@ void TangentSystem::forward(std::size_t b, const double* r, Eigen::VectorXd& gap
     for (const std::int64_t pin : body.pins()) side.free[static_cast<std::size_t>(pin)] = 0;
   }
   const auto lap = watch_.lap(Part::solve);
-  factor(b).forward(side.free, side.free);
+  side.factor->forward(side.free, side.free);
   interface_->add_trace(b, side.free, gap);
 }
 
@@ -83,7 +78,7 @@ void TangentSystem::backward(std::size_t b, const contact::ContactState& change)
   {
     const auto lap = watch_.lap(Part::solve);
     interface_->add_multipliers(b, change.multiplier, side.free);
-    factor(b).backward(side.free, side.free);
+    side.factor->backward(side.free, side.free);
   }
   const auto lap = watch_.lap(Part::material);
   body.constraints().expand(side.free, side.no_displacement, side.displacement);
@@ -99,7 +94,7 @@ void TangentSystem::solve(std::span<const double> r, std::span<double> z) {
   contact::ContactState change;
   try {
     const auto lap = watch_.lap(Part::contact);
-    change = interface_->close(gap);
+    change = interface_->close(elasticity_.active_set(), gap);
   } catch (const SolverError& error) {
     throw ode::RecoverableError(error.what());
   }

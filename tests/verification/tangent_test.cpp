@@ -8,6 +8,7 @@ namespace creepcontact::test {
 namespace {
 
 constexpr double tolerance = 1e-4;
+constexpr double stress_bound = 10 * tolerance;  // errors of both runs, local maxima included
 
 /// Both rings creep, the disc `grading` times as fast as the shaft.
 std::string relaxing_fit(const std::vector<RingMesh>& rings, double grading) {
@@ -48,14 +49,13 @@ Compared compare(const std::string& toml, const std::string& geo, const std::str
   EXPECT_EQ(result.krylov.count("convergence_failures"), 0);
   EXPECT_EQ(result.tangent.count("convergence_failures"), 0);
   EXPECT_EQ(result.tangent.count("jacobian_products"), 0);
-  EXPECT_LT(result.tangent.count("factorizations"), result.tangent.count("steps"));
+  EXPECT_LT(2 * result.tangent.count("factorizations"), result.tangent.count("rhs_evaluations"));
   return result;
 }
 
-/// Both runs err by their tolerance, which is relative to the stress at the beginning.
-void expect_equal(const Compared& runs, const std::string& probe, double size) {
+void expect_equal(const Compared& runs, const std::string& probe, double bound) {
   for (const auto& row : runs.krylov.history.rows)
-    EXPECT_NEAR(runs.tangent.history.at(probe, row[0]), runs.krylov.history.at(probe, row[0]), 10 * tolerance * size)
+    EXPECT_NEAR(runs.tangent.history.at(probe, row[0]), runs.krylov.history.at(probe, row[0]), bound)
         << probe << " at t = " << row[0];
 }
 
@@ -65,8 +65,7 @@ TEST_P(TangentAndKrylov, RelaxAShrinkFitAlike) {
   const std::vector<RingMesh> rings{{"shaft", 40, 60, 4, 8}, {"disc", 60, 120, 6, 7, 1.15}};
   for (const double grading : {5.0, 1e4}) {
     const Compared runs = compare(relaxing_fit(rings, grading), rings_geo(rings, 10), GetParam());
-    expect_equal(runs, "fit", runs.krylov.history.at("fit", 0));
-    expect_equal(runs, "hoop", runs.krylov.history.at("hoop", 0));
+    for (const char* name : {"fit", "hoop"}) expect_equal(runs, name, stress_bound * runs.krylov.history.at(name, 0));
     EXPECT_LT(runs.krylov.history.at("fit", 1e6), 0.5 * runs.krylov.history.at("fit", 0)) << "it must relax";
   }
 }
@@ -76,9 +75,10 @@ TEST_P(TangentAndKrylov, LetContactGrowAlike) {
                                {"upper", {0, 0, 1}, {2, 0.25, 1}, {12, 1, 4}}};
   const Compared runs = compare(sinking_foot(), boxes_geo(boxes), GetParam());
   const History& history = runs.krylov.history;
-  for (const char* name : {"force", "pressure", "sinking"})
-    expect_equal(runs, name, std::abs(history.at(name, name == std::string("sinking") ? 1e4 : 0)));
-  expect_equal(runs, "area", 10 * history.at("area", 1e4));
+  expect_equal(runs, "force", 1e-9 * history.at("force", 0));  // the load, whatever creeps
+  expect_equal(runs, "pressure", stress_bound * history.at("pressure", 0));
+  expect_equal(runs, "sinking", stress_bound * std::abs(history.at("sinking", 1e4)));
+  expect_equal(runs, "area", 0.01 * history.at("area", 1e4));  // its edge is fitted to small pressures
   EXPECT_GT(history.at("area", 1e4), 1.5 * history.at("area", 0)) << "it must grow";
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Direct solver of the Newton systems (I - gamma J) z = r of the creep rate. MaterialTangent eliminates the state
-/// point by point; K_tan du = integral B^T D e with K_tan = integral B^T D B is left, with the contact set frozen.
+/// point by point; K_tan du = integral B^T D e with K_tan = integral B^T D B is left, with the active contacts closed.
 
 #include <cstdint>
 #include <memory>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "creepcontact/base/stopwatch.hpp"
-#include "creepcontact/contact/frozen_interface.hpp"
+#include "creepcontact/contact/tangent_interface.hpp"
 #include "creepcontact/simulation/contact_elasticity.hpp"
 #include "creepcontact/simulation/material_tangent.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
@@ -18,15 +18,18 @@ namespace creepcontact::simulation {
 class TangentSystem {
  public:
   /// @param elasticity, points (one a body), layout and watch must outlive the object
-  /// Memory: a second factor of every body that creeps, and stride (stride + 6) + 36 numbers a point.
+  /// Memory: of every body that creeps a second factor, second interface matrices, and stride (stride + 6) + 36 numbers
+  /// a point.
   TangentSystem(const ContactElasticity& elasticity, const std::vector<MaterialPoints>& points,
                 const StateLayout& layout, Stopwatch& watch);
 
-  /// Factors the system at the last equilibrium of the elasticity, with the contact set it found there.
-  /// @throws ode::RecoverableError if a tangent stiffness is not positive definite, or the contact rows contradict each
-  ///         other. Cost: an assembly and a factorisation of every body that creeps.
+  /// Factors the system at the last equilibrium of the elasticity.
+  /// @throws ode::RecoverableError if a tangent stiffness is not positive definite
+  /// Cost: an assembly, a factorisation and a condensation of every body that creeps.
   void prepare(double gamma, std::span<const double> y);
-  /// z of the system last prepared. Cost: as an elastic solve.
+  /// z of the system last prepared, but with the contact set of the elasticity's last equilibrium: where contact grows,
+  /// an iteration with the set of some steps before would not converge. Cost: as an elastic solve.
+  /// @throws ode::RecoverableError if the contact rows contradict each other
   void solve(std::span<const double> r, std::span<double> z);
 
   std::int64_t solves() const { return solves_; }
@@ -34,13 +37,12 @@ class TangentSystem {
 
  private:
   struct Side {
-    std::optional<MaterialTangent> material;            // of a body that creeps; an elastic one has nothing here,
-    std::optional<linalg::SupernodalCholesky> factor;   // and its own factor serves
+    std::optional<MaterialTangent> material;  // of a body that creeps; an elastic one has nothing here
+    std::optional<linalg::SupernodalCholesky> factor;
     std::vector<double> stress;                         // n_points x 6: D e, then the strain B du
     std::vector<double> displacement, no_displacement;  // 3 n_nodes
     std::vector<double> free;                           // n_free
   };
-  linalg::SupernodalCholesky& factor(std::size_t body);
   void factorize(std::size_t body);
   void forward(std::size_t body, const double* r, Eigen::VectorXd& gap);
   void backward(std::size_t body, const contact::ContactState& change);
@@ -49,7 +51,7 @@ class TangentSystem {
   const StateLayout& layout_;
   Stopwatch& watch_;
   std::vector<Side> sides_;
-  std::unique_ptr<contact::FrozenInterface> interface_;
+  std::unique_ptr<contact::TangentInterface> interface_;
   std::int64_t solves_ = 0, factorizations_ = 0;
 };
 

@@ -1,0 +1,40 @@
+#include "creepcontact/contact/tangent_interface.hpp"
+
+namespace creepcontact::contact {
+
+TangentInterface::TangentInterface(const CondensedInterface& interface,
+                                   std::span<const linalg::SupernodalCholesky* const> factors)
+    : interface_(interface), condensed_(factors.size()), frozen_(problem_) {
+  const ContactProblem& elastic = interface.problem();
+  problem_.slave_body = elastic.slave_body;
+  problem_.master_body = elastic.master_body;
+  problem_.bilateral = elastic.bilateral;
+  problem_.rigid = elastic.rigid;
+  problem_.total.setZero(n_rows(), n_rows());
+  for (std::size_t b = 0; b < factors.size(); ++b) {
+    const std::vector<int>& rows = interface.rows(b).rows;
+    if (rows.empty()) continue;
+    if (factors[b] != nullptr) {
+      condensed_[b] = CondensedRows(interface.rows(b).reduced, interface.trailing(b), *factors[b]);
+      problem_.total(rows, rows) += condensed_[b].flexibility();
+    } else {
+      problem_.total(rows, rows) += elastic.bodies[b].matrix;
+    }
+  }
+}
+
+void TangentInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
+  const std::vector<int>& rows = interface_.rows(body).rows;
+  if (!rows.empty()) gap(rows) += condensed_[body].gaps(y);
+}
+
+ContactState TangentInterface::close(const std::vector<int>& active, const Eigen::VectorXd& gap) {
+  return frozen_.solve(active, {gap, {}}).state;
+}
+
+void TangentInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
+  const std::vector<int>& rows = interface_.rows(body).rows;
+  if (!rows.empty()) condensed_[body].add_forces(multiplier(rows), y);
+}
+
+}  // namespace creepcontact::contact
