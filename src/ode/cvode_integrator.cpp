@@ -66,7 +66,7 @@ void CvodeIntegrator::use_newton_tangent() {
   check(CVodeSetLinearSolver(memory_, tangent_->solver.get(), tangent_->matrix.get()), "CVodeSetLinearSolver");
   check(CVodeSetLinSysFn(memory_, SundialsCallbacks::prepare_tangent), "CVodeSetLinSysFn");
   check(CVodeSetNonlinConvCoef(memory_, newton_coefficient), "CVodeSetNonlinConvCoef");
-  check(CVodeSetMaxOrd(memory_, max_bdf_order), "CVodeSetMaxOrd");
+  check(CVodeSetMaxOrd(memory_, max_bdf_order(options_.tolerance)), "CVodeSetMaxOrd");
 }
 
 void CvodeIntegrator::use_fixed_point() {
