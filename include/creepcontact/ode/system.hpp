@@ -33,8 +33,8 @@ class System {
   /// Factors I - gamma J at the point (t, y) for solve_tangent(); the point of the last rate() as a rule.
   /// @throws RecoverableError, as where the matrix is singular
   virtual void prepare_tangent(double t, std::span<const double> y, double gamma) = 0;
-  /// z = (I - gamma J)^-1 r with gamma and J of the last prepare_tangent(), but for what of J may follow the last rate()
-  /// at no cost. @throws RecoverableError
+  /// z = (I - gamma J)^-1 r with gamma and J of the last prepare_tangent(), but for what of J may follow the last
+  /// rate() at no cost. @throws RecoverableError
   virtual void solve_tangent(std::span<const double> r, std::span<double> z) = 0;
 
   /// Largest step at which explicit Euler is stable at (t, y) (Cormeau 1975); infinity if nothing creeps.
