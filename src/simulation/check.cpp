@@ -40,9 +40,12 @@ void check(const config::Config& config, std::ostream& report) {
     for (const mechanics::FreeMotion& motion : body.free_motions())
       described += (described.empty() ? "" : ", ") + motion.description;
     text += fmt::format("  rigid-body modes: {}\n", described.empty() ? "none" : described);
-    bytes += static_cast<double>(body.estimate_factor_bytes());
-    // gradients, weights and coordinates at the integration points
-    bytes += 8.0 * 75 * static_cast<double>(body.discretization().n_points());
+    const bool has_tangent = config.time.linear_solver == config::LinearSolver::tangent && body.material().creeps();
+    bytes += (has_tangent ? 2 : 1) * static_cast<double>(body.estimate_factor_bytes());
+    // gradients, weights and coordinates at the integration points; what a tangent eliminates there
+    const auto stride = static_cast<double>(layout.stride(b));
+    const double numbers = 75 + (has_tangent ? 36 + stride * (stride + 6) : 0);
+    bytes += 8 * numbers * static_cast<double>(body.discretization().n_points());
   }
   for (std::size_t p = 0; p < model.pairs.size(); ++p) {
     const contact::Pair& pair = model.pairs[p];

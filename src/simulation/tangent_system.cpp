@@ -55,55 +55,70 @@ void TangentSystem::prepare(double gamma, std::span<const double> y) {
   interface_ = std::make_unique<contact::TangentInterface>(elasticity_.interface(), factors);
 }
 
-void TangentSystem::forward(std::size_t b, const double* r, Eigen::VectorXd& gap) {
-  Side& side = sides_[b];
-  const mechanics::Body& body = *elasticity_.model().bodies[b];
+template <typename Work>
+void TangentSystem::for_each_side(const Work& work) {
+  for (std::size_t b = 0; b < sides_.size(); ++b)
+    if (sides_[b].material) work(b, sides_[b], *elasticity_.model().bodies[b]);
+}
+
+template <typename Pass>
+void TangentSystem::pass_through_factors(const Pass& pass) {
+  const auto lap = watch_.lap(Part::solve);
+  const int n_bodies = static_cast<int>(sides_.size());
+#pragma omp parallel for schedule(dynamic, 1) if (n_bodies > 1 && elasticity_.parallel_passes())
+  for (int b = 0; b < n_bodies; ++b)
+    if (Side& side = sides_[static_cast<std::size_t>(b)]; side.material) pass(side);
+}
+
+Eigen::VectorXd TangentSystem::forward(std::span<const double> r) {
   {
     const auto lap = watch_.lap(Part::material);
-    side.material->initial_stress(r, side.stress);
-    std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
-    body.discretization().add_internal_force(side.stress, side.displacement);
-    body.constraints().restrict_to_free(side.displacement, side.free);
-    // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
-    for (const std::int64_t pin : body.pins()) side.free[static_cast<std::size_t>(pin)] = 0;
+    for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
+      side.material->initial_stress(r.data() + layout_.offset(b), side.stress);
+      std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
+      body.discretization().add_internal_force(side.stress, side.displacement);
+      body.constraints().restrict_to_free(side.displacement, side.free);
+      // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
+      for (const std::int64_t pin : body.pins()) side.free[static_cast<std::size_t>(pin)] = 0;
+    });
   }
-  const auto lap = watch_.lap(Part::solve);
-  side.factor->forward(side.free, side.free);
-  interface_->add_trace(b, side.free, gap);
-}
-
-void TangentSystem::backward(std::size_t b, const contact::ContactState& change) {
-  Side& side = sides_[b];
-  const mechanics::Body& body = *elasticity_.model().bodies[b];
-  {
-    const auto lap = watch_.lap(Part::solve);
-    interface_->add_multipliers(b, change.multiplier, side.free);
-    side.factor->backward(side.free, side.free);
-  }
-  const auto lap = watch_.lap(Part::material);
-  body.constraints().expand(side.free, side.no_displacement, side.displacement);
-  elasticity_.interface().add_rigid_motion(b, change.rigid, side.displacement);
-  body.discretization().strain(side.displacement, side.stress);
-}
-
-void TangentSystem::solve(std::span<const double> r, std::span<double> z) {
+  pass_through_factors([](Side& side) { side.factor->forward(side.free, side.free); });
+  const auto lap = watch_.lap(Part::contact);
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(interface_->n_rows());
-  // Nothing but contact strains an elastic body, and its displacement is not asked for: it needs no pass.
-  for (std::size_t b = 0; b < sides_.size(); ++b)
-    if (sides_[b].material) forward(b, r.data() + layout_.offset(b), gap);
-  contact::ContactState change;
-  try {
+  for_each_side([&](std::size_t b, Side& side, const mechanics::Body&) { interface_->add_trace(b, side.free, gap); });
+  return gap;
+}
+
+void TangentSystem::backward(const contact::ContactState& change) {
+  {
     const auto lap = watch_.lap(Part::contact);
-    change = interface_->close(elasticity_.active_set(), gap);
+    for_each_side([&](std::size_t b, Side& side, const mechanics::Body&) {
+      interface_->add_multipliers(b, change.multiplier, side.free);
+    });
+  }
+  pass_through_factors([](Side& side) { side.factor->backward(side.free, side.free); });
+}
+
+contact::ContactState TangentSystem::close(const Eigen::VectorXd& gap) {
+  const auto lap = watch_.lap(Part::contact);
+  try {
+    return interface_->close(elasticity_.active_set(), gap);
   } catch (const SolverError& error) {
     throw ode::RecoverableError(error.what());
   }
-  for (std::size_t b = 0; b < sides_.size(); ++b) {
-    if (!sides_[b].material) continue;
-    backward(b, change);
-    const auto lap = watch_.lap(Part::material);
-    sides_[b].material->solution(r.data() + layout_.offset(b), sides_[b].stress, z.data() + layout_.offset(b));
-  }
+}
+
+void TangentSystem::solve(std::span<const double> r, std::span<double> z) {
+  // Nothing but contact strains an elastic body, and its displacement is not asked for: it needs no pass.
+  const contact::ContactState change = close(forward(r));
+  backward(change);
+  const auto lap = watch_.lap(Part::material);
+  for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
+    body.constraints().expand(side.free, side.no_displacement, side.displacement);
+    elasticity_.interface().add_rigid_motion(b, change.rigid, side.displacement);
+    body.discretization().strain(side.displacement, side.stress);
+    side.material->solution(r.data() + layout_.offset(b), side.stress, z.data() + layout_.offset(b));
+  });
   ++solves_;
 }
 

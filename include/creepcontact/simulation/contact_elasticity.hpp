@@ -60,6 +60,8 @@ class ContactElasticity {
   void log_contact(ContactLog& log);
 
   const contact::CondensedInterface& interface() const { return interface_; }
+  /// The factors are so large that passes through several of them go side by side.
+  bool parallel_passes() const { return parallel_passes_; }
   const Model& model() const { return model_; }
 
   struct Counters {
@@ -95,7 +97,7 @@ class ContactElasticity {
   double time_ = 0;
   std::vector<BodyState> states_;
   std::vector<Work> work_;
-  bool parallel_passes_ = false;  ///< worth it
+  bool parallel_passes_ = false;
   Counters counters_;
 };
 

@@ -44,8 +44,15 @@ class TangentSystem {
     std::vector<double> free;                           // n_free
   };
   void factorize(std::size_t body);
-  void forward(std::size_t body, const double* r, Eigen::VectorXd& gap);
-  void backward(std::size_t body, const contact::ContactState& change);
+  /// work(number, side, body) for every body that creeps.
+  template <typename Work>
+  void for_each_side(const Work& work);
+  template <typename Pass>
+  void pass_through_factors(const Pass& pass);
+  /// @returns gaps without contact forces
+  Eigen::VectorXd forward(std::span<const double> r);
+  contact::ContactState close(const Eigen::VectorXd& gap);
+  void backward(const contact::ContactState& change);
 
   const ContactElasticity& elasticity_;
   const StateLayout& layout_;
