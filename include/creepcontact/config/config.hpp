@@ -144,7 +144,7 @@ struct Time {
   double end = 0;
   std::string integrator = "cvode_bdf";
   double tolerance = 1e-4;                             ///< relative stress accuracy
-  LinearSolver linear_solver = LinearSolver::krylov;  ///< of cvode_bdf and arkode_dirk
+  LinearSolver linear_solver = LinearSolver::krylov;   ///< of cvode_bdf and arkode_dirk
   std::vector<double> output;                          ///< increasing, from 0 to end, both included
   TimeStep step;                                       ///< Euler schemes
   double step_factor = 1.0;                            ///< times the stable step

@@ -50,9 +50,9 @@ struct IntegratorOptions {
   int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
   double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
   LinearSolver linear_solver = LinearSolver::krylov;  ///< cvode_bdf, arkode_dirk
-  std::string table = {};            ///< ARKODE: name of a Butcher table with an embedded method; empty: the default
-  double end_time = 0;               ///< end of the run, bounds the first step
-  int restart_interval = 20;         ///< ARKODE: steps from one restart point to the next
+  std::string table = {};     ///< ARKODE: name of a Butcher table with an embedded method; empty: the default
+  double end_time = 0;        ///< end of the run, bounds the first step
+  int restart_interval = 20;  ///< ARKODE: steps from one restart point to the next
 };
 
 /// All that the steps to come depend on, as a checkpoint keeps it.
