@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "arkode_integrator.hpp"
+#include "auto_integrator.hpp"
 #include "beta_euler.hpp"
 #include "butcher_tables.hpp"
 #include "creepcontact/ode/integrator.hpp"
@@ -22,11 +23,13 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
+      {"auto", "the default: cvode_bdf, watched, and changed for rkc2 or the tangent stiffness where it fails",
+       make<AutoIntegrator>},
       {"explicit_euler", "explicit Euler; fixed, Cormeau or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
       {"beta_euler",
        "implicit Euler with beta >= 0.5; fixed-point or Newton iterations, fixed or adaptive steps (Stankevich 2012)",
        make<BetaEuler>},
-      {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control: the default", CvodeIntegrator::bdf},
+      {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control", CvodeIntegrator::bdf},
       {"cvode_adams", "CVODE Adams of order 1 to 12, fixed-point iterations, error control: for slow creep",
        CvodeIntegrator::adams},
       {"arkode_erk",

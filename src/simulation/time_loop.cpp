@@ -1,5 +1,7 @@
 #include "time_loop.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 

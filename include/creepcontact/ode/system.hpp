@@ -30,6 +30,8 @@ class System {
   /// z = (I - gamma J_local)^-1 r, J_local the point-wise part of df/dy at the prepared point.
   virtual void precondition(double gamma, std::span<const double> r, std::span<double> z) = 0;
 
+  /// False if the two functions below cannot be called.
+  virtual bool offers_tangent() const { return true; }
   /// Factors I - gamma J at the point (t, y) for solve_tangent(); the point of the last rate() as a rule.
   /// @throws RecoverableError, as where the matrix is singular
   virtual void prepare_tangent(double t, std::span<const double> y, double gamma) = 0;

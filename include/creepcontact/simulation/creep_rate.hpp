@@ -34,6 +34,8 @@ class CreepRate final : public ode::System {
   void prepare_preconditioner(double t, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
   /// Contact must be condensed to dense matrices (CondensedInterface::is_dense).
+  /// Only where contact is condensed densely.
+  bool offers_tangent() const override { return elasticity_.interface().is_dense(); }
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;
   void solve_tangent(std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;

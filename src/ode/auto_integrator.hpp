@@ -1,0 +1,62 @@
+#pragma once
+/// The default: a method that is watched while it runs, and changed where another one does better.
+
+#include <deque>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "creepcontact/ode/integrator.hpp"
+
+namespace creepcontact::ode {
+
+/// Begins with cvode_bdf and GMRES, the cheapest for most of creep. Where its iterations fail in more than a tenth of
+/// the steps, or no step succeeds, it goes on with rkc2 if the steps are moderate multiples of the stable one, else
+/// with the tangent stiffness if the system offers it; from rkc2 back when its stages have become too many. Every
+/// change is logged.
+class AutoIntegrator final : public Integrator {
+ public:
+  AutoIntegrator(System& system, const IntegratorOptions& options);
+  std::string name() const override { return "auto"; }
+  std::string method() const override { return current_->method(); }
+
+  void initialize(double t, std::span<const double> y, double step = 0) override;
+  StepReport step(double t_limit) override;
+  bool interpolates() const override { return true; }
+  void interpolate(double t, std::span<double> y) const override { current_->interpolate(t, y); }
+
+  double time() const override { return current_->time(); }
+  std::span<const double> state() const override { return current_->state(); }
+  double next_step() const override { return current_->next_step(); }
+  Counters counters() const override;
+
+  bool at_restart_point() const override { return current_->at_restart_point(); }
+  RestartPoint save() const override;
+  void restore(const RestartPoint& point) override;
+
+ private:
+  enum class Method { krylov, tangent, stabilized };
+
+  std::unique_ptr<Integrator> make(Method method) const;
+  static const char* describe(Method method);
+  void watch(const StepReport& report);
+  /// The best of those not given up, or the present one if there is none.
+  Method choose(double step);
+  void change_to(Method method, const std::string& reason);
+
+  struct Observation {
+    std::int64_t failures, evaluations;  ///< counters after the step
+  };
+  System& system_;
+  const IntegratorOptions options_;
+  Method method_;
+  std::set<Method> given_up_;
+  std::unique_ptr<Integrator> current_;
+  std::deque<Observation> recent_;  ///< the last steps, the oldest first
+  double last_step_ = 0;
+  bool trouble_ = false;  ///< seen at the end of the last step
+  std::string reason_;
+  Counters before_;  ///< of the integrators before the present one
+};
+
+}  // namespace creepcontact::ode
