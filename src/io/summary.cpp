@@ -36,6 +36,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;
   json["integrator"] = summary.integrator;
+  if (!summary.method.empty()) json["method"] = summary.method;
   json["steps"] = summary.steps;
   json["rejected_steps"] = summary.rejected_steps;
   json["convergence_failures"] = summary.convergence_failures;

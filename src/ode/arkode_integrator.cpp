@@ -22,6 +22,9 @@ const ButcherTable& table_of(bool implicit, const IntegratorOptions& options) {
 /// Extrapolates from the last step, at lower order for the later stages: a quarter fewer evaluations than starting the
 /// stages from the old state, and more robust over long steps than extrapolating at full order.
 constexpr int variable_order_predictor = 2;
+/// With a tangent of some steps before, Newton's method converges linearly: one iteration more than SUNDIALS' three
+/// costs less than a failed step. On growing contact 88 factorisations instead of 102, and 3 % more solves.
+constexpr int most_tangent_iterations = 4;
 }  // namespace
 
 ArkodeIntegrator::ArkodeIntegrator(std::string name, Kind kind, System& system, const IntegratorOptions& options)
@@ -71,6 +74,7 @@ void ArkodeIntegrator::use_newton_tangent() {
   tangent_.emplace(callbacks_, context_);
   check(ARKStepSetLinearSolver(memory_, tangent_->solver.get(), tangent_->matrix.get()), "ARKStepSetLinearSolver");
   check(ARKStepSetLinSysFn(memory_, SundialsCallbacks::prepare_tangent_with_mass), "ARKStepSetLinSysFn");
+  check(ARKStepSetMaxNonlinIters(memory_, most_tangent_iterations), "ARKStepSetMaxNonlinIters");
 }
 
 void ArkodeIntegrator::use_stage_settings() {

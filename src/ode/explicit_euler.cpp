@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "creepcontact/base/log.hpp"
 #include "elementwise.hpp"
 
 namespace creepcontact::ode {
 
 void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {
+  if (counters().steps == 0) warn_if_unstable(time(), from);
   for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
   if (!std::isfinite(max_difference(to.state, from.state)))
     fail(fmt::format(
@@ -19,6 +21,18 @@ void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& tar
 
 void ExplicitEuler::complete(double t, EulerPoint& to) {
   system_.rate(t, to.state, to.rate);
+  warn_if_unstable(t, to);  // without a solve: the rate has just been evaluated
+}
+
+void ExplicitEuler::warn_if_unstable(double t, const EulerPoint& at) {
+  if (warned_ || options_.step.mode != StepMode::fixed) return;
+  const double stable = system_.stable_step(t, at.state);
+  if (!(options_.step.length > stable)) return;
+  warned_ = true;
+  log::warning(
+      "explicit_euler: the step of {:.3g} is longer than the stable one of {:.3g} at t = {:.6g}; the stress will "
+      "oscillate. Take step = \"stable\" or \"adaptive\", a smaller step, or another integrator",
+      options_.step.length, stable, t);
 }
 
 }  // namespace creepcontact::ode

@@ -22,7 +22,11 @@ class ExplicitEuler final : public EulerScheme {
   double longest_adaptive_step() const override { return 2 * margin; }
 
  private:
+  /// Steps that are little too long only make the solution oscillate: it would end as if nothing were wrong.
+  void warn_if_unstable(double t, const EulerPoint& at);
+
   static constexpr double margin = 0.9;
+  bool warned_ = false;
 };
 
 }  // namespace creepcontact::ode

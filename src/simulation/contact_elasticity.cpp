@@ -1,6 +1,7 @@
 #include "creepcontact/simulation/contact_elasticity.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace creepcontact::simulation {
 namespace {
@@ -22,6 +23,7 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
       interface_(factorize(model, watch)),
       solver_(make_contact_solver(model, interface_.problem())),
       frozen_(interface_.problem(), std::max(model.schwarz.tolerance, jacobian_tolerance)) {
+  set_changes_.assign(interface_.pairs().size(), 0);
   counters_.factorizations = static_cast<std::int64_t>(model.bodies.size());
   std::int64_t largest = 0, all = 0;
   for (const auto& body : model.bodies) {
@@ -65,6 +67,20 @@ void ContactElasticity::backward(const Eigen::VectorXd& multiplier) {
     for (std::size_t b = 0; b < model_.bodies.size(); ++b) interface_.add_multipliers(b, multiplier, work_[b].factored);
   }
   pass_through_factors([&](std::size_t b) { model_.bodies[b]->factor().backward(work_[b].factored, work_[b].free); });
+}
+
+void ContactElasticity::keep_warm() {
+  std::vector<int> changed;
+  std::ranges::set_symmetric_difference(warm_.active, last_.active, std::back_inserter(changed));
+  auto row = changed.begin();
+  int end = 0;
+  for (std::size_t p = 0; p < interface_.pairs().size() && !warm_.active.empty(); ++p) {
+    end += interface_.pairs()[p].coupling.n_rows();
+    const auto next = std::lower_bound(row, changed.end(), end);
+    if (next != row) ++set_changes_[p];
+    row = next;
+  }
+  warm_ = last_;
 }
 
 void ContactElasticity::log_contact(ContactLog& log) {

@@ -141,12 +141,19 @@ void CreepRate::solve_tangent(std::span<const double> r, std::span<double> z) {
 
 double CreepRate::stable_step(double t, std::span<const double> y) {
   evaluate(t, y);
-  double stiffest = 0;
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty())
-      stiffest =
-          std::max(stiffest, points_[b].stiffest_rate(elasticity_.states()[b].stress, y.data() + layout_.offset(b)));
-  return stiffest > 0 ? 2 / stiffest : std::numeric_limits<double>::infinity();
+  const std::vector<double> times = relaxation_times();
+  return 2 * *std::min_element(times.begin(), times.end());
+}
+
+std::vector<double> CreepRate::relaxation_times() const {
+  std::vector<double> times;
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const double fastest = points_[b].empty() ? 0
+                                              : points_[b].stiffest_rate(elasticity_.states()[b].stress,
+                                                                         state_.data() + layout_.offset(b));
+    times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
+  }
+  return times;
 }
 
 void CreepRate::accept(double t, std::span<const double> /*y*/) {

@@ -11,7 +11,9 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/simulation/probes.hpp"
+#include "run_report.hpp"
 #include "time_loop.hpp"
+#include "useful_threads.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -29,6 +31,7 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
   summary.units = config.units;
   summary.version = CREEPCONTACT_VERSION;
   summary.integrator = config.time.integrator;
+  summary.method = loop.method();
   summary.time_reached = loop.time();
   const ode::Integrator::Counters steps = loop.integrator_counters();
   const ode::System::Counters counters = loop.system_counters();
@@ -55,10 +58,27 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
   return summary;
 }
 
+Suspects suspects(CreepRate& system) {
+  Suspects result;
+  const ContactElasticity& elasticity = system.elasticity();
+  const std::vector<double> times = system.relaxation_times();
+  for (std::size_t b = 0; b < times.size(); ++b)
+    result.bodies.push_back({elasticity.model().bodies[b]->name(), times[b]});
+  for (std::size_t p = 0; p < elasticity.interface().pairs().size(); ++p)
+    result.contacts.push_back({elasticity.interface().pairs()[p].name, elasticity.set_changes()[p]});
+  return result;
+}
+
+void print_report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop, CreepRate& system) {
+  if (loop.step_statistics().empty()) return;
+  fmt::print("{}", run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method()));
+  for (const std::string& line : advice(summary, loop.step_statistics(), suspects(system))) log::warning("{}", line);
+}
+
 }  // namespace
 
 RunResult run(const config::Config& config, const RunOptions& options) {
-  if (options.threads > 0) omp_set_num_threads(options.threads);
+  omp_set_num_threads(options.threads > 0 ? options.threads : useful_threads());
   if (options.quiet) log::set_level(log::Level::warning);
   Stopwatch watch;
   const std::filesystem::path directory =
@@ -118,6 +138,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     result.message =
         fmt::format("the run was complete already, up to t = {:.6g}; a later time.end prolongs it", loop.time());
   else if (!options.quiet)
+    print_report(config, summary, loop, system);
+  if (!options.quiet && !loop.was_complete())
     fmt::print("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
                result.exit_status == 0 ? "done" : "interrupted", summary.steps, summary.elastic_solves,
                summary.schwarz_iterations, summary.wall_seconds.total, directory.string());

@@ -209,6 +209,7 @@ void TimeLoop::integrate(const Interrupt& interrupt) {
     settled_ = false;
     time_ = integrator_->time();
     results_->step(report, before, system_.counters());
+    step_statistics_.see(report);
     progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;

@@ -13,6 +13,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "results.hpp"
+#include "run_report.hpp"
 
 namespace creepcontact::simulation {
 
@@ -35,6 +36,10 @@ class TimeLoop {
   ode::Integrator::Counters integrator_counters() const;
   ode::System::Counters system_counters() const;
   const Results& results() const { return *results_; }
+  /// Of the steps since the start or the resume.
+  const StepStatistics& step_statistics() const { return step_statistics_; }
+  /// The integrator at work.
+  std::string method() const { return integrator_ ? integrator_->method() : ""; }
   /// Called after every output time (the summary is kept up to date with it).
   std::function<void()> after_output;
 
@@ -60,6 +65,7 @@ class TimeLoop {
   std::unique_ptr<ode::Integrator> integrator_;
   std::unique_ptr<Results> results_;
   Progress progress_;
+  StepStatistics step_statistics_;
   double time_ = 0;
   bool has_output_ = false;
   bool was_complete_ = false;

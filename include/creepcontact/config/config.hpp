@@ -142,7 +142,7 @@ enum class LinearSolver { krylov, tangent };
 
 struct Time {
   double end = 0;
-  std::string integrator = "cvode_bdf";
+  std::string integrator = "auto";
   double tolerance = 1e-4;                             ///< relative stress accuracy
   LinearSolver linear_solver = LinearSolver::krylov;   ///< of cvode_bdf and arkode_dirk
   std::vector<double> output;                          ///< increasing, from 0 to end, both included

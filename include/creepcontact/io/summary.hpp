@@ -22,6 +22,7 @@ struct Summary {
   std::string message;  ///< written only if not empty
   std::string title, units, version;
   std::string integrator;
+  std::string method;  ///< at work at the end: another name than `integrator` if that one chooses; written if not empty
   double time_reached = 0;
   std::int64_t steps = 0, rejected_steps = 0, convergence_failures = 0;
   std::int64_t rhs_evaluations = 0, jacobian_products = 0;

@@ -49,7 +49,9 @@ class ContactElasticity {
   void linearized(const CreepViews& creep_change, std::vector<std::vector<double>>& stress);
 
   /// The last solution becomes the start of the contact iterations to come (call at accepted steps only).
-  void keep_warm() { warm_ = last_; }
+  void keep_warm();
+  /// How often a pair's nodes in contact were others after a step than before it, one a pair.
+  const std::vector<std::int64_t>& set_changes() const { return set_changes_; }
   /// All that solves to come depend on beside their arguments, for a checkpoint.
   using Memory = std::map<std::string, std::vector<double>>;
   void save(Memory& memory) const;
@@ -99,6 +101,7 @@ class ContactElasticity {
   std::vector<Work> work_;
   bool parallel_passes_ = false;
   Counters counters_;
+  std::vector<std::int64_t> set_changes_;
 };
 
 }  // namespace creepcontact::simulation

@@ -39,6 +39,8 @@ class CreepRate final : public ode::System {
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;
   void solve_tangent(std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;
+  /// Shortest of every body at the last evaluation: 1 / largest eigenvalue of C H; infinity where nothing creeps.
+  std::vector<double> relaxation_times() const;
   /// Follows the stress of the accepted steps: typical stress / Young's modulus.
   std::span<const double> scale() const override;
   void accept(double t, std::span<const double> y) override;

@@ -29,7 +29,7 @@ TEST(ConfigDefaults, MinimalConfiguration) {
   EXPECT_EQ(config.contact_solver.acceleration, Acceleration::cg);
   EXPECT_EQ(config.contact_solver.tolerance, 1e-10);
   EXPECT_EQ(config.contact_solver.max_iterations, 200);
-  EXPECT_EQ(config.time.integrator, "cvode_bdf");
+  EXPECT_EQ(config.time.integrator, "auto");
   EXPECT_EQ(config.time.tolerance, 1e-4);
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 100}));
   EXPECT_EQ(config.time.step.mode, StepMode::stable);
@@ -51,7 +51,7 @@ TEST(ConfigDefaults, SchemaListsEveryKeyWithItsDefault) {
     if (found == keys.end()) throw std::out_of_range(path);
     return *found;
   };
-  EXPECT_EQ(find("time.integrator").default_value, "\"cvode_bdf\"");
+  EXPECT_EQ(find("time.integrator").default_value, "\"auto\"");
   EXPECT_EQ(find("time.step").default_value, "\"stable\"");
   EXPECT_EQ(find("time.tolerance").default_value, "0.0001");
   EXPECT_EQ(find("time.output.count").type, "an integer >= 2");

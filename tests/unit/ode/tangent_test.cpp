@@ -43,26 +43,26 @@ TEST_P(Tangent, ReachesTheSteadyStateOfGradedBars) {
     const Values stress = bars.stress(integrator->state());
     for (std::size_t i = 0; i < stress.size(); ++i)
       EXPECT_NEAR(stress[i], bars.steady_stress(i), 2 * tolerance * ParallelBars::mean_stress) << i;
-    EXPECT_EQ(integrator->counters().convergence_failures, 0);
+    // Stages have no history to predict them from after a restart point.
+    const std::int64_t most = GetParam() == "arkode_dirk" ? integrator->counters().steps / 20 : 0;
+    EXPECT_LE(integrator->counters().convergence_failures, most);
     EXPECT_LT(bars.counters().factorizations, integrator->counters().steps);
     RecordProperty("factorizations", static_cast<int>(bars.counters().factorizations));
     RecordProperty("tangent_solves", bars.tangent_solves);
   }
 }
 
-TEST_P(Tangent, FollowsARelaxationAsCloselyAsKrylov) {
+TEST_P(Tangent, FollowsARelaxationWithinItsTolerance) {
   const Values times{0.1, 1, 10, 100, 1000};
-  const auto error = [&](LinearSolver linear_solver) {
+  for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7}) {
     RelaxingBar bar;
-    auto integrator = make_integrator(GetParam(), bar, {.tolerance = 1e-5, .linear_solver = linear_solver});
+    auto integrator = make(bar, tolerance);
     const auto states = integrate(*integrator, 0, Values(1), times);
-    double largest = 0;
     for (std::size_t i = 0; i < times.size(); ++i)
-      largest = std::max(largest, std::abs(RelaxingBar::stress(states[i][0]) - RelaxingBar::exact_stress(times[i])));
-    return largest / RelaxingBar::initial_stress;
-  };
-  EXPECT_LT(error(LinearSolver::tangent), 1e-4);
-  EXPECT_LT(error(LinearSolver::tangent), 1.2 * error(LinearSolver::krylov) + 1e-6);
+      EXPECT_NEAR(RelaxingBar::stress(states[i][0]), RelaxingBar::exact_stress(times[i]),
+                  3 * tolerance * RelaxingBar::initial_stress)
+          << times[i];
+  }
 }
 
 TEST_P(Tangent, ASingularMatrixIsMendedByASmallerStep) {
@@ -86,6 +86,27 @@ TEST_P(Tangent, OtherErrorsPassThrough) {
   auto integrator = make(bar, 1e-5);
   integrator->initialize(0, Values(1));
   EXPECT_THROW(integrator->step(1), ModelError);
+}
+
+TEST_P(Tangent, GoesOnFromRestartPointsToTheLastBitWithoutTheOldFactors) {
+  const double end = 10 * tau;
+  ParallelBars bars(6, 100);
+  auto whole = make(bars, 1e-6, end);
+  whole->initialize(0, Values(6));
+  std::vector<RestartPoint> points;
+  while (whole->time() < end) {
+    whole->step(end);
+    if (whole->at_restart_point()) points.push_back(whole->save());
+  }
+  if (!whole->restores_exactly()) GTEST_SKIP() << "loses its history";
+  ASSERT_GT(points.size(), 2U);
+  for (const RestartPoint& point : points) {
+    ParallelBars fresh(6, 100);
+    auto resumed = make(fresh, 1e-6, end);
+    resumed->restore(point);
+    while (resumed->time() < end) resumed->step(end);
+    EXPECT_TRUE(std::ranges::equal(resumed->state(), whole->state())) << point.time;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Tangent, testing::Values("cvode_bdf", "arkode_dirk"), test_name);
