@@ -51,12 +51,16 @@ StepReport AutoIntegrator::step(double t_limit) {
   for (;;) {
     try {
       const StepReport report = current_->step(t_limit);
+      failure_.clear();
       watch(report);
       return report;
     } catch (const SolverError& error) {
       given_up_.insert(method_);
+      if (failure_.empty()) failure_ = error.what();
       const Method next = choose(last_step_ > 0 ? last_step_ : t_limit - time());
-      if (next == method_) throw;
+      if (next == method_)
+        throw SolverError(
+            fmt::format("auto: {}{}", failure_, failure_ == error.what() ? "" : " Other methods fail too."));
       change_to(next, error.what());
     }
   }

@@ -18,7 +18,7 @@ class AutoIntegrator final : public Integrator {
  public:
   AutoIntegrator(System& system, const IntegratorOptions& options);
   std::string name() const override { return "auto"; }
-  std::string method() const override { return current_->method(); }
+  std::string method() const override { return describe(method_); }
 
   void initialize(double t, std::span<const double> y, double step = 0) override;
   StepReport step(double t_limit) override;
@@ -56,7 +56,8 @@ class AutoIntegrator final : public Integrator {
   double last_step_ = 0;
   bool trouble_ = false;  ///< seen at the end of the last step
   std::string reason_;
-  Counters before_;  ///< of the integrators before the present one
+  std::string failure_;  ///< of the first method that made no step from here
+  Counters before_;      ///< of the integrators before the present one
 };
 
 }  // namespace creepcontact::ode

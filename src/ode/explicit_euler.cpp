@@ -9,8 +9,12 @@
 
 namespace creepcontact::ode {
 
+void ExplicitEuler::initialize(double t, std::span<const double> y, double step) {
+  EulerScheme::initialize(t, y, step);
+  warn_if_unstable(t, y);
+}
+
 void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {
-  if (counters().steps == 0) warn_if_unstable(time(), from);
   for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
   if (!std::isfinite(max_difference(to.state, from.state)))
     fail(fmt::format(
@@ -21,12 +25,12 @@ void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& tar
 
 void ExplicitEuler::complete(double t, EulerPoint& to) {
   system_.rate(t, to.state, to.rate);
-  warn_if_unstable(t, to);  // without a solve: the rate has just been evaluated
+  warn_if_unstable(t, to.state);  // without a solve: the rate has just been evaluated
 }
 
-void ExplicitEuler::warn_if_unstable(double t, const EulerPoint& at) {
+void ExplicitEuler::warn_if_unstable(double t, std::span<const double> y) {
   if (warned_ || options_.step.mode != StepMode::fixed) return;
-  const double stable = system_.stable_step(t, at.state);
+  const double stable = system_.stable_step(t, y);
   if (!(options_.step.length > stable)) return;
   warned_ = true;
   log::warning(

@@ -13,6 +13,7 @@ class ExplicitEuler final : public EulerScheme {
  public:
   using EulerScheme::EulerScheme;
   std::string name() const override { return "explicit_euler"; }
+  void initialize(double t, std::span<const double> y, double step = 0) override;
 
  protected:
   void advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) override;
@@ -23,7 +24,7 @@ class ExplicitEuler final : public EulerScheme {
 
  private:
   /// Steps that are little too long only make the solution oscillate: it would end as if nothing were wrong.
-  void warn_if_unstable(double t, const EulerPoint& at);
+  void warn_if_unstable(double t, std::span<const double> y);
 
   static constexpr double margin = 0.9;
   bool warned_ = false;

@@ -137,12 +137,12 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (loop.was_complete())
     result.message =
         fmt::format("the run was complete already, up to t = {:.6g}; a later time.end prolongs it", loop.time());
-  else if (!options.quiet)
-    print_report(config, summary, loop, system);
-  if (!options.quiet && !loop.was_complete())
+  else if (!options.quiet) {
     fmt::print("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
                result.exit_status == 0 ? "done" : "interrupted", summary.steps, summary.elastic_solves,
                summary.schwarz_iterations, summary.wall_seconds.total, directory.string());
+    print_report(config, summary, loop, system);
+  }
   return result;
 }
 

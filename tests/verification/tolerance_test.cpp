@@ -61,5 +61,25 @@ TEST_P(Tolerance, BoundsTheRelativeErrorOfTheStress) {
 
 INSTANTIATE_TEST_SUITE_P(All, Tolerance, testing::ValuesIn(cases()), [](const auto& of) { return of.param.name; });
 
+/// A finer mesh takes as many solves: what limits the steps is how fast the stress changes.
+TEST(ElasticSolves, DoNotDependOnTheMesh) {
+  struct Meshes {
+    std::string file;
+    std::vector<std::string> coarse, fine;
+  };
+  for (const Meshes& meshes :
+       {Meshes{"thick_cylinder.toml",
+               {"mesh.parameters={n_wall=10,n_around=2}"},
+               {"mesh.parameters={n_wall=20,n_around=4}"}},
+        {"plate_with_hole.toml", {"mesh.parameters={n_around=4,n_out=6}"}, {"mesh.parameters={n_around=8,n_out=12}"}},
+        {"ball_on_block.toml",
+         {"mesh.parameters.h=0.6", "time.end=10", "time.output=[10]"},
+         {"mesh.parameters.h=0.4", "time.end=10", "time.output=[10]"}}}) {
+    const auto coarse = static_cast<double>(StressRuns::of_file(meshes.file, meshes.coarse).run(1e-3).elastic_solves);
+    const auto fine = static_cast<double>(StressRuns::of_file(meshes.file, meshes.fine).run(1e-3).elastic_solves);
+    EXPECT_NEAR(fine / coarse, 1, 0.2) << meshes.file << ": " << coarse << " and " << fine;
+  }
+}
+
 }  // namespace
 }  // namespace creepcontact::test

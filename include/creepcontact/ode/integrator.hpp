@@ -17,7 +17,7 @@ struct StepReport {
   double time = 0;  ///< at its end
   double step = 0;
   int order = 0;
-  double error_estimate = 0;  ///< weighted root mean square in units of the tolerance; 0 if the method has none
+  double error_estimate = 0;  ///< in units of what the tolerance allows a step; 0 if the method has none
 };
 
 enum class StepMode { fixed, stable, adaptive };

@@ -58,7 +58,7 @@ TEST(ConfigMistakes, ButcherTables) {
                  "error control; did you mean 'heun_euler_2_1_2'? (allowed: heun_euler_2_1_2, bogacki_shampine_4_2_3)");
   expect_mistake(minimal + "table = \"heun_euler_2_1_2\"\n",
                  at_12 +
-                     "9: time.table: integrator \"cvode_bdf\" has no tables to choose from; leave it out, or take "
+                     "9: time.table: integrator \"auto\" has no tables to choose from; leave it out, or take "
                      "arkode_erk");
 }
 

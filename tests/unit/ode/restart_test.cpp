@@ -65,7 +65,7 @@ TEST_P(Restart, FromAnyRestartPoint) {
 
 TEST_P(Restart, OnlyMultistepMethodsLoseTheirHistory) {
   LinearSystem system({-1.0});
-  EXPECT_EQ(make(system)->restores_exactly(), !GetParam().starts_with("cvode"));
+  EXPECT_EQ(make(system)->restores_exactly(), !GetParam().starts_with("cvode") && GetParam() != "auto");
 }
 
 TEST_P(Restart, BeginsAnewWithoutWhatWasEvaluatedBefore) {
