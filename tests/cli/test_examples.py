@@ -26,6 +26,29 @@ class ExampleTest(RunTest):
         self.assertAlmostEqual(value, reference, delta=relative * abs(reference))
 
 
+class EveryExample(RunTest):
+    """To its end with the settings that the file leaves alone, on a coarse mesh where that saves seconds."""
+
+    COARSE = {"bolted_flange": dict(n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2),
+              "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
+              "ball_on_block": dict(h=0.6)}
+
+    def test_ends_with_the_default_integrator_at_any_tolerance(self):
+        for config in sorted(CONFIGS.glob("*.toml")):
+            for tolerance in ("1e-2", "1e-4"):
+                with self.subTest(config.stem, tolerance=tolerance):
+                    options = [f"time.tolerance={tolerance}", "output.fields=false"]
+                    options += [f"mesh.parameters.{key}={value}" for key, value in self.COARSE.get(config.stem, {}).items()]
+                    done = subprocess.run([PROGRAM, "run", str(config), "--output", str(self.output)] +
+                                          [part for option in options for part in ("--set", option)],
+                                          cwd=self.directory, capture_output=True, text=True, timeout=200)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertNotIn("time integration:", done.stderr)  # no change of method
+                    summary = self.summary()
+                    self.assertEqual((summary["status"], summary["integrator"]), ("completed", "auto"))
+                    self.assertLessEqual(summary["convergence_failures"], summary["steps"] / 10)
+
+
 class BoltedFlange(ExampleTest):
     def test_forces_balance(self):
         rows = self.history("bolted_flange.toml", n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2,
