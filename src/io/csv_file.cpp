@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 
 namespace creepcontact::io {
@@ -52,9 +53,12 @@ std::size_t kept_length(std::string_view text, std::size_t begin, double last_ti
 /// Cuts the file of the interrupted run. @returns false if there is nothing to go on with
 bool cut(const std::filesystem::path& path, const std::string& header, double last_time) {
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) return false;
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (text.empty()) return false;
+  const std::string text = stream ? std::string(std::istreambuf_iterator<char>(stream), {}) : "";
+  if (text.empty()) {
+    log::warning("'{}' of the interrupted run is missing or empty; its rows up to {:.6g} are lost", path.string(),
+                 last_time);
+    return false;
+  }
   if (!text.starts_with(header)) {
     throw ConfigError(
         fmt::format("'{}' has other columns than this run: '{}' instead of '{}'; resume with the same "

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "vtk_cells.hpp"
 #include "vtk_encoding.hpp"
@@ -90,13 +91,17 @@ FieldWriter::FieldWriter(std::filesystem::path directory, std::string name, cons
 
 std::filesystem::path FieldWriter::write(double time, const std::vector<FieldData>& point_data,
                                          const std::vector<FieldData>& cell_data) {
-  const std::string file = fmt::format("fields/{}_{:04}.vtu", name_, entries_.size());
+  const std::string file = file_name(first_ + entries_.size());
   replace_file(directory_ / file,
                vtu_document({time, units_, n_points_, n_cells_, &points_, &cells_, encode_fields(point_data, n_points_),
                              encode_fields(cell_data, n_cells_)}));
   entries_.push_back({time, file});
   write_collection();
   return directory_ / file;
+}
+
+std::string FieldWriter::file_name(std::size_t number) const {
+  return fmt::format("fields/{}_{:04}.vtu", name_, number);
 }
 
 void FieldWriter::write_collection() const {
@@ -118,7 +123,12 @@ void FieldWriter::write_collection() const {
 
 void FieldWriter::read_collection(double last_time) {
   const std::filesystem::path path = directory_ / "fields.pvd";
-  if (!std::filesystem::exists(path)) return;
+  if (!std::filesystem::exists(path)) {
+    log::warning("'{}' of the interrupted run is missing; its fields up to {:.6g} are in no list", path.string(),
+                 last_time);
+    while (std::filesystem::exists(directory_ / file_name(first_))) ++first_;  // they are not written over
+    return;
+  }
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_file(path.c_str());
   const pugi::xml_node collection = document.child("VTKFile").child("Collection");

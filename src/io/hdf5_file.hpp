@@ -45,6 +45,8 @@ class Hdf5Handle {
 class Hdf5Silence {
  public:
   Hdf5Silence() {
+    // A file that a full disk has kept from being closed would crash the library's own clean-up at exit.
+    H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

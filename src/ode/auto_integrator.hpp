@@ -54,6 +54,7 @@ class AutoIntegrator final : public Integrator {
   std::unique_ptr<Integrator> current_;
   std::deque<Observation> recent_;  ///< the last steps, the oldest first
   double last_step_ = 0;
+  std::size_t steps_with_method_ = 0;
   bool trouble_ = false;  ///< seen at the end of the last step
   std::string reason_;
   std::string failure_;  ///< of the first method that made no step from here

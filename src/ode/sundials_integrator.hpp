@@ -77,6 +77,7 @@ class SundialsIntegrator : public Integrator {
   double proposal_ = 0;
   bool stop_set_ = false;
   int steps_since_restart_ = 0;
+  bool begun_ = false;
   int careful_steps_ = 0;  ///< still to be made with the smaller tolerance of a start anew
   Counters before_;        ///< of all restarts before the last
 };

@@ -132,6 +132,17 @@ void add_contact_solver(const config::ContactSolver& solver, Lines& lines) {
   lines.add("contact_solver", "alpha", alpha);
 }
 
+/// Columns of history.csv would mean two things else.
+void add_probe(const config::Probe& probe, Lines& lines) {
+  constexpr std::array reductions{"mean", "max", "min", "sum"};
+  std::string value = probe.quantity;
+  if (probe.on.given()) value += fmt::format(" on '{}'", probe.on.name);
+  if (probe.at) value += fmt::format(" at [{}, {}, {}]", (*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
+  if (probe.body.given()) value += fmt::format(" of '{}'", probe.body.name);
+  if (!probe.at) value += fmt::format(", {}", reductions[static_cast<std::size_t>(probe.reduce)]);
+  lines.add("probes", fmt::format("'{}'", probe.name), value);
+}
+
 struct Entry {
   std::string section, item, value;
 };
@@ -180,6 +191,7 @@ std::string fingerprint(const config::Config& config, const Model& model) {
   if (config.temperature) lines.add("temperature", "value", config.temperature->value);
   for (const config::Contact& contact : config.contacts) add_contact(contact, lines);
   if (!config.contacts.empty()) add_contact_solver(config.contact_solver, lines);
+  for (const config::Probe& probe : config.probes) add_probe(probe, lines);
   return lines.text();
 }
 

@@ -72,6 +72,7 @@ Suspects suspects(CreepRate& system) {
 void print_report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop, CreepRate& system) {
   if (loop.step_statistics().empty()) return;
   fmt::print("{}", run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method()));
+  if (loop.resumed()) fmt::print("  (lengths, orders and errors of steps, and the time: since the resume)\n");
   for (const std::string& line : advice(summary, loop.step_statistics(), suspects(system))) log::warning("{}", line);
 }
 
@@ -84,6 +85,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   const std::filesystem::path directory =
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
 
+  std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
+  if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
   Model model = build_model(config);
   make_probes(config, model, model.pairs);  // mistakes in them show before anything is factored
   for (const auto& body : model.bodies)
@@ -109,6 +112,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   TimeLoop loop(config, system, watch, directory, options.resume, options.quiet);
 
   const auto write_summary = [&](io::Summary::Status status, const std::string& message) {
+    const auto lap = watch.lap(Part::output);
     io::Summary summary = make_summary(config, model, loop, watch);
     summary.status = status;
     summary.message = message;
@@ -131,7 +135,11 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     result = {error.exit_status(), error.what()};
     if (loop.has_output())
       result.message += fmt::format("; results up to t = {:.6g} are in {}", loop.time(), directory.string());
-    write_summary(io::Summary::Status::failed, error.what());
+    try {
+      write_summary(io::Summary::Status::failed, error.what());
+    } catch (const Error& second) {
+      log::error("{}", second.what());  // the first cause is what the user must see
+    }
     return result;
   }
   if (loop.was_complete())

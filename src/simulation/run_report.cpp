@@ -43,8 +43,13 @@ std::string run_table(const io::Summary& summary, const StepStatistics& steps, d
   line("steps", fmt::format("{} of {:.3g} to {:.3g}, {} rejected, {} iterations failed; {}, order up to {}",
                             summary.steps, steps.shortest(), steps.longest(), summary.rejected_steps,
                             summary.convergence_failures, method, steps.highest_order()));
-  line("elastic solves", fmt::format("{}: {} rates, {} Jacobian products; {} factorisations", summary.elastic_solves,
-                                     summary.rhs_evaluations, summary.jacobian_products, summary.factorizations));
+  // A rate at the point of the last solve takes none.
+  const std::int64_t others =
+      std::max<std::int64_t>(0, summary.elastic_solves - summary.rhs_evaluations - summary.jacobian_products);
+  line("elastic solves",
+       fmt::format("{}: {} rates, {} Jacobian products, {} others (start, outputs, tangent); {} factorisations",
+                   summary.elastic_solves, summary.rhs_evaluations, summary.jacobian_products, others,
+                   summary.factorizations));
   if (summary.contact_solves > 0 && summary.schwarz_iterations > 0)
     line("contact",
          fmt::format("{:.1f} iterations a solve", share(summary.schwarz_iterations, summary.contact_solves)));
@@ -70,7 +75,7 @@ std::vector<std::string> advice(const io::Summary& summary, const StepStatistics
   if (share(summary.convergence_failures, summary.steps) > many_failures)
     lines.push_back(
         fmt::format("the iterations of the implicit steps failed {} times in {} steps.{} Try "
-                    "time.integrator = \"auto\" or \"rkc2\", or a tighter contact_solver.tolerance",
+                    "another time.integrator (rkc2, arkode_erk), or a tighter contact_solver.tolerance",
                     summary.convergence_failures, summary.steps, places(summary, suspects)));
   if (share(summary.rejected_steps, summary.steps) > many_rejections)
     lines.push_back(

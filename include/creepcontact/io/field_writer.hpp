@@ -60,6 +60,7 @@ class FieldWriter {
     double time;
     std::string file;
   };
+  std::string file_name(std::size_t number) const;
   void write_collection() const;
   void read_collection(double last_time);
 
@@ -68,6 +69,7 @@ class FieldWriter {
   std::size_t n_points_, n_cells_;
   EncodedArray points_;
   std::vector<EncodedArray> cells_;  // connectivity, offsets, types
+  std::size_t first_ = 0;            ///< number of the first file of this collection
   std::vector<Entry> entries_;
 };
 
