@@ -23,8 +23,8 @@ class IntegratorStudy(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as directory:
-            done = subprocess.run([sys.executable, "-B", str(STUDY / "run.py"), PROGRAM, "--fast", "--output", directory],
-                                  cwd=directory, capture_output=True, text=True, timeout=100)
+            command = [sys.executable, "-B", str(STUDY / "run.py"), PROGRAM, "--fast", "--output", directory]
+            done = subprocess.run(command, cwd=directory, capture_output=True, text=True, timeout=100)
             if done.returncode != 0:
                 raise AssertionError(done.stderr)
             with open(pathlib.Path(directory) / "runs.csv", newline="") as file:
