@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 
@@ -17,19 +19,30 @@ constexpr double most_stable_steps = 300;  // in a step, for rkc2 to take over: 
 constexpr double stabilized_share = 0.2;
 constexpr std::size_t quiet_steps = 200;  // after which methods given up may be tried again
 
+constexpr std::size_t looks = 20;  // steps between looks ahead
+/// Contact that grows keeps the steps of all methods short: the cost of cvode_bdf may be twice that of smooth problems.
+constexpr double patience = 2;
+constexpr double limit_of_stability = 0.7;  // of the stable step: no step of low order is longer for long
+
+/// Solves of cvode_bdf over some decades of time, its start included, as in the examples.
+double implicit_cost(double decades, double tolerance) {
+  return (60 + 45 * decades) * std::pow(1e-3 / tolerance, 1.0 / 7);
+}
+
 }  // namespace
 
 AutoIntegrator::AutoIntegrator(System& system, const IntegratorOptions& options)
     : system_(system),
       options_(options),
-      method_(options.linear_solver == LinearSolver::tangent ? Method::tangent : Method::krylov),
+      method_(options.linear_solver == LinearSolver::tangent ? Method::tangent : Method::functional),
       current_(make(method_)) {}
 
 std::unique_ptr<Integrator> AutoIntegrator::make(Method method) const {
   IntegratorOptions options = options_;
   if (method == Method::stabilized) options.tolerance *= stabilized_share;
   options.linear_solver = method == Method::tangent ? LinearSolver::tangent : LinearSolver::krylov;
-  return make_integrator(method == Method::stabilized ? "rkc2" : "cvode_bdf", system_, options);
+  const char* name = method == Method::stabilized ? "rkc2" : method == Method::functional ? "cvode_adams" : "cvode_bdf";
+  return make_integrator(name, system_, options);
 }
 
 const char* AutoIntegrator::describe(Method method) {
@@ -40,12 +53,18 @@ const char* AutoIntegrator::describe(Method method) {
       return "cvode_bdf with linear_solver = \"tangent\"";
     case Method::stabilized:
       return "rkc2";
+    case Method::functional:
+      return "cvode_adams";
   }
   return "";
 }
 
 void AutoIntegrator::initialize(double t, std::span<const double> y, double step) {
   current_->initialize(t, y, step);
+  steps_ahead_.begin(t);
+  stable_steps_ahead_.begin(t);
+  last_look_ = t;
+  steps_with_method_ = 0;
   recent_.clear();
   trouble_ = false;
 }
@@ -57,7 +76,7 @@ StepReport AutoIntegrator::step(double t_limit) {
     try {
       const StepReport report = current_->step(t_limit);
       failure_.clear();
-      watch(report);
+      watch(report, t_limit);
       return report;
     } catch (const SolverError& error) {
       given_up_.insert(method_);
@@ -71,9 +90,11 @@ StepReport AutoIntegrator::step(double t_limit) {
   }
 }
 
-void AutoIntegrator::watch(const StepReport& report) {
+void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   last_step_ = report.step;
   if (++steps_with_method_ == quiet_steps) given_up_.clear();
+  if (method_ == Method::functional && steps_with_method_ % looks == 0) look_ahead(t_limit);
+  if (trouble_) return;
   recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations});
   if (recent_.size() <= window) return;
   const std::int64_t failures = recent_.back().failures - recent_.front().failures;
@@ -88,8 +109,23 @@ void AutoIntegrator::watch(const StepReport& report) {
   given_up_.insert(method_);
 }
 
+void AutoIntegrator::look_ahead(double t_limit) {
+  if (!(time() < t_limit) || std::isinf(t_limit)) return;
+  const double stable = system_.stable_step(time(), state());
+  steps_ahead_.see(time(), (time() - last_look_) / static_cast<double>(looks));
+  stable_steps_ahead_.see(time(), stable);
+  last_look_ = time();
+  const bool at_limit = last_step_ > limit_of_stability * stable;
+  const std::optional<double> ahead = (at_limit ? stable_steps_ahead_ : steps_ahead_).count(t_limit);
+  const double cost = implicit_cost(steps_ahead_.decades(t_limit), options_.tolerance);
+  if (!ahead || *ahead < (at_limit ? 1 : patience) * cost) return;
+  trouble_ = true;
+  reason_ = fmt::format("from t = {:.6g} it would take some {:.2g} more steps", time(), *ahead);
+}
+
 AutoIntegrator::Method AutoIntegrator::choose(double step) {
   const auto free = [&](Method method) { return !given_up_.contains(method); };
+  if (method_ == Method::functional && free(Method::krylov)) return Method::krylov;
   const bool moderate = step <= most_stable_steps * system_.stable_step(time(), state());
   if (free(Method::stabilized) && moderate) return Method::stabilized;
   if (free(Method::tangent) && system_.offers_tangent()) return Method::tangent;
@@ -102,7 +138,8 @@ void AutoIntegrator::change_to(Method method, const std::string& reason) {
   recent_.clear();
   steps_with_method_ = 0;
   if (method == method_) return;
-  log::warning("time integration: {} is left for {}: {}", describe(method_), describe(method), reason);
+  log::write(method_ == Method::functional ? log::Level::info : log::Level::warning,
+             fmt::format("time integration: {} is left for {}: {}", describe(method_), describe(method), reason));
   const double t = time();
   const std::vector<double> y(state().begin(), state().end());
   before_ = counters();
@@ -124,6 +161,7 @@ RestartPoint AutoIntegrator::save() const {
   std::vector<double>& methods = point.memory["methods"];  // the present one, then those given up
   methods.push_back(static_cast<double>(method_));
   for (const Method method : given_up_) methods.push_back(static_cast<double>(method));
+  point.memory["loads_since"] = {steps_ahead_.begin()};
   return point;
 }
 
@@ -134,6 +172,10 @@ void AutoIntegrator::restore(const RestartPoint& point) {
   for (std::size_t i = 1; i < methods.size(); ++i) given_up_.insert(static_cast<Method>(static_cast<int>(methods[i])));
   current_ = make(method_);
   current_->restore(point);
+  steps_ahead_.begin(point.memory.at("loads_since").at(0));
+  stable_steps_ahead_.begin(steps_ahead_.begin());
+  last_look_ = point.time;
+  steps_with_method_ = 0;
   recent_.clear();
   trouble_ = false;
 }

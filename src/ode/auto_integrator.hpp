@@ -7,13 +7,15 @@
 #include <string>
 
 #include "creepcontact/ode/integrator.hpp"
+#include "steps_ahead.hpp"
 
 namespace creepcontact::ode {
 
-/// Begins with cvode_bdf and GMRES, the cheapest for most of creep. Where its iterations fail in more than a tenth of
-/// the steps, or no step succeeds, it goes on with rkc2 if the steps are moderate multiples of the stable one, else
-/// with the tangent stiffness if the system offers it; from rkc2 back when its stages have become too many. Every
-/// change is logged.
+/// Begins with cvode_adams, which needs no Jacobian products: where stress relaxes it takes half the solves of
+/// cvode_bdf. Where creep becomes steady its step stays at the stable one, and cvode_bdf takes over as soon as the
+/// steps that lie ahead cost more than that would. Where the iterations of cvode_bdf fail in many steps, or no step
+/// succeeds, it goes on with rkc2 if the steps are moderate multiples of the stable one, else with the tangent
+/// stiffness if the system offers it; from rkc2 back when its stages have become too many. Every change is logged.
 class AutoIntegrator final : public Integrator {
  public:
   AutoIntegrator(System& system, const IntegratorOptions& options);
@@ -35,11 +37,12 @@ class AutoIntegrator final : public Integrator {
   void restore(const RestartPoint& point) override;
 
  private:
-  enum class Method { krylov, tangent, stabilized };
+  enum class Method { krylov, tangent, stabilized, functional };
 
   std::unique_ptr<Integrator> make(Method method) const;
   static const char* describe(Method method);
-  void watch(const StepReport& report);
+  void watch(const StepReport& report, double t_limit);
+  void look_ahead(double t_limit);
   /// The best of those not given up, or the present one if there is none.
   Method choose(double step);
   void change_to(Method method, const std::string& reason);
@@ -55,6 +58,8 @@ class AutoIntegrator final : public Integrator {
   std::deque<Observation> recent_;  ///< the last steps, the oldest first
   double last_step_ = 0;
   std::size_t steps_with_method_ = 0;
+  StepsAhead steps_ahead_, stable_steps_ahead_;  ///< of cvode_adams, and of stable length
+  double last_look_ = 0;
   bool trouble_ = false;  ///< seen at the end of the last step
   std::string reason_;
   std::string failure_;  ///< of the first method that made no step from here

@@ -18,6 +18,8 @@ namespace {
 int max_bdf_order(double tolerance) {
   return tolerance >= 2e-4 ? 3 : 4;
 }
+/// Creep has not been seen to use higher ones, but their vectors would be allocated.
+constexpr int max_adams_order = 6;
 constexpr int anderson_depth = 3;
 }  // namespace
 
@@ -73,6 +75,7 @@ void CvodeIntegrator::use_fixed_point() {
   nonlinear_ = SUNNonlinSol_FixedPoint(state_.get(), anderson_depth, context_);
   if (!nonlinear_) throw std::bad_alloc();
   check(CVodeSetNonlinearSolver(memory_, nonlinear_), "CVodeSetNonlinearSolver");
+  check(CVodeSetMaxOrd(memory_, max_adams_order), "CVodeSetMaxOrd");
 }
 
 void CvodeIntegrator::restart(double t, N_Vector y, double first_step) {

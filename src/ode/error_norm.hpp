@@ -12,7 +12,7 @@ namespace creepcontact::ode {
 /// Local errors may take this share of the tolerance. The errors of earlier steps have not all relaxed when the next
 /// one is made: with it the error of the stress is below the tolerance in most runs, and below three tolerances at
 /// hot spots (thick cylinder, plate with hole, shrink fit, ball on block, blade root; tolerances 1e-2 to 1e-6).
-inline constexpr double local_share = 0.25;
+inline constexpr double local_share = 0.4;
 
 /// (mean of x_i^4)^(1/4) of weighted errors x. Hot spots are few among many points: in the root mean square they would
 /// be lost (their error was 4 to 18 tolerances), while with a maximum norm or the power 8 every single point that comes

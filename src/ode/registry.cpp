@@ -23,14 +23,15 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
-      {"auto", "the default: cvode_bdf, watched, and changed for rkc2 or the tangent stiffness where it fails",
+      {"auto",
+       "the default: cvode_adams while stress relaxes, cvode_bdf where creep becomes steady; others where these fail",
        make<AutoIntegrator>},
       {"explicit_euler", "explicit Euler; fixed, Cormeau or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
       {"beta_euler",
        "implicit Euler with beta >= 0.5; fixed-point or Newton iterations, fixed or adaptive steps (Stankevich 2012)",
        make<BetaEuler>},
       {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control", CvodeIntegrator::bdf},
-      {"cvode_adams", "CVODE Adams of order 1 to 12, fixed-point iterations, error control: for slow creep",
+      {"cvode_adams", "CVODE Adams of order 1 to 6, fixed-point iterations, error control: while stress relaxes",
        CvodeIntegrator::adams},
       {"arkode_erk",
        "ARKODE explicit Runge-Kutta, Bogacki-Shampine 3(2) or another, error control: for times short against the "

@@ -38,7 +38,7 @@ class StressRuns {
     return StressRuns(config::read(std::string(CREEPCONTACT_CONFIGS "/") + name, simulation::vocabulary(), overrides));
   }
 
-  StressHistory run(double tolerance, const std::string& integrator_name = "cvode_bdf") {
+  StressHistory run(double tolerance, const std::string& integrator_name) {
     simulation::CreepRate system(elasticity_, watch_, time_.output);
     ode::IntegratorOptions options{.tolerance = tolerance};
     options.end_time = time_.end;

@@ -37,6 +37,11 @@ class Auto : public testing::Test {
     }
     return methods;
   }
+  /// As if cvode_adams had been left already.
+  static void begin_with_bdf(Integrator& integrator, std::size_t size) {
+    integrator.restore(
+        {.time = 0, .next_step = 0, .state = Values(size), .memory = {{"methods", {0}}, {"loads_since", {0}}}});
+  }
   static void expect_steady(const ParallelBars& bars, std::span<const double> state, double tolerance) {
     const Values stress = bars.stress(state);
     for (std::size_t i = 0; i < stress.size(); ++i)
@@ -44,40 +49,58 @@ class Auto : public testing::Test {
   }
 };
 
-const std::string krylov = "cvode_bdf", tangent = "cvode_bdf with linear_solver = \"tangent\"", stabilized = "rkc2";
+const std::string functional = "cvode_adams", krylov = "cvode_bdf",
+                  tangent = "cvode_bdf with linear_solver = \"tangent\"", stabilized = "rkc2";
 
-TEST_F(Auto, IsCvodeBdfWhereThatSucceeds) {
+std::int64_t cost(const System& system) {
+  return system.counters().rate_evaluations + system.counters().jacobian_products;
+}
+
+TEST_F(Auto, NeedsNoJacobianProductsWhileStressRelaxes) {
+  const double end = 1e3 / (RelaxingBar::A * RelaxingBar::E * std::pow(RelaxingBar::initial_stress, 4));
+  RelaxingBar bar, of_bdf;
+  auto integrator = make_integrator("auto", bar, {.tolerance = 1e-4, .end_time = end});
+  auto bdf = make_integrator("cvode_bdf", of_bdf, {.tolerance = 1e-4, .end_time = end});
+  integrator->initialize(0, Values(1));
+  bdf->initialize(0, Values(1));
+  EXPECT_EQ(run(*integrator, end), std::vector{functional});
+  run(*bdf, end);
+  EXPECT_LT(cost(bar), cost(of_bdf));
+  EXPECT_NEAR(RelaxingBar::stress(integrator->state()[0]), RelaxingBar::exact_stress(end), 0.05);
+}
+
+TEST_F(Auto, TakesBdfBeforeManyStableStepsLieAhead) {
   const double end = 1e3 * tau;
-  std::int64_t cost[2];
+  std::int64_t costs[2];
   for (const char* name : {"auto", "cvode_bdf"}) {
     ParallelBars bars(20, 1e4);
     auto integrator = make_integrator(name, bars, {.tolerance = 1e-4, .end_time = end});
     integrator->initialize(0, Values(20));
-    EXPECT_EQ(run(*integrator, end), std::vector{krylov});
+    EXPECT_EQ(run(*integrator, end).back(), krylov);
     expect_steady(bars, integrator->state(), 1e-4);
-    cost[name == std::string("auto")] = bars.counters().rate_evaluations + bars.counters().jacobian_products;
+    costs[name == std::string("auto")] = cost(bars);
   }
-  EXPECT_EQ(cost[0], cost[1]);
+  EXPECT_LT(costs[1], 1.5 * static_cast<double>(costs[0]));
 }
 
 TEST_F(Auto, LeavesIterationsThatFailForStabilisedStepsWhereTheseAreModerate) {
-  MisleadingBars bars(20, 10);
-  const double end = 10 * tau;
+  MisleadingBars bars(20, 100);
+  const double end = 30 * tau;
   auto integrator = make_integrator("auto", bars, {.tolerance = 1e-4, .end_time = end});
-  integrator->initialize(0, Values(20));
+  begin_with_bdf(*integrator, 20);
   EXPECT_EQ(run(*integrator, end), (std::vector{krylov, stabilized}));
   expect_steady(bars, integrator->state(), 1e-4);
-  EXPECT_GT(integrator->counters().convergence_failures, 3);  // those of the first method are kept
+  EXPECT_GT(integrator->counters().convergence_failures, 6);  // those of the earlier methods are kept
 }
 
 TEST_F(Auto, TakesTheTangentWhereStabilisedStepsHaveTooManyStages) {
   MisleadingBars bars(20, 1e5);
   const double end = 1e3 * tau;
   auto integrator = make_integrator("auto", bars, {.tolerance = 1e-4, .end_time = end});
-  integrator->initialize(0, Values(20));
+  begin_with_bdf(*integrator, 20);
   EXPECT_EQ(run(*integrator, end).back(), tangent);
   expect_steady(bars, integrator->state(), 1e-4);
-  EXPECT_LT(bars.counters().rate_evaluations, 3000);
+  EXPECT_LT(bars.counters().rate_evaluations, 5000);
 }
 
 TEST_F(Auto, WithoutTangentGoesOnWithWhatThereIs) {
@@ -85,18 +108,18 @@ TEST_F(Auto, WithoutTangentGoesOnWithWhatThereIs) {
   bars.tangent = false;
   const double end = 100 * tau;
   auto integrator = make_integrator("auto", bars, {.tolerance = 1e-3, .end_time = end});
-  integrator->initialize(0, Values(20));
+  begin_with_bdf(*integrator, 20);
   const std::vector<std::string> methods = run(*integrator, end);
   EXPECT_EQ(std::count(methods.begin(), methods.end(), tangent), 0);
   expect_steady(bars, integrator->state(), 1e-3);
 }
 
 TEST_F(Auto, ResumesWithTheMethodAtWork) {
-  MisleadingBars bars(20, 10);
-  const double end = 10 * tau;
+  MisleadingBars bars(20, 100);
+  const double end = 30 * tau;
   const IntegratorOptions options{.tolerance = 1e-4, .end_time = end};
   auto integrator = make_integrator("auto", bars, options);
-  integrator->initialize(0, Values(20));
+  begin_with_bdf(*integrator, 20);
   while (integrator->method() != stabilized && integrator->time() < end) integrator->step(end);
   ASSERT_LT(integrator->time(), end);
   auto resumed = make_integrator("auto", bars, options);

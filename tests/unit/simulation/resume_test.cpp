@@ -274,7 +274,7 @@ TEST(ResumeMistakes, OtherProbes) {
   interrupted_run(blocks.config(pressure_probe), out, 1);
   const std::string message =
       message_of<ConfigError>([&] { run(blocks.config(), {.output = out.string(), .resume = true, .quiet = true}); });
-  EXPECT_TRUE(contains(message, "other columns")) << message;
+  EXPECT_TRUE(contains(message, "probes changed: 'pressure' was")) << message;
 }
 
 volatile std::sig_atomic_t signals_of_the_caller = 0;
