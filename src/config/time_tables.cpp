@@ -77,7 +77,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
       field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required),
       field<TimeKeys>("integrator", &TimeKeys::integrator, choice("integrator", vocabulary.integrators),
                       "method of time integration"),
-      field<TimeKeys>("tolerance", &TimeKeys::tolerance, number(greater(0)),
+      field<TimeKeys>("tolerance", &TimeKeys::tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
                       "relative accuracy of the stress; the Euler schemes use it with step \"adaptive\""),
       field<TimeKeys>("linear_solver", &TimeKeys::linear_solver, linear_solver,
                       "cvode_bdf, arkode_dirk: how the Newton systems are solved"),

@@ -19,6 +19,7 @@ constexpr double trust_factor = 10;
 /// Adaptive steps: contraction of the plain iterations in the whole step. Longer steps take more iterations than they
 /// save steps (e^-1 would be the best), and the accelerated ones go twice as far.
 constexpr double adaptive_contraction = 0.5;
+constexpr double stable_contraction = 0.8;  // with step = "stable", which asks for long steps
 constexpr double anderson_gain = 2;
 
 }  // namespace
@@ -53,8 +54,16 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
 }
 
 double BetaEuler::longest_adaptive_step() const {
+  return step_that_contracts_by(adaptive_contraction);
+}
+
+double BetaEuler::longest_stable_step() const {
+  return step_that_contracts_by(stable_contraction);
+}
+
+double BetaEuler::step_that_contracts_by(double factor) const {
   if (newton_) return std::numeric_limits<double>::infinity();
-  return adaptive_contraction * (anderson_ ? anderson_gain : 1) / (2 * options_.beta);
+  return factor * (anderson_ ? anderson_gain : 1) / (2 * options_.beta);
 }
 
 void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {

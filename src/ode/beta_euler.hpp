@@ -28,6 +28,7 @@ class BetaEuler final : public EulerScheme {
   void advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) override;
   int order() const override { return options_.beta == 0.5 ? 2 : 1; }
   double longest_adaptive_step() const override;
+  double longest_stable_step() const override;
 
  private:
   /// image = y_n + dt [(1 - beta) f(t_n, y_n) + beta f(t_{n+1}, e)], e the load strain of y
@@ -35,6 +36,8 @@ class BetaEuler final : public EulerScheme {
   void iterate_plainly(std::vector<double>& y, ConvergenceWatch& watch);
   void iterate_by_newton(EulerPoint& to, ConvergenceWatch& watch);
   bool good_guess(std::span<const double> y);
+  /// In stable steps of explicit Euler.
+  double step_that_contracts_by(double factor) const;
   [[noreturn]] void give_up(const ConvergenceWatch& watch);
 
   const EulerPoint* from_ = nullptr;  ///< of the step under way

@@ -99,7 +99,7 @@ double EulerScheme::known_stable_step() {
 double EulerScheme::wanted_step(double t_limit) {
   if (options_.step.mode == StepMode::fixed) return options_.step.length;
   if (adaptive()) return adaptive_step(t_limit);
-  const double dt = options_.step_factor * known_stable_step();
+  const double dt = std::min(options_.step_factor, longest_stable_step()) * known_stable_step();
   if (std::isinf(dt) && std::isinf(t_limit))
     throw SolverError(
         fmt::format("{}: nothing creeps at t = {:.6g} and no end is given: give a fixed step", name(), time()));
@@ -193,7 +193,7 @@ void EulerScheme::accept(const StepClock::Target& target) {
 }
 
 void EulerScheme::fail(const std::string& message) const {
-  if (adaptive()) throw RecoverableError(message);
+  if (options_.step.mode != StepMode::fixed) throw RecoverableError(message);
   throw SolverError(message);
 }
 

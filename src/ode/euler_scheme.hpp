@@ -2,6 +2,7 @@
 /// What the two Euler schemes share: the step length, its control, the limit, retries, the last step kept for
 /// interpolation.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ class EulerScheme : public Integrator {
   virtual int order() const = 0;
   /// In stable steps: under error control longer ones are not worth a try. Infinity: all are.
   virtual double longest_adaptive_step() const = 0;
+  /// In stable steps: with step = "stable" a larger step_factor is cut to it. Infinity: none is.
+  virtual double longest_stable_step() const { return std::numeric_limits<double>::infinity(); }
 
   bool adaptive() const { return doubling_.has_value(); }
   /// A step that cannot be made: under error control a shorter one follows, else it is the end.

@@ -180,5 +180,19 @@ TEST(BetaEuler, ResidualCorrectionUsesTheLoadStrain) {
   }
 }
 
+TEST(BetaEuler, ItsIterationsContractWithTheStepThatItChoosesItself) {
+  for (const double beta : {0.5, 1.0}) {
+    RelaxingBar bar;
+    IntegratorOptions options{.tolerance = 1e-4};
+    options.beta = beta;
+    auto integrator = make_integrator("beta_euler", bar, options);
+    const double end = 100 * bar.stable_step(0, Values(1));
+    integrator->initialize(0, Values(1));
+    while (integrator->time() < end) integrator->step(end);
+    EXPECT_EQ(integrator->counters().convergence_failures, 0);
+    EXPECT_NEAR(RelaxingBar::stress(integrator->state()[0]) / RelaxingBar::exact_stress(end), 1, 0.1) << beta;  // long steps
+  }
+}
+
 }  // namespace
 }  // namespace creepcontact::ode
