@@ -190,7 +190,8 @@ TEST(BetaEuler, ItsIterationsContractWithTheStepThatItChoosesItself) {
     integrator->initialize(0, Values(1));
     while (integrator->time() < end) integrator->step(end);
     EXPECT_EQ(integrator->counters().convergence_failures, 0);
-    EXPECT_NEAR(RelaxingBar::stress(integrator->state()[0]) / RelaxingBar::exact_stress(end), 1, 0.1) << beta;  // long steps
+    EXPECT_NEAR(RelaxingBar::stress(integrator->state()[0]) / RelaxingBar::exact_stress(end), 1, 0.1)
+        << beta;  // long steps
   }
 }
 
