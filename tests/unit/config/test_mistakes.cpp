@@ -48,7 +48,8 @@ TEST(ConfigMistakes, WrongType) {
   expect_mistake(minimal + "[contact_solver]\nmax_iterations = 1.5\n",
                  "cases/block.toml:13:18: contact_solver.max_iterations: number 1.5; allowed: an integer >= 1");
   expect_mistake(minimal + "[loads]\non = \"a\"\n", at_12 + "1: loads: a table; allowed: a list, each a table");
-  expect_mistake(minimal + "tolerance = nan\n", at_12 + "13: time.tolerance: number nan; allowed: a number in (0, 0.5]");
+  expect_mistake(minimal + "tolerance = nan\n",
+                 at_12 + "13: time.tolerance: number nan; allowed: a number in (0, 0.5]");
 }
 
 TEST(ConfigMistakes, ButcherTables) {
