@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
@@ -22,6 +23,9 @@ constexpr std::size_t quiet_steps = 200;  // after which methods given up may be
 constexpr std::size_t looks = 20;  // steps between looks ahead
 /// Contact that grows keeps the steps of all methods short: the cost of cvode_bdf may be twice that of smooth problems.
 constexpr double patience = 2;
+/// Of the error estimates of the last steps: where stability limits them, noise keeps the estimates at a tenth. Steps
+/// that accuracy limits would not become longer with cvode_bdf.
+constexpr double limited_by_accuracy = 0.15;
 constexpr double limit_of_stability = 0.7;  // of the stable step: no step of low order is longer for long
 
 /// Solves of cvode_bdf over some decades of time, its start included, as in the examples.
@@ -64,6 +68,7 @@ void AutoIntegrator::initialize(double t, std::span<const double> y, double step
   steps_ahead_.begin(t);
   stable_steps_ahead_.begin(t);
   last_look_ = t;
+  errors_.clear();
   steps_with_method_ = 0;
   recent_.clear();
   trouble_ = false;
@@ -92,6 +97,8 @@ StepReport AutoIntegrator::step(double t_limit) {
 
 void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   last_step_ = report.step;
+  errors_.push_back(report.error_estimate);
+  if (errors_.size() > 3 * looks) errors_.pop_front();
   if (++steps_with_method_ == quiet_steps) given_up_.clear();
   if (method_ == Method::functional && steps_with_method_ % looks == 0) look_ahead(t_limit);
   if (trouble_) return;
@@ -117,6 +124,7 @@ void AutoIntegrator::look_ahead(double t_limit) {
   last_look_ = time();
   const bool at_limit = last_step_ > limit_of_stability * stable;
   const std::optional<double> ahead = (at_limit ? stable_steps_ahead_ : steps_ahead_).count(t_limit);
+  if (!at_limit && !errors_.empty() && *std::max_element(errors_.begin(), errors_.end()) > limited_by_accuracy) return;
   const double cost = implicit_cost(steps_ahead_.decades(t_limit), options_.tolerance);
   if (!ahead || *ahead < (at_limit ? 1 : patience) * cost) return;
   trouble_ = true;
@@ -175,6 +183,7 @@ void AutoIntegrator::restore(const RestartPoint& point) {
   steps_ahead_.begin(point.memory.at("loads_since").at(0));
   stable_steps_ahead_.begin(steps_ahead_.begin());
   last_look_ = point.time;
+  errors_.clear();
   steps_with_method_ = 0;
   recent_.clear();
   trouble_ = false;

@@ -60,7 +60,8 @@ class AutoIntegrator final : public Integrator {
   std::size_t steps_with_method_ = 0;
   StepsAhead steps_ahead_, stable_steps_ahead_;  ///< of cvode_adams, and of stable length
   double last_look_ = 0;
-  bool trouble_ = false;  ///< seen at the end of the last step
+  std::deque<double> errors_;  ///< estimates of the last steps
+  bool trouble_ = false;       ///< seen at the end of the last step
   std::string reason_;
   std::string failure_;  ///< of the first method that made no step from here
   Counters before_;      ///< of the integrators before the present one
