@@ -65,9 +65,13 @@ const char* AutoIntegrator::describe(Method method) {
 
 void AutoIntegrator::initialize(double t, std::span<const double> y, double step) {
   current_->initialize(t, y, step);
-  steps_ahead_.begin(t);
-  stable_steps_ahead_.begin(t);
-  last_look_ = t;
+  begin_watch(t);
+}
+
+void AutoIntegrator::begin_watch(double loads_since) {
+  steps_ahead_.begin(loads_since);
+  stable_steps_ahead_.begin(loads_since);
+  last_look_ = time();
   errors_.clear();
   steps_with_method_ = 0;
   recent_.clear();
@@ -123,8 +127,8 @@ void AutoIntegrator::look_ahead(double t_limit) {
   stable_steps_ahead_.see(time(), stable);
   last_look_ = time();
   const bool at_limit = last_step_ > limit_of_stability * stable;
+  if (!at_limit && *std::max_element(errors_.begin(), errors_.end()) > limited_by_accuracy) return;
   const std::optional<double> ahead = (at_limit ? stable_steps_ahead_ : steps_ahead_).count(t_limit);
-  if (!at_limit && !errors_.empty() && *std::max_element(errors_.begin(), errors_.end()) > limited_by_accuracy) return;
   const double cost = implicit_cost(steps_ahead_.decades(t_limit), options_.tolerance);
   if (!ahead || *ahead < (at_limit ? 1 : patience) * cost) return;
   trouble_ = true;
@@ -180,13 +184,7 @@ void AutoIntegrator::restore(const RestartPoint& point) {
   for (std::size_t i = 1; i < methods.size(); ++i) given_up_.insert(static_cast<Method>(static_cast<int>(methods[i])));
   current_ = make(method_);
   current_->restore(point);
-  steps_ahead_.begin(point.memory.at("loads_since").at(0));
-  stable_steps_ahead_.begin(steps_ahead_.begin());
-  last_look_ = point.time;
-  errors_.clear();
-  steps_with_method_ = 0;
-  recent_.clear();
-  trouble_ = false;
+  begin_watch(point.memory.at("loads_since").at(0));
 }
 
 }  // namespace creepcontact::ode

@@ -41,6 +41,8 @@ class AutoIntegrator final : public Integrator {
 
   std::unique_ptr<Integrator> make(Method method) const;
   static const char* describe(Method method);
+  /// @param loads_since  time of the last breakpoint
+  void begin_watch(double loads_since);
   void watch(const StepReport& report, double t_limit);
   void look_ahead(double t_limit);
   /// The best of those not given up, or the present one if there is none.

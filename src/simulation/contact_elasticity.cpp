@@ -42,12 +42,11 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
   }
 }
 
-template <typename Pass>
-void ContactElasticity::pass_through_factors(const Pass& pass) {
+void ContactElasticity::pass_through_factors(const std::function<void(std::size_t)>& pass) const {
   const auto lap = watch_.lap(Part::solve);
   const int n_bodies = static_cast<int>(model_.bodies.size());
   // One thread cannot use the whole bandwidth of the memory, which is what a pass costs.
-#pragma omp parallel for schedule(dynamic, 1) if (n_bodies > 1 && parallel_passes_)
+#pragma omp parallel for schedule(dynamic, 1) if (parallel_passes_)
   for (int b = 0; b < n_bodies; ++b) pass(static_cast<std::size_t>(b));
 }
 

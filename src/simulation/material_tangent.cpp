@@ -74,12 +74,17 @@ void MaterialTangent::prepare(double gamma, std::span<const double> stress, cons
   }
 }
 
+Eigen::Map<const Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) const {
+  const auto n = static_cast<Index>(stride_);
+  return {&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6};
+}
+
 void MaterialTangent::initial_stress(const double* r, std::span<double> stress) const {
   const auto n = static_cast<Index>(stride_);
 #pragma omp parallel for schedule(static) if (n_points_ > parallel_threshold)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    const Eigen::Map<const Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
+    const auto eliminated = eliminated_at(p);
     const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
     const Tensor6 initial = eliminated.topLeftCorner(6, n) * right;
     Eigen::Map<Tensor6>(stress.data() + 6 * p).noalias() = moduli_[p] * initial;
@@ -91,7 +96,7 @@ void MaterialTangent::solution(const double* r, std::span<const double> strain, 
 #pragma omp parallel for schedule(static) if (n_points_ > parallel_threshold)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    const Eigen::Map<const Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
+    const auto eliminated = eliminated_at(p);
     const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
     Eigen::Map<Eigen::VectorXd> result(z + p * stride_, n);
     result.noalias() = eliminated.leftCols(n) * right;

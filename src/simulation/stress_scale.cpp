@@ -43,19 +43,16 @@ void StressScale::set_elastic(const std::vector<double>& stress) {
   }
 }
 
-bool StressScale::follow(const std::vector<BodyState>& states) {
+void StressScale::follow(const std::vector<BodyState>& states) {
   std::vector<double> stress;
   for (const BodyState& state : states) stress.push_back(typical(state));
   const double largest = *std::max_element(stress.begin(), stress.end());
-  bool changed = false;
   for (std::size_t b = 0; b < stress_.size(); ++b) {
     const double now = std::max({stress[b], least_share_of_largest * largest, least_});
     if (!(std::abs(now - stress_[b]) > steady * stress_[b])) continue;
     stress_[b] = now;
     fill(b);
-    changed = true;
   }
-  return changed;
 }
 
 void StressScale::restore(const std::vector<double>& stress) {

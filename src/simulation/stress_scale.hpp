@@ -22,8 +22,8 @@ class StressScale {
 
   /// @param stress  largest typical stress of every body under the loads of the run, without creep; not all zero
   void set_elastic(const std::vector<double>& stress);
-  /// Takes the stress of an accepted step. @returns true if the scale has changed
-  bool follow(const std::vector<BodyState>& states);
+  /// Takes the stress of an accepted step.
+  void follow(const std::vector<BodyState>& states);
 
   std::span<const double> values() const { return values_; }
   /// The stress behind every body's scale: all that follow() has left behind.

@@ -63,11 +63,9 @@ void TangentSystem::for_each_side(const Work& work) {
 
 template <typename Pass>
 void TangentSystem::pass_through_factors(const Pass& pass) {
-  const auto lap = watch_.lap(Part::solve);
-  const int n_bodies = static_cast<int>(sides_.size());
-#pragma omp parallel for schedule(dynamic, 1) if (n_bodies > 1 && elasticity_.parallel_passes())
-  for (int b = 0; b < n_bodies; ++b)
-    if (Side& side = sides_[static_cast<std::size_t>(b)]; side.material) pass(side);
+  elasticity_.pass_through_factors([&](std::size_t b) {
+    if (sides_[b].material) pass(sides_[b]);
+  });
 }
 
 Eigen::VectorXd TangentSystem::forward(std::span<const double> r) {

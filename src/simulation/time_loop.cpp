@@ -64,7 +64,6 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
     resumed_ = checkpoints_.read(system);
     time_ = resumed_->time;
     was_complete_ = time_ >= config.time.end;
-    was_resumed_ = true;
     has_output_ = true;
     earlier_ = resumed_->counters;
     system.restore(resumed_->arrays);

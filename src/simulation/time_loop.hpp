@@ -38,7 +38,7 @@ class TimeLoop {
   const Results& results() const { return *results_; }
   /// Of the steps since the start or the resume.
   const StepStatistics& step_statistics() const { return step_statistics_; }
-  bool resumed() const { return was_resumed_; }
+  bool resumed() const { return !earlier_.empty(); }
   /// The integrator at work.
   std::string method() const { return integrator_ ? integrator_->method() : ""; }
   /// Called after every output time (the summary is kept up to date with it).
@@ -70,7 +70,6 @@ class TimeLoop {
   double time_ = 0;
   bool has_output_ = false;
   bool was_complete_ = false;
-  bool was_resumed_ = false;
   bool settled_ = false;                         // integrated up to time_, and all results up to there are on disk
   std::optional<io::Checkpoint> resumed_;        // until the integration has begun
   std::optional<io::Checkpoint> kept_;           // the last restart point, if steps have left it

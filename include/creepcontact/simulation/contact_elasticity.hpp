@@ -3,6 +3,7 @@
 /// value the creep rate needs.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -62,8 +63,8 @@ class ContactElasticity {
   void log_contact(ContactLog& log);
 
   const contact::CondensedInterface& interface() const { return interface_; }
-  /// The factors are so large that passes through several of them go side by side.
-  bool parallel_passes() const { return parallel_passes_; }
+  /// pass(body) for every body, side by side if the factors are so large that it pays; timed as Part::solve.
+  void pass_through_factors(const std::function<void(std::size_t)>& pass) const;
   const Model& model() const { return model_; }
 
   struct Counters {
@@ -83,8 +84,6 @@ class ContactElasticity {
   };
   /// Right-hand sides through the factors of all bodies, side by side. @returns the load with their traces
   contact::InterfaceLoad forward(contact::InterfaceLoad load);
-  template <typename Pass>
-  void pass_through_factors(const Pass& pass);
   void solve_contact(double t, const contact::ContactLoad& load);
   void backward(const Eigen::VectorXd& multiplier);
 

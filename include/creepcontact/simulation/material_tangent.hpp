@@ -31,6 +31,7 @@ class MaterialTangent {
 
  private:
   struct Work;
+  Eigen::Map<const Eigen::MatrixXd> eliminated_at(std::size_t p) const;
   void prepare_point(std::size_t p, double gamma, std::span<const double> stress, const double* state, Work& work);
 
   const MaterialPoints& points_;
