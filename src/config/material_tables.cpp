@@ -33,7 +33,7 @@ void check_lengths(const CreepMechanism& mechanism, const Law& law, Context& con
   const CreepParameter* first = nullptr;
   for (const LawKey& key : law.keys) {
     for (const CreepParameter& parameter : mechanism.parameters) {
-      if (!key.list || parameter.key != key.name) continue;
+      if (!key.list || parameter.key != key.name || parameter.values.empty()) continue;
       if (!first) first = &parameter;
       if (parameter.values.size() == first->values.size()) continue;
       context.errors.add(parameter.location, fmt::format("a list of {}", parameter.values.size()),
@@ -47,14 +47,18 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
   std::vector<KeyInfo> required;
   for (const LawKey& key : law.keys) {
     names.push_back(key.name);
-    required.push_back({key.name, function(key.variables, range_of(key)).type, true, "", key.description});
+    if (key.required)
+      required.push_back({key.name, function(key.variables, range_of(key)).type, true, "", key.description});
   }
   known_keys_only(item, names, context);
   require_keys(item, required, context);
   CreepMechanism mechanism{law.name, {}, item.location};
   for (const LawKey& key : law.keys) {
     const Item found = item.child(key.name);
-    if (!found.node) continue;
+    if (!found.node) {
+      if (!key.required) mechanism.parameters.push_back({key.name, key.fallback, item.location});
+      continue;
+    }
     if (auto parameter = read_parameter(found, key, context)) mechanism.parameters.push_back(std::move(*parameter));
   }
   check_lengths(mechanism, law, context);
@@ -71,7 +75,8 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   for (const Law& law : laws) {
     for (const LawKey& key : law.keys) {
       const std::string type = function(key.variables, range_of(key)).type;
-      value.keys.push_back({key.name, key.list ? "a list, each " + type : type, true, "",
+      value.keys.push_back({key.name, key.list ? "a list, each " + type : type, key.required,
+                            key.fallback.empty() ? "" : key.fallback.front().text(),
                             fmt::format("{}: {}", law.name, key.description)});
     }
   }

@@ -18,8 +18,9 @@ LawInfo garofalo_info() {
           {{"A", "rate where sinh(alpha q) = 1 [1/time]", 0.0, false},
            {"alpha", "inverse of the stress where the power law breaks down [1/stress]", 0.0, true},
            {"n", "stress exponent at low stress [-]", 1.0, false}},
-          [](std::vector<Function> p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Garofalo>(std::move(p.at(0)), std::move(p.at(1)), std::move(p.at(2)));
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Garofalo>(std::move(p.at(0).at(0)), std::move(p.at(1).at(0)),
+                                              std::move(p.at(2).at(0)));
           }};
 }
 

@@ -16,8 +16,8 @@ LawInfo norton_info() {
           "F. H. Norton, 1929",
           {{"A", "rate at unit equivalent stress [1/(time stress^n)]", 0.0, false},
            {"n", "stress exponent [-]", 1.0, false}},
-          [](std::vector<Function> p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Norton>(std::move(p.at(0)), std::move(p.at(1)));
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Norton>(std::move(p.at(0).at(0)), std::move(p.at(1).at(0)));
           }};
 }
 

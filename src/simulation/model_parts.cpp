@@ -19,10 +19,9 @@ material::Material make_material(const config::Material& from) {
   result.thermal_expansion = from.thermal_expansion;
   result.reference_temperature = from.reference_temperature;
   for (const config::CreepMechanism& mechanism : from.creep) {
-    std::vector<Function> parameters;
-    for (const config::CreepParameter& parameter : mechanism.parameters)
-      parameters.insert(parameters.end(), parameter.values.begin(), parameter.values.end());
-    result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(parameters)));
+    material::ParameterValues values;
+    for (const config::CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
+    result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(values)));
   }
   return result;
 }

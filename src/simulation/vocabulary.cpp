@@ -85,6 +85,10 @@ config::Vocabulary vocabulary() {
       key.description = parameter.description;
       key.minimum = parameter.minimum;
       key.strict = parameter.strict;
+      key.list = parameter.list;
+      key.variables = parameter.variables;
+      key.required = !parameter.fallback;
+      key.fallback = parameter.fallback.value_or(std::vector<Function>{});
       entry.keys.push_back(key);
     }
     result.laws.push_back(std::move(entry));

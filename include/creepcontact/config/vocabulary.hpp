@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/function.hpp"
+
 namespace creepcontact::config {
 
 struct LawKey {
@@ -13,6 +15,8 @@ struct LawKey {
   double minimum = 0;                          ///< smallest admissible value ...
   bool strict = true;                          ///< ... exclusive
   bool list = false;                           ///< takes a list of values; the lists of a law have the same length
+  bool required = true;                        ///< if not: `fallback` when not given
+  std::vector<Function> fallback = {};         ///< may be empty: not given
   std::vector<std::string> variables = {"T"};  ///< that its expressions may use
 };
 

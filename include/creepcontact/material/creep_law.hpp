@@ -2,6 +2,7 @@
 /// Creep laws: creep strain rate as a function of stress, state, time and temperature at one material point.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,15 @@ struct StressTangent {
   double deviatoric = 0, radial = 0, volumetric = 0;
 };
 
+/// What an internal variable is, for the accuracy that is asked of it.
+enum class InternalKind {
+  strain,   ///< as accurate as the creep strain
+  fraction  ///< of 1: damage, life
+};
+
+/// What a law may tell of a point beside strain, between 0 and 1.
+enum class Measure { damage, life_fraction };
+
 /// One mechanism of creep. Immutable after construction, safe for any number of threads.
 /// Rates of several mechanisms of a material add.
 class CreepLaw {
@@ -35,7 +45,9 @@ class CreepLaw {
   virtual std::string name() const = 0;
   /// Own state variables a point (hardening, damage, Kelvin strains); 0 for a law of secondary creep.
   virtual int n_internal() const { return 0; }
+  virtual InternalKind internal_kind(int /*variable*/) const { return InternalKind::strain; }
   int n_parameters() const { return static_cast<int>(parameters_.size()); }
+  /// All values one after the other, those of a list in its order: Point::parameters has the same order.
   const std::vector<Function>& parameters() const { return parameters_; }
 
   /// Adds the creep strain rate (6, Mandel) and writes the internal rates (n_internal()).
@@ -47,11 +59,25 @@ class CreepLaw {
   /// d(strain rate)/d(stress) alone, internal variables held.
   virtual StressTangent stress_tangent(const Point& at) const = 0;
 
+  /// True if rate() is no rate but the creep strain itself, a function of the stress and the time of the moment
+  /// (ageing theory).
+  virtual bool is_isochronous() const { return false; }
+
+  /// Where loading that begins, or jumps, at at.time makes the rate infinite, strain grows from there as
+  /// (t - at.time)^exponent; 1 where the rate is finite. In (0, 1].
+  virtual double start_exponent(const Point& /*at*/) const { return 1; }
+  /// Adds the changes of creep strain (6) and of the internal variables (n_internal()) from at.time on, the stress
+  /// being constant: the closed form of a law with a singular start. Here: duration times the rate.
+  virtual void increment(const Point& at, double duration, double* strain, double* internal) const;
+
+  /// @returns nothing if the law knows no such measure
+  virtual std::optional<double> measure(Measure /*of*/, const Point& /*at*/) const { return std::nullopt; }
+
  protected:
   explicit CreepLaw(std::vector<Function> parameters) : parameters_(std::move(parameters)) {}
 
  private:
-  std::vector<Function> parameters_;  // in the order of the law's keys
+  std::vector<Function> parameters_;
 };
 
 }  // namespace creepcontact::material

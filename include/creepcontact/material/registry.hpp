@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,18 +12,24 @@
 namespace creepcontact::material {
 
 struct ParameterInfo {
-  std::string key;          ///< as in the configuration
-  std::string description;  ///< with units in terms of stress, time
-  double minimum = 0;       ///< smallest admissible value ...
-  bool strict = true;       ///< ... exclusive
+  std::string key;                                     ///< as in the configuration
+  std::string description;                             ///< with units in terms of stress, time
+  double minimum = 0;                                  ///< smallest admissible value ...
+  bool strict = true;                                  ///< ... exclusive
+  bool list = false;                                   ///< takes a list of values; all lists of a law are of one length
+  std::optional<std::vector<Function>> fallback = {};  ///< of an optional key: what it is if not given
+  std::vector<std::string> variables = {"T"};          ///< that its expressions may use
 };
+
+/// Values of a law's keys, in the order of LawInfo::parameters: one, or those of a list.
+using ParameterValues = std::vector<std::vector<Function>>;
 
 struct LawInfo {
   std::string name;
   std::string formula;  ///< one line, plain text
   std::string source;   ///< author, year
   std::vector<ParameterInfo> parameters;
-  std::unique_ptr<CreepLaw> (*make)(std::vector<Function> parameters);  ///< in the order of `parameters`
+  std::unique_ptr<CreepLaw> (*make)(ParameterValues values);
 };
 
 const std::vector<LawInfo>& creep_laws();

@@ -11,9 +11,9 @@ namespace creepcontact::material {
 namespace {
 
 /// Parameter values that give rates of about 1e-3 at stresses of about 100, in the order of the law's keys.
-const std::map<std::string, std::vector<double>> sample_parameters{
-    {"norton", {1e-13, 5.0}},
-    {"garofalo", {1e-4, 0.01, 3.5}},
+const std::map<std::string, std::vector<std::vector<double>>> sample_parameters{
+    {"norton", {{1e-13}, {5.0}}},
+    {"garofalo", {{1e-4}, {0.01}, {3.5}}},
 };
 
 class CreepLawProperties : public testing::TestWithParam<std::string> {
@@ -22,9 +22,12 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
     const LawInfo* info = find_creep_law(GetParam());
     ASSERT_NE(info, nullptr);
     ASSERT_TRUE(sample_parameters.contains(GetParam())) << "give this law sample parameters at the head of this file";
-    parameters = sample_parameters.at(GetParam());
-    ASSERT_EQ(parameters.size(), info->parameters.size());
-    law = info->make(std::vector<Function>(parameters.begin(), parameters.end()));
+    ParameterValues values;
+    for (const std::vector<double>& value : sample_parameters.at(GetParam()))
+      values.emplace_back(value.begin(), value.end());
+    ASSERT_EQ(values.size(), info->parameters.size());
+    law = info->make(values);
+    for (const Function& parameter : law->parameters()) parameters.push_back(parameter({.T = 500.0}));
     ASSERT_EQ(law->name(), GetParam());
     internal = random(law->n_internal(), 0.01, 0.1);
     creep_strain = tensor::deviator(random(6, -0.01, 0.01));
