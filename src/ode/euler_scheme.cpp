@@ -98,6 +98,7 @@ double EulerScheme::known_stable_step() {
 
 double EulerScheme::wanted_step(double t_limit) {
   if (options_.step.mode == StepMode::fixed) return options_.step.length;
+  if (options_.step.mode == StepMode::to_limit) return t_limit - time();
   if (adaptive()) return adaptive_step(t_limit);
   const double dt = std::min(options_.step_factor, longest_stable_step()) * known_stable_step();
   if (std::isinf(dt) && std::isinf(t_limit))
@@ -193,7 +194,7 @@ void EulerScheme::accept(const StepClock::Target& target) {
 }
 
 void EulerScheme::fail(const std::string& message) const {
-  if (options_.step.mode != StepMode::fixed) throw RecoverableError(message);
+  if (adaptive() || options_.step.mode == StepMode::stable) throw RecoverableError(message);
   throw SolverError(message);
 }
 

@@ -11,10 +11,12 @@ namespace creepcontact::ode {
 
 void ExplicitEuler::initialize(double t, std::span<const double> y, double step) {
   EulerScheme::initialize(t, y, step);
+  made_ = options_.step.length;
   warn_if_unstable(t, y);
 }
 
 void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {
+  made_ = target.step;
   for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
   if (!std::isfinite(max_difference(to.state, from.state)))
     fail(fmt::format(
@@ -29,14 +31,14 @@ void ExplicitEuler::complete(double t, EulerPoint& to) {
 }
 
 void ExplicitEuler::warn_if_unstable(double t, std::span<const double> y) {
-  if (warned_ || options_.step.mode != StepMode::fixed) return;
+  if (warned_ || adaptive() || options_.step.mode == StepMode::stable) return;
   const double stable = system_.stable_step(t, y);
-  if (!(options_.step.length > stable)) return;
+  if (!(made_ > stable)) return;
   warned_ = true;
   log::warning(
       "explicit_euler: the step of {:.3g} is longer than the stable one of {:.3g} at t = {:.6g}; the stress will "
       "oscillate. Take step = \"stable\" or \"adaptive\", a smaller step, or another integrator",
-      options_.step.length, stable, t);
+      made_, stable, t);
 }
 
 }  // namespace creepcontact::ode

@@ -27,6 +27,7 @@ class ExplicitEuler final : public EulerScheme {
   void warn_if_unstable(double t, std::span<const double> y);
 
   static constexpr double margin = 0.9;
+  double made_ = 0;  ///< length of the step
   bool warned_ = false;
 };
 

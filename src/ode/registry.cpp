@@ -10,7 +10,9 @@
 #include "creepcontact/ode/integrator.hpp"
 #include "cvode_integrator.hpp"
 #include "explicit_euler.hpp"
+#include "isochronous.hpp"
 #include "runge_kutta_chebyshev.hpp"
+#include "singular_start.hpp"
 
 namespace creepcontact::ode {
 
@@ -43,6 +45,11 @@ const std::vector<IntegratorInfo>& integrators() {
        ArkodeIntegrator::diagonally_implicit_rk, table_names(diagonally_implicit_tables())},
       {"rkc2", "Runge-Kutta-Chebyshev 2, stabilised explicit, error control: for moderate stiffness, no Jacobian",
        make<RungeKuttaChebyshev>},
+      {.name = "isochronous",
+       .description =
+           "ageing theory: equilibrium with the creep strain of stress and time at every output time, Newton",
+       .make = make<Isochronous>,
+       .isochronous = true},
   };
   return all;
 }
@@ -51,6 +58,8 @@ std::unique_ptr<Integrator> make_integrator(const std::string& name, System& sys
   const auto& all = integrators();
   const auto found = std::ranges::find(all, name, &IntegratorInfo::name);
   if (found == all.end()) throw std::out_of_range(fmt::format("no integrator named '{}'", name));
+  if (system.may_start_singular() && !found->isochronous)
+    return std::make_unique<SingularStart>(*found, system, options);
   return found->make(system, options);
 }
 

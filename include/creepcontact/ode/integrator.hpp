@@ -20,7 +20,12 @@ struct StepReport {
   double error_estimate = 0;  ///< in units of what the tolerance allows a step; 0 if the method has none
 };
 
-enum class StepMode { fixed, stable, adaptive };
+enum class StepMode {
+  fixed,
+  stable,
+  adaptive,
+  to_limit  ///< every step goes to the limit given: whoever calls decides
+};
 
 /// How long the steps of the Euler schemes are.
 struct StepChoice {
@@ -112,10 +117,12 @@ struct IntegratorInfo {
   std::string description;
   std::unique_ptr<Integrator> (*make)(System& system, const IntegratorOptions& options);
   std::vector<std::string> tables = {};  ///< that IntegratorOptions::table may name
+  bool isochronous = false;              ///< rate() is taken for the state itself: y(t) = f(t, y(t))
 };
 
 /// All integrators, by name: what a configuration may ask for.
 const std::vector<IntegratorInfo>& integrators();
+/// For systems whose rate may start singular, the integrator works in a time in which it does not (SingularStart).
 /// @throws std::out_of_range if there is none of this name
 std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const IntegratorOptions& options);
 

@@ -42,6 +42,16 @@ class System {
   /// Largest step at which explicit Euler is stable at (t, y) (Cormeau 1975); infinity if nothing creeps.
   virtual double stable_step(double t, std::span<const double> y) = 0;
 
+  /// True if start_exponent() may be below 1 at some time.
+  virtual bool may_start_singular() const { return false; }
+  /// Where loads begin or jump at t the rate may be infinite. Then y is smooth in (t' - t)^exponent from there on;
+  /// 1: the rate is finite.
+  virtual double start_exponent(double /*t*/, std::span<const double> /*y*/) { return 1; }
+  /// Change of y from (t, y) on over `duration`, by the closed forms of what is singular there, at the stress that y
+  /// has at `stress_time` and that stays as it is. Only where start_exponent() may be below 1. @throws RecoverableError
+  virtual void start_increment(double t, std::span<const double> y, double stress_time, double duration,
+                               std::span<double> change);
+
   /// Error of y_i that the user takes for one unit of relative accuracy: absolute tolerance = tolerance * scale()[i].
   /// May change with accept().
   virtual std::span<const double> scale() const = 0;

@@ -1,0 +1,166 @@
+#include "singular_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "creepcontact/base/error.hpp"
+#include "elementwise.hpp"
+#include "error_norm.hpp"
+
+namespace creepcontact::ode {
+namespace {
+
+constexpr double first_try = 1e-3;          // of the time to the limit
+constexpr double wanted_strain = 0.5;       // in errors that a step may make; the increment may give up to 1
+constexpr double most_stress_change = 0.1;  // by loads in the increment, as strain of it, in the same unit
+constexpr int max_attempts = 60;
+
+IntegratorOptions options_in_s(IntegratorOptions options) {
+  options.end_time = 0;  // a time, and the limits of the steps come from here
+  if (options.step.mode == StepMode::fixed) options.step = StepMode::to_limit;
+  return options;
+}
+
+}  // namespace
+
+SingularStart::SingularStart(const IntegratorInfo& method, System& system, const IntegratorOptions& options)
+    : system_(system),
+      started_(system),
+      options_(options),
+      inner_(method.make(started_, options_in_s(options))),
+      change_(system.size()) {}
+
+void SingularStart::initialize(double t, std::span<const double> y, double step) {
+  begun_ = false;
+  time_ = t;
+  proposal_ = step;
+  start_.assign(y.begin(), y.end());
+}
+
+double SingularStart::increment_size(double stress_time, double duration) {
+  std::ranges::fill(change_, 0.0);
+  system_.start_increment(time_, start_, stress_time, duration, change_);
+  ErrorNorm norm(options_.tolerance);
+  norm.set_scale(system_.scale());
+  return norm([&](std::size_t begin, std::size_t n) { return piece(std::as_const(change_).data(), begin, n); });
+}
+
+double SingularStart::free_increment(double longest) {
+  double duration = first_try * longest;
+  for (int attempt = 0;; ++attempt) {
+    const double later = increment_size(time_ + duration, duration);
+    const double size = increment_size(time_, duration);
+    if (size <= 1 && later - size <= most_stress_change) return duration;
+    if (attempt == max_attempts || !std::isfinite(size + later))
+      throw SolverError(
+          fmt::format("{}: no first increment from t = {:.6g}: the creep strain grows without bound", name(), time_));
+    const double largest = std::max(size, later);
+    duration *= std::clamp(std::pow(wanted_strain / largest, 1 / started_.exponent()), 1e-12, 0.5);
+  }
+}
+
+double SingularStart::begin(double t_limit) {
+  const double exponent = system_.start_exponent(time_, start_);
+  if (!(exponent < 1)) {
+    started_.start(time_, 1);
+    inner_->initialize(time_, start_, proposal_);
+    s_begin_ = time_;
+    first_ = 0;
+    begun_ = true;
+    return 0;
+  }
+  started_.start(time_, exponent);
+  if (options_.step.mode == StepMode::fixed && name().ends_with("_euler")) {
+    first_ = std::min(options_.step.length, t_limit - time_);
+    increment_size(time_, first_);
+  } else {
+    first_ = free_increment(t_limit - time_);
+  }
+  std::vector<double> state = start_;
+  for_each_index(state.size(), [&](std::size_t i) { state[i] += change_[i]; });
+  s_begin_ = std::pow(first_, exponent);
+  inner_->initialize(s_begin_, state);
+  begun_ = true;
+  return first_;
+}
+
+StepReport SingularStart::step(double t_limit) {
+  const double from = time_;
+  try {
+    const bool fixed = options_.step.mode == StepMode::fixed && name().ends_with("_euler");
+    if (!begun_ && begin(t_limit) > 0 && fixed) {
+      time_ = from + first_ >= t_limit ? t_limit : from + first_;
+      ++own_steps_;
+      system_.accept(time_, inner_->state());
+      return {.time = time_, .step = time_ - from, .order = 1, .error_estimate = 0};
+    }
+    const double end = fixed ? std::min(t_limit, from + options_.step.length) : t_limit;
+    started_.set_limit(end);
+    s_begin_ = inner_->time();
+    StepReport report = inner_->step(started_.s_limit());
+    time_ = inner_->time() == started_.s_limit() ? end : started_.t(inner_->time());
+    report.time = time_;
+    report.step = time_ - from;
+    return report;
+  } catch (const RecoverableError& error) {
+    throw SolverError(fmt::format("{}: no first increment from t = {:.6g}: {}", name(), from, error.what()));
+  } catch (const SolverError& error) {
+    if (started_.exponent() == 1 || !begun_) throw;
+    throw SolverError(fmt::format("{} (t = {:.6g}; the times named are (t - {:.6g})^{:.3g})", error.what(), from,
+                                  started_.begin(), started_.exponent()));
+  }
+}
+
+void SingularStart::interpolate(double t, std::span<double> y) const {
+  if (t == time_) {
+    std::ranges::copy(state(), y.begin());
+    return;
+  }
+  const double s = started_.s(t);
+  const double first = std::pow(first_, started_.exponent());
+  if (first_ == 0 || s >= first) {
+    inner_->interpolate(std::clamp(s, s_begin_, inner_->time()), y);
+    return;
+  }
+  // Within the first increment, which is linear in s.
+  for_each_index(y.size(), [&](std::size_t i) { y[i] = start_[i] + s / first * change_[i]; });
+}
+
+double SingularStart::next_step() const {
+  if (!begun_) return proposal_;
+  const double s = inner_->time() + inner_->next_step();
+  return started_.exponent() == 1 ? s - inner_->time()
+                                  : started_.begin() + std::pow(s, 1 / started_.exponent()) - time_;
+}
+
+RestartPoint SingularStart::save() const {
+  if (!begun_) return Integrator::save();
+  RestartPoint point = inner_->save();
+  point.memory["start"] = {started_.begin(), started_.exponent(), point.time};
+  point.time = time_;
+  return point;
+}
+
+void SingularStart::restore(const RestartPoint& point) {
+  initialize(point.time, point.state, point.next_step);
+  const auto found = point.memory.find("start");
+  if (found == point.memory.end()) return;
+  started_.start(found->second.at(0), found->second.at(1));
+  RestartPoint inner = point;
+  inner.time = found->second.at(2);
+  inner_->restore(inner);
+  s_begin_ = inner_->time();
+  first_ = 0;
+  begun_ = true;
+}
+
+Integrator::Counters SingularStart::counters() const {
+  Counters all = inner_->counters();
+  all.steps += own_steps_;
+  return all;
+}
+
+}  // namespace creepcontact::ode

@@ -1,0 +1,54 @@
+#include "started_system.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "elementwise.hpp"
+
+namespace creepcontact::ode {
+
+void System::start_increment(double, std::span<const double>, double, double, std::span<double>) {
+  throw std::logic_error("the system knows no closed form of its start");
+}
+
+double StartedSystem::s(double t) const {
+  return exponent_ == 1 ? t : std::pow(t - begin_, exponent_);
+}
+
+double StartedSystem::t(double s) const {
+  if (exponent_ == 1) return s;
+  if (s == s_limit_) return t_limit_;
+  return begin_ + std::pow(s, 1 / exponent_);
+}
+
+double StartedSystem::speed(double s) const {
+  return exponent_ == 1 ? 1 : std::pow(s, 1 / exponent_ - 1) / exponent_;
+}
+
+void StartedSystem::rate(double s, std::span<const double> y, std::span<double> rate) {
+  system_.rate(t(s), y, rate);
+  const double factor = speed(s);
+  for_each_index(rate.size(), [&](std::size_t i) { rate[i] *= factor; });
+}
+
+void StartedSystem::jacobian_times(double s, std::span<const double> y, std::span<const double> v,
+                                   std::span<double> product) {
+  system_.jacobian_times(t(s), y, v, product);
+  const double factor = speed(s);
+  for_each_index(product.size(), [&](std::size_t i) { product[i] *= factor; });
+}
+
+void StartedSystem::prepare_preconditioner(double s, std::span<const double> y) {
+  system_.prepare_preconditioner(t(s), y);
+  prepared_speed_ = speed(s);
+}
+
+double StartedSystem::stable_step(double s, std::span<const double> y) {
+  const double stable = system_.stable_step(t(s), y);
+  if (exponent_ == 1 || std::isinf(stable)) return stable;
+  const double elapsed = std::pow(s, 1 / exponent_);
+  return std::pow(elapsed + stable, exponent_) - s;
+}
+
+}  // namespace creepcontact::ode
