@@ -52,9 +52,11 @@ void check_regions(const std::vector<Body>& bodies, Diagnostics& errors) {
 /// Without [temperature] a material is at its reference temperature, which must then be the user's choice.
 void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
   if (root.has("temperature")) return;
-  const auto check = [&](const Function& function, const Location& where) {
-    if (!function.depends_on_temperature()) return;
+  const auto report = [&](const Location& where) {
     errors.add(where, "depends on T, which is not known", "with [temperature] or a reference_temperature");
+  };
+  const auto check = [&](const Function& function, const Location& where) {
+    if (function.depends_on_temperature()) report(where);
   };
   for (const Material& material : config.materials) {
     const Item table = root.child("materials").child(material.name);
@@ -62,9 +64,14 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
     check(material.young_modulus, table.child("young_modulus").location);
     check(material.poisson_ratio, table.child("poisson_ratio").location);
     for (const CreepMechanism& mechanism : material.creep) {
+      bool seen = false;
       for (const CreepParameter& parameter : mechanism.parameters) {
-        for (const Function& value : parameter.values) check(value, parameter.location);
+        for (const Function& value : parameter.values) {
+          check(value, parameter.location);
+          seen = seen || value.depends_on_temperature();
+        }
       }
+      if (mechanism.depends_on_temperature && !seen) report(mechanism.location);
     }
   }
 }

@@ -30,7 +30,7 @@ struct Allowed {
   }
   std::string describe() const {
     std::string text = range.describe();
-    text += fmt::format(", an expression in {}", fmt::join(variables, ", "));
+    if (!variables.empty()) text += fmt::format(", an expression in {}", fmt::join(variables, ", "));
     for (const std::string& name : table_variables())
       text += fmt::format(", a table {{ {} = [...], values = [...] }}", name);
     return text;

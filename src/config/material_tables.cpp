@@ -7,7 +7,7 @@ namespace creepcontact::config {
 namespace {
 
 Range range_of(const LawKey& key) {
-  return key.strict ? greater(key.minimum) : at_least(key.minimum);
+  return {.min = key.minimum, .max = key.maximum, .open_min = key.strict};
 }
 
 std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key, Context& context) {
@@ -29,7 +29,9 @@ std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key
   return parameter;
 }
 
-void check_lengths(const CreepMechanism& mechanism, const Law& law, Context& context) {
+/// @returns true if the lists are of one length
+bool check_lengths(const CreepMechanism& mechanism, const Law& law, Context& context) {
+  bool right = true;
   const CreepParameter* first = nullptr;
   for (const LawKey& key : law.keys) {
     for (const CreepParameter& parameter : mechanism.parameters) {
@@ -38,8 +40,24 @@ void check_lengths(const CreepMechanism& mechanism, const Law& law, Context& con
       if (parameter.values.size() == first->values.size()) continue;
       context.errors.add(parameter.location, fmt::format("a list of {}", parameter.values.size()),
                          fmt::format("as many values as '{}' has: {}", first->key, first->values.size()));
+      right = false;
     }
   }
+  return right;
+}
+
+/// The law's own opinion, once every value is there.
+void judge(CreepMechanism& mechanism, const Law& law, Context& context) {
+  if (!law.judge || mechanism.parameters.size() != law.keys.size()) return;
+  std::vector<std::vector<Function>> values;
+  for (const CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
+  const LawVerdict verdict = law.judge(values);
+  mechanism.depends_on_temperature = verdict.depends_on_temperature;
+  if (!verdict.mistake) return;
+  const auto at = std::find_if(mechanism.parameters.begin(), mechanism.parameters.end(),
+                               [&](const CreepParameter& parameter) { return parameter.key == verdict.mistake->key; });
+  context.errors.add(at == mechanism.parameters.end() ? mechanism.location : at->location, verdict.mistake->found,
+                     verdict.mistake->allowed);
 }
 
 std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context& context) {
@@ -61,7 +79,7 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
     }
     if (auto parameter = read_parameter(found, key, context)) mechanism.parameters.push_back(std::move(*parameter));
   }
-  check_lengths(mechanism, law, context);
+  if (check_lengths(mechanism, law, context)) judge(mechanism, law, context);
   return mechanism;
 }
 

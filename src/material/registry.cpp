@@ -4,13 +4,14 @@
 
 #include "creepcontact/material/garofalo.hpp"
 #include "creepcontact/material/norton.hpp"
+#include "creepcontact/material/strain_hardening.hpp"
+#include "creepcontact/material/time_hardening.hpp"
 
 namespace creepcontact::material {
 
 const std::vector<LawInfo>& creep_laws() {
   static const std::vector<LawInfo> laws{
-      norton_info(),
-      garofalo_info(),
+      norton_info(), garofalo_info(), time_hardening_info(), graham_walles_info(), strain_hardening_info(),
   };
   return laws;
 }

@@ -73,12 +73,25 @@ std::string list_quantities() {
   return table(rows);
 }
 
+/// Makes the law, to see what it says.
+config::LawVerdict judge(const material::LawInfo& info, const material::ParameterValues& values) {
+  try {
+    const auto law = info.make(values);
+    const auto& parameters = law->parameters();
+    const bool by_temperature = std::any_of(parameters.begin(), parameters.end(),
+                                            [](const Function& value) { return value.depends_on_temperature(); });
+    return {.mistake = {}, .depends_on_temperature = by_temperature};
+  } catch (const material::ParameterError& error) {
+    return {.mistake = config::LawMistake{error.key(), error.found(), error.allowed()}};
+  }
+}
+
 }  // namespace
 
 config::Vocabulary vocabulary() {
   config::Vocabulary result;
   for (const material::LawInfo& law : material::creep_laws()) {
-    config::Law entry{law.name, {}};
+    config::Law entry{law.name, {}, {}};
     for (const material::ParameterInfo& parameter : law.parameters) {
       config::LawKey key;
       key.name = parameter.key;
@@ -89,8 +102,10 @@ config::Vocabulary vocabulary() {
       key.variables = parameter.variables;
       key.required = !parameter.fallback;
       key.fallback = parameter.fallback.value_or(std::vector<Function>{});
+      key.maximum = parameter.maximum;
       entry.keys.push_back(key);
     }
+    entry.judge = [&law](const material::ParameterValues& values) { return judge(law, values); };
     result.laws.push_back(std::move(entry));
   }
   for (const ode::IntegratorInfo& info : ode::integrators()) {

@@ -40,6 +40,7 @@ struct CreepMechanism {
   std::string law;
   std::vector<CreepParameter> parameters;  ///< one a key of the law, in the order of Vocabulary
   Location location;
+  bool depends_on_temperature = false;  ///< the law says so
 };
 
 struct Material {

@@ -1,7 +1,10 @@
 #pragma once
 /// Names that the configuration may use but other modules define; the caller of the reader passes them in.
 
+#include <functional>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +21,24 @@ struct LawKey {
   bool required = true;                        ///< if not: `fallback` when not given
   std::vector<Function> fallback = {};         ///< may be empty: not given
   std::vector<std::string> variables = {"T"};  ///< that its expressions may use
+  double maximum = std::numeric_limits<double>::infinity();  ///< largest admissible value, inclusive
+};
+
+/// A value that the law cannot have.
+struct LawMistake {
+  std::string key, found, allowed;
+};
+
+/// What the law itself says of its values, those of the keys in their order.
+struct LawVerdict {
+  std::optional<LawMistake> mistake;
+  bool depends_on_temperature = false;
 };
 
 struct Law {
   std::string name;
   std::vector<LawKey> keys;
+  std::function<LawVerdict(const std::vector<std::vector<Function>>&)> judge = {};
 };
 
 struct Quantity {

@@ -242,4 +242,21 @@ TEST(ConfigMistakes, AllInOneGoInTheOrderOfTheFile) {
 }
 
 }  // namespace
+TEST(ConfigMistakes, ValuesThatALawCannotHave) {
+  const std::string picky = minimal + "[[materials.steel.creep]]\nlaw = \"picky\"\n";
+  expect_mistake(picky + "m = 1.5\n",
+                 "cases/block.toml:14:5: materials.steel.creep[0].m: number 1.5; allowed: a number in (0, 1]");
+  expect_mistake(picky + "m = \"0.3*T\"\n", "cases/block.toml:14:5: materials.steel.creep[0].m: expression '0.3*T'");
+  expect_mistake(picky + "m = 0.5\n",
+                 "cases/block.toml:14:5: materials.steel.creep[0].m: the number 0.5; allowed: any other");
+}
+
+TEST(ConfigMistakes, ALawThatDependsOnTheTemperatureByItselfNeedsOne) {
+  const std::string picky = minimal + "[[materials.steel.creep]]\nlaw = \"picky\"\nm = 1\n";
+  EXPECT_TRUE(mistakes(picky).empty());
+  expect_mistake(picky + "Q = 3e5\n",
+                 "cases/block.toml:12:1: materials.steel.creep[0]: depends on T, which is not known");
+  EXPECT_TRUE(mistakes(picky + "Q = 3e5\n[temperature]\nvalue = 500\n").empty());
+}
+
 }  // namespace creepcontact::config

@@ -10,10 +10,20 @@
 namespace creepcontact::material {
 namespace {
 
-/// Parameter values that give rates of about 1e-3 at stresses of about 100, in the order of the law's keys.
-const std::map<std::string, std::vector<std::vector<double>>> sample_parameters{
-    {"norton", {{1e-13}, {5.0}}},
-    {"garofalo", {{1e-4}, {0.01}, {3.5}}},
+struct Sample {
+  /// Values that give rates of about 1e-3 at stresses of about 100, in the order of the law's keys.
+  ParameterValues parameters;
+  bool tensors = false;      ///< the internal variables are tensors
+  bool closed_form = false;  ///< increment() is exact
+};
+
+const std::map<std::string, Sample> samples{
+    {"norton", {{{1e-13}, {5.0}}}},
+    {"garofalo", {{{1e-4}, {0.01}, {3.5}}}},
+    {"time_hardening", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
+    {"graham_walles",
+     {.parameters = {{1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0}}, .closed_form = true}},
+    {"strain_hardening", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
 };
 
 class CreepLawProperties : public testing::TestWithParam<std::string> {
@@ -21,15 +31,21 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
   void SetUp() override {
     const LawInfo* info = find_creep_law(GetParam());
     ASSERT_NE(info, nullptr);
-    ASSERT_TRUE(sample_parameters.contains(GetParam())) << "give this law sample parameters at the head of this file";
-    ParameterValues values;
-    for (const std::vector<double>& value : sample_parameters.at(GetParam()))
-      values.emplace_back(value.begin(), value.end());
-    ASSERT_EQ(values.size(), info->parameters.size());
+    ASSERT_TRUE(samples.contains(GetParam())) << "give this law a sample at the head of this file";
+    sample = samples.at(GetParam());
+    ParameterValues values = sample.parameters;
+    ASSERT_LE(values.size(), info->parameters.size());
+    for (std::size_t i = values.size(); i < info->parameters.size(); ++i)
+      values.push_back(info->parameters[i].fallback.value());
     law = info->make(values);
     for (const Function& parameter : law->parameters()) parameters.push_back(parameter({.T = 500.0}));
     ASSERT_EQ(law->name(), GetParam());
     internal = random(law->n_internal(), 0.01, 0.1);
+    if (sample.tensors)
+      for (Eigen::Index i = 0; i < internal.size(); i += 6)
+        internal.segment<6>(i) = tensor::deviator(internal.segment<6>(i));
+    Tensor6 any = random(6, -150, 150);
+    volumetric = law->stress_tangent(point(any)).volumetric != 0.0;
     creep_strain = tensor::deviator(random(6, -0.01, 0.01));
   }
 
@@ -50,7 +66,17 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
     return strain_rate;
   }
 
+  /// Changes of creep strain and of the internal variables.
+  std::pair<Tensor6, Eigen::VectorXd> increment(const Point& at, double duration) const {
+    Tensor6 strain = Tensor6::Zero();
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(law->n_internal());
+    law->increment(at, duration, strain.data(), own.data());
+    return {strain, own};
+  }
+
   std::mt19937 generator{7};
+  Sample sample;
+  bool volumetric = false;
   std::vector<double> parameters;
   std::unique_ptr<CreepLaw> law;
   Eigen::VectorXd internal;
@@ -61,7 +87,9 @@ TEST_P(CreepLawProperties, RateIsDeviatoric) {
   for (int i = 0; i < 20; ++i) {
     const Tensor6 f = rate(random(6, -150, 150));
     EXPECT_GT(f.norm(), 0.0);
-    EXPECT_LT(std::abs(tensor::trace(f)), 1e-12 * f.norm());
+    if (!volumetric) {
+      EXPECT_LT(std::abs(tensor::trace(f)), 1e-12 * f.norm());
+    }
   }
 }
 
@@ -69,7 +97,9 @@ TEST_P(CreepLawProperties, ZeroOrHydrostaticStressGivesNoRate) {
   if (law->n_internal() > 0) internal.setZero();
   creep_strain.setZero();
   EXPECT_EQ(rate(Tensor6::Zero()).norm(), 0.0);
-  EXPECT_EQ(rate(100.0 * tensor::identity()).norm(), 0.0);
+  if (!volumetric) {
+    EXPECT_EQ(rate(100.0 * tensor::identity()).norm(), 0.0);
+  }
   const StressTangent c = law->stress_tangent(point(Tensor6::Zero()));
   EXPECT_TRUE(std::isfinite(c.deviatoric) && std::isfinite(c.radial) && std::isfinite(c.volumetric));
 }
@@ -140,14 +170,64 @@ TEST_P(CreepLawProperties, RotatedStressGivesTheRotatedRate) {
     return tensor::from_matrix(R * tensor::to_matrix(a) * R.transpose());
   };
   const Tensor6 strain = creep_strain;
+  const Eigen::VectorXd own = internal;
   for (int i = 0; i < 10; ++i) {
     const Matrix3 R = Eigen::Quaterniond(Eigen::Vector4d(random(4, -1, 1)).normalized()).toRotationMatrix();
     const Tensor6 stress = random(6, -150, 150);
     creep_strain = strain;
+    internal = own;
     const Tensor6 expected = rotate(R, rate(stress));
     creep_strain = rotate(R, strain);
+    if (sample.tensors)
+      for (Eigen::Index k = 0; k < own.size(); k += 6) internal.segment<6>(k) = rotate(R, own.segment<6>(k));
     EXPECT_LT((rate(rotate(R, stress)) - expected).norm(), 1e-11 * expected.norm());
   }
+}
+
+TEST_P(CreepLawProperties, AShortIncrementIsTheRateTimesTheDuration) {
+  if (law->is_isochronous()) GTEST_SKIP() << "has no rate";
+  const Tensor6 stress = random(6, -150, 150);
+  Eigen::VectorXd own_rate;
+  const Tensor6 strain_rate = rate(stress, &own_rate);
+  const double duration = 1e-6;
+  const auto [strain, own] = increment(point(stress), duration);
+  EXPECT_LT((strain - duration * strain_rate).norm(), 1e-5 * strain.norm());
+  EXPECT_LE((own - duration * own_rate).norm(), 1e-5 * own.norm());
+}
+
+TEST_P(CreepLawProperties, TwoIncrementsAreOne) {
+  if (!sample.closed_form) GTEST_SKIP() << "has no closed form";
+  const Tensor6 stress = random(6, -150, 150);
+  for (const bool virgin : {true, false}) {
+    if (virgin) internal.setZero();
+    if (!virgin) internal = random(law->n_internal(), 1e-4, 1e-3);
+    Point at = point(stress);
+    at.time = virgin ? 0.0 : 2.0;
+    const auto [whole, own_whole] = increment(at, 0.7);
+    const auto [first, own_first] = increment(at, 0.1);
+    EXPECT_TRUE(whole.allFinite());
+    EXPECT_GT(whole.norm(), 0.0);
+    const Eigen::VectorXd before = internal;
+    internal += own_first;
+    at.time += 0.1;
+    const auto [second, own_second] = increment(at, 0.6);
+    internal = before;
+    EXPECT_LT((first + second - whole).norm(), 1e-12 * whole.norm());
+    EXPECT_LE((own_first + own_second - own_whole).norm(), 1e-12 * own_whole.norm());
+  }
+}
+
+TEST_P(CreepLawProperties, ASingularStartGrowsWithItsExponent) {
+  internal.setZero();
+  const Tensor6 stress = random(6, -150, 150);
+  Point at = point(stress);
+  at.time = 0;
+  const double exponent = law->start_exponent(at);
+  ASSERT_GT(exponent, 0.0);
+  ASSERT_LE(exponent, 1.0);
+  if (exponent == 1.0) return;
+  const double begin = increment(at, 1e-18).first.norm(), later = increment(at, 1e-16).first.norm();
+  EXPECT_NEAR(std::log(later / begin) / std::log(100.0), exponent, 1e-6);
 }
 
 std::vector<std::string> names() {

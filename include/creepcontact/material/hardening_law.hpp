@@ -1,0 +1,48 @@
+#pragma once
+/// Laws with one accumulated strain: rate = 3/2 (f/q) s, d eps/dt = f(q, eps, t, T), where eps is the equivalent creep
+/// strain that this mechanism has accumulated.
+
+#include "creepcontact/material/creep_law.hpp"
+
+namespace creepcontact::material {
+
+/// Equivalent creep rate and its partial derivatives.
+struct HardeningRate {
+  double value = 0;      ///< f [1/time]
+  double by_stress = 0;  ///< df/dq
+  double by_strain = 0;  ///< df/d eps
+};
+
+/// Base of laws with at most that one internal variable.
+class HardeningLaw : public CreepLaw {
+ public:
+  /// eps below this counts as this: virgin points, and stages of an integrator that fall below 0.
+  static constexpr double least_strain = 1e-10;
+
+  int n_internal() const final { return accumulates_ ? 1 : 0; }
+  /// @param q  von Mises equivalent stress, > 0
+  /// @param eps  accumulated strain, at least least_strain (which stands for all below: by_strain is then not used)
+  virtual double equivalent_rate(double q, double eps, const Point& at) const = 0;
+  virtual HardeningRate linearized_rate(double q, double eps, const Point& at) const = 0;
+  /// Strain that accumulates in `duration` at constant q.
+  /// @param eps  as it stands, at least 0
+  virtual double accumulated(double q, double eps, const Point& at, double duration) const = 0;
+
+  void rate(const Point& at, double* strain_rate, double* internal_rate) const final;
+  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
+                  double* d_strain_rate, double* d_internal_rate) const final;
+  StressTangent stress_tangent(const Point& at) const final;
+  void increment(const Point& at, double duration, double* strain, double* internal) const final;
+
+ protected:
+  /// @param accumulates  false: f does not depend on eps, and there is no internal variable
+  HardeningLaw(std::vector<Function> parameters, bool accumulates)
+      : CreepLaw(std::move(parameters)), accumulates_(accumulates) {}
+
+ private:
+  double strain(const Point& at) const;
+
+  bool accumulates_;
+};
+
+}  // namespace creepcontact::material

@@ -1,0 +1,29 @@
+#pragma once
+/// Strain hardening: f = m A^(1/m) q^(n/m) eps^(1 - 1/m), the rate of the creep strain A q^n t^m of constant stress
+/// written in the strain instead of the time. eps is the equivalent creep strain that this mechanism has accumulated;
+/// a virgin point (eps = 0) under stress creeps infinitely fast if m < 1.
+/// Source: A. Nadai, The Creep of Metals (1937); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
+
+#include "creepcontact/material/hardening_law.hpp"
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::material {
+
+class StrainHardening final : public HardeningLaw {
+ public:
+  /// @param A  [1/(time^m stress^n)], >= 0
+  /// @param n  [-], >= 1
+  /// @param m  [-], in (0, 1], the same at all temperatures
+  /// @throws ParameterError if m is not
+  StrainHardening(Function A, Function n, Function m);
+  std::string name() const override { return "strain_hardening"; }
+  double equivalent_rate(double q, double eps, const Point& at) const override;
+  HardeningRate linearized_rate(double q, double eps, const Point& at) const override;
+  double accumulated(double q, double eps, const Point& at, double duration) const override;
+  /// m: wherever a load begins or jumps, some point may be virgin.
+  double start_exponent(const Point& at) const override { return at.parameters[2]; }
+};
+
+LawInfo strain_hardening_info();
+
+}  // namespace creepcontact::material

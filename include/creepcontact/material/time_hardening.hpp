@@ -1,0 +1,35 @@
+#pragma once
+/// Time hardening (flow theory): f = sum of A_i q^n_i m_i t^(m_i - 1), which at constant stress gives the creep strain
+/// sum of A_i q^n_i t^m_i. One term, or a sum as of Graham and Walles (m = 1/3, 1, 3: primary, secondary, tertiary).
+/// t is the time of the run: material put under load later creeps as slowly as all of it does then. With m < 1 the rate
+/// is infinite at t = 0.
+/// Sources: P. G. McVetty, Mechanical Engineering 56 (1934) and I. Davenport, J. Appl. Mech. 5 (1938); A. Graham,
+/// K. F. A. Walles, J. Iron Steel Inst. 179 (1955).
+
+#include "creepcontact/material/flow_law.hpp"
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::material {
+
+class TimeHardening final : public FlowLaw {
+ public:
+  /// Terms as lists of one length.
+  /// @param A  [1/(time^m stress^n)], >= 0
+  /// @param n  [-], >= 1
+  /// @param m  [-], > 0
+  /// @throws ParameterError if the lists differ in length
+  TimeHardening(std::string name, std::vector<Function> A, std::vector<Function> n, std::vector<Function> m);
+  std::string name() const override { return name_; }
+  EquivalentRate equivalent_rate(double q, const Point& at) const override;
+  double start_exponent(const Point& at) const override;
+  void increment(const Point& at, double duration, double* strain, double* internal) const override;
+
+ private:
+  std::string name_;
+  int n_terms_;
+};
+
+LawInfo time_hardening_info();
+LawInfo graham_walles_info();
+
+}  // namespace creepcontact::material

@@ -1,0 +1,47 @@
+#include "creepcontact/material/strain_hardening.hpp"
+
+#include "constant_parameter.hpp"
+#include "creepcontact/material/power.hpp"
+
+namespace creepcontact::material {
+
+StrainHardening::StrainHardening(Function A, Function n, Function m)
+    : HardeningLaw({std::move(A), std::move(n), std::move(m)}, true) {
+  require_constant("m", parameters()[2], 0.0, 1.0);
+}
+
+double StrainHardening::equivalent_rate(double q, double eps, const Point& at) const {
+  const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
+  const double strain = A * power(q, n);  // after the unit of time; A^(1/m) alone may underflow
+  return m * strain * std::pow(strain / eps, 1.0 / m - 1.0);
+}
+
+HardeningRate StrainHardening::linearized_rate(double q, double eps, const Point& at) const {
+  const double n = at.parameters[1], m = at.parameters[2];
+  const double f = equivalent_rate(q, eps, at);
+  return {f, f * n / (m * q), f * (1.0 - 1.0 / m) / eps};
+}
+
+double StrainHardening::accumulated(double q, double eps, const Point& at, double duration) const {
+  const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
+  const double strain = A * power(q, n);
+  const double virgin = strain * std::pow(duration, m);
+  // (eps^(1/m) + strain^(1/m) duration)^m - eps, from the side that loses no digits.
+  if (virgin > eps) return virgin * std::pow(1.0 + std::pow(eps / virgin, 1.0 / m), m) - eps;
+  if (eps == 0.0) return 0.0;
+  return eps * std::expm1(m * std::log1p(std::pow(virgin / eps, 1.0 / m)));
+}
+
+LawInfo strain_hardening_info() {
+  return {"strain_hardening",
+          "rate = m A^(1/m) q^(n/m) eps^(1-1/m)",
+          "A. Nadai, 1937",
+          {{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
+           {"n", "stress exponent [-]", 1.0, false},
+           {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<StrainHardening>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
+          }};
+}
+
+}  // namespace creepcontact::material

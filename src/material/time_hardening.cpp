@@ -1,0 +1,79 @@
+#include "creepcontact/material/time_hardening.hpp"
+
+#include <algorithm>
+
+#include "coaxial.hpp"
+#include "creepcontact/material/power.hpp"
+#include "lists.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+/// (t + d)^m - t^m, also where d is far below t.
+double growth(double t, double d, double m) {
+  return t > 0.0 ? std::pow(t, m) * std::expm1(m * std::log1p(d / t)) : std::pow(d, m);
+}
+
+}  // namespace
+
+TimeHardening::TimeHardening(std::string name, std::vector<Function> A, std::vector<Function> n,
+                             std::vector<Function> m)
+    : FlowLaw(joined({{"A", &A}, {"n", &n}, {"m", &m}})),
+      name_(std::move(name)),
+      n_terms_(static_cast<int>(A.size())) {}
+
+EquivalentRate TimeHardening::equivalent_rate(double q, const Point& at) const {
+  const double *A = at.parameters, *n = A + n_terms_, *m = n + n_terms_;
+  EquivalentRate sum;
+  for (int i = 0; i < n_terms_; ++i) {
+    if (A[i] == 0.0) continue;  // not 0 * infinity at t = 0
+    const double secant = A[i] * m[i] * std::pow(at.time, m[i] - 1.0) * power(q, n[i] - 1.0);
+    sum.value += secant * q;
+    sum.slope += n[i] * secant;
+  }
+  return sum;
+}
+
+double TimeHardening::start_exponent(const Point& at) const {
+  if (at.time != 0.0) return 1.0;
+  const double *A = at.parameters, *m = A + 2 * n_terms_;
+  double exponent = 1.0;
+  for (int i = 0; i < n_terms_; ++i)
+    if (A[i] > 0.0) exponent = std::min(exponent, m[i]);
+  return exponent;
+}
+
+void TimeHardening::increment(const Point& at, double duration, double* strain, double* /*internal*/) const {
+  const Deviator now = deviator(at.stress);
+  if (now.q == 0.0) return;
+  const double *A = at.parameters, *n = A + n_terms_, *m = n + n_terms_;
+  double sum = 0;
+  for (int i = 0; i < n_terms_; ++i) sum += A[i] * power(now.q, n[i]) * growth(at.time, duration, m[i]);
+  add_flow(now, sum, strain);
+}
+
+LawInfo time_hardening_info() {
+  return {"time_hardening",
+          "rate = A q^n m t^(m-1)",
+          "P. G. McVetty, 1934; flow theory",
+          {{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
+           {"n", "stress exponent [-]", 1.0, false},
+           {"m", "time exponent [-]; below 1: primary creep", 0.0, true}},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<TimeHardening>("time_hardening", p.at(0), p.at(1), p.at(2));
+          }};
+}
+
+LawInfo graham_walles_info() {
+  return {"graham_walles",
+          "rate = sum of A_i q^n_i m_i t^(m_i-1)",
+          "A. Graham, K. F. A. Walles, 1955",
+          {{.key = "A", .description = "factors [1/(time^m stress^n)]", .minimum = 0.0, .strict = false, .list = true},
+           {.key = "n", .description = "stress exponents [-]", .minimum = 1.0, .strict = false, .list = true},
+           {.key = "m", .description = "time exponents [-], as 1/3, 1, 3", .minimum = 0.0, .list = true}},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<TimeHardening>("graham_walles", p.at(0), p.at(1), p.at(2));
+          }};
+}
+
+}  // namespace creepcontact::material

@@ -1,0 +1,137 @@
+// Numbers of the laws of primary creep.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "creepcontact/material/strain_hardening.hpp"
+#include "creepcontact/material/time_hardening.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+const Tensor6 uniaxial = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
+
+TimeHardening time_law(const std::vector<double>& parameters) {
+  return {"time_hardening", {parameters[0]}, {parameters[1]}, {parameters[2]}};
+}
+
+TEST(TimeHardening, PrimaryCreepOfNafems) {
+  // NAFEMS R0027: eps = A q^5 sqrt(t), A = 3.125e-14: 0.01 sqrt(t) at 200 MPa, the rate half of that by sqrt(t).
+  const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
+  Tensor6 rate = Tensor6::Zero(), strain = Tensor6::Zero();
+  const Point at{.stress = uniaxial.data(), .parameters = parameters.data(), .time = 100.0};
+  time_law(parameters).rate(at, rate.data(), nullptr);
+  EXPECT_NEAR(rate[0], 0.0005, 1e-16);
+  EXPECT_NEAR(rate[1], -0.00025, 1e-16);
+  time_law(parameters)
+      .increment({.stress = uniaxial.data(), .parameters = parameters.data()}, 1000.0, strain.data(), nullptr);
+  EXPECT_NEAR(strain[0], 0.01 * std::sqrt(1000.0), 1e-14);
+}
+
+TEST(TimeHardening, IsSingularAtTimeZeroAlone) {
+  const std::vector<double> parameters{3.125e-14, 5.0, 0.5}, steady{1e-13, 5.0, 1.0}, none{0.0, 5.0, 0.5};
+  EXPECT_EQ(time_law(parameters).start_exponent({.parameters = parameters.data()}), 0.5);
+  EXPECT_EQ(time_law(parameters).start_exponent({.parameters = parameters.data(), .time = 1e-300}), 1.0);
+  EXPECT_EQ(time_law(steady).start_exponent({.parameters = steady.data()}), 1.0);
+  EXPECT_EQ(time_law(none).start_exponent({.parameters = none.data()}), 1.0);
+  Tensor6 rate = Tensor6::Zero();
+  time_law(none).rate({.stress = uniaxial.data(), .parameters = none.data()}, rate.data(), nullptr);
+  EXPECT_EQ(rate.norm(), 0.0);
+}
+
+TEST(TimeHardening, AShortStepLateLosesNoDigits) {
+  const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
+  Tensor6 strain = Tensor6::Zero();
+  time_law(parameters)
+      .increment({.stress = uniaxial.data(), .parameters = parameters.data(), .time = 1e6}, 1e-8, strain.data(),
+                 nullptr);
+  const double expected = 0.01 * 0.5 / std::sqrt(1e6) * 1e-8;
+  EXPECT_NEAR(strain[0], expected, 1e-12 * expected);
+}
+
+TEST(GrahamWalles, AddsItsTerms) {
+  // 1e-8 q^2 t^(1/3) + 1e-13 q^5 t + 1e-15 q^5 t^3 at q = 200, t = 8.
+  const std::vector<double> parameters{1e-8, 1e-13, 1e-15, 2.0, 5.0, 5.0, 1.0 / 3, 1.0, 3.0};
+  const TimeHardening law("graham_walles", {1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0});
+  Tensor6 strain = Tensor6::Zero(), rate = Tensor6::Zero();
+  law.increment({.stress = uniaxial.data(), .parameters = parameters.data()}, 8.0, strain.data(), nullptr);
+  EXPECT_NEAR(strain[0], 1e-8 * 4e4 * 2 + 1e-13 * 3.2e11 * 8 + 1e-15 * 3.2e11 * 512, 1e-13);
+  law.rate({.stress = uniaxial.data(), .parameters = parameters.data(), .time = 8.0}, rate.data(), nullptr);
+  EXPECT_NEAR(rate[0], 1e-8 * 4e4 / 12 + 1e-13 * 3.2e11 + 3e-15 * 3.2e11 * 64, 1e-13);
+  EXPECT_EQ(law.start_exponent({.parameters = parameters.data()}), 1.0 / 3);
+}
+
+TEST(GrahamWalles, ListsThatDifferAreNamed) {
+  try {
+    TimeHardening("graham_walles", {1e-8, 1e-13}, {2.0, 5.0}, {1.0});
+    FAIL() << "accepted";
+  } catch (const ParameterError& error) {
+    EXPECT_STREQ(error.what(), "m: a list of 1; allowed: as many values as 'A' has: 2");
+  }
+  EXPECT_THROW(TimeHardening("graham_walles", {}, {}, {}), ParameterError);
+}
+
+TEST(StrainHardening, PrimaryCreepOfNafems) {
+  // rate = 1/2 A^2 q^10 / eps: at 0.01 sqrt(100) = 0.1 the rate of time hardening at t = 100.
+  const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
+  const double eps = 0.1;
+  Tensor6 rate = Tensor6::Zero();
+  double own = 7;
+  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  law.rate({.stress = uniaxial.data(), .internal = &eps, .parameters = parameters.data()}, rate.data(), &own);
+  EXPECT_NEAR(rate[0], 0.0005, 1e-16);
+  EXPECT_NEAR(own, 0.0005, 1e-16);
+}
+
+TEST(StrainHardening, VirginMaterialFollowsTheClosedForm) {
+  const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
+  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  double own = 0;
+  const double virgin = 0;
+  Tensor6 strain = Tensor6::Zero();
+  const Point at{.stress = uniaxial.data(), .internal = &virgin, .parameters = parameters.data(), .time = 55.0};
+  law.increment(at, 1e-6, strain.data(), &own);
+  EXPECT_NEAR(own, 1e-5, 1e-19);
+  EXPECT_NEAR(strain[0], 1e-5, 1e-19);
+  EXPECT_EQ(law.start_exponent(at), 0.5);
+}
+
+TEST(StrainHardening, NegativeAndVirginStrainCountAsTheFloor) {
+  const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
+  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  double expected = 0;
+  for (const double eps : {HardeningLaw::least_strain, 0.0, -1e-3}) {
+    Tensor6 rate = Tensor6::Zero();
+    double own = 0;
+    law.rate({.stress = uniaxial.data(), .internal = &eps, .parameters = parameters.data()}, rate.data(), &own);
+    EXPECT_TRUE(std::isfinite(own));
+    if (expected == 0) expected = own;
+    EXPECT_EQ(own, expected);
+  }
+}
+
+TEST(StrainHardening, ASteepLawNeitherOverflowsNorUnderflows) {
+  // n/m = 20 at q = 300; A^(1/m) alone would be 1e-600.
+  const std::vector<double> parameters{1e-30, 1.0, 0.05};
+  const double eps = 1e-28;
+  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  const double f = law.equivalent_rate(300.0, eps, {.parameters = parameters.data()});
+  const double expected = 0.05 * 3e-28 * std::pow(3.0, 19.0);
+  EXPECT_NEAR(f, expected, 1e-12 * expected);
+}
+
+TEST(StrainHardening, TheTimeExponentIsANumberInItsRange) {
+  EXPECT_THROW(StrainHardening(1e-13, 5.0, 1.1), ParameterError);
+  EXPECT_THROW(StrainHardening(1e-13, 5.0, 0.0), ParameterError);
+  EXPECT_THROW(StrainHardening(1e-13, 5.0, std::nan("")), ParameterError);
+  try {
+    StrainHardening(1e-13, 5.0, Function::expression("0.3 + T/1e4", {"T"}));
+    FAIL() << "accepted";
+  } catch (const ParameterError& error) {
+    EXPECT_EQ(error.key(), "m");
+    EXPECT_STREQ(error.what(), "m: the function 0.3 + T/1e4; allowed: a number in (0, 1]");
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::material
