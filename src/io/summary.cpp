@@ -13,6 +13,8 @@ const char* text(Summary::Status status) {
   switch (status) {
     case Summary::Status::completed:
       return "completed";
+    case Summary::Status::ruptured:
+      return "ruptured";
     case Summary::Status::failed:
       return "failed";
     default:
@@ -26,6 +28,28 @@ Json bodies(const Summary& summary) {
     result[name] = {{"dofs", body.dofs}, {"elements", body.elements}, {"integration_points", body.integration_points}};
   }
   return result;
+}
+
+Json largest(const std::map<std::string, Summary::Largest>& values) {
+  Json result = Json::object();
+  for (const auto& [body, value] : values) result[body] = {{"largest", value.value}, {"place", value.place}};
+  return result;
+}
+
+/// Each only if there is something to tell.
+void add_life(const Summary& summary, Json& json) {
+  if (!summary.damage.empty()) json["damage"] = largest(summary.damage);
+  if (!summary.life_fraction.empty()) json["life_fraction"] = largest(summary.life_fraction);
+  if (const auto& rupture = summary.rupture)
+    json["rupture"] = {{"time", rupture->time},
+                       {"body", rupture->body},
+                       {"place", rupture->damage.place},
+                       {"damage", rupture->damage.value}};
+  for (const auto& [name, contact] : summary.contacts)
+    json["contacts"][name] = {
+        {"largest_normal_force", contact.largest_force},
+        {"final_normal_force", contact.final_force},
+        {"remaining_fraction", contact.largest_force > 0 ? contact.final_force / contact.largest_force : 0}};
 }
 
 }  // namespace
@@ -47,6 +71,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["schwarz_iterations"] = summary.schwarz_iterations;
   json["factorizations"] = summary.factorizations;
   json["bodies"] = bodies(summary);
+  add_life(summary, json);
   const auto& seconds = summary.wall_seconds;
   json["wall_seconds"] = {{"total", seconds.total},       {"factorize", seconds.factorize}, {"solve", seconds.solve},
                           {"material", seconds.material}, {"contact", seconds.contact},     {"output", seconds.output}};

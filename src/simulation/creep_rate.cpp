@@ -8,6 +8,12 @@
 #include "stress_scale.hpp"
 
 namespace creepcontact::simulation {
+namespace {
+
+/// A preconditioner need not follow every step: gamma may be off by this factor.
+constexpr double same_gamma = 1.25;
+
+}  // namespace
 
 CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times)
     : elasticity_(elasticity),
@@ -19,7 +25,12 @@ CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std:
     points_.emplace_back(*body);
     stress_change_.emplace_back(6 * body->discretization().n_points());
   }
-  if (size() > 0) set_scale(output_times);
+  for (const MaterialPoints& points : points_)
+    local_.push_back(points.has_internal_variables() ? std::make_unique<MaterialTangent>(points) : nullptr);
+  if (size() == 0) return;
+  set_scale(output_times);
+  std::ranges::fill(state_, 0.0);
+  may_start_singular_ = smallest_start_exponent(0, state_) < 1;
 }
 
 CreepRate::~CreepRate() = default;
@@ -120,13 +131,26 @@ void CreepRate::prepare_preconditioner(double t, std::span<const double> y) {
   evaluate(t, y);
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty()) points_[b].linearize(elasticity_.states()[b].stress, y.data() + layout_.offset(b));
+    if (!points_[b].empty() && !local_[b])
+      points_[b].linearize(elasticity_.states()[b].stress, y.data() + layout_.offset(b));
+  local_gamma_ = 0;
 }
 
 void CreepRate::precondition(double gamma, std::span<const double> r, std::span<double> z) {
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty()) points_[b].precondition(gamma, r.data() + layout_.offset(b), z.data() + layout_.offset(b));
+  const bool prepared = gamma < same_gamma * local_gamma_ && local_gamma_ < same_gamma * gamma;
+  if (!prepared) local_gamma_ = gamma;
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    if (points_[b].empty()) continue;
+    const std::size_t offset = layout_.offset(b);
+    if (!local_[b]) {
+      points_[b].precondition(gamma, r.data() + offset, z.data() + offset);
+      continue;
+    }
+    // Of the last evaluation, which may be nearer than the point prepared for.
+    if (!prepared) local_[b]->prepare(gamma, elasticity_.states()[b].stress, state_.data() + offset);
+    local_[b]->solution(r.data() + offset, {}, z.data() + offset);
+  }
 }
 
 void CreepRate::prepare_tangent(double t, std::span<const double> y, double gamma) {
@@ -137,6 +161,47 @@ void CreepRate::prepare_tangent(double t, std::span<const double> y, double gamm
 
 void CreepRate::solve_tangent(std::span<const double> r, std::span<double> z) {
   tangent_->solve(r, z);
+}
+
+double CreepRate::smallest_start_exponent(double t, std::span<const double> y) const {
+  double smallest = 1;
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      smallest = std::min(smallest,
+                          points_[b].start_exponent(t, elasticity_.states()[b].stress, y.data() + layout_.offset(b)));
+  return smallest;
+}
+
+double CreepRate::start_exponent(double t, std::span<const double> y) {
+  evaluate(t, y);
+  return smallest_start_exponent(t, y);
+}
+
+void CreepRate::start_increment(double t, std::span<const double> y, double stress_time, double duration,
+                                std::span<double> change) {
+  evaluate(stress_time, y);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      points_[b].add_increment(t, duration, elasticity_.states()[b].stress, y.data() + layout_.offset(b),
+                               change.data() + layout_.offset(b));
+}
+
+bool CreepRate::knows(material::Measure measure) const {
+  return std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.knows(measure); });
+}
+
+std::vector<double> CreepRate::measure(material::Measure of, std::size_t body, std::span<const double> y) const {
+  if (!points_[body].knows(of)) return {};
+  return points_[body].measure(of, elasticity_.states()[body].stress, y.data() + layout_.offset(body));
+}
+
+CreepRate::Extreme CreepRate::largest(material::Measure of, std::size_t body, std::span<const double> y) const {
+  const std::vector<double> values = measure(of, body, y);
+  if (values.empty()) return {.body = body};
+  const auto at = std::max_element(values.begin(), values.end());
+  const auto point = static_cast<std::size_t>(at - values.begin());
+  return {*at, body, elasticity_.model().bodies[body]->discretization().point_coordinates()[point]};
 }
 
 double CreepRate::stable_step(double t, std::span<const double> y) {

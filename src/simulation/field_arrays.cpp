@@ -47,6 +47,7 @@ std::vector<io::FieldData> point_arrays(const Snapshot& snapshot) {
   io::FieldData displacement{"displacement", 3, {}}, stress{"stress", 6, {}}, creep{"creep_strain", 6, {}};
   io::FieldData von_mises{"von_mises", 1, {}}, equivalent{"creep_strain_equivalent", 1, {}};
   io::FieldData temperature{"temperature", 1, {}}, body_id{"body", 1, {}};
+  io::FieldData damage{"damage", 1, {}}, life{"life_fraction", 1, {}};
   const auto& bodies = snapshot.elasticity().model().bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodyFields& fields = snapshot.fields(b);
@@ -58,10 +59,14 @@ std::vector<io::FieldData> point_arrays(const Snapshot& snapshot) {
       von_mises.values.push_back(tensor::von_mises(sample.stress));
       equivalent.values.push_back(tensor::equivalent_strain(sample.creep_strain));
       temperature.values.push_back(sample.temperature);
+      damage.values.push_back(sample.damage);
+      life.values.push_back(sample.life_fraction);
       body_id.values.push_back(static_cast<double>(b));
     }
   }
   std::vector<io::FieldData> result{displacement, stress, creep, von_mises, equivalent, temperature, body_id};
+  if (snapshot.knows(material::Measure::damage)) result.push_back(std::move(damage));
+  if (snapshot.knows(material::Measure::life_fraction)) result.push_back(std::move(life));
   if (snapshot.elasticity().interface().n_rows() > 0) {
     const std::size_t n = body_id.values.size();
     io::FieldData pressure{"contact_pressure", 1, std::vector<double>(n)}, gap{"gap", 1, std::vector<double>(n)};

@@ -32,6 +32,8 @@ class PointProbe final : public Probe {
       sample.strain += weight * at_point.strain;
       sample.creep_strain += weight * at_point.creep_strain;
       sample.temperature += weight * at_point.temperature;
+      sample.damage += weight * at_point.damage;
+      sample.life_fraction += weight * at_point.life_fraction;
     }
     sample.place = location_.place;
     return info_.value(sample);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace creepcontact::simulation {
 namespace {
@@ -11,6 +12,18 @@ namespace {
 using Index = std::ptrdiff_t;
 
 }  // namespace
+
+template <typename Call>
+void MaterialPoints::for_each_law(std::size_t p, std::span<const double> stress, const double* state, Call call) const {
+  material::Point at = point(p, stress, state);
+  std::size_t offset = 6;
+  for (const auto& law : body_.material().creep) {
+    call(*law, std::as_const(at), offset);
+    at.internal += law->n_internal();
+    at.parameters += law->n_parameters();
+    offset += static_cast<std::size_t>(law->n_internal());
+  }
+}
 
 MaterialPoints::MaterialPoints(mechanics::Body& body)
     : body_(body),
@@ -24,6 +37,11 @@ MaterialPoints::MaterialPoints(mechanics::Body& body)
   locals_.resize(n_points_);
   time_ = std::nan("");
   set_time(0);
+  const std::vector<double> nothing(std::max<std::size_t>(6, stride_), 0.0);
+  for_each_law(0, nothing, nothing.data(), [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
+    for (const material::Measure one : {material::Measure::damage, material::Measure::life_fraction})
+      if (law.measure(one, at)) known_[static_cast<std::size_t>(one)] = true;
+  });
 }
 
 void MaterialPoints::set_time(double t) {
@@ -61,16 +79,11 @@ void MaterialPoints::rate(std::span<const double> stress, const double* state, d
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    material::Point at = point(p, stress, state);
-    double* strain_rate = rate + stride_ * p;
-    double* internal_rate = strain_rate + 6;
-    std::fill(strain_rate, internal_rate, 0.0);
-    for (const auto& law : body_.material().creep) {
-      law->rate(at, strain_rate, internal_rate);
-      at.internal += law->n_internal();
-      at.parameters += law->n_parameters();
-      internal_rate += law->n_internal();
-    }
+    double* own = rate + stride_ * p;
+    std::fill(own, own + 6, 0.0);
+    for_each_law(p, stress, state, [&](const material::CreepLaw& law, const material::Point& at, std::size_t internal) {
+      law.rate(at, own, own + internal);
+    });
   }
 }
 
@@ -85,29 +98,59 @@ void MaterialPoints::derivative(std::span<const double> stress, const double* st
 
 void MaterialPoints::derivative_at(std::size_t p, std::span<const double> stress, const double* state,
                                    const double* d_stress, const double* d_state, double* d_rate) const {
-  material::Point at = point(p, stress, state);
-  const double* d_internal = d_state + 6;
-  double* d_internal_rate = d_rate + 6;
-  std::fill(d_rate, d_internal_rate, 0.0);
-  for (const auto& law : body_.material().creep) {
-    law->derivative(at, d_stress, d_state, d_internal, d_rate, d_internal_rate);
-    at.internal += law->n_internal();
-    at.parameters += law->n_parameters();
-    d_internal += law->n_internal();
-    d_internal_rate += law->n_internal();
+  std::fill(d_rate, d_rate + 6, 0.0);
+  for_each_law(p, stress, state, [&](const material::CreepLaw& law, const material::Point& at, std::size_t internal) {
+    law.derivative(at, d_stress, d_state, d_state + internal, d_rate, d_rate + internal);
+  });
+}
+
+double MaterialPoints::start_exponent(double t, std::span<const double> stress, const double* state) const {
+  double smallest = 1;
+#pragma omp parallel for schedule(static) reduction(min : smallest) if (n_points_ > 2000)
+  for (Index i = 0; i < static_cast<Index>(n_points_); ++i)
+    for_each_law(static_cast<std::size_t>(i), stress, state,
+                 [&](const material::CreepLaw& law, material::Point at, std::size_t) {
+                   at.time = t;
+                   smallest = std::min(smallest, law.start_exponent(at));
+                 });
+  return smallest;
+}
+
+void MaterialPoints::add_increment(double t, double duration, std::span<const double> stress, const double* state,
+                                   double* change) const {
+#pragma omp parallel for schedule(static) if (n_points_ > 2000)
+  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    double* own = change + stride_ * p;
+    for_each_law(p, stress, state, [&](const material::CreepLaw& law, material::Point at, std::size_t internal) {
+      at.time = t;
+      law.increment(at, duration, own, own + internal);
+    });
   }
 }
 
-material::StressTangent MaterialPoints::tangent(material::Point at) const {
+std::vector<double> MaterialPoints::measure(material::Measure of, std::span<const double> stress,
+                                            const double* state) const {
+  std::vector<double> values(n_points_, 0.0);
+#pragma omp parallel for schedule(static) if (n_points_ > 2000)
+  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    for_each_law(p, stress, state, [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
+      if (const std::optional<double> value = law.measure(of, at)) values[p] = std::max(values[p], *value);
+    });
+  }
+  return values;
+}
+
+material::StressTangent MaterialPoints::tangent(std::size_t p, std::span<const double> stress,
+                                                const double* state) const {
   material::StressTangent sum;
-  for (const auto& law : body_.material().creep) {
-    const material::StressTangent part = law->stress_tangent(at);
+  for_each_law(p, stress, state, [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
+    const material::StressTangent part = law.stress_tangent(at);
     sum.deviatoric += part.deviatoric;
     sum.radial += part.radial;
     sum.volumetric += part.volumetric;
-    at.internal += law->n_internal();
-    at.parameters += law->n_parameters();
-  }
+  });
   return sum;
 }
 
@@ -115,7 +158,7 @@ void MaterialPoints::linearize(std::span<const double> stress, const double* sta
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    const material::StressTangent part = tangent(point(p, stress, state));
+    const material::StressTangent part = tangent(p, stress, state);
     Tensor6 direction = tensor::deviator(Eigen::Map<const Tensor6>(stress.data() + 6 * p));
     if (const double length = direction.norm(); length > 0) direction /= length;
     std::copy(direction.begin(), direction.end(), locals_[p].direction);
@@ -154,7 +197,7 @@ double MaterialPoints::stiffest_rate(std::span<const double> stress, const doubl
 #pragma omp parallel for schedule(static) reduction(max : stiffest) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
-    const material::StressTangent part = tangent(point(p, stress, state));
+    const material::StressTangent part = tangent(p, stress, state);
     const material::Moduli& moduli = elastic.at(p);
     stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),
                          (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric});

@@ -100,7 +100,9 @@ void MaterialTangent::solution(const double* r, std::span<const double> strain, 
     const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
     Eigen::Map<Eigen::VectorXd> result(z + p * stride_, n);
     result.noalias() = eliminated.leftCols(n) * right;
-    const Tensor6 change = moduli_[p] * (Eigen::Map<const Tensor6>(strain.data() + 6 * p) - result.head<6>());
+    Tensor6 elastic = -result.head<6>();
+    if (!strain.empty()) elastic += Eigen::Map<const Tensor6>(strain.data() + 6 * p);
+    const Tensor6 change = moduli_[p] * elastic;
     result.noalias() += eliminated.rightCols<6>() * change;
   }
 }

@@ -92,6 +92,8 @@ Model build_model(const config::Config& config) {
     });
   mistakes.raise();
 
+  require_one_theory(config, model);
+
   for (const config::Load& load : config.loads)
     mistakes.collect(load.location, [&] { add_load(load, config, whole, meshes, model); });
   for (const config::Contact& contact : config.contacts)

@@ -52,4 +52,7 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
 /// Kinks in time of every function of the configuration, and the user's own breakpoints; ascending, within (0, end).
 std::vector<double> breakpoints(const config::Config& config);
 
+/// @throws ConfigError if the integrator does not take the laws of the materials
+void require_one_theory(const config::Config& config, const Model& model);
+
 }  // namespace creepcontact::simulation

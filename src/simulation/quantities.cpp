@@ -75,6 +75,10 @@ std::vector<QuantityInfo> make_quantities() {
   field("creep_strain_equivalent", "equivalent creep strain sqrt(2/3 e:e)",
         [](const Sample& sample) { return tensor::equivalent_strain(sample.creep_strain); });
   field("temperature", "temperature", [](const Sample& sample) { return sample.temperature; });
+  field("damage", "damage of kachanov_rabotnov, 0 to 1; 0 where there is none",
+        [](const Sample& sample) { return sample.damage; });
+  field("life_fraction", "share of the creep life spent, by rupture data; 0 where there are none",
+        [](const Sample& sample) { return sample.life_fraction; });
 
   list.push_back({"contact_pressure", "contact pressure (multipliers)", Kind::pressure});
   list.push_back({"gap", "normal distance in contact, 0 where closed", Kind::gap});

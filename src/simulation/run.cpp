@@ -44,6 +44,7 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
   summary.contact_solves = counters.contact_solves;
   summary.schwarz_iterations = counters.schwarz_iterations;
   summary.factorizations = counters.factorizations;
+  loop.life().fill(summary);
   for (const auto& body : model.bodies)
     summary.bodies[body->name()] = {body->constraints().n_free(),
                                     static_cast<std::int64_t>(body->discretization().n_elements()),
@@ -125,8 +126,11 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   RunResult result;
   io::Summary summary;
   try {
-    if (loop.run() == TimeLoop::End::completed) {
+    const TimeLoop::End end = loop.run();
+    if (end == TimeLoop::End::completed) {
       summary = write_summary(io::Summary::Status::completed, "");
+    } else if (end == TimeLoop::End::ruptured) {
+      summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
       result = {130, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
@@ -147,8 +151,11 @@ RunResult run(const config::Config& config, const RunOptions& options) {
         fmt::format("the run was complete already, up to t = {:.6g}; a later time.end prolongs it", loop.time());
   else if (!options.quiet) {
     fmt::print("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
-               result.exit_status == 0 ? "done" : "interrupted", summary.steps, summary.elastic_solves,
-               summary.schwarz_iterations, summary.wall_seconds.total, directory.string());
+               result.exit_status != 0 ? "interrupted"
+               : summary.rupture       ? "ruptured"
+                                       : "done",
+               summary.steps, summary.elastic_solves, summary.schwarz_iterations, summary.wall_seconds.total,
+               directory.string());
     print_report(config, summary, loop, system);
   }
   return result;

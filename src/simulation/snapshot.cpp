@@ -1,5 +1,7 @@
 #include "creepcontact/simulation/snapshot.hpp"
 
+#include <algorithm>
+
 namespace creepcontact::simulation {
 namespace {
 
@@ -9,7 +11,8 @@ Tensor6 tensor_at(const std::vector<double>& values, std::size_t i) {
 
 }  // namespace
 
-BodyFields::BodyFields(mechanics::Body& body, const BodyState& state, mechanics::CreepStrainView creep, double time)
+BodyFields::BodyFields(mechanics::Body& body, const BodyState& state, mechanics::CreepStrainView creep, double time,
+                       std::vector<double> damage_at_points, std::vector<double> life_at_points)
     : body_(body), state_(state) {
   const mechanics::Discretization& discretization = body.discretization();
   points_[stress] = state.stress;
@@ -22,11 +25,18 @@ BodyFields::BodyFields(mechanics::Body& body, const BodyState& state, mechanics:
   const std::span<const double> at_points = body.temperature(time);
   points_[temperature].assign(at_points.begin(), at_points.end());
   points_[temperature].resize(n_points(), body.material().reference_temperature);
-  for (const int field : {stress, strain, creep_strain, temperature}) {
-    const int width = field == temperature ? 1 : 6;
-    nodes_[field].resize(static_cast<std::size_t>(width) * n_nodes());
+  points_[damage] = std::move(damage_at_points);
+  points_[life_fraction] = std::move(life_at_points);
+  for (const int field : {stress, strain, creep_strain, temperature, damage, life_fraction}) {
+    const int width = field >= temperature ? 1 : 6;
+    nodes_[field].assign(static_cast<std::size_t>(width) * n_nodes(), 0.0);
+    points_[field].resize(static_cast<std::size_t>(width) * n_points(), 0.0);
     discretization.to_nodes(points_[field], width, nodes_[field]);
   }
+  // Extrapolation must not leave the interval that these have.
+  for (const int field : {damage, life_fraction})
+    for (double& value : nodes_[field]) value = std::max(value, 0.0);
+  for (double& value : nodes_[damage]) value = std::min(value, 1.0);
 }
 
 Sample BodyFields::at_node(std::size_t node) const {
@@ -35,7 +45,9 @@ Sample BodyFields::at_node(std::size_t node) const {
           tensor_at(nodes_[stress], node),
           tensor_at(nodes_[strain], node),
           tensor_at(nodes_[creep_strain], node),
-          nodes_[temperature][node]};
+          nodes_[temperature][node],
+          nodes_[damage][node],
+          nodes_[life_fraction][node]};
 }
 
 Sample BodyFields::at_point(std::size_t point) const {
@@ -44,35 +56,37 @@ Sample BodyFields::at_point(std::size_t point) const {
           tensor_at(points_[stress], point),
           tensor_at(points_[strain], point),
           tensor_at(points_[creep_strain], point),
-          points_[temperature][point]};
+          points_[temperature][point],
+          points_[damage][point],
+          points_[life_fraction][point]};
 }
 
-Snapshot::Snapshot(const ContactElasticity& elasticity, const StateLayout& layout, double time,
-                   std::span<const double> y)
-    : elasticity_(elasticity), time_(time) {
-  layout.views(y, creep_);
+Snapshot::Snapshot(const CreepRate& system, double time, std::span<const double> y)
+    : system_(system), time_(time), y_(y) {
+  system.layout().views(y, creep_);
 }
 
 const BodyFields& Snapshot::fields(std::size_t body) const {
   const auto found = fields_.find(body);
   if (found != fields_.end()) return found->second;
   return fields_
-      .try_emplace(body, *elasticity_.model().bodies[body], elasticity_.states()[body], creep_[body],
-                   elasticity_.time())
+      .try_emplace(body, *elasticity().model().bodies[body], elasticity().states()[body], creep_[body],
+                   elasticity().time(), system_.measure(material::Measure::damage, body, y_),
+                   system_.measure(material::Measure::life_fraction, body, y_))
       .first->second;
 }
 
 const std::vector<double>& Snapshot::reactions(std::size_t body) const {
   std::vector<double>& forces = reactions_[body];
   if (!forces.empty()) return forces;
-  const mechanics::Body& owner = *elasticity_.model().bodies[body];
-  const BodyState& state = elasticity_.states()[body];
+  const mechanics::Body& owner = *elasticity().model().bodies[body];
+  const BodyState& state = elasticity().states()[body];
   forces.assign(state.displacement.size(), 0.0);
   // residual = reactions + contact forces
   std::vector<double> contact(forces.size(), 0.0);
   owner.residual_forces(state.stress, forces);
-  if (elasticity_.interface().n_rows() > 0)
-    elasticity_.interface().add_contact_forces(body, elasticity_.multipliers(), contact);
+  if (elasticity().interface().n_rows() > 0)
+    elasticity().interface().add_contact_forces(body, elasticity().multipliers(), contact);
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] -= contact[i];
   return forces;
 }

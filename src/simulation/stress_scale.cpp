@@ -62,8 +62,13 @@ void StressScale::restore(const std::vector<double>& stress) {
 
 void StressScale::fill(std::size_t body) {
   const mechanics::Body& of = *model_.bodies[body];
-  std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(layout_.offset(body)),
-              layout_.stride(body) * of.discretization().n_points(), stress_[body] / young_modulus(of.elastic().at(0)));
+  const double strain = stress_[body] / young_modulus(of.elastic().at(0));
+  std::vector<double> of_point(std::min<std::size_t>(6, layout_.stride(body)), strain);
+  for (const auto& law : of.material().creep)
+    for (int k = 0; k < law->n_internal(); ++k)
+      of_point.push_back(law->internal_kind(k) == material::InternalKind::fraction ? 1.0 : strain);
+  auto at = values_.begin() + static_cast<std::ptrdiff_t>(layout_.offset(body));
+  for (std::size_t p = 0; p < of.discretization().n_points(); ++p) at = std::copy(of_point.begin(), of_point.end(), at);
 }
 
 }  // namespace creepcontact::simulation

@@ -6,9 +6,12 @@
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 
 namespace creepcontact::simulation {
 namespace {
+
+constexpr double almost_ruptured = 0.9;  // damage at which failing steps mean rupture
 
 ode::StepChoice step_choice(const config::TimeStep& step) {
   switch (step.mode) {
@@ -57,6 +60,7 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
       watch_(watch),
       checkpoints_(config, system.elasticity().model(), directory),
       progress_(config.time.output, quiet),
+      life_(system),
       state_(system.size(), 0.0) {
   require_condensed_contact(config, system.elasticity().interface());
   io::Continuation continuation;
@@ -67,6 +71,7 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
     has_output_ = true;
     earlier_ = resumed_->counters;
     system.restore(resumed_->arrays);
+    life_.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
   } else {
     checkpoints_.remove();
@@ -81,6 +86,7 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
 
 io::Checkpoint TimeLoop::checkpoint() const {
   io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
+  life_.save(checkpoint.arrays);
   const ode::System::Counters of_system = system_counters();
   const ode::Integrator::Counters of_integrator = integrator_counters();
   checkpoint.counters = {{"steps", of_integrator.steps},
@@ -140,7 +146,8 @@ void TimeLoop::output(double t, std::span<const double> y) {
   system_.equilibrium(t, y);
   {
     const auto lap = watch_.lap(Part::output);
-    results_->output(Snapshot(system_.elasticity(), system_.layout(), t, y));
+    results_->output(Snapshot(system_, t, y));
+    life_.output(y);
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -160,11 +167,18 @@ TimeLoop::End TimeLoop::run() {
   } catch (const ode::RecoverableError& error) {
     write_checkpoint();
     throw SolverError(error.what());
+  } catch (const SolverError&) {
+    write_checkpoint();
+    // Right before rupture steps may have become as short as numbers allow.
+    if (!integrator_ || !settled_ || life_.largest_damage(integrator_->state()).value < almost_ruptured) throw;
+    report_rupture(time_, life_.largest_damage(integrator_->state()));
+    output(time_, integrator_->state());
   } catch (const Error&) {
     write_checkpoint();
     throw;
   }
   write_checkpoint();
+  if (ruptured_) return End::ruptured;
   return time_ >= config_.time.end ? End::completed : End::interrupted;
 }
 
@@ -177,6 +191,35 @@ void TimeLoop::begin_segment() {
                         next_break_ != breakpoints.end() ? *next_break_ : last);
 }
 
+void TimeLoop::report_rupture(double time, const CreepRate::Extreme& where) {
+  ruptured_ = true;
+  life_.rupture(time, where);
+  progress_.clear();
+  log::info("body '{}' ruptures at t = {:.6g}: damage {:.3g} at ({:.6g}, {:.6g}, {:.6g})",
+            system_.elasticity().model().bodies[where.body]->name(), time, where.value, where.place.x(),
+            where.place.y(), where.place.z());
+}
+
+bool TimeLoop::ruptured(double begin_of_step) {
+  CreepRate::Extreme where = life_.largest_damage(integrator_->state());
+  if (where.value < LifeRecord::rupture_damage) return false;
+  double before = begin_of_step, after = time_;
+  for (int halving = 0; halving < 50 && before < after; ++halving) {
+    const double middle = 0.5 * (before + after);
+    if (middle == before || middle == after) break;
+    integrator_->interpolate(middle, state_);
+    const CreepRate::Extreme there = life_.largest_damage(state_);
+    (there.value < LifeRecord::rupture_damage ? before : after) = middle;
+    if (there.value >= LifeRecord::rupture_damage) where = there;
+  }
+  time_ = after;
+  outputs_of_step(false);
+  integrator_->interpolate(time_, state_);
+  output(time_, state_);
+  report_rupture(time_, where);
+  return true;
+}
+
 void TimeLoop::outputs_of_step(bool breakpoint) {
   const auto end = config_.time.output.end();
   for (; next_output_ != end && *next_output_ < time_; ++next_output_) {
@@ -184,7 +227,7 @@ void TimeLoop::outputs_of_step(bool breakpoint) {
     output(*next_output_, state_);
   }
   if (breakpoint) begin_segment();  // a result at a jump is that after it
-  if (next_output_ != end && *next_output_ == time_) {
+  if (next_output_ != end && *next_output_ == time_ && time_ == integrator_->time()) {
     output(time_, integrator_->state());
     ++next_output_;
   }
@@ -211,6 +254,7 @@ void TimeLoop::integrate(const Interrupt& interrupt) {
     results_->step(report, before, system_.counters());
     step_statistics_.see(report);
     progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
+    if (ruptured(time_ - report.step)) return;
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;
     outputs_of_step(breakpoint);

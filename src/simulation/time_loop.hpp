@@ -11,6 +11,7 @@
 #include "checkpoints.hpp"
 #include "creepcontact/simulation/creep_rate.hpp"
 #include "interrupt.hpp"
+#include "life_record.hpp"
 #include "progress.hpp"
 #include "results.hpp"
 #include "run_report.hpp"
@@ -19,7 +20,7 @@ namespace creepcontact::simulation {
 
 class TimeLoop {
  public:
-  enum class End { completed, interrupted };
+  enum class End { completed, ruptured, interrupted };
 
   /// @param resume  start from the checkpoint in the directory
   TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& watch, const std::filesystem::path& directory,
@@ -36,6 +37,7 @@ class TimeLoop {
   ode::Integrator::Counters integrator_counters() const;
   ode::System::Counters system_counters() const;
   const Results& results() const { return *results_; }
+  const LifeRecord& life() const { return life_; }
   /// Of the steps since the start or the resume.
   const StepStatistics& step_statistics() const { return step_statistics_; }
   bool resumed() const { return !earlier_.empty(); }
@@ -49,6 +51,9 @@ class TimeLoop {
   /// All output times up to time_, those before it interpolated. @param breakpoint  a segment of the loads ends here
   void outputs_of_step(bool breakpoint);
   void begin_segment();
+  /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
+  bool ruptured(double begin_of_step);
+  void report_rupture(double time, const CreepRate::Extreme& where);
   void integrate(const Interrupt& interrupt);
   void elastic_history(const Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
@@ -66,10 +71,12 @@ class TimeLoop {
   std::unique_ptr<ode::Integrator> integrator_;
   std::unique_ptr<Results> results_;
   Progress progress_;
+  LifeRecord life_;
   StepStatistics step_statistics_;
   double time_ = 0;
   bool has_output_ = false;
   bool was_complete_ = false;
+  bool ruptured_ = false;
   bool settled_ = false;                         // integrated up to time_, and all results up to there are on disk
   std::optional<io::Checkpoint> resumed_;        // until the integration has begun
   std::optional<io::Checkpoint> kept_;           // the last restart point, if steps have left it

@@ -1,18 +1,32 @@
 #pragma once
 /// summary.json: how a run went and what it cost.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace creepcontact::io {
 
 /// The members carry the names they have in the file.
 struct Summary {
-  enum class Status { completed, failed, interrupted };
+  enum class Status { completed, ruptured, failed, interrupted };
   struct Body {
     std::int64_t dofs = 0, elements = 0, integration_points = 0;
+  };
+  struct Largest {
+    double value = 0;
+    std::array<double, 3> place{};
+  };
+  struct Rupture {
+    double time = 0;
+    std::string body;
+    Largest damage;
+  };
+  struct Contact {
+    double largest_force = 0, final_force = 0;  ///< normal force, at output times
   };
   struct WallSeconds {
     double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;
@@ -30,6 +44,9 @@ struct Summary {
   std::int64_t contact_solves = 0, schwarz_iterations = 0;
   std::int64_t factorizations = 0;
   std::map<std::string, Body> bodies;
+  std::map<std::string, Largest> damage, life_fraction;  ///< by body, where its material knows them
+  std::optional<Rupture> rupture;
+  std::map<std::string, Contact> contacts;  ///< unilateral ones, by name
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
 };

@@ -10,6 +10,7 @@
 #include "creepcontact/ode/system.hpp"
 #include "creepcontact/simulation/contact_elasticity.hpp"
 #include "creepcontact/simulation/material_points.hpp"
+#include "creepcontact/simulation/material_tangent.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
 #include "creepcontact/simulation/tangent_system.hpp"
 
@@ -39,6 +40,10 @@ class CreepRate final : public ode::System {
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;
   void solve_tangent(std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;
+  bool may_start_singular() const override { return may_start_singular_; }
+  double start_exponent(double t, std::span<const double> y) override;
+  void start_increment(double t, std::span<const double> y, double stress_time, double duration,
+                       std::span<double> change) override;
   /// Shortest of every body at the last evaluation: 1 / largest eigenvalue of C H; infinity where nothing creeps.
   std::vector<double> relaxation_times() const;
   /// Follows the stress of the accepted steps: typical stress / Young's modulus.
@@ -58,6 +63,18 @@ class CreepRate final : public ode::System {
 
   /// Equilibrium for a state, for output: fills elasticity().states().
   void equilibrium(double t, std::span<const double> y);
+
+  bool knows(material::Measure measure) const;
+  struct Extreme {
+    double value = 0;
+    std::size_t body = 0;
+    Vector3 place = Vector3::Zero();
+  };
+  /// Largest value of a body; y is of the last evaluation or beside it.
+  Extreme largest(material::Measure measure, std::size_t body, std::span<const double> y) const;
+  /// Of every point of a body; empty if none of its laws knows the measure.
+  std::vector<double> measure(material::Measure of, std::size_t body, std::span<const double> y) const;
+
   ContactElasticity& elasticity() { return elasticity_; }
   const ContactElasticity& elasticity() const { return elasticity_; }
   const StateLayout& layout() const { return layout_; }
@@ -67,6 +84,7 @@ class CreepRate final : public ode::System {
   bool evaluate(double t, std::span<const double> y);
   /// The time at which loads are to be taken for t.
   double load_time(double t) const;
+  double smallest_start_exponent(double t, std::span<const double> y) const;
   void set_scale(const std::vector<double>& output_times);
   /// Typical stress of every body without creep, the largest over these times.
   std::vector<double> elastic_stresses(const std::vector<double>& times);
@@ -76,6 +94,10 @@ class CreepRate final : public ode::System {
   StateLayout layout_;
   std::vector<MaterialPoints> points_;    // one a body
   std::optional<TangentSystem> tangent_;  // made when it is first asked for
+  /// Bodies with internal variables: what is point-wise in their Newton systems, at local_gamma_.
+  std::vector<std::unique_ptr<MaterialTangent>> local_;
+  double local_gamma_ = 0;  // 0: to be prepared
+  bool may_start_singular_ = false;
   std::unique_ptr<StressScale> scale_;
   double segment_begin_ = -std::numeric_limits<double>::infinity();
   double segment_end_ = std::numeric_limits<double>::infinity();

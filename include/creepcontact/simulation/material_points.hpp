@@ -2,6 +2,7 @@
 /// The creep laws of one body at all its integration points: rates, their derivative, and the point-wise
 /// preconditioner.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ class MaterialPoints {
   bool empty() const { return stride_ == 0; }
   std::size_t size() const { return n_points_; }
   std::size_t stride() const { return stride_; }
+  bool has_internal_variables() const { return stride_ > 6; }
   mechanics::ElasticState elastic() const { return body_.elastic(); }
   /// Parameters of the laws at the temperature of time t (no work where it does not change).
   void set_time(double t);
@@ -28,6 +30,16 @@ class MaterialPoints {
   /// The same at one point; d_stress (6), d_state and d_rate (stride) are those of the point.
   void derivative_at(std::size_t p, std::span<const double> stress, const double* state, const double* d_stress,
                      const double* d_state, double* d_rate) const;
+  /// Smallest of all points, see CreepLaw; the parameters are those of set_time().
+  double start_exponent(double t, std::span<const double> stress, const double* state) const;
+  /// change += what the closed forms give from t on over this duration
+  void add_increment(double t, double duration, std::span<const double> stress, const double* state,
+                     double* change) const;
+
+  bool knows(material::Measure measure) const { return known_[static_cast<std::size_t>(measure)]; }
+  /// Of every point the largest of its mechanisms, 0 where none knows the measure.
+  std::vector<double> measure(material::Measure of, std::span<const double> stress, const double* state) const;
+
   /// Keeps d(rate)/d(stress) of this point for precondition().
   void linearize(std::span<const double> stress, const double* state);
   /// z = (I + gamma C H)^-1 r, closed form of Sherman and Morrison for isotropic laws.
@@ -40,13 +52,17 @@ class MaterialPoints {
     double direction[6];  // of the stress deviator, unit length
     double deviatoric, radial, volumetric;
   };
+  /// call(law, point, offset of its internal variables in the state of the point) for every mechanism at point p
+  template <typename Call>
+  void for_each_law(std::size_t p, std::span<const double> stress, const double* state, Call call) const;
   material::Point point(std::size_t p, std::span<const double> stress, const double* state) const;
-  material::StressTangent tangent(material::Point at) const;
+  material::StressTangent tangent(std::size_t p, std::span<const double> stress, const double* state) const;
 
   mechanics::Body& body_;
   std::size_t n_points_, stride_;
-  std::size_t n_parameters_ = 0;  // of all mechanisms
-  bool uniform_ = true;           // one set of parameters serves all points
+  std::size_t n_parameters_ = 0;    // of all mechanisms
+  bool known_[2] = {false, false};  // by Measure
+  bool uniform_ = true;             // one set of parameters serves all points
   double time_ = 0;
   std::vector<double> parameters_;   // (1 or n_points) x n_parameters
   std::vector<double> temperature_;  // empty, or n_points

@@ -26,7 +26,7 @@ class MaterialTangent {
 
   /// stress = D e
   void initial_stress(const double* r, std::span<double> stress) const;
-  /// z from the solution. @param strain  B du, n_points x 6
+  /// z from the solution. @param strain  B du, n_points x 6; empty: du = 0, every point for itself
   void solution(const double* r, std::span<const double> strain, double* z) const;
 
  private:

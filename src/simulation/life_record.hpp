@@ -1,0 +1,41 @@
+#pragma once
+/// What ends the life of a part in a run: damage, spent life, and preload that relaxes away.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/io/summary.hpp"
+#include "creepcontact/simulation/creep_rate.hpp"
+
+namespace creepcontact::simulation {
+
+class LifeRecord {
+ public:
+  /// Damage that counts as rupture: the little that is missing takes no time worth mentioning.
+  static constexpr double rupture_damage = 0.99;
+
+  /// @param system  must outlive the object
+  explicit LifeRecord(const CreepRate& system);
+
+  /// The body with the largest damage; value 0 if no law has damage.
+  CreepRate::Extreme largest_damage(std::span<const double> y) const;
+  void rupture(double time, const CreepRate::Extreme& where) { rupture_ = {time, where}; }
+
+  /// An output time: the elasticity's last solution is of this state.
+  void output(std::span<const double> y);
+
+  void fill(io::Summary& summary) const;
+  void save(ContactElasticity::Memory& memory) const { memory["largest_contact_force"] = largest_force_; }
+  /// Nothing happens if the memory has no record.
+  void restore(const ContactElasticity::Memory& memory);
+
+ private:
+  const CreepRate& system_;
+  std::vector<double> largest_force_, final_force_;          // normal force of every contact pair
+  std::map<std::size_t, CreepRate::Extreme> damage_, life_;  // by body
+  std::optional<std::pair<double, CreepRate::Extreme>> rupture_;
+};
+
+}  // namespace creepcontact::simulation
