@@ -90,6 +90,20 @@ struct Table final : Function::Definition {
   std::vector<double> abscissae, values;
 };
 
+struct Composition final : Function::Definition {
+  Composition(std::string written, std::vector<Function> of,
+              std::function<double(const std::vector<double>&)> combination)
+      : Definition(std::move(written)), parts(std::move(of)), combine(std::move(combination)) {}
+  double value(const Arguments& at) const override {
+    std::vector<double> values;
+    for (const Function& part : parts) values.push_back(part(at));
+    return combine(values);
+  }
+
+  std::vector<Function> parts;
+  std::function<double(const std::vector<double>&)> combine;
+};
+
 /// The parser would take `x = 3` for an assignment, which no function value can mean.
 void reject_assignment(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -135,6 +149,18 @@ Function Function::expression(const std::string& text, const std::vector<std::st
   } catch (const mu::ParserError& error) {
     throw_parser_error(text, allowed, error);
   }
+}
+
+Function Function::composed(const std::string& text, std::vector<Function> parts,
+                            std::function<double(const std::vector<double>&)> value) {
+  auto made = std::make_shared<Composition>(text, std::move(parts), std::move(value));
+  std::set<double> times;
+  for (const Function& part : made->parts) {
+    made->variables.insert(part.definition_->variables.begin(), part.definition_->variables.end());
+    times.insert(part.definition_->breakpoints.begin(), part.definition_->breakpoints.end());
+  }
+  made->breakpoints.assign(times.begin(), times.end());
+  return Function(std::move(made));
 }
 
 std::size_t Function::misplaced_point(const std::string& variable, const std::vector<double>& abscissae) {

@@ -1,5 +1,6 @@
 #include "creepcontact/material/garofalo.hpp"
 
+#include "arrhenius.hpp"
 #include "creepcontact/material/power.hpp"
 
 namespace creepcontact::material {
@@ -12,15 +13,13 @@ EquivalentRate Garofalo::equivalent_rate(double q, const Point& at) const {
 }
 
 LawInfo garofalo_info() {
-  return {"garofalo",
-          "rate = A sinh(alpha q)^n",
-          "F. Garofalo, 1965",
-          {{"A", "rate where sinh(alpha q) = 1 [1/time]", 0.0, false},
-           {"alpha", "inverse of the stress where the power law breaks down [1/stress]", 0.0, true},
-           {"n", "stress exponent at low stress [-]", 1.0, false}},
+  return {"garofalo", "rate = A sinh(alpha q)^n", "F. Garofalo, 1965",
+          with_arrhenius({{"A", "rate where sinh(alpha q) = 1 [1/time]", 0.0, false},
+                          {"alpha", "inverse of the stress where the power law breaks down [1/stress]", 0.0, true},
+                          {"n", "stress exponent at low stress [-]", 1.0, false}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Garofalo>(std::move(p.at(0).at(0)), std::move(p.at(1).at(0)),
-                                              std::move(p.at(2).at(0)));
+            return std::make_unique<Garofalo>(arrhenius(p.at(0).at(0), p.at(3).at(0), p.at(4).at(0), p.at(5).at(0)),
+                                              p.at(1).at(0), p.at(2).at(0));
           }};
 }
 

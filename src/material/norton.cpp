@@ -1,5 +1,6 @@
 #include "creepcontact/material/norton.hpp"
 
+#include "arrhenius.hpp"
 #include "creepcontact/material/power.hpp"
 
 namespace creepcontact::material {
@@ -11,13 +12,12 @@ EquivalentRate Norton::equivalent_rate(double q, const Point& at) const {
 }
 
 LawInfo norton_info() {
-  return {"norton",
-          "rate = A q^n",
-          "F. H. Norton, 1929",
-          {{"A", "rate at unit equivalent stress [1/(time stress^n)]", 0.0, false},
-           {"n", "stress exponent [-]", 1.0, false}},
+  return {"norton", "rate = A q^n", "F. H. Norton, 1929",
+          with_arrhenius({{"A", "rate at unit equivalent stress [1/(time stress^n)]", 0.0, false},
+                          {"n", "stress exponent [-]", 1.0, false}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Norton>(std::move(p.at(0).at(0)), std::move(p.at(1).at(0)));
+            return std::make_unique<Norton>(arrhenius(p.at(0).at(0), p.at(2).at(0), p.at(3).at(0), p.at(4).at(0)),
+                                            p.at(1).at(0));
           }};
 }
 

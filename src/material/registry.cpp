@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "creepcontact/material/ageing.hpp"
 #include "creepcontact/material/garofalo.hpp"
+#include "creepcontact/material/hereditary.hpp"
+#include "creepcontact/material/kachanov_rabotnov.hpp"
 #include "creepcontact/material/norton.hpp"
 #include "creepcontact/material/strain_hardening.hpp"
 #include "creepcontact/material/time_hardening.hpp"
@@ -11,7 +14,17 @@ namespace creepcontact::material {
 
 const std::vector<LawInfo>& creep_laws() {
   static const std::vector<LawInfo> laws{
-      norton_info(), garofalo_info(), time_hardening_info(), graham_walles_info(), strain_hardening_info(),
+      norton_info(),             // secondary creep
+      garofalo_info(),           //
+      time_hardening_info(),     // primary creep
+      graham_walles_info(),      //
+      strain_hardening_info(),   //
+      ageing_info(),             //
+      kachanov_rabotnov_info(),  // tertiary creep
+      hereditary_info(),         // viscoelastic creep
+      kelvin_voigt_info(),       //
+      maxwell_info(),            //
+      burgers_info(),            //
   };
   return laws;
 }

@@ -1,10 +1,13 @@
 #include "creepcontact/simulation/material_points.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "creepcontact/base/error.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -57,10 +60,14 @@ void MaterialPoints::set_time(double t) {
   uniform_ = n_sets == 1;
   parameters_.clear();
   parameters_.reserve(n_sets * n_parameters_);
-  for (std::size_t p = 0; p < n_sets; ++p) {
-    const Arguments at{.T = temperature.empty() ? body_.material().reference_temperature : temperature[p]};
-    for (const auto& law : body_.material().creep)
-      for (const Function& parameter : law->parameters()) parameters_.push_back(parameter(at));
+  try {
+    for (std::size_t p = 0; p < n_sets; ++p) {
+      const Arguments at{.T = temperature.empty() ? body_.material().reference_temperature : temperature[p]};
+      for (const auto& law : body_.material().creep)
+        for (const Function& parameter : law->parameters()) parameters_.push_back(parameter(at));
+    }
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("material '{}': {}", body_.material().name, error.what()));
   }
 }
 

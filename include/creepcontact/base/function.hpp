@@ -2,6 +2,7 @@
 /// Scalar functions that a user gives: a number, an expression in x, y, z, t, T, q, eps (muParser), or a table in t or
 /// T.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,11 @@ class Function {
   /// stands there twice is a jump: the function has the second value there, and the first up to it.
   /// @throws std::invalid_argument if sizes differ, are zero, or abscissae do not increase
   static Function table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values);
+
+  /// A function of the values that other functions have; it depends on what they depend on.
+  /// @param text  shows all of them: two functions of the same text are the same
+  static Function composed(const std::string& text, std::vector<Function> parts,
+                           std::function<double(const std::vector<double>&)> value);
 
   /// Index of the first abscissa that a table in this variable cannot have after the one before it; else their number.
   static std::size_t misplaced_point(const std::string& variable, const std::vector<double>& abscissae);

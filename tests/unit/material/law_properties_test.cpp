@@ -24,6 +24,13 @@ const std::map<std::string, Sample> samples{
     {"graham_walles",
      {.parameters = {{1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0}}, .closed_form = true}},
     {"strain_hardening", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
+    {"ageing", {{{1e-13}, {5.0}, {0.4}}}},
+    {"kachanov_rabotnov", {{{1e-13}, {5.0}, {1e-12}, {4.0}, {6.0}, {0.6}}}},
+    {"hereditary",
+     {.parameters = {{1e-5, 2e-5}, {0.5, 20.0}, {3e-6, 0.0}, {1e-5}}, .tensors = true, .closed_form = true}},
+    {"kelvin_voigt", {.parameters = {{1e-5}, {0.5}}, .tensors = true, .closed_form = true}},
+    {"maxwell", {.parameters = {{1e5}}, .closed_form = true}},
+    {"burgers", {.parameters = {{1e5}, {1e-5}, {0.5}}, .tensors = true, .closed_form = true}},
 };
 
 class CreepLawProperties : public testing::TestWithParam<std::string> {

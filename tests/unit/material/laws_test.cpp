@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/material/ageing.hpp"
 #include "creepcontact/material/garofalo.hpp"
 #include "creepcontact/material/norton.hpp"
 #include "creepcontact/material/power.hpp"
@@ -77,6 +79,51 @@ TEST(Garofalo, IsNortonAtLowStressAndExponentialAtHighStress) {
   const double high = 1e-6 * std::exp(5 * 0.02 * 1000) / 32;
   EXPECT_NEAR(law.equivalent_rate(1000, at(parameters)).value, high, 1e-12 * high);
 }
+
+TEST(Ageing, IsAStrainOfTheMoment) {
+  // 1e-13 100^5 4^0.5 = 2e-3, back at nothing with the stress
+  const std::vector<double> parameters{1e-13, 5.0, 0.5};
+  const Ageing law(parameters[0], parameters[1], parameters[2]);
+  EXPECT_TRUE(law.is_isochronous());
+  EXPECT_NEAR(law.equivalent_rate(100.0, {.parameters = parameters.data(), .time = 4.0}).value, 2e-3, 1e-17);
+  EXPECT_EQ(law.equivalent_rate(100.0, {.parameters = parameters.data(), .time = 0.0}).value, 0.0);
+}
+
+class Arrhenius : public testing::TestWithParam<std::string> {
+ protected:
+  /// The law with an activation energy, and its first parameter.
+  static Function factor(const std::string& name, const Function& energy, ParameterValues more = {}) {
+    ParameterValues values{{2.0}, {5.0}};
+    if (name == "garofalo") values.push_back({4.0});
+    values.push_back({energy});
+    if (more.empty()) more = {{8.314462618}, {-273.15}};
+    values.insert(values.end(), more.begin(), more.end());
+    return find_creep_law(name)->make(values)->parameters()[0];
+  }
+};
+
+TEST_P(Arrhenius, ScalesTheRate) {
+  const Function A = factor(GetParam(), 3e5);
+  EXPECT_TRUE(A.depends_on_temperature());
+  const double expected = 2.0 * std::exp(-3e5 / (8.314462618 * 773.15));
+  EXPECT_NEAR(A({.T = 500.0}), expected, 1e-14 * expected);
+  EXPECT_EQ(A.text(), "(2)*exp(-(300000)/(8.314462618*(T - (-273.15))))");
+  const double in_kelvin = factor(GetParam(), 3e5, {{8.314462618}, {0.0}})({.T = 773.15});
+  EXPECT_NEAR(in_kelvin, expected, 1e-12 * expected);
+}
+
+TEST_P(Arrhenius, WithoutEnergyTheFactorStaysAsItIs) {
+  EXPECT_EQ(factor(GetParam(), 0.0).text(), "2");
+  EXPECT_TRUE(factor(GetParam(), 0.0).is_constant());
+}
+
+TEST_P(Arrhenius, AbsoluteZeroIsAnError) {
+  const Function A = factor(GetParam(), 3e5);
+  for (const double T : {-273.15, -300.0, std::nan("")}) EXPECT_THROW(A({.T = T}), ModelError) << T;
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, Arrhenius, testing::Values("norton", "garofalo"),
+                         [](const auto& law) { return law.param; });
 
 }  // namespace
 }  // namespace creepcontact::material

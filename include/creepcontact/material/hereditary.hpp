@@ -1,0 +1,49 @@
+#pragma once
+/// Linear viscoelastic creep, strain by the history of the stress (Boltzmann 1874, Volterra 1909) with the kernel of a
+/// Prony series: a chain of Kelvin elements with the strains e_i, and a dashpot in series with it,
+///   tau_i d e_i/dt = 3/2 J_i s + (B_i/9) tr(sigma) I - e_i,   rate = sum of d e_i/dt + 3/2 fluidity s.
+/// In a uniaxial test sigma gives the creep strain sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t); under the mean
+/// stress p volume creeps by p sum of B_i (1 - exp(-t/tau_i)). Special cases: kelvin_voigt (one element), maxwell (the
+/// dashpot; with the material's elasticity a Maxwell body), burgers (both).
+/// Internal variables: e_i, 6 a Kelvin element. Limits: parameters may depend on T, but no time-temperature shift is
+/// made.
+
+#include "creepcontact/material/creep_law.hpp"
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::material {
+
+class Hereditary final : public CreepLaw {
+ public:
+  /// @param J  uniaxial compliances [1/stress], >= 0
+  /// @param tau  times of retardation [time], > 0
+  /// @param B  volumetric compliances [1/stress], >= 0; empty: volume does not creep
+  /// @param fluidity  uniaxial [1/(stress time)], >= 0
+  /// @throws ParameterError if the lists differ in length
+  Hereditary(std::string name, const std::vector<Function>& J, const std::vector<Function>& tau,
+             const std::vector<Function>& B, const Function& fluidity);
+  std::string name() const override { return name_; }
+  int n_internal() const override { return 6 * n_elements_; }
+
+  void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
+  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
+                  double* d_strain_rate, double* d_internal_rate) const override;
+  StressTangent stress_tangent(const Point& at) const override;
+  /// Exact.
+  void increment(const Point& at, double duration, double* strain, double* internal) const override;
+
+ private:
+  /// What e_i tends to under a stress that stays.
+  Tensor6 limit(int element, const double* parameters, const double* stress) const;
+
+  std::string name_;
+  int n_elements_;
+  bool volumetric_;
+};
+
+LawInfo hereditary_info();
+LawInfo kelvin_voigt_info();
+LawInfo maxwell_info();
+LawInfo burgers_info();
+
+}  // namespace creepcontact::material

@@ -1,0 +1,45 @@
+#pragma once
+/// Creep with damage: f = A (q/(1-w))^n, dw/dt = B S^r/(1-w)^phi, with the stress that damages
+/// S = alpha max(sigma_1, 0) + (1-alpha) q. At constant stress damage w reaches 1, rupture, at t_r = 1/((phi+1) B S^r).
+/// The internal variable is D = 1 - (1-w)^(phi+1), whose rate (phi+1) B S^r stays bounded up to rupture; where phi
+/// depends on the temperature it is w itself. 1-D counts as 1e-14 below that.
+/// Sources: L. M. Kachanov (1958); Y. N. Rabotnov, Creep Problems in Structural Members (1969); S: D. R. Hayhurst,
+/// J. Mech. Phys. Solids 20 (1972).
+
+#include "creepcontact/material/creep_law.hpp"
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::material {
+
+class KachanovRabotnov final : public CreepLaw {
+ public:
+  /// @param A  [1/(time stress^n)], >= 0
+  /// @param n  [-], >= 1
+  /// @param B  [1/(time stress^r)], >= 0
+  /// @param r  [-], > 0
+  /// @param phi  [-], >= 0
+  /// @param alpha  [-], in [0, 1]
+  KachanovRabotnov(Function A, Function n, Function B, Function r, Function phi, Function alpha);
+  std::string name() const override { return "kachanov_rabotnov"; }
+  int n_internal() const override { return 1; }
+  InternalKind internal_kind(int) const override { return InternalKind::fraction; }
+
+  void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
+  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
+                  double* d_strain_rate, double* d_internal_rate) const override;
+  StressTangent stress_tangent(const Point& at) const override;
+  std::optional<double> measure(Measure of, const Point& at) const override;
+
+ private:
+  struct Integrity {
+    double value = 1;  ///< 1 - w
+    double slope = 0;  ///< d value/d D; 0 beyond rupture
+  };
+  Integrity integrity(const Point& at) const;
+
+  double power_;  // phi + 1, or 1 if phi depends on the temperature
+};
+
+LawInfo kachanov_rabotnov_info();
+
+}  // namespace creepcontact::material

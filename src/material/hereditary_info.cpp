@@ -1,0 +1,82 @@
+/// The names under which linear viscoelastic creep is known.
+
+#include <fmt/format.h>
+
+#include "creepcontact/material/hereditary.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+ParameterInfo compliance() {
+  return {"compliance", "of the Kelvin element, uniaxial [1/stress]", 0.0, false};
+}
+ParameterInfo retardation() {
+  return {"time", "of retardation of the Kelvin element [time]", 0.0, true};
+}
+ParameterInfo viscosity() {
+  return {"viscosity", "of the dashpot in series, uniaxial: rate = q/viscosity [stress time]", 0.0, true};
+}
+
+Function inverse(const Function& viscosity) {
+  return Function::composed(fmt::format("1/({})", viscosity.text()), {viscosity},
+                            [](const std::vector<double>& values) { return 1.0 / values[0]; });
+}
+
+}  // namespace
+
+LawInfo hereditary_info() {
+  return {"hereditary",
+          "strain at constant stress = sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t)",
+          "L. Boltzmann, 1874; V. Volterra, 1909; R. de Prony, 1795",
+          {{.key = "compliances",
+            .description = "J_i of the Kelvin elements, uniaxial [1/stress]",
+            .strict = false,
+            .list = true},
+           {.key = "times", .description = "tau_i of retardation [time]", .list = true},
+           {.key = "volumetric_compliances",
+            .description = "B_i, volumetric strain by mean stress [1/stress]; not given: volume does not creep",
+            .strict = false,
+            .list = true,
+            .fallback = std::vector<Function>{}},
+           {.key = "fluidity",
+            .description = "of a dashpot in series, uniaxial: rate by stress [1/(stress time)]",
+            .strict = false,
+            .fallback = {{0.0}}}},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Hereditary>("hereditary", p.at(0), p.at(1), p.at(2), p.at(3).at(0));
+          }};
+}
+
+LawInfo kelvin_voigt_info() {
+  return {"kelvin_voigt",
+          "strain at constant stress = sigma J (1 - exp(-t/tau))",
+          "W. Thomson (Lord Kelvin), 1865; W. Voigt, 1892",
+          {compliance(), retardation()},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Hereditary>("kelvin_voigt", p.at(0), p.at(1), std::vector<Function>{}, 0.0);
+          }};
+}
+
+LawInfo maxwell_info() {
+  return {"maxwell",
+          "rate = q/viscosity",
+          "J. C. Maxwell, 1867",
+          {viscosity()},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            const std::vector<Function> none;
+            return std::make_unique<Hereditary>("maxwell", none, none, none, inverse(p.at(0).at(0)));
+          }};
+}
+
+LawInfo burgers_info() {
+  return {"burgers",
+          "strain at constant stress = sigma (J (1 - exp(-t/tau)) + t/viscosity)",
+          "J. M. Burgers, 1935",
+          {viscosity(), compliance(), retardation()},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Hereditary>("burgers", p.at(1), p.at(2), std::vector<Function>{},
+                                                inverse(p.at(0).at(0)));
+          }};
+}
+
+}  // namespace creepcontact::material

@@ -1,0 +1,90 @@
+#include "creepcontact/material/kachanov_rabotnov.hpp"
+
+#include "coaxial.hpp"
+#include "creepcontact/material/power.hpp"
+#include "stress_measure.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+constexpr double least_rest = 1e-14;  // of 1 - D
+
+enum Parameter { A, n, B, r, phi, alpha };
+
+}  // namespace
+
+KachanovRabotnov::KachanovRabotnov(Function A, Function n, Function B, Function r, Function phi, Function alpha)
+    : CreepLaw({std::move(A), std::move(n), std::move(B), std::move(r), std::move(phi), std::move(alpha)}) {
+  const Function& exponent = parameters()[Parameter::phi];
+  power_ = exponent.is_constant() ? exponent({}) + 1.0 : 1.0;
+}
+
+KachanovRabotnov::Integrity KachanovRabotnov::integrity(const Point& at) const {
+  const double rest = 1.0 - at.internal[0];
+  const bool ruptured = rest < least_rest;
+  const double value = std::pow(ruptured ? least_rest : rest, 1.0 / power_);
+  return {value, ruptured ? 0.0 : -value / (power_ * rest)};
+}
+
+void KachanovRabotnov::rate(const Point& at, double* strain_rate, double* internal_rate) const {
+  const double* p = at.parameters;
+  const double whole = integrity(at).value;
+  const Deviator now = deviator(at.stress);
+  if (now.q > 0.0) add_flow(now, p[A] * power(now.q / whole, p[n]), strain_rate);
+  const double S = p[alpha] > 0.0 ? StressMeasure(Eigen::Map<const Tensor6>(at.stress), p[alpha]).value : now.q;
+  internal_rate[0] = power_ * std::pow(whole, power_ - 1.0 - p[phi]) * p[B] * power(S, p[r]);
+}
+
+void KachanovRabotnov::derivative(const Point& at, const double* d_stress, const double* /*d_state*/,
+                                  const double* d_internal, double* d_strain_rate, double* d_internal_rate) const {
+  const double* p = at.parameters;
+  const Integrity whole = integrity(at);
+  const Deviator now = deviator(at.stress);
+  const Eigen::Map<const Tensor6> d(d_stress);
+  add_tangent(now, stress_tangent(at), tensor::deviator(d), d_strain_rate);
+  const double d_whole = whole.slope * d_internal[0];
+  if (now.q > 0.0)
+    add_flow(now, -p[n] * p[A] * power(now.q / whole.value, p[n]) / whole.value * d_whole, d_strain_rate);
+
+  d_internal_rate[0] = 0.0;
+  const StressMeasure S(Eigen::Map<const Tensor6>(at.stress), p[alpha]);
+  if (S.value == 0.0) return;
+  const double exponent = power_ - 1.0 - p[phi];
+  const double rate = power_ * std::pow(whole.value, exponent) * p[B] * power(S.value, p[r]);
+  d_internal_rate[0] = rate * (p[r] / S.value * S.gradient.dot(d) + exponent / whole.value * d_whole);
+}
+
+StressTangent KachanovRabotnov::stress_tangent(const Point& at) const {
+  const double* p = at.parameters;
+  const double whole = integrity(at).value;
+  const double q = deviator(at.stress).q;
+  const double secant = p[A] * power((q == 0.0 ? vanishing_stress : q) / whole, p[n] - 1.0) / whole;
+  return coaxial_tangent(q, secant * q, p[n] * secant);
+}
+
+std::optional<double> KachanovRabotnov::measure(Measure of, const Point& at) const {
+  if (of != Measure::damage) return std::nullopt;
+  return 1.0 - integrity(at).value;
+}
+
+LawInfo kachanov_rabotnov_info() {
+  return {"kachanov_rabotnov",
+          "rate = A (q/(1-w))^n, dw/dt = B S^r/(1-w)^phi, S = alpha max(sigma_1, 0) + (1-alpha) q",
+          "L. M. Kachanov, 1958; Y. N. Rabotnov, 1969; D. R. Hayhurst, 1972",
+          {{"A", "rate at unit equivalent stress, undamaged [1/(time stress^n)]", 0.0, false},
+           {"n", "stress exponent [-]", 1.0, false},
+           {"B", "damage rate at unit stress, undamaged [1/(time stress^r)]", 0.0, false},
+           {"r", "stress exponent of damage [-]", 0.0, true},
+           {"phi", "damage exponent [-]", 0.0, false},
+           {.key = "alpha",
+            .description = "part of the largest principal stress in S [-]",
+            .strict = false,
+            .fallback = {{0.0}},
+            .maximum = 1.0}},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<KachanovRabotnov>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0),
+                                                      p.at(4).at(0), p.at(5).at(0));
+          }};
+}
+
+}  // namespace creepcontact::material
