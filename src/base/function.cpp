@@ -1,5 +1,3 @@
-#include "creepcontact/base/function.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <muParser.h>
@@ -7,27 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
+#include "function_definition.hpp"
+
 namespace creepcontact {
-
-/// What a function is made of. Expressions override value(); constants and tables are complete as they stand.
-struct Function::Definition {
-  explicit Definition(std::string written) : text(std::move(written)) {}
-  Definition(const Definition&) = delete;
-  Definition& operator=(const Definition&) = delete;
-  virtual ~Definition() = default;
-  virtual double value(const Arguments& at) const = 0;
-
-  std::string text;
-  std::set<std::string> variables;  // that really occur
-  std::vector<double> breakpoints;
-};
-
 namespace {
 
 struct Variable {
@@ -42,11 +28,13 @@ constexpr std::array<Variable, 7> known_variables{{{"x", &Arguments::x},
                                                    {"q", &Arguments::q},
                                                    {"eps", &Arguments::eps}}};
 
-const Variable& known_variable(const std::string& name) {
-  const auto* found = std::find_if(known_variables.begin(), known_variables.end(),
-                                   [&](const Variable& variable) { return name == variable.name; });
-  if (found == known_variables.end()) throw std::invalid_argument(fmt::format("'{}' is no variable", name));
-  return *found;
+/// Of the sign of b, as the remainder of a clock.
+double modulo(double a, double b) {
+  const double remainder = std::fmod(a, b);
+  return remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder;
+}
+double round_down(double a) {
+  return std::floor(a);
 }
 
 struct Constant final : Function::Definition {
@@ -65,31 +53,6 @@ struct Expression final : Function::Definition {
   mu::Parser parser;
 };
 
-struct Table final : Function::Definition {
-  Table(const std::string& variable, std::vector<double> points, std::vector<double> ordinates)
-      : Definition(fmt::format("{{ {} = {}, values = {} }}", variable, points, ordinates)),
-        argument(known_variable(variable).member),
-        abscissae(std::move(points)),
-        values(std::move(ordinates)) {
-    variables.insert(variable);
-    if (variable == "t") std::unique_copy(abscissae.begin(), abscissae.end(), std::back_inserter(breakpoints));
-  }
-
-  double value(const Arguments& at) const override {
-    const double s = at.*argument;
-    // The negation sends a NaN to the first branch instead of past the end.
-    if (!(s >= abscissae.front())) return std::isnan(s) ? s : values.front();
-    if (s >= abscissae.back()) return values.back();
-    const auto i =
-        static_cast<std::size_t>(std::upper_bound(abscissae.begin(), abscissae.end(), s) - abscissae.begin());
-    const double weight = (s - abscissae[i - 1]) / (abscissae[i] - abscissae[i - 1]);
-    return (1 - weight) * values[i - 1] + weight * values[i];
-  }
-
-  double Arguments::*argument;
-  std::vector<double> abscissae, values;
-};
-
 struct Composition final : Function::Definition {
   Composition(std::string written, std::vector<Function> of,
               std::function<double(const std::vector<double>&)> combination)
@@ -98,6 +61,17 @@ struct Composition final : Function::Definition {
     std::vector<double> values;
     for (const Function& part : parts) values.push_back(part(at));
     return combine(values);
+  }
+  std::vector<double> breakpoints(double end) const override {
+    std::set<double> times;
+    for (const Function& part : parts)
+      for (const double t : part.breakpoints(end)) times.insert(t);
+    return {times.begin(), times.end()};
+  }
+  std::optional<Interval> table_range(const std::string& variable) const override {
+    for (const Function& part : parts)
+      if (const auto range = part.table_range(variable)) return range;
+    return std::nullopt;
   }
 
   std::vector<Function> parts;
@@ -126,6 +100,13 @@ void reject_assignment(const std::string& text) {
 
 }  // namespace
 
+double Arguments::*known_variable(const std::string& name) {
+  const auto* found = std::find_if(known_variables.begin(), known_variables.end(),
+                                   [&](const Variable& variable) { return name == variable.name; });
+  if (found == known_variables.end()) throw std::invalid_argument(fmt::format("'{}' is no variable", name));
+  return found->member;
+}
+
 Function::Function(double constant) : definition_(std::make_shared<Constant>(constant, fmt::format("{}", constant))) {}
 
 Function Function::expression(const std::string& text, const std::vector<std::string>& allowed) {
@@ -135,7 +116,9 @@ Function Function::expression(const std::string& text, const std::vector<std::st
     // The parser's own constants have 13 digits.
     for (const char* pi : {"pi", "_pi"}) made->parser.DefineConst(pi, std::numbers::pi);
     made->parser.DefineConst("_e", std::numbers::e);
-    for (const auto& name : allowed) made->parser.DefineVar(name, &(made->bound.*known_variable(name).member));
+    made->parser.DefineFun("mod", modulo);
+    made->parser.DefineFun("floor", round_down);
+    for (const auto& name : allowed) made->parser.DefineVar(name, &(made->bound.*known_variable(name)));
     made->parser.SetExpr(text);
     made->parser.Eval();  // every error shows here: looking for variables tolerates unknown names
     for (const auto& [name, address] : made->parser.GetUsedVar()) made->variables.insert(name);
@@ -154,40 +137,9 @@ Function Function::expression(const std::string& text, const std::vector<std::st
 Function Function::composed(const std::string& text, std::vector<Function> parts,
                             std::function<double(const std::vector<double>&)> value) {
   auto made = std::make_shared<Composition>(text, std::move(parts), std::move(value));
-  std::set<double> times;
-  for (const Function& part : made->parts) {
+  for (const Function& part : made->parts)
     made->variables.insert(part.definition_->variables.begin(), part.definition_->variables.end());
-    times.insert(part.definition_->breakpoints.begin(), part.definition_->breakpoints.end());
-  }
-  made->breakpoints.assign(times.begin(), times.end());
   return Function(std::move(made));
-}
-
-std::size_t Function::misplaced_point(const std::string& variable, const std::vector<double>& abscissae) {
-  for (std::size_t i = 1; i < abscissae.size(); ++i) {
-    const bool jump = variable == "t" && abscissae[i] == abscissae[i - 1] && (i < 2 || abscissae[i - 2] < abscissae[i]);
-    if (!(abscissae[i] > abscissae[i - 1]) && !jump) return i;
-  }
-  return abscissae.size();
-}
-
-Function Function::table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values) {
-  if (variable != "t" && variable != "T")
-    throw std::invalid_argument(fmt::format("a table is in 't' or 'T', not in '{}'", variable));
-  if (abscissae.empty()) throw std::invalid_argument(fmt::format("the table in {} has no points", variable));
-  if (abscissae.size() != values.size())
-    throw std::invalid_argument(
-        fmt::format("the table has {} points in {} but {} values", abscissae.size(), variable, values.size()));
-  const auto finite = [](double number) { return std::isfinite(number); };
-  if (!std::all_of(abscissae.begin(), abscissae.end(), finite) || !std::all_of(values.begin(), values.end(), finite))
-    throw std::invalid_argument(fmt::format("the table in {} holds a number that is not finite", variable));
-  if (const std::size_t i = misplaced_point(variable, abscissae); i < abscissae.size())
-    throw std::invalid_argument(fmt::format("the points of the table in {} must increase: {} follows {} (entry {}){}",
-                                            variable, abscissae[i], abscissae[i - 1], i + 1,
-                                            variable == "t" ? "; a jump is the same time twice" : ""));
-  if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
-    return values.front();
-  return Function(std::make_shared<Table>(variable, std::move(abscissae), std::move(values)));
 }
 
 double Function::operator()(const Arguments& at) const {
@@ -211,7 +163,13 @@ bool Function::depends_on_temperature() const {
   return definition_->variables.contains("T");
 }
 std::vector<double> Function::breakpoints() const {
-  return definition_->breakpoints;
+  return definition_->breakpoints(std::numeric_limits<double>::infinity());
+}
+std::vector<double> Function::breakpoints(double end) const {
+  return definition_->breakpoints(end);
+}
+std::optional<Interval> Function::table_range(const std::string& variable) const {
+  return definition_->table_range(variable);
 }
 const std::string& Function::text() const {
   return definition_->text;

@@ -68,6 +68,7 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
   }
   const std::vector<std::string> variables = keys;
   keys.emplace_back("values");
+  if (allowed.has("t")) keys.emplace_back("period");
   bool right = known_keys_only(item, keys, context);
   const auto given = std::find_if(variables.begin(), variables.end(), [&](const auto& name) { return item.has(name); });
   if (given == variables.end() || !item.has("values")) {
@@ -90,7 +91,16 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
     return std::nullopt;
   }
   if (!increasing(points, *given, *abscissae, context)) return std::nullopt;
-  return Function::table(*given, *abscissae, *values);
+  std::optional<double> period;
+  if (const Item item_period = item.child("period"); item_period.node) {
+    period = number(greater(0)).read(item_period, context);
+    if (!period) return std::nullopt;
+    if (const std::string mistake = Function::period_mistake(*given, *abscissae, *period); !mistake.empty()) {
+      context.errors.add(item_period.location, mistake);
+      return std::nullopt;
+    }
+  }
+  return Function::table(*given, *abscissae, *values, period);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ struct Arguments {
   double T = 0;                ///< temperature
   double q = 0;                ///< equivalent stress (creep rate expressions)
   double eps = 0;              ///< accumulated equivalent creep strain (creep rate expressions)
+};
+
+struct Interval {
+  double low = 0, high = 0;
 };
 
 /// Value semantics; copies share the immutable definition. Evaluation is not thread-safe (the parser keeps variables).
@@ -31,8 +36,12 @@ class Function {
 
   /// Linear between the points, constant outside. @param variable "t" or "T"; abscissae increasing. One in t that
   /// stands there twice is a jump: the function has the second value there, and the first up to it.
-  /// @throws std::invalid_argument if sizes differ, are zero, or abscissae do not increase
-  static Function table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values);
+  /// @param period  of one in t: the value at t is that at t modulo the period; the points lie in [0, period], the
+  /// first
+  ///                at 0. A jump at its end if the values at both ends differ
+  /// @throws std::invalid_argument if sizes differ, are zero, abscissae do not increase or do not fit the period
+  static Function table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values,
+                        std::optional<double> period = {});
 
   /// A function of the values that other functions have; it depends on what they depend on.
   /// @param text  shows all of them: two functions of the same text are the same
@@ -42,6 +51,9 @@ class Function {
   /// Index of the first abscissa that a table in this variable cannot have after the one before it; else their number.
   static std::size_t misplaced_point(const std::string& variable, const std::vector<double>& abscissae);
 
+  /// Why a table with these points (at least one) cannot have this period; empty if it can.
+  static std::string period_mistake(const std::string& variable, const std::vector<double>& abscissae, double period);
+
   double operator()(const Arguments& at) const;
 
   bool is_constant() const;
@@ -49,8 +61,13 @@ class Function {
   bool depends_on_place() const;        ///< x, y or z
   bool depends_on_time() const;         ///< t
   bool depends_on_temperature() const;  ///< T
-  /// Times at which a table in t has its points (kinks and jumps), increasing; empty otherwise.
+  /// Times at which a table in t has its points (kinks and jumps), increasing; of a periodic one those of the first
+  /// period; empty otherwise.
   std::vector<double> breakpoints() const;
+  /// With all repetitions of a periodic one up to `end`.
+  std::vector<double> breakpoints(double end) const;
+  /// First and last point of a table in this variable.
+  std::optional<Interval> table_range(const std::string& variable) const;
   /// As the user wrote it: two functions of the same text are the same.
   const std::string& text() const;
 

@@ -119,6 +119,51 @@ TEST(Function, TableInTimeMayJump) {
   EXPECT_EQ(f.text(), "{ t = [0, 0, 10, 10, 20, 20], values = [5, 1, 2, 7, 3, 9] }");
 }
 
+TEST(Function, KnowsRemaindersAndRoundingDown) {
+  const auto f = Function::expression("mod(t, 50) + 1000*floor(t/50)", {"t"});
+  EXPECT_DOUBLE_EQ(f({.t = 12.5}), 12.5);
+  EXPECT_DOUBLE_EQ(f({.t = 112.5}), 2012.5);
+  EXPECT_DOUBLE_EQ(f({.t = -12.5}), 37.5 - 1000) << "a remainder has the sign of the divisor";
+}
+
+/// The value and the breakpoints agree to the last bit, also where multiples of the period are no doubles.
+TEST(Function, PeriodicTableRepeatsWithItsBreakpoints) {
+  const auto f = Function::table("t", {0, 1, 24, 25}, {0, 1, 1, 0}, 50);
+  for (const double cycle : {0.0, 50.0, 5000.0}) {
+    EXPECT_DOUBLE_EQ(f({.t = cycle + 0.5}), 0.5);
+    EXPECT_DOUBLE_EQ(f({.t = cycle + 20}), 1);
+    EXPECT_DOUBLE_EQ(f({.t = cycle + 30}), 0);
+  }
+  EXPECT_EQ(f.breakpoints(), (std::vector<double>{0, 1, 24, 25, 50}));
+  EXPECT_EQ(f.breakpoints(124), (std::vector<double>{0, 1, 24, 25, 50, 51, 74, 75, 100, 101, 124}));
+  EXPECT_EQ(f.text(), "{ t = [0, 1, 24, 25], values = [0, 1, 1, 0], period = 50 }");
+
+  const auto saw = Function::table("t", {0, 0.1}, {0, 1}, 0.1);  // jumps at the end of the period
+  const std::vector<double> jumps = saw.breakpoints(1000);
+  ASSERT_GE(jumps.size(), 9999u);
+  for (std::size_t i = 1; i < jumps.size(); ++i) {
+    EXPECT_NEAR(jumps[i], 0.1 * static_cast<double>(i), 1e-9);
+    EXPECT_LT(saw({.t = jumps[i]}), 1e-9);
+    EXPECT_GT(saw({.t = std::nextafter(jumps[i], 0.0)}), 1 - 1e-9) << i;
+  }
+}
+
+TEST(Function, PeriodsThatDoNotFitTheTable) {
+  EXPECT_THROW(Function::table("T", {0, 1}, {0, 1}, 2), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {1, 2}, {0, 1}, 2), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {0, 3}, {0, 1}, 2), std::invalid_argument);
+  EXPECT_THROW(Function::table("t", {0, 3}, {0, 1}, -3), std::invalid_argument);
+}
+
+TEST(Function, RangeOfATable) {
+  const auto f = Function::table("T", {20, 600}, {1, 2});
+  ASSERT_TRUE(f.table_range("T"));
+  EXPECT_EQ(f.table_range("T")->low, 20);
+  EXPECT_EQ(f.table_range("T")->high, 600);
+  EXPECT_FALSE(f.table_range("t"));
+  EXPECT_FALSE(Function::expression("T", {"T"}).table_range("T"));
+}
+
 TEST(Function, TableInTemperatureHasNoBreakpoints) {
   const auto f = Function::table("T", {20, 500}, {2.1e5, 1.7e5});
   EXPECT_DOUBLE_EQ(f({.t = 500, .T = 260}), 1.9e5);

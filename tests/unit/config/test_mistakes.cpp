@@ -115,6 +115,14 @@ TEST(ConfigMistakes, Functions) {
                  "cases/block.toml:14:26: loads[0].pressure.value: unknown key; did you mean 'values'?");
   expect_mistake(loads + "pressure = { t = [0, 5] }\n",
                  "cases/block.toml:14:12: loads[0].pressure: an incomplete table");
+  expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2], period = 4 }\n",
+                 "cases/block.toml:14:52: loads[0].pressure.period: the last point 5 lies beyond the period 4; the "
+                 "points fill one period");
+  expect_mistake(loads + "pressure = { t = [1, 5], values = [1, 2], period = 6 }\n",
+                 "cases/block.toml:14:52: loads[0].pressure.period: the first point is 1; a table with a period begins "
+                 "at t = 0");
+  expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2], period = 0 }\n",
+                 "cases/block.toml:14:52: loads[0].pressure.period: number 0; allowed: a number > 0");
   expect_mistake(loads + "pressure = true\n", "cases/block.toml:14:12: loads[0].pressure: boolean true");
   expect_mistake(loads + "traction = [1, 2]\n", "cases/block.toml:14:12: loads[0].traction: a list of 2");
 }
