@@ -1,41 +1,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <muParser.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "function_definition.hpp"
+#include "parsed_expression.hpp"
 
 namespace creepcontact {
 namespace {
-
-struct Variable {
-  const char* name;
-  double Arguments::*member;
-};
-constexpr std::array<Variable, 7> known_variables{{{"x", &Arguments::x},
-                                                   {"y", &Arguments::y},
-                                                   {"z", &Arguments::z},
-                                                   {"t", &Arguments::t},
-                                                   {"T", &Arguments::T},
-                                                   {"q", &Arguments::q},
-                                                   {"eps", &Arguments::eps}}};
-
-/// Of the sign of b, as the remainder of a clock.
-double modulo(double a, double b) {
-  const double remainder = std::fmod(a, b);
-  return remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder;
-}
-double round_down(double a) {
-  return std::floor(a);
-}
 
 struct Constant final : Function::Definition {
   Constant(double given, std::string written) : Definition(std::move(written)), number(given) {}
@@ -44,13 +21,10 @@ struct Constant final : Function::Definition {
 };
 
 struct Expression final : Function::Definition {
-  using Definition::Definition;
-  double value(const Arguments& at) const override {
-    bound = at;
-    return parser.Eval();
-  }
-  mutable Arguments bound;  // the parser's variables point in here
-  mu::Parser parser;
+  Expression(const std::string& written, const std::vector<std::string>& allowed)
+      : Definition(written), parsers(written, allowed) {}
+  double value(const Arguments& at) const override { return parsers.mine().value(at); }
+  ThreadParsers parsers;
 };
 
 struct Composition final : Function::Definition {
@@ -100,32 +74,18 @@ void reject_assignment(const std::string& text) {
 
 }  // namespace
 
-double Arguments::*known_variable(const std::string& name) {
-  const auto* found = std::find_if(known_variables.begin(), known_variables.end(),
-                                   [&](const Variable& variable) { return name == variable.name; });
-  if (found == known_variables.end()) throw std::invalid_argument(fmt::format("'{}' is no variable", name));
-  return found->member;
-}
-
 Function::Function(double constant) : definition_(std::make_shared<Constant>(constant, fmt::format("{}", constant))) {}
 
 Function Function::expression(const std::string& text, const std::vector<std::string>& allowed) {
   reject_assignment(text);
-  auto made = std::make_shared<Expression>(text);
   try {
-    // The parser's own constants have 13 digits.
-    for (const char* pi : {"pi", "_pi"}) made->parser.DefineConst(pi, std::numbers::pi);
-    made->parser.DefineConst("_e", std::numbers::e);
-    made->parser.DefineFun("mod", modulo);
-    made->parser.DefineFun("floor", round_down);
-    for (const auto& name : allowed) made->parser.DefineVar(name, &(made->bound.*known_variable(name)));
-    made->parser.SetExpr(text);
-    made->parser.Eval();  // every error shows here: looking for variables tolerates unknown names
-    for (const auto& [name, address] : made->parser.GetUsedVar()) made->variables.insert(name);
-    const double value = made->parser.Eval();  // compiles anew: looking for variables dropped the byte code
-    if (made->parser.GetNumResults() != 1)
+    auto made = std::make_shared<Expression>(text, allowed);
+    mu::Parser& parser = made->parsers.mine().parser;
+    for (const auto& [name, address] : parser.GetUsedVar()) made->variables.insert(name);
+    const double value = parser.Eval();  // compiles anew: looking for variables dropped the byte code
+    if (parser.GetNumResults() != 1)
       throw std::invalid_argument(
-          fmt::format("'{}': {} values separated by commas; one is wanted", text, made->parser.GetNumResults()));
+          fmt::format("'{}': {} values separated by commas; one is wanted", text, parser.GetNumResults()));
     if (!made->variables.empty()) return Function(std::move(made));
     if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("'{}': the value is {}", text, value));
     return Function(std::make_shared<Constant>(value, text));
@@ -161,6 +121,9 @@ bool Function::depends_on_time() const {
 }
 bool Function::depends_on_temperature() const {
   return definition_->variables.contains("T");
+}
+bool Function::depends_on_strain() const {
+  return definition_->variables.contains("eps");
 }
 std::vector<double> Function::breakpoints() const {
   return definition_->breakpoints(std::numeric_limits<double>::infinity());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "creepcontact/material/ageing.hpp"
+#include "creepcontact/material/expression_law.hpp"
 #include "creepcontact/material/garofalo.hpp"
 #include "creepcontact/material/hereditary.hpp"
 #include "creepcontact/material/kachanov_rabotnov.hpp"
@@ -25,6 +26,7 @@ const std::vector<LawInfo>& creep_laws() {
       kelvin_voigt_info(),       //
       maxwell_info(),            //
       burgers_info(),            //
+      expression_info(),         // any other
   };
   return laws;
 }

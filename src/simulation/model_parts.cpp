@@ -147,6 +147,13 @@ std::vector<double> breakpoints(const config::Config& config) {
     for (const double t : function.breakpoints()) times.insert(t);
     for (const double t : turning_points(function, config.time.end)) times.insert(t);
   };
+  for (const config::Material& material : config.materials)
+    for (const config::CreepMechanism& mechanism : material.creep)
+      for (const config::CreepParameter& parameter : mechanism.parameters)
+        for (const Function& value : parameter.values) {
+          const std::vector<double> own = value.breakpoints();
+          times.insert(own.begin(), own.end());
+        }
   for (const config::Support& support : config.supports) {
     for (const auto& value : support.displacement)
       if (value) add(*value);

@@ -23,7 +23,8 @@ struct Interval {
   double low = 0, high = 0;
 };
 
-/// Value semantics; copies share the immutable definition. Evaluation is not thread-safe (the parser keeps variables).
+/// Value semantics; copies share the immutable definition. May be evaluated by any threads of one OpenMP team at a
+/// time.
 class Function {
  public:
   /// The constant 0.
@@ -61,6 +62,7 @@ class Function {
   bool depends_on_place() const;        ///< x, y or z
   bool depends_on_time() const;         ///< t
   bool depends_on_temperature() const;  ///< T
+  bool depends_on_strain() const;       ///< eps
   /// Times at which a table in t has its points (kinks and jumps), increasing; of a periodic one those of the first
   /// period; empty otherwise.
   std::vector<double> breakpoints() const;

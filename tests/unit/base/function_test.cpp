@@ -197,5 +197,20 @@ TEST(Function, CopiesAreIndependentOfTheOriginalsLife) {
   EXPECT_DOUBLE_EQ(copy({.x = 3}), 9);
 }
 
+TEST(Function, ComposedOfOthers) {
+  const Function slope = Function::expression("2*T", {"T"}), table = Function::table("t", {0, 3}, {1, 4});
+  const Function sum = Function::composed("2*T + table", {slope, table},
+                                          [](const std::vector<double>& values) { return values[0] + values[1]; });
+  EXPECT_EQ(sum({.t = 1, .T = 10}), 22.0);
+  EXPECT_TRUE(sum.depends_on_temperature() && sum.depends_on_time());
+  EXPECT_FALSE(sum.depends_on_place() || sum.is_constant());
+  EXPECT_EQ(sum.breakpoints(), (std::vector<double>{0, 3}));
+  EXPECT_EQ(sum.text(), "2*T + table");
+  const Function constant =
+      Function::composed("3/(2)", {2.0}, [](const std::vector<double>& values) { return 3 / values[0]; });
+  EXPECT_TRUE(constant.is_constant());
+  EXPECT_EQ(constant({}), 1.5);
+}
+
 }  // namespace
 }  // namespace creepcontact

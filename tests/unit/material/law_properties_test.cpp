@@ -17,6 +17,10 @@ struct Sample {
   bool closed_form = false;  ///< increment() is exact
 };
 
+Function expression_rate(const std::string& text) {
+  return Function::expression(text, {"q", "T", "t", "eps"});
+}
+
 const std::map<std::string, Sample> samples{
     {"norton", {{{1e-13}, {5.0}}}},
     {"garofalo", {{{1e-4}, {0.01}, {3.5}}}},
@@ -28,6 +32,7 @@ const std::map<std::string, Sample> samples{
     {"kachanov_rabotnov", {{{1e-13}, {5.0}, {1e-12}, {4.0}, {6.0}, {0.6}}}},
     {"hereditary",
      {.parameters = {{1e-5, 2e-5}, {0.5, 20.0}, {3e-6, 0.0}, {1e-5}}, .tensors = true, .closed_form = true}},
+    {"expression", {{{expression_rate("1e-13*q^4.5*(1 + T/1000)*(t + 1)^-0.4*exp(-3*eps)")}}}},
     {"kelvin_voigt", {.parameters = {{1e-5}, {0.5}}, .tensors = true, .closed_form = true}},
     {"maxwell", {.parameters = {{1e5}}, .closed_form = true}},
     {"burgers", {.parameters = {{1e5}, {1e-5}, {0.5}}, .tensors = true, .closed_form = true}},

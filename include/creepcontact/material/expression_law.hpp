@@ -1,0 +1,37 @@
+#pragma once
+/// A law that the user writes: f = rate(q, T, t, eps), the equivalent creep rate as an expression in the von Mises
+/// stress, the temperature, the time and the equivalent creep strain that this mechanism has accumulated.
+/// There is an internal variable only if eps occurs. Derivatives are central differences; a rate that is negative or no
+/// number makes the integrator take a smaller step. Rates that are infinite at t = 0 (as t^-0.5) or at eps = 0 (as
+/// eps^-2) start with the closed form of the power law that they tend to there, found numerically.
+
+#include "creepcontact/material/hardening_law.hpp"
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::material {
+
+class ExpressionLaw final : public HardeningLaw {
+ public:
+  /// @param rate  of q, T, t, eps [1/time]
+  explicit ExpressionLaw(Function rate);
+  std::string name() const override { return "expression"; }
+  double equivalent_rate(double q, double eps, const Point& at) const override;
+  HardeningRate linearized_rate(double q, double eps, const Point& at) const override;
+  double accumulated(double q, double eps, const Point& at, double duration) const override;
+  double start_exponent(const Point& at) const override;
+
+ private:
+  /// Exponents of t (at t = 0) and eps (at eps = 0) that the rate tends to there; 0 where it is finite.
+  struct Singularity {
+    double time = 0, strain = 0;
+    double exponent() const { return (1 + time) / (1 - strain); }
+  };
+  Singularity singularity(double q, const Point& at) const;
+  double value(double q, double eps, double t, double T) const;
+
+  Function rate_;
+};
+
+LawInfo expression_info();
+
+}  // namespace creepcontact::material

@@ -1,0 +1,75 @@
+#include "parsed_expression.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "function_definition.hpp"
+
+namespace creepcontact {
+namespace {
+
+struct Variable {
+  const char* name;
+  double Arguments::*member;
+};
+constexpr std::array<Variable, 7> known_variables{{{"x", &Arguments::x},
+                                                   {"y", &Arguments::y},
+                                                   {"z", &Arguments::z},
+                                                   {"t", &Arguments::t},
+                                                   {"T", &Arguments::T},
+                                                   {"q", &Arguments::q},
+                                                   {"eps", &Arguments::eps}}};
+
+/// Of the sign of b, as the remainder of a clock.
+double modulo(double a, double b) {
+  const double remainder = std::fmod(a, b);
+  return remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder;
+}
+double round_down(double a) {
+  return std::floor(a);
+}
+
+// More threads than processors serve nobody, but may be asked for.
+constexpr int most_threads = 1024;
+
+}  // namespace
+
+double Arguments::*known_variable(const std::string& name) {
+  const auto* found = std::find_if(known_variables.begin(), known_variables.end(),
+                                   [&](const Variable& variable) { return name == variable.name; });
+  if (found == known_variables.end()) throw std::invalid_argument(fmt::format("'{}' is no variable", name));
+  return found->member;
+}
+
+ParsedExpression::ParsedExpression(const std::string& text, const std::vector<std::string>& allowed) {
+  // The parser's own constants have 13 digits.
+  for (const char* pi : {"pi", "_pi"}) parser.DefineConst(pi, std::numbers::pi);
+  parser.DefineConst("_e", std::numbers::e);
+  parser.DefineFun("mod", modulo);
+  parser.DefineFun("floor", round_down);
+  for (const auto& name : allowed) parser.DefineVar(name, &(bound.*known_variable(name)));
+  parser.SetExpr(text);
+  parser.Eval();  // every error shows here: looking for variables tolerates unknown names
+}
+
+ThreadParsers::ThreadParsers(std::string text, std::vector<std::string> allowed)
+    : text_(std::move(text)),
+      allowed_(std::move(allowed)),
+      parsers_(static_cast<std::size_t>(std::max(most_threads, omp_get_max_threads()))) {
+  mine();
+}
+
+ParsedExpression& ThreadParsers::mine() const {
+  auto& own = parsers_[static_cast<std::size_t>(omp_get_thread_num())];
+  if (!own) own = std::make_unique<ParsedExpression>(text_, allowed_);
+  return *own;
+}
+
+}  // namespace creepcontact

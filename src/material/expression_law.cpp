@@ -1,0 +1,114 @@
+#include "creepcontact/material/expression_law.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "coaxial.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+constexpr double step = 3e-6;  // of central differences, relative: their error and that of rounding are 1e-10
+
+/// Exponent p of a power law through two points.
+double slope(double near, double far, double value_near, double value_far) {
+  const double p = std::log(value_far / value_near) / std::log(far / near);
+  return std::isfinite(p) ? p : 0.0;
+}
+
+bool infinite_or_undefined(double rate) {
+  return !std::isfinite(rate);
+}
+
+// Gauss and Legendre on (0, 1)
+constexpr std::array<double, 3> gauss_place{0.11270166537925831, 0.5, 0.88729833462074169};
+constexpr std::array<double, 3> gauss_weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+}  // namespace
+
+ExpressionLaw::ExpressionLaw(Function rate) : HardeningLaw({}, rate.depends_on_strain()), rate_(std::move(rate)) {}
+
+double ExpressionLaw::value(double q, double eps, double t, double T) const {
+  return rate_({.t = t, .T = T, .q = q, .eps = eps});
+}
+
+double ExpressionLaw::equivalent_rate(double q, double eps, const Point& at) const {
+  const double f = value(q, eps, at.time, at.temperature);
+  return f >= 0.0 ? f : std::numeric_limits<double>::quiet_NaN();
+}
+
+HardeningRate ExpressionLaw::linearized_rate(double q, double eps, const Point& at) const {
+  const auto f = [&](double stress, double strain) { return value(stress, strain, at.time, at.temperature); };
+  HardeningRate result;
+  result.value = f(q, eps);
+  result.by_stress = (f(q * (1 + step), eps) - f(q * (1 - step), eps)) / (2 * step * q);
+  if (n_internal() > 0) result.by_strain = (f(q, eps * (1 + step)) - f(q, eps * (1 - step))) / (2 * step * eps);
+  return result;
+}
+
+ExpressionLaw::Singularity ExpressionLaw::singularity(double q, const Point& at) const {
+  const double T = at.temperature;
+  Singularity found;
+  // Away from the other singularity, if there is one.
+  const double t = at.time > 0.0 ? at.time : 1.0, strain = 1e-3;
+  if (at.time == 0.0 && rate_.depends_on_time() && infinite_or_undefined(value(q, strain, 0.0, T))) {
+    const double near = 1e-110, far = 1e-100;
+    const double p = slope(near, far, value(q, strain, near, T), value(q, strain, far, T));
+    if (p > -1.0 && p < -1e-6) found.time = p;
+  }
+  if (n_internal() > 0 && infinite_or_undefined(value(q, 0.0, t, T))) {
+    const double near = least_strain, far = 10 * least_strain;
+    const double p = slope(near, far, value(q, near, t, T), value(q, far, t, T));
+    if (p < -1e-6) found.strain = p;
+  }
+  return found;
+}
+
+double ExpressionLaw::start_exponent(const Point& at) const {
+  const double q = deviator(at.stress).q;
+  return q > 0.0 ? singularity(q, at).exponent() : 1.0;
+}
+
+double ExpressionLaw::accumulated(double q, double eps, const Point& at, double duration) const {
+  const Singularity power = singularity(q, at);
+  // Integrated in u = (t - t0)^a, in which a rate like (t - t0)^(a-1) is constant; the strain where the rate is taken
+  // is the mean, found by iteration.
+  const double a = 1 + power.time, b = 1 - power.strain;
+  const auto grown = [&](double end) {
+    double integral = 0;
+    const double strain = std::max(0.5 * (eps + end), least_strain);
+    for (std::size_t i = 0; i < gauss_place.size(); ++i) {
+      const double since = duration * std::pow(gauss_place[i], 1 / a);
+      integral += gauss_weight[i] * std::pow(gauss_place[i], 1 / a - 1) / a * duration *
+                  value(q, strain, at.time + since, at.temperature);
+    }
+    // d eps/dt = c eps^(1-b) with c of the strain where the rate was taken
+    return std::pow(std::pow(eps, b) + b * std::pow(strain, b - 1) * integral, 1 / b);
+  };
+  double end = eps;
+  const int rounds = n_internal() > 0 ? 20 : 1;
+  for (int i = 0; i < rounds; ++i) {
+    const double before = end;
+    end = grown(before);
+    if (std::abs(end - before) <= 1e-14 * end) break;
+  }
+  return end - eps;
+}
+
+LawInfo expression_info() {
+  return {"expression",
+          "rate = an expression in q, T, t, eps",
+          "yours",
+          {{.key = "rate",
+            .description = "equivalent creep rate, an expression in the von Mises stress q, temperature T, time t and "
+                           "accumulated equivalent creep strain eps [1/time]",
+            .strict = false,
+            .variables = {"q", "T", "t", "eps"}}},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<ExpressionLaw>(std::move(p.at(0).at(0)));
+          }};
+}
+
+}  // namespace creepcontact::material
