@@ -63,6 +63,9 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
     if (table.has("reference_temperature")) continue;
     check(material.young_modulus, table.child("young_modulus").location);
     check(material.poisson_ratio, table.child("poisson_ratio").location);
+    if (material.rupture &&
+        (!material.rupture->rupture_time || material.rupture->rupture_time->depends_on_temperature()))
+      report(material.rupture->location);
     for (const CreepMechanism& mechanism : material.creep) {
       bool seen = false;
       for (const CreepParameter& parameter : mechanism.parameters) {

@@ -128,6 +128,7 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "temperature without thermal strain"),
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep mechanisms; their rates add"),
+      field<Material>("rupture", &Material::rupture, rupture_table(vocabulary), "time to rupture; gives life_fraction"),
   });
   return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
     material.location = item.location;

@@ -1,6 +1,7 @@
 #include "fingerprint.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +71,14 @@ void add_material(const config::Material& material, Lines& lines) {
     for (const config::CreepParameter& parameter : mechanism.parameters)
       for (const Function& value : parameter.values) law += fmt::format(", {} = {}", parameter.key, value.text());
     lines.add("materials", item("creep"), law);
+  }
+  if (material.rupture) {
+    const config::Rupture& rupture = *material.rupture;
+    lines.add("materials", item("rupture"),
+              fmt::format("{}, C = {}, stress = {}, parameter = {}, absolute_zero = {}, time_unit = {}, measure {} {}",
+                          rupture.rupture_time ? rupture.rupture_time->text() : "", rupture.larson_miller_constant,
+                          rupture.stress, rupture.parameter, rupture.absolute_zero, rupture.time_unit,
+                          static_cast<int>(rupture.stress_measure), rupture.alpha.value_or(0)));
   }
 }
 

@@ -6,10 +6,28 @@
 #include <set>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "turning_points.hpp"
 
 namespace creepcontact::simulation {
+
+namespace {
+
+std::shared_ptr<const material::CreepLaw> make_life_fraction(const config::Rupture& from) {
+  double alpha = 0;
+  if (from.stress_measure == config::StressMeasure::principal) alpha = 1;
+  if (from.stress_measure == config::StressMeasure::mixed) alpha = from.alpha.value();
+  auto data = from.rupture_time ? material::rupture_expression(*from.rupture_time)
+                                : material::larson_miller({.constant = from.larson_miller_constant,
+                                                           .stress = from.stress,
+                                                           .parameter = from.parameter,
+                                                           .absolute_zero = from.absolute_zero,
+                                                           .time_unit = from.time_unit});
+  return std::make_shared<material::LifeFraction>(std::move(data), alpha);
+}
+
+}  // namespace
 
 material::Material make_material(const config::Material& from) {
   material::Material result;
@@ -23,6 +41,7 @@ material::Material make_material(const config::Material& from) {
     for (const config::CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
     result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(values)));
   }
+  if (from.rupture) result.creep.push_back(make_life_fraction(*from.rupture));
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/simulation/quantities.hpp"
@@ -86,6 +87,16 @@ config::LawVerdict judge(const material::LawInfo& info, const material::Paramete
   }
 }
 
+std::optional<config::LawMistake> judge_larson_miller(const std::vector<double>& stress,
+                                                      const std::vector<double>& parameter) {
+  try {
+    material::larson_miller({.stress = stress, .parameter = parameter});
+    return std::nullopt;
+  } catch (const material::ParameterError& error) {
+    return config::LawMistake{error.key(), error.found(), error.allowed()};
+  }
+}
+
 }  // namespace
 
 config::Vocabulary vocabulary() {
@@ -108,6 +119,7 @@ config::Vocabulary vocabulary() {
     entry.judge = [&law](const material::ParameterValues& values) { return judge(law, values); };
     result.laws.push_back(std::move(entry));
   }
+  result.judge_larson_miller = judge_larson_miller;
   for (const ode::IntegratorInfo& info : ode::integrators()) {
     result.integrators.push_back(info.name);
     if (!info.tables.empty()) result.tables[info.name] = info.tables;

@@ -43,6 +43,21 @@ struct CreepMechanism {
   bool depends_on_temperature = false;  ///< the law says so
 };
 
+enum class StressMeasure { von_mises, principal, mixed };
+
+/// Time to rupture at constant stress: `rupture_time`, or else Larson-Miller data.
+struct Rupture {
+  std::optional<Function> rupture_time;  ///< of q, T
+  double larson_miller_constant = 20;
+  std::vector<double> stress;
+  std::vector<double> parameter;   ///< (T - absolute_zero) (larson_miller_constant + log10 rupture time) at these
+  double absolute_zero = -273.15;  ///< in the unit of T
+  double time_unit = 1;            ///< unit of t in that of the data
+  StressMeasure stress_measure = StressMeasure::von_mises;
+  std::optional<double> alpha;  ///< given with `mixed`: alpha sigma_1 + (1 - alpha) q
+  Location location;
+};
+
 struct Material {
   std::string name;
   Function young_modulus;            ///< of T
@@ -50,6 +65,7 @@ struct Material {
   Function thermal_expansion = 0.0;  ///< secant, of T
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
+  std::optional<Rupture> rupture;
   Location location;
 };
 

@@ -52,6 +52,9 @@ struct Vocabulary {
   std::vector<std::string> integrators;
   std::map<std::string, std::vector<std::string>> tables;  ///< Butcher tables, of the integrators that let one choose
   std::vector<Quantity> quantities;
+  /// What is wrong with Larson-Miller data, if anything is.
+  std::function<std::optional<LawMistake>(const std::vector<double>& stress, const std::vector<double>& parameter)>
+      judge_larson_miller = {};
 };
 
 }  // namespace creepcontact::config

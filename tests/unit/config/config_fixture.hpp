@@ -1,6 +1,7 @@
 #pragma once
 /// A complete configuration, a vocabulary, and the lines of the message that a wrong one gives.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -29,6 +30,11 @@ inline Vocabulary test_vocabulary() {
                    if (values[0][0]({}) == 0.5) verdict.mistake = {"m", "the number 0.5", "any other"};
                    return verdict;
                  }}};
+  words.judge_larson_miller = [](const std::vector<double>& stress, const std::vector<double>& parameter) {
+    std::optional<LawMistake> mistake;
+    if (parameter[0] == 7) mistake = {"stress", fmt::format("{} values", stress.size()), "none"};
+    return mistake;
+  };
   words.quantities = {{"von_mises"},
                       {"stress_xx"},
                       {.name = "contact_pressure", .surface_only = true},

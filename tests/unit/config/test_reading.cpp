@@ -221,4 +221,31 @@ TEST(ConfigReading, AlphaBodyByBody) {
 }
 
 }  // namespace
+TEST(ConfigReading, RuptureData) {
+  const Config config = parse_text(minimal + R"([materials.steel.rupture]
+larson_miller_constant = 19.5
+stress = [10, 100]
+parameter = [25e3, 20e3]
+absolute_zero = 0
+time_unit = 2.7778e-4
+stress_measure = "mixed"
+alpha = 0.3
+[temperature]
+value = 800
+)");
+  const Rupture& rupture = config.materials[0].rupture.value();
+  EXPECT_FALSE(rupture.rupture_time.has_value());
+  EXPECT_EQ(rupture.larson_miller_constant, 19.5);
+  EXPECT_EQ(rupture.stress, (std::vector<double>{10, 100}));
+  EXPECT_EQ(rupture.parameter, (std::vector<double>{25e3, 20e3}));
+  EXPECT_EQ(rupture.absolute_zero, 0.0);
+  EXPECT_EQ(rupture.time_unit, 2.7778e-4);
+  EXPECT_EQ(rupture.stress_measure, StressMeasure::mixed);
+  EXPECT_EQ(rupture.alpha, 0.3);
+
+  const Config other = parse_text(minimal + "[materials.steel.rupture]\nrupture_time = \"1e10/q\"\n");
+  EXPECT_EQ((*other.materials[0].rupture->rupture_time)({.q = 100}), 1e8);
+  EXPECT_EQ(other.materials[0].rupture->absolute_zero, -273.15);
+}
+
 }  // namespace creepcontact::config

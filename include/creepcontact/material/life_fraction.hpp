@@ -1,0 +1,60 @@
+#pragma once
+/// Life used up by creep: d L/dt = 1/t_r(S, T), with t_r the time to rupture at constant stress; L = 1 is rupture.
+/// A mechanism without strain. S is the stress that damages, alpha max(sigma_1, 0) + (1-alpha) q.
+/// Sources: E. L. Robinson, Trans. ASME 74 (1952); M. A. Miner (1945); S: D. R. Hayhurst, J. Mech. Phys. Solids 20
+/// (1972).
+
+#include "creepcontact/material/creep_law.hpp"
+
+namespace creepcontact::material {
+
+/// 1/t_r and its derivative with respect to the stress.
+struct LifeRate {
+  double value = 0, slope = 0;
+};
+
+/// Rupture data of a material. Immutable, safe for the threads of one team.
+class RuptureData {
+ public:
+  virtual ~RuptureData() = default;
+  /// @param stress  > 0
+  virtual LifeRate rate(double stress, double temperature) const = 0;
+};
+
+/// @param rupture_time  t_r [time] of q, which is the stress S, and T; where it is not positive, the rate is no number
+std::shared_ptr<const RuptureData> rupture_expression(Function rupture_time);
+
+/// Larson-Miller data: P = (T - absolute_zero) (C + log10 t_r), P linear in log10 S between the points and along the
+/// outermost two of them beyond. Source: F. R. Larson, J. Miller, Trans. ASME 74 (1952).
+struct LarsonMiller {
+  double constant = 20;            ///< C [-]
+  std::vector<double> stress;      ///< increasing, > 0, at least two
+  std::vector<double> parameter;   ///< P at these, decreasing
+  double absolute_zero = -273.15;  ///< in the user's unit of temperature
+  double time_unit = 1;            ///< of the user, in that of the data: 1/3600 if t is in seconds and t_r in hours
+};
+/// Its rate is no number at or below absolute zero.
+/// @throws ParameterError
+std::shared_ptr<const RuptureData> larson_miller(LarsonMiller data);
+
+class LifeFraction final : public CreepLaw {
+ public:
+  /// @param alpha  part of the largest principal stress in S, in [0, 1]
+  LifeFraction(std::shared_ptr<const RuptureData> data, double alpha)
+      : CreepLaw({}), data_(std::move(data)), alpha_(alpha) {}
+  std::string name() const override { return "life_fraction"; }
+  int n_internal() const override { return 1; }
+  InternalKind internal_kind(int) const override { return InternalKind::fraction; }
+
+  void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
+  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
+                  double* d_strain_rate, double* d_internal_rate) const override;
+  StressTangent stress_tangent(const Point& /*at*/) const override { return {}; }
+  std::optional<double> measure(Measure of, const Point& at) const override;
+
+ private:
+  std::shared_ptr<const RuptureData> data_;
+  double alpha_;
+};
+
+}  // namespace creepcontact::material
