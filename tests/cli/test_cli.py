@@ -103,6 +103,12 @@ class List(CliTest):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertIn(name, done.stdout)
 
+    def test_laws_for_the_documentation(self):
+        done = call("list", "laws", "--markdown")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("### `norton`", done.stdout)
+        self.expect_error(call("list", "elements", "--markdown"), "for laws only")
+
     def test_unknown_list(self):
         self.expect_error(call("list", "law"), "unknown list 'law'; did you mean 'laws'?")
 
