@@ -1,6 +1,6 @@
 #pragma once
 /// Thermal activation of a rate: A_eff(T) = A(T) exp(-Q/(R (T - absolute_zero))). Source: S. Arrhenius (1889);
-/// J. E. Dorn, J. Mech. Phys. Solids 3 (1954), for creep.
+/// J. E. Dorn, J. Mech. Phys. Solids 3 (1955), for creep.
 
 #include "creepcontact/material/registry.hpp"
 

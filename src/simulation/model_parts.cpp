@@ -170,7 +170,7 @@ std::vector<double> breakpoints(const config::Config& config) {
     for (const config::CreepMechanism& mechanism : material.creep)
       for (const config::CreepParameter& parameter : mechanism.parameters)
         for (const Function& value : parameter.values) {
-          const std::vector<double> own = value.breakpoints();
+          const std::vector<double> own = value.breakpoints(config.time.end);
           times.insert(own.begin(), own.end());
         }
   for (const config::Support& support : config.supports) {

@@ -2,7 +2,7 @@
 /// Strain hardening: f = m A^(1/m) q^(n/m) eps^(1 - 1/m), the rate of the creep strain A q^n t^m of constant stress
 /// written in the strain instead of the time. eps is the equivalent creep strain that this mechanism has accumulated;
 /// a virgin point (eps = 0) under stress creeps infinitely fast if m < 1.
-/// Source: A. Nadai, The Creep of Metals (1937); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
+/// Source: A. Nadai, J. Appl. Phys. 8 (1937); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
 
 #include "creepcontact/material/hardening_law.hpp"
 #include "creepcontact/material/registry.hpp"

@@ -3,8 +3,8 @@
 /// sum of A_i q^n_i t^m_i. One term, or a sum as of Graham and Walles (m = 1/3, 1, 3: primary, secondary, tertiary).
 /// t is the time of the run: material put under load later creeps as slowly as all of it does then. With m < 1 the rate
 /// is infinite at t = 0.
-/// Sources: P. G. McVetty, Mechanical Engineering 56 (1934) and I. Davenport, J. Appl. Mech. 5 (1938); A. Graham,
-/// K. F. A. Walles, J. Iron Steel Inst. 179 (1955).
+/// Sources: P. G. McVetty, Mechanical Engineering 56 (1934); A. Graham, K. F. A. Walles, J. Iron Steel Inst. 179
+/// (1955).
 
 #include "creepcontact/material/flow_law.hpp"
 #include "creepcontact/material/registry.hpp"

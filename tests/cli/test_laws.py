@@ -1,0 +1,85 @@
+"""What the program says of wrong values of creep laws and rupture data; nothing is computed."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
+
+CONFIG = """[mesh]
+file = "block.msh"
+[bodies.block]
+region = "all"
+material = "steel"
+[materials.steel]
+young_modulus = 2e5
+poisson_ratio = 0.3
+[time]
+end = 10
+"""
+
+
+class LawMistakes(unittest.TestCase):
+    def errors(self, text):
+        """Lines of the message, without the place before the key."""
+        with tempfile.TemporaryDirectory() as directory:
+            config = pathlib.Path(directory) / "block.toml"
+            config.write_text(CONFIG + text, encoding="utf-8")
+            done = subprocess.run([PROGRAM, "check", str(config)], capture_output=True, text=True, timeout=50)
+        lines = [line for line in done.stderr.splitlines() if "materials.steel" in line]
+        if lines:
+            self.assertEqual(done.returncode, 2, done.stderr)
+        return [line[line.index("materials.steel"):] for line in lines]
+
+    def expect(self, law, keys, *errors):
+        found = self.errors(f'[[materials.steel.creep]]\nlaw = "{law}"\n{keys}\n')
+        self.assertEqual(len(found), len(errors), found)
+        for line, error in zip(found, errors):
+            self.assertTrue(line.startswith("materials.steel.creep[0]" + error), line)
+
+    def test_ranges(self):
+        self.expect("time_hardening", "A = -1\nn = 5\nm = 0", ".A: number -1; allowed: a number >= 0",
+                    ".m: number 0; allowed: a number > 0")
+        self.expect("strain_hardening", "A = nan\nn = 0.5\nm = 1.1", ".A: number nan", ".n: number 0.5",
+                    ".m: number 1.1; allowed: a number in (0, 1]")
+        self.expect("kachanov_rabotnov", "A = 1\nn = 5\nB = 1\nr = 4\nphi = 5\nalpha = 1.5",
+                    ".alpha: number 1.5; allowed: a number in [0, 1]")
+        self.expect("maxwell", "viscosity = 0", ".viscosity: number 0; allowed: a number > 0")
+        self.expect("norton", "A = 1\nn = 5\nactivation_energy = -1\ngas_constant = 0",
+                    ".activation_energy: number -1", ".gas_constant: number 0")
+
+    def test_missing_keys(self):
+        self.expect("ageing", "A = 1", ".n: missing", ".m: missing")
+        self.expect("hereditary", "times = [1]", ".compliances: missing; allowed: ")
+
+    def test_lists(self):
+        self.expect("graham_walles", "A = [1, 2]\nn = [1, 2]\nm = [1]",
+                    ".m: a list of 1; allowed: as many values as 'A' has: 2")
+        self.expect("hereditary", "compliances = [1, 2]\ntimes = [1, 2]\nvolumetric_compliances = [1]",
+                    ".volumetric_compliances: a list of 1; allowed: as many values as 'compliances' has: 2")
+        self.expect("hereditary", "compliances = []\ntimes = []", ".compliances: an empty list", ".times: an empty list")
+
+    def test_an_exponent_that_must_be_a_number(self):
+        self.expect("strain_hardening", 'A = 1\nn = 5\nm = "0.3 + T/1e4"', ".m: expression '0.3 + T/1e4'")
+
+    def test_expressions(self):
+        self.expect("expression", 'rate = "1e-13*q^5*s"', ".rate: expression '1e-13*q^5*s': '1e-13*q^5*s': ")
+        self.expect("expression", "rate = -1", ".rate: number -1")
+
+    def test_an_activation_energy_needs_a_temperature(self):
+        self.expect("norton", "A = 1\nn = 5\nactivation_energy = 3e5", ": depends on T, which is not known")
+        self.expect("norton", "A = 1\nn = 5\nactivation_energy = 3e5\n[temperature]\nvalue = 500")
+
+    def test_rupture_data(self):
+        temperature = "[temperature]\nvalue = 500\n"
+        found = self.errors(temperature + "[materials.steel.rupture]\nstress = [100, 50]\nparameter = [2e4, 1e4]\n")
+        self.assertEqual(found, ["materials.steel.rupture.stress: 50 after 100; allowed: values that increase"])
+        found = self.errors(temperature + "[materials.steel.rupture]\nstress = [50, 100]\nparameter = [1e4, 2e4]\n")
+        self.assertEqual(found, ["materials.steel.rupture.parameter: 20000 after 10000; allowed: values that decrease "
+                                 "as the stress increases"])
+
+
+if __name__ == "__main__":
+    unittest.main()
