@@ -49,6 +49,12 @@ void check_regions(const std::vector<Body>& bodies, Diagnostics& errors) {
   }
 }
 
+/// Data that are wrong or missing have been reported.
+bool by_temperature(const Rupture& rupture) {
+  if (rupture.rupture_time) return rupture.rupture_time->depends_on_temperature();
+  return !rupture.stress.empty() && !rupture.parameter.empty();
+}
+
 /// Without [temperature] a material is at its reference temperature, which must then be the user's choice.
 void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
   if (root.has("temperature")) return;
@@ -63,9 +69,7 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
     if (table.has("reference_temperature")) continue;
     check(material.young_modulus, table.child("young_modulus").location);
     check(material.poisson_ratio, table.child("poisson_ratio").location);
-    if (material.rupture &&
-        (!material.rupture->rupture_time || material.rupture->rupture_time->depends_on_temperature()))
-      report(material.rupture->location);
+    if (material.rupture && by_temperature(*material.rupture)) report(material.rupture->location);
     for (const CreepMechanism& mechanism : material.creep) {
       bool seen = false;
       for (const CreepParameter& parameter : mechanism.parameters) {
