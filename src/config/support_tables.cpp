@@ -11,6 +11,11 @@ struct Displacement {
   std::optional<Function> normal;
 };
 
+struct TemperatureKeys {
+  std::optional<Function> value;
+  std::filesystem::path file;
+};
+
 Value<Displacement> displacement_table() {
   const Value<Function> value = function(place_and_time);
   const auto component = [](std::size_t i) {
@@ -54,14 +59,19 @@ Value<Support> support_table() {
 }
 
 Value<Temperature> temperature_table() {
-  const auto keys = table<Temperature>({
-      field<Temperature>("value", &Temperature::value, function(place_and_time), "temperature of all bodies",
-                         Presence::required),
+  const auto keys = table<TemperatureKeys>({
+      field<TemperatureKeys>("value", &TemperatureKeys::value, function(place_and_time), "temperature of all bodies"),
+      field<TemperatureKeys>("file", &TemperatureKeys::file, path(),
+                             "temperatures at points, .csv or .h5, in place of 'value'"),
   });
-  return converted<Temperature>(keys, [](Temperature found, const Item& item, Context&) -> std::optional<Temperature> {
-    found.location = item.location;
-    return found;
-  });
+  return converted<Temperature>(
+      keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
+        const std::vector<std::string> given = given_keys(item, {"value", "file"});
+        if (given.size() != 1)
+          context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
+                             "exactly one of value, file");
+        return Temperature{found.value.value_or(Function()), std::move(found.file), item.location};
+      });
 }
 
 }  // namespace creepcontact::config

@@ -62,6 +62,17 @@ std::vector<std::string> member_names(hid_t group) {
   return names;
 }
 
+std::vector<std::size_t> extents(hid_t parent, const std::string& name) {
+  const std::string action = "read '" + name + "'";
+  const Hdf5Handle set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, action);
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, action);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0) throw Hdf5Error("cannot " + action);
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  return {sizes.begin(), sizes.end()};
+}
+
 void write_array(hid_t parent, const std::string& name, std::span<const double> values) {
   write_values(parent, name, values);
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// The few HDF5 operations a checkpoint needs, with handles that close themselves and failures as exceptions.
+/// The few HDF5 operations that checkpoints and temperatures need, with handles that close themselves and failures as
+/// exceptions.
 
 #include <hdf5.h>
 
@@ -67,10 +68,14 @@ Hdf5Handle open_group(hid_t parent, const std::string& name);
 /// Names of the members of a group, by name.
 std::vector<std::string> member_names(hid_t group);
 
+/// Sizes of a dataset, one a dimension.
+std::vector<std::size_t> extents(hid_t parent, const std::string& name);
+
 // One-dimensional arrays of double, 64-bit integer or character.
 void write_array(hid_t parent, const std::string& name, std::span<const double> values);
 void write_array(hid_t parent, const std::string& name, std::span<const std::int64_t> values);
 void write_array(hid_t parent, const std::string& name, std::span<const char> values);
+/// Of any rank; the entries row by row.
 template <typename T>
 std::vector<T> read_array(hid_t parent, const std::string& name);
 

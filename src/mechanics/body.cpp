@@ -13,7 +13,7 @@ namespace creepcontact::mechanics {
 
 struct Body::Impl {
   Impl(std::string name_in, mesh::Mesh mesh_in, material::Material material_in, std::vector<Support> supports_in,
-       std::optional<Function> temperature)
+       std::optional<TemperatureField> temperature)
       : name(std::move(name_in)),
         mesh(std::move(mesh_in)),
         material(std::move(material_in)),
@@ -130,7 +130,7 @@ void Body::Impl::report_singular(const linalg::SingularMatrix& error) const {
 }
 
 Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-           std::optional<Function> temperature)
+           std::optional<TemperatureField> temperature)
     : impl_(std::make_unique<Impl>(std::move(name), std::move(mesh), std::move(material), std::move(supports),
                                    std::move(temperature))) {
   impl_->set_time(0.0);

@@ -24,20 +24,17 @@ Moduli moduli_at(const material::Material& material, double temperature) {
 
 }  // namespace
 
-ThermalState::ThermalState(std::optional<Function> temperature, const Discretization& discretization)
-    : field_(std::move(temperature)), places_(discretization.point_coordinates()) {}
+ThermalState::ThermalState(std::optional<TemperatureField> temperature, const Discretization& discretization)
+    : field_(std::move(temperature)), n_points_(discretization.n_points()) {
+  if (field_) at_points_ = field_->at(discretization.point_coordinates());
+}
 
 std::span<const double> ThermalState::temperature(double t) {
   if (!field_) return {};
   const bool current = temperature_time_ && (*temperature_time_ == t || !changes_in_time());
   if (!current) {
-    temperature_.resize(places_.size());
-    if (field_->depends_on_place()) {
-      for (std::size_t p = 0; p < places_.size(); ++p)
-        temperature_[p] = (*field_)({.x = places_[p][0], .y = places_[p][1], .z = places_[p][2], .t = t});
-    } else {
-      std::fill(temperature_.begin(), temperature_.end(), (*field_)({.t = t}));
-    }
+    temperature_.resize(n_points_);
+    at_points_->evaluate(t, temperature_);
     temperature_time_ = t;
   }
   return temperature_;

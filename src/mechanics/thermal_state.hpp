@@ -1,20 +1,21 @@
 #pragma once
 /// Temperature of a body at its integration points, and what the material makes of it.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "creepcontact/base/function.hpp"
 #include "creepcontact/material/material.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
+#include "creepcontact/mechanics/temperature_field.hpp"
 
 namespace creepcontact::mechanics {
 
 class ThermalState {
  public:
-  /// @param temperature  of x, y, z, t; nullopt: the reference temperature of every material, no thermal strain
-  ThermalState(std::optional<Function> temperature, const Discretization& discretization);
+  /// @param temperature  nullopt: the reference temperature of every material, no thermal strain
+  ThermalState(std::optional<TemperatureField> temperature, const Discretization& discretization);
 
   /// One value a point; empty without a temperature. Cost: none if t is that of the last call or the field is steady.
   std::span<const double> temperature(double t);
@@ -27,8 +28,9 @@ class ThermalState {
   bool changes_in_time() const { return field_ && field_->depends_on_time(); }
 
  private:
-  std::optional<Function> field_;
-  std::span<const Vector3> places_;
+  std::optional<TemperatureField> field_;
+  std::size_t n_points_;
+  std::unique_ptr<TemperatureAtPlaces> at_points_;
   std::vector<double> temperature_, strain_;
   std::optional<double> temperature_time_, strain_time_;  // of the values kept
 };

@@ -6,6 +6,7 @@
 
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
+#include "temperature.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -59,6 +60,8 @@ void check(const config::Config& config, std::ostream& report) {
   if (floating.held().cols() > 0) text += fmt::format("held by contact alone: {} motions\n", floating.held().cols());
   for (const std::string& motion : floating.describe_idle())
     text += fmt::format("held by nothing, must not be loaded: {}\n", motion);
+  if (const auto range = temperature_range(config, model))
+    text += fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
   text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
   text += fmt::format("estimated memory: {:.0f} MB\n", bytes / 1e6 + 60);
   report << text << std::flush;

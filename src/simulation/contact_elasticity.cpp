@@ -104,6 +104,7 @@ void ContactElasticity::solve_contact(double t, const contact::ContactLoad& load
 void ContactElasticity::solve(double t, const CreepViews& creep) {
   const std::size_t n_bodies = model_.bodies.size();
   for (const auto& body : model_.bodies) body->set_time(t);
+  model_.temperature_watch.see(t, model_.bodies);
   time_ = t;
   {
     const auto lap = watch_.lap(Part::material);

@@ -13,6 +13,16 @@ namespace {
 /// A preconditioner need not follow every step: gamma may be off by this factor.
 constexpr double same_gamma = 1.25;
 
+// Jumps that differ by rounding alone count as one breakpoint: these times lie beyond all of them.
+constexpr double beside = 16 * std::numeric_limits<double>::epsilon();
+
+double just_before(double t) {
+  return t * (1 - beside);
+}
+double just_after(double t) {
+  return t * (1 + beside);
+}
+
 }  // namespace
 
 CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times)
@@ -59,7 +69,7 @@ void CreepRate::set_scale(const std::vector<double>& output_times) {
   const double end = output_times.back();
   std::vector<double> times{0.0, end};
   for (const double t : elasticity_.model().breakpoints)
-    if (t > 0 && t < end) times.insert(times.end(), {std::nextafter(t, 0.0), t});  // before and after a jump
+    if (t > 0 && t < end) times.insert(times.end(), {just_before(t), just_after(t)});
   std::vector<double> stress = elastic_stresses(times);
   // Loads that vanish at all these times may still act in between.
   if (*std::max_element(stress.begin(), stress.end()) == 0) stress = elastic_stresses(output_times);
@@ -75,9 +85,7 @@ void CreepRate::begin_segment(double begin, double end) {
 }
 
 double CreepRate::load_time(double t) const {
-  if (t >= segment_end_) return std::nextafter(segment_end_, -std::numeric_limits<double>::infinity());
-  if (t == segment_begin_) return std::nextafter(t, std::numeric_limits<double>::infinity());
-  return t;
+  return std::max(std::min(t, just_before(segment_end_)), just_after(segment_begin_));
 }
 
 bool CreepRate::evaluate(double t, std::span<const double> y) {

@@ -5,28 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <map>
 #include <sstream>
 #include <tuple>
 #include <variant>
 
+#include "creepcontact/base/checksum.hpp"
+
 namespace creepcontact::simulation {
 namespace {
-
-/// FNV-1a, 64 bit.
-class Checksum {
- public:
-  template <typename T>
-  void add(const T* data, std::size_t n) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < n * sizeof(T); ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3ULL;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
 
 std::string describe(const mesh::Mesh& mesh) {
   Checksum sum;
@@ -197,7 +184,7 @@ std::string fingerprint(const config::Config& config, const Model& model) {
       add_material(material, lines);
   for (const config::Support& support : config.supports) add_support(support, lines);
   for (const config::Load& load : config.loads) std::visit(LoadLines{load, lines}, load.kind);
-  if (config.temperature) lines.add("temperature", "value", config.temperature->value);
+  if (model.temperature) lines.add("temperature", "value", model.temperature->text());
   for (const config::Contact& contact : config.contacts) add_contact(contact, lines);
   if (!config.contacts.empty()) add_contact_solver(config.contact_solver, lines);
   for (const config::Probe& probe : config.probes) add_probe(probe, lines);

@@ -9,6 +9,7 @@
 #include "creepcontact/io/gmsh_reader.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
+#include "temperature.hpp"
 
 namespace creepcontact::simulation {
 
@@ -82,13 +83,14 @@ Model build_model(const config::Config& config) {
   check_groups(config, whole, meshes, mistakes);
 
   Model model;
-  std::optional<Function> temperature;
-  if (config.temperature) temperature = config.temperature->value;
+  if (config.temperature)
+    mistakes.collect(config.temperature->location, [&] { model.temperature = temperature_field(*config.temperature); });
+  mistakes.raise();
   for (std::size_t b = 0; b < meshes.size(); ++b)
     mistakes.collect(config.bodies[b].location, [&] {
       model.bodies.push_back(std::make_unique<mechanics::Body>(
           config.bodies[b].name, meshes[b], make_material(config.material(config.bodies[b].material.name)), supports[b],
-          temperature));
+          model.temperature));
     });
   mistakes.raise();
 
@@ -105,7 +107,9 @@ Model build_model(const config::Config& config) {
   model.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
   model.schwarz = schwarz_options(config.contact_solver, model);
   model.dense_limit_mb = config.contact_solver.dense_limit_mb;
-  model.breakpoints = breakpoints(config);
+  model.temperature_watch = TemperatureWatch(config);
+  model.breakpoints = breakpoints(config, model);
+  warn_of_places_outside(config, model);
   return model;
 }
 

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
-#include "turning_points.hpp"
 
 namespace creepcontact::simulation {
 
@@ -158,45 +156,6 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.gap = contact.gap;
   pair.geometric_gap = contact.geometric_gap;
   return pair;
-}
-
-std::vector<double> breakpoints(const config::Config& config) {
-  std::set<double> times(config.time.breakpoints.begin(), config.time.breakpoints.end());
-  const auto add = [&](const Function& function) {
-    for (const double t : function.breakpoints()) times.insert(t);
-    for (const double t : turning_points(function, config.time.end)) times.insert(t);
-  };
-  for (const config::Material& material : config.materials)
-    for (const config::CreepMechanism& mechanism : material.creep)
-      for (const config::CreepParameter& parameter : mechanism.parameters)
-        for (const Function& value : parameter.values) {
-          const std::vector<double> own = value.breakpoints(config.time.end);
-          times.insert(own.begin(), own.end());
-        }
-  for (const config::Support& support : config.supports) {
-    for (const auto& value : support.displacement)
-      if (value) add(*value);
-    if (support.normal) add(*support.normal);
-  }
-  for (const config::Load& load : config.loads) {
-    if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) add(pressure->value);
-    if (const auto* rotation = std::get_if<config::Rotation>(&load.kind)) {
-      add(rotation->angular_velocity);
-      add(rotation->density);
-    }
-    if (const auto* traction = std::get_if<config::Traction>(&load.kind))
-      for (const Function& value : traction->value) add(value);
-    if (const auto* force = std::get_if<config::PointForce>(&load.kind))
-      for (const Function& value : force->value) add(value);
-    if (const auto* force = std::get_if<config::BodyForce>(&load.kind))
-      for (const Function& value : force->value) add(value);
-  }
-  if (config.temperature) add(config.temperature->value);
-  for (const config::Contact& contact : config.contacts) add(contact.gap);
-  std::vector<double> result;
-  for (const double t : times)
-    if (t > 0 && t < config.time.end) result.push_back(t);
-  return result;
 }
 
 }  // namespace creepcontact::simulation

@@ -49,8 +49,10 @@ void add_load(const config::Load& load, const config::Config& config, const mesh
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model,
                         std::span<const mechanics::RigidMotion> sliding);
 
-/// Kinks in time of every function of the configuration, and the user's own breakpoints; ascending, within (0, end).
-std::vector<double> breakpoints(const config::Config& config);
+/// Kinks and jumps in time of every function of the configuration, the points of tables, and the user's own
+/// breakpoints; ascending, within (0, end). Warns of expressions with more of them than can be found.
+/// @param model  with its bodies and its temperature
+std::vector<double> breakpoints(const config::Config& config, const Model& model);
 
 /// @throws ConfigError if the integrator does not take the laws of the materials
 void require_one_theory(const config::Config& config, const Model& model);

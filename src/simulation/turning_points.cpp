@@ -12,6 +12,10 @@ constexpr std::size_t most = 100;
 
 }  // namespace
 
+double turning_point_error(double end) {
+  return end / samples;
+}
+
 std::vector<double> turning_points(const Function& function, double end) {
   if (!function.depends_on_time() || !function.breakpoints().empty()) return {};
   std::vector<double> values;

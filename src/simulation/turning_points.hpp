@@ -11,5 +11,7 @@ namespace creepcontact::simulation {
 /// shorter pulses are not seen. Turns by less than 1 % of the whole change are none; more than 100 are a vibration,
 /// which the integrator resolves without stops, and are left out. Tables know their points themselves: none.
 std::vector<double> turning_points(const Function& function, double end);
+/// How far they may be from where the function turns.
+double turning_point_error(double end);
 
 }  // namespace creepcontact::simulation

@@ -107,7 +107,8 @@ struct Load {
 };
 
 struct Temperature {
-  Function value;
+  Function value;              ///< unless `file` is given
+  std::filesystem::path file;  ///< of temperatures at points; relative to the working directory
   Location location;
 };
 

@@ -12,6 +12,7 @@
 #include "creepcontact/mechanics/discretization.hpp"
 #include "creepcontact/mechanics/free_motions.hpp"
 #include "creepcontact/mechanics/loads.hpp"
+#include "creepcontact/mechanics/temperature_field.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -20,11 +21,11 @@ namespace creepcontact::mechanics {
 class Body {
  public:
   /// The time is 0 until set_time() is called.
-  /// @param temperature  of x, y, z, t; nullopt where none is given (thermal strain then zero, T = reference)
+  /// @param temperature  nullopt where none is given (thermal strain then zero, T = reference)
   /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants are not
   ///         admissible, or they depend on a temperature that changes in time
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-       std::optional<Function> temperature);
+       std::optional<TemperatureField> temperature);
   ~Body();
   Body(Body&&) noexcept;
   Body& operator=(Body&&) noexcept;

@@ -2,6 +2,7 @@
 /// The bodies and contact pairs of a configuration, ready to be factored.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,15 @@
 #include "creepcontact/contact/condensed_interface.hpp"
 #include "creepcontact/contact/contact_solver.hpp"
 #include "creepcontact/mechanics/body.hpp"
+#include "creepcontact/simulation/temperature_watch.hpp"
 
 namespace creepcontact::simulation {
 
 struct Model {
   std::vector<std::unique_ptr<mechanics::Body>> bodies;
   std::vector<contact::Pair> pairs;
+  std::optional<mechanics::TemperatureField> temperature;
+  TemperatureWatch temperature_watch;
   bool use_schwarz = true;
   contact::SchwarzOptions schwarz;
   double dense_limit_mb = 0;        ///< of the contact zone's dense matrices

@@ -1,0 +1,149 @@
+#include "creepcontact/io/temperature_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+#include "creepcontact/base/error.hpp"
+#include "hdf5_file.hpp"
+#include "temperature_rows.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\"";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::vector<std::string_view> cells(std::string_view line) {
+  std::vector<std::string_view> result;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    result.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return result;
+}
+
+/// Where the columns x, y, z, T and, if there is one, t stand.
+struct Columns {
+  std::array<std::size_t, 4> required;
+  std::optional<std::size_t> time;
+};
+
+Columns find_columns(const std::string& file, std::string_view header) {
+  if (header.starts_with("\xef\xbb\xbf")) header.remove_prefix(3);  // a mark that spreadsheets write
+  const std::vector<std::string_view> names = cells(header);
+  const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+  };
+  Columns columns{{}, find("t")};
+  constexpr std::array<std::string_view, 4> wanted{"x", "y", "z", "T"};
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const auto found = find(wanted[k]);
+    if (!found)
+      throw ModelError(fmt::format(
+          "'{}', line 1: no column '{}' among {}; the first line names the columns x, y, z, T, or x, y, z, t, T", file,
+          wanted[k], fmt::join(names, ", ")));
+    columns.required[k] = *found;
+  }
+  return columns;
+}
+
+PointTemperatures read_csv(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  std::ifstream stream(path);
+  if (!stream || std::filesystem::is_directory(path))
+    throw ModelError(fmt::format("cannot read '{}': {}", file, stream ? "it is a directory" : std::strerror(errno)));
+  std::string line;
+  std::getline(stream, line);
+  const Columns columns = find_columns(file, line);
+  TemperatureRows rows(file, [](std::size_t row) { return fmt::format("line {}", row); });
+  for (std::size_t number = 2; std::getline(stream, line); ++number) {
+    if (trimmed(line).empty()) continue;
+    const std::vector<std::string_view> row = cells(line);
+    const auto value = [&](std::size_t column, std::string_view name) {
+      if (column >= row.size())
+        throw ModelError(
+            fmt::format("'{}', line {}: {} cells, none in the column '{}'", file, number, row.size(), name));
+      double result = 0;
+      const char* const end = row[column].data() + row[column].size();
+      const auto [stop, error] = std::from_chars(row[column].data(), end, result);
+      if (error != std::errc() || stop != end)
+        throw ModelError(
+            fmt::format("'{}', line {}: '{}' in the column '{}' is no number", file, number, row[column], name));
+      return result;
+    };
+    const auto& [x, y, z, T] = columns.required;
+    rows.add(number, {value(x, "x"), value(y, "y"), value(z, "z")}, columns.time ? value(*columns.time, "t") : 0.0,
+             value(T, "T"));
+  }
+  return rows.sorted();
+}
+
+std::string shape(const std::vector<std::size_t>& extents) {
+  return fmt::format("{}", fmt::join(extents, " x "));
+}
+
+PointTemperatures read_datasets(const std::string& file, hid_t root) {
+  const std::vector<std::string> names = member_names(root);
+  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  for (const char* name : {"coordinates", "temperature"})
+    if (!has(name))
+      throw ModelError(
+          fmt::format("'{}': no dataset '{}' among {}; there must be coordinates (n x 3), temperature (n, or n_times x "
+                      "n) and, with "
+                      "several times, times (n_times)",
+                      file, name, fmt::join(names, ", ")));
+  const std::vector<std::size_t> places = extents(root, "coordinates"), given = extents(root, "temperature");
+  if (places.size() != 2 || places[1] != 3)
+    throw ModelError(fmt::format("'{}': 'coordinates' is {}; it must be n x 3", file, shape(places)));
+  const std::vector<double> times = has("times") ? read_array<double>(root, "times") : std::vector<double>{0.0};
+  const std::size_t n = places[0];
+  const bool fits = given == std::vector{times.size(), n} || (times.size() == 1 && given == std::vector{n});
+  if (!fits)
+    throw ModelError(fmt::format("'{}': 'temperature' is {}; with {} points and {} times it must be {} x {}", file,
+                                 shape(given), n, times.size(), times.size(), n));
+  const auto later = std::adjacent_find(times.begin(), times.end(), [](double a, double b) { return !(a < b); });
+  if (later != times.end())
+    throw ModelError(fmt::format("'{}': 'times' must increase, but {} follows {}", file, *(later + 1), *later));
+  const std::vector<double> x = read_array<double>(root, "coordinates"), T = read_array<double>(root, "temperature");
+  TemperatureRows rows(file, [n](std::size_t row) { return fmt::format("point {}, time {}", row % n, row / n); });
+  for (std::size_t i = 0; i < T.size(); ++i) {
+    const double* place = &x[3 * (i % n)];
+    rows.add(i, {place[0], place[1], place[2]}, times[i / n], T[i]);
+  }
+  return rows.sorted();
+}
+
+PointTemperatures read_hdf5(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path))
+    throw ModelError(fmt::format("cannot read '{}': no such file", path.string()));
+  const Hdf5Silence silence;
+  try {
+    return read_datasets(path.string(), open_hdf5(path));
+  } catch (const Hdf5Error& error) {
+    throw ModelError(fmt::format("'{}' is damaged or no HDF5 file: {}", path.string(), error.what()));
+  }
+}
+
+}  // namespace
+
+PointTemperatures read_temperatures(const std::filesystem::path& file) {
+  return file.extension() == ".h5" || file.extension() == ".hdf5" ? read_hdf5(file) : read_csv(file);
+}
+
+}  // namespace creepcontact::io

@@ -1,0 +1,180 @@
+#include "creepcontact/mechanics/temperature_field.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "creepcontact/base/checksum.hpp"
+#include "creepcontact/mechanics/scattered_interpolation.hpp"
+
+namespace creepcontact::mechanics {
+
+struct TemperatureField::Definition {
+  virtual ~Definition() = default;
+  virtual double value(const Arguments& at) const = 0;
+  virtual std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const = 0;
+  bool place = true, time = true;  // whether it depends on them
+  virtual std::vector<double> breakpoints(double end) const = 0;
+  virtual double distance_outside(const Vector3& /*place*/) const { return 0; }
+  std::string text;
+};
+
+namespace {
+
+class FunctionAtPlaces final : public TemperatureAtPlaces {
+ public:
+  FunctionAtPlaces(Function function, std::span<const Vector3> places)
+      : function_(std::move(function)), places_(places.begin(), places.end()) {}
+
+  void evaluate(double t, std::span<double> values) override {
+    if (!function_.depends_on_place()) return std::fill(values.begin(), values.end(), function_({.t = t}));
+    for (std::size_t p = 0; p < places_.size(); ++p)
+      values[p] = function_({.x = places_[p][0], .y = places_[p][1], .z = places_[p][2], .t = t});
+  }
+
+ private:
+  Function function_;
+  std::vector<Vector3> places_;
+};
+
+struct OfFunction final : TemperatureField::Definition {
+  explicit OfFunction(Function given) : function(std::move(given)) {
+    place = function.depends_on_place();
+    time = function.depends_on_time();
+    text = function.text();
+  }
+  double value(const Arguments& at) const override { return function(at); }
+  std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
+    return std::make_unique<FunctionAtPlaces>(function, places);
+  }
+  std::vector<double> breakpoints(double end) const override { return function.breakpoints(end); }
+
+  Function function;
+};
+
+/// The interval of the times that t lies in, by its end, and the weight of that end.
+struct Moment {
+  std::size_t before, after;
+  double weight;
+};
+
+Moment moment(const std::vector<double>& times, double t) {
+  const auto after = static_cast<std::size_t>(std::upper_bound(times.begin(), times.end(), t) - times.begin());
+  if (after == 0) return {0, 0, 0};
+  if (after == times.size()) return {after - 1, after - 1, 0};
+  return {after - 1, after, (t - times[after - 1]) / (times[after] - times[after - 1])};
+}
+
+struct Scattered {
+  explicit Scattered(ScatteredTemperatures from) : given(std::move(from)), interpolation(given.points) {}
+  ScatteredTemperatures given;
+  ScatteredInterpolation interpolation;
+};
+
+double weighted(std::span<const PointWeight> weights, const std::vector<double>& values) {
+  double sum = 0;
+  for (const PointWeight& term : weights) sum += term.weight * values[term.point];
+  return sum;
+}
+
+class ScatteredAtPlaces final : public TemperatureAtPlaces {
+ public:
+  ScatteredAtPlaces(std::shared_ptr<const Scattered> field, std::span<const Vector3> places)
+      : field_(std::move(field)), weights_(places.size()) {
+    const auto n = static_cast<std::ptrdiff_t>(places.size());
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t p = 0; p < n; ++p)
+      weights_[static_cast<std::size_t>(p)] = field_->interpolation.weights(places[static_cast<std::size_t>(p)]);
+  }
+
+  void evaluate(double t, std::span<double> values) override {
+    const Moment at = moment(field_->given.times, t);
+    interpolate(at.before, before_);
+    if (at.weight > 0) interpolate(at.after, after_);
+    for (std::size_t p = 0; p < values.size(); ++p)
+      values[p] =
+          at.weight > 0 ? (1 - at.weight) * before_.values[p] + at.weight * after_.values[p] : before_.values[p];
+  }
+
+ private:
+  struct Kept {
+    std::optional<std::size_t> time;
+    std::vector<double> values;
+  };
+  void interpolate(std::size_t time, Kept& kept) const {
+    if (kept.time == time) return;
+    kept.values.resize(weights_.size());
+    for (std::size_t p = 0; p < weights_.size(); ++p)
+      kept.values[p] = weighted(weights_[p], field_->given.values[time]);
+    kept.time = time;
+  }
+
+  std::shared_ptr<const Scattered> field_;
+  std::vector<std::vector<PointWeight>> weights_;
+  Kept before_, after_;  // of the interval that the last time was in
+};
+
+struct OfPoints final : TemperatureField::Definition {
+  explicit OfPoints(ScatteredTemperatures given) : field(std::make_shared<Scattered>(std::move(given))) {
+    const ScatteredTemperatures& kept = field->given;
+    time = kept.times.size() > 1;
+    Checksum sum;
+    for (const Vector3& x : kept.points) sum.add(x.data(), 3);
+    sum.add(kept.times.data(), kept.times.size());
+    for (const std::vector<double>& values : kept.values) sum.add(values.data(), values.size());
+    text = fmt::format("{} points at {} times, checksum {:016x}", kept.points.size(), kept.times.size(), sum.value());
+  }
+
+  double value(const Arguments& at) const override {
+    const std::vector<PointWeight> weights = field->interpolation.weights({at.x, at.y, at.z});
+    const Moment now = moment(field->given.times, at.t);
+    const double before = weighted(weights, field->given.values[now.before]);
+    return before + now.weight * (weighted(weights, field->given.values[now.after]) - before);
+  }
+  std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
+    return std::make_unique<ScatteredAtPlaces>(field, places);
+  }
+  std::vector<double> breakpoints(double end) const override {
+    std::vector<double> result;
+    if (!time) return result;
+    for (const double t : field->given.times)
+      if (t <= end) result.push_back(t);
+    return result;
+  }
+
+  double distance_outside(const Vector3& place) const override { return field->interpolation.distance_outside(place); }
+
+  std::shared_ptr<const Scattered> field;
+};
+
+}  // namespace
+
+TemperatureField::TemperatureField(Function value) : definition_(std::make_shared<OfFunction>(std::move(value))) {}
+TemperatureField::TemperatureField(ScatteredTemperatures given)
+    : definition_(std::make_shared<OfPoints>(std::move(given))) {}
+
+double TemperatureField::operator()(const Arguments& at) const {
+  return definition_->value(at);
+}
+std::unique_ptr<TemperatureAtPlaces> TemperatureField::at(std::span<const Vector3> places) const {
+  return definition_->at(places);
+}
+bool TemperatureField::depends_on_place() const {
+  return definition_->place;
+}
+bool TemperatureField::depends_on_time() const {
+  return definition_->time;
+}
+std::vector<double> TemperatureField::breakpoints(double end) const {
+  return definition_->breakpoints(end);
+}
+double TemperatureField::distance_outside(const Vector3& place) const {
+  return definition_->distance_outside(place);
+}
+const std::string& TemperatureField::text() const {
+  return definition_->text;
+}
+
+}  // namespace creepcontact::mechanics

@@ -1,0 +1,88 @@
+/// Temperatures from files and of places on the model; tables in T that end.
+#include "../../../src/simulation/temperature.hpp"
+
+#include <fmt/format.h>
+
+#include "creepcontact/simulation/check.hpp"
+#include "running.hpp"
+
+namespace creepcontact::simulation::test {
+namespace {
+
+/// Hot at the top, from t = 1 on twice as much: T = 100 (z + 2), z from -2 to 1.
+const std::string csv = "x,y,z,t,T\n0,0,-2,1,0\n0,0,1,1,300\n0,0,-2,3,0\n0,0,1,3,600\n";
+
+class Temperatures : public testing::Test {
+ protected:
+  config::Config config(const std::string& text, const std::vector<std::string>& overrides = {},
+                        const std::string& more = "[temperature]\nfile = \"T.csv\"\n") {
+    io::test::write_text(blocks_ / "T.csv", text);
+    return blocks_.config(more, overrides);
+  }
+  /// What a run of the rate up to these times writes to standard error.
+  std::string warnings(const config::Config& of, const std::vector<double>& times) {
+    testing::internal::CaptureStderr();
+    System system(of);
+    std::vector<double> state(system.rate.size()), rate(system.rate.size());
+    for (const double t : times) system.rate.rate(t, state, rate);
+    return testing::internal::GetCapturedStderr();
+  }
+
+  Case blocks_;
+};
+
+TEST_F(Temperatures, ComeFromAFile) {
+  const config::Config given = config(csv);
+  const Model model = build_model(given);
+  EXPECT_EQ(model.breakpoints, (std::vector<double>{1, 3}));
+  for (const auto& body : model.bodies)
+    for (const auto& [t, factor] : std::vector<std::pair<double, double>>{{0, 100}, {2, 150}, {4, 200}}) {
+      const auto values = body->temperature(t);
+      for (std::size_t p = 0; p < values.size(); ++p)
+        EXPECT_NEAR(values[p], factor * (body->discretization().point_coordinates()[p][2] + 2), 1e-9);
+    }
+  std::ostringstream report;
+  check(given, report);
+  const auto range = temperature_range(given, model);
+  ASSERT_TRUE(range);
+  EXPECT_GT(range->high, 500);
+  EXPECT_LT(range->low, 60);
+  EXPECT_TRUE(contains(report.str(), fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high)));
+}
+
+TEST_F(Temperatures, MistakesInTheFileAreNamedWithTheConfiguration) {
+  const auto message = message_of<ModelError>([&] { build_model(config("x,y,z,T\n1,2,3,a\n")); });
+  EXPECT_TRUE(contains(message, "case.toml:")) << message;
+  EXPECT_TRUE(contains(message, "T.csv', line 2: 'a' in the column 'T' is no number")) << message;
+  EXPECT_TRUE(
+      contains(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\nvalue = 1\nfile = \"T.csv\"\n"); }),
+               "temperature: both 'value' and 'file'"));
+  EXPECT_TRUE(contains(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\n"); }),
+                       "temperature: no temperature; allowed: exactly one of value, file"));
+}
+
+TEST_F(Temperatures, PlacesFarOutsideTheFileAreWarnedOfOnce) {
+  testing::internal::CaptureStderr();
+  build_model(config("x,y,z,T\n0,0,-2,1\n0,0,-1.9,2\n0,0,-1.8,3\n"));
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_TRUE(contains(said, "has no points near the whole model; farthest is (")) << said;
+  EXPECT_EQ(said.find("has no points"), said.rfind("has no points"));
+  testing::internal::CaptureStderr();
+  build_model(config(csv));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(Temperatures, OutsideATableAreWarnedOfOnceATable) {
+  const std::vector<std::string> tables{"materials.soft.creep[0].A={ T = [0, 190], values = [1e-3, 2e-3] }",
+                                        "materials.hard.creep[0].A={ T = [0, 1000], values = [1e-3, 2e-3] }"};
+  std::vector<std::string> short_run = tables;
+  short_run.emplace_back("time.end=0.9");  // before it gets hot
+  EXPECT_FALSE(contains(warnings(config(csv, short_run), {0.5, 0.9}), "outside"));
+  const std::string said = warnings(config(csv, tables), {0.5, 3.5, 3.8, 0.5, 4});
+  EXPECT_TRUE(contains(said, "material 'soft': creep[0].A: the temperature at (")) << said;
+  EXPECT_TRUE(contains(said, "outside its table (0 .. 190); the end value is used")) << said;
+  EXPECT_EQ(said.find("outside"), said.rfind("outside")) << said;
+}
+
+}  // namespace
+}  // namespace creepcontact::simulation::test
