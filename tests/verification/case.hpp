@@ -105,9 +105,11 @@ class CaseDirectory {
 
 /// @param toml  configuration; it may name the mesh "case.geo"
 /// @param geo   text of that file; empty: none
-inline Outcome run_case(const std::string& toml, const std::string& geo,
-                        const std::vector<std::string>& overrides = {}) {
+/// @param files  other files beside it: names and texts
+inline Outcome run_case(const std::string& toml, const std::string& geo, const std::vector<std::string>& overrides = {},
+                        const std::vector<std::pair<std::string, std::string>>& files = {}) {
   const CaseDirectory directory(geo);
+  for (const auto& [name, text] : files) std::ofstream(directory.path() / name) << text;
   config::Config config = directory.config(toml, overrides);
   config.output.fields = false;
   const auto results = directory.path() / "results";
