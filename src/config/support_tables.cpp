@@ -14,6 +14,7 @@ struct Displacement {
 struct TemperatureKeys {
   std::optional<Function> value;
   std::filesystem::path file;
+  double refactor_change = Temperature{}.refactor_change;
 };
 
 Value<Displacement> displacement_table() {
@@ -63,15 +64,17 @@ Value<Temperature> temperature_table() {
       field<TemperatureKeys>("value", &TemperatureKeys::value, function(place_and_time), "temperature of all bodies"),
       field<TemperatureKeys>("file", &TemperatureKeys::file, path(),
                              "temperatures at points, .csv or .h5, in place of 'value'"),
+      field<TemperatureKeys>("refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
+                             "relative change of the stiffness with the temperature beyond which it is factored anew"),
   });
-  return converted<Temperature>(
-      keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
-        const std::vector<std::string> given = given_keys(item, {"value", "file"});
-        if (given.size() != 1)
-          context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
-                             "exactly one of value, file");
-        return Temperature{found.value.value_or(Function()), std::move(found.file), item.location};
-      });
+  return converted<
+      Temperature>(keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
+    const std::vector<std::string> given = given_keys(item, {"value", "file"});
+    if (given.size() != 1)
+      context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
+                         "exactly one of value, file");
+    return Temperature{found.value.value_or(Function()), std::move(found.file), found.refactor_change, item.location};
+  });
 }
 
 }  // namespace creepcontact::config

@@ -23,6 +23,11 @@ class ActiveSet final : public ContactSolver {
     throw SolverError("contact: the active-set method found no consistent set of contact nodes");
   }
 
+  void flexibility_changed() override {
+    frozen_.flexibility_changed();
+    springs_.reset();
+  }
+
   void set_recorder(IterationRecorder* recorder) override { recorder_ = recorder; }
 
  private:

@@ -43,8 +43,11 @@ CondensedInterface::CondensedInterface(std::span<const std::unique_ptr<mechanics
   make_problem();
   make_rows();
   if (dense_bytes_ <= dense_bytes) {
-    problem_.total.setZero(n_rows(), n_rows());
-    for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      bodies[b]->factorize(sides_[b].trailing);
+      condense(b);
+    }
+    sum_flexibilities();
   } else {
     for (const auto& body : bodies) body->factorize({});
     large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
@@ -98,16 +101,33 @@ void CondensedInterface::make_rows() {
 }
 
 void CondensedInterface::condense(std::size_t b) {
-  mechanics::Body& body = *bodies_[b];
   Side& side = sides_[b];
-  body.factorize(side.trailing);
-  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, body.factor());
+  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, bodies_[b]->factor());
   problem_.bodies[b].matrix = side.condensed.flexibility();
-  problem_.total(rows_[b].rows, rows_[b].rows) += problem_.bodies[b].matrix;
+}
+
+void CondensedInterface::sum_flexibilities() {
+  problem_.total.setZero(n_rows(), n_rows());
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    problem_.total(rows_[b].rows, rows_[b].rows) += problem_.bodies[b].matrix;
+}
+
+void CondensedInterface::refactorize(std::span<const std::size_t> bodies) {
+  for (const std::size_t b : bodies) {
+    bodies_[b]->refactorize();
+    if (!large_) condense(b);
+  }
+  if (!large_) {
+    sum_flexibilities();
+    return;
+  }
+  earlier_products_ += large_->n_products();
+  large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
+  problem_.large = large_.get();
 }
 
 std::int64_t CondensedInterface::n_products() const {
-  return large_ ? large_->n_products() : 0;
+  return earlier_products_ + (large_ ? large_->n_products() : 0);
 }
 
 InterfaceLoad CondensedInterface::no_load() const {

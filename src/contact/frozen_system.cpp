@@ -55,6 +55,11 @@ FrozenSystem::FrozenSystem(const ContactProblem& problem, double tolerance)
     : problem_(problem), tolerance_(tolerance) {}
 FrozenSystem::~FrozenSystem() = default;
 
+void FrozenSystem::flexibility_changed() {
+  factored_ = false;
+  gradients_.reset();
+}
+
 FrozenSolution FrozenSystem::solve(const std::vector<int>& active, const ContactLoad& load) {
   if (active.empty()) {
     FrozenSolution nothing;

@@ -23,6 +23,7 @@ class Recent {
     }
     return kept_.front();
   }
+  void clear() { kept_.clear(); }
 
  private:
   static constexpr std::size_t most = 3;

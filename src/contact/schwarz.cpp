@@ -39,6 +39,13 @@ class Schwarz final : public ContactSolver {
     return direct;
   }
 
+  void flexibility_changed() override {
+    fallback_->flexibility_changed();
+    springs_.reset();
+    sweeps_.clear();
+    gradients_.clear();
+  }
+
   void set_recorder(IterationRecorder* recorder) override {
     recorder_ = recorder;
     fallback_->set_recorder(recorder);

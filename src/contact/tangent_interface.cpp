@@ -3,7 +3,7 @@
 namespace creepcontact::contact {
 
 TangentInterface::TangentInterface(const CondensedInterface& interface,
-                                   std::span<const linalg::SupernodalCholesky* const> factors)
+                                   std::span<const linalg::SupernodalCholesky* const> factors, double elastic_scale)
     : interface_(interface), condensed_(factors.size()), frozen_(problem_) {
   const ContactProblem& elastic = interface.problem();
   problem_.slave_body = elastic.slave_body;
@@ -18,7 +18,7 @@ TangentInterface::TangentInterface(const CondensedInterface& interface,
       condensed_[b] = CondensedRows(interface.rows(b).reduced, interface.trailing(b), *factors[b]);
       problem_.total(rows, rows) += condensed_[b].flexibility();
     } else {
-      problem_.total(rows, rows) += elastic.bodies[b].matrix;
+      problem_.total(rows, rows) += elastic_scale * elastic.bodies[b].matrix;
     }
   }
 }

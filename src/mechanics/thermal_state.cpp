@@ -53,20 +53,25 @@ std::span<const double> ThermalState::strain(const material::Material& material,
   return strain_;
 }
 
-std::vector<Moduli> ThermalState::moduli(const material::Material& material) {
+bool ThermalState::moduli_change_in_time(const material::Material& material) const {
+  return changes_in_time() &&
+         (material.young_modulus.depends_on_temperature() || material.poisson_ratio.depends_on_temperature());
+}
+
+std::span<const Moduli> ThermalState::moduli(const material::Material& material, double t) {
+  if (moduli_time_ && (*moduli_time_ == t || !moduli_change_in_time(material))) return moduli_;
+  moduli_time_.reset();  // stays unset if something below throws
+  moduli_.clear();
   const bool varies =
       material.young_modulus.depends_on_temperature() || material.poisson_ratio.depends_on_temperature();
-  if (!varies || !field_) return {moduli_at(material, material.reference_temperature)};
-  if (changes_in_time()) {
-    throw ModelError(fmt::format(
-        "material '{}': a stiffness that changes in time is not supported yet, but young_modulus or poisson_ratio "
-        "depends on T and the temperature '{}' on t; give constants, or a steady temperature field",
-        material.name, field_->text()));
-  }
-  if (!field_->depends_on_place()) return {moduli_at(material, (*field_)({}))};
-  std::vector<Moduli> moduli;
-  for (const double at_point : temperature(0.0)) moduli.push_back(moduli_at(material, at_point));
-  return moduli;
+  if (!varies || !field_)
+    moduli_.push_back(moduli_at(material, material.reference_temperature));
+  else if (!field_->depends_on_place())
+    moduli_.push_back(moduli_at(material, (*field_)({.t = t})));
+  else
+    for (const double at_point : temperature(t)) moduli_.push_back(moduli_at(material, at_point));
+  moduli_time_ = t;
+  return moduli_;
 }
 
 }  // namespace creepcontact::mechanics

@@ -1,5 +1,7 @@
 #include "creepcontact/simulation/contact_elasticity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -9,6 +11,13 @@ namespace {
 /// Smaller factors stay in the cache: waking the threads costs more than the pass.
 constexpr std::int64_t parallel_bytes = 1 << 20;
 constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
+
+std::string factored_name(std::size_t body) {
+  return fmt::format("stiffness.factored.{}", body);
+}
+std::string free_name(std::size_t body) {
+  return fmt::format("stiffness.free.{}", body);
+}
 
 contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
   const auto lap = watch.lap(Part::factorize);
@@ -36,6 +45,7 @@ ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
     const auto n_free = static_cast<std::size_t>(body->constraints().n_free());
     const auto n_full = static_cast<std::size_t>(body->constraints().n_full());
     const std::size_t n_stress = 6 * body->discretization().n_points();
+    stiffness_changes_ = stiffness_changes_ || body->stiffness_changes();
     states_.push_back({std::vector<double>(n_full), std::vector<double>(n_stress)});
     work_.push_back({std::vector<double>(n_free), std::vector<double>(n_free), std::vector<double>(n_free),
                      std::vector<double>(n_full), std::vector<double>(n_full)});
@@ -50,14 +60,9 @@ void ContactElasticity::pass_through_factors(const std::function<void(std::size_
   for (int b = 0; b < n_bodies; ++b) pass(static_cast<std::size_t>(b));
 }
 
-contact::InterfaceLoad ContactElasticity::forward(contact::InterfaceLoad load) {
-  const std::size_t n_bodies = model_.bodies.size();
-  for (std::size_t b = 0; b < n_bodies; ++b) interface_.take_resultant(b, work_[b].right_hand_side, load);
+void ContactElasticity::forward() {
   pass_through_factors(
       [&](std::size_t b) { model_.bodies[b]->factor().forward(work_[b].right_hand_side, work_[b].factored); });
-  const auto lap = watch_.lap(Part::contact);
-  for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, load);
-  return load;
 }
 
 void ContactElasticity::backward(const Eigen::VectorXd& multiplier) {
@@ -80,6 +85,7 @@ void ContactElasticity::keep_warm() {
     row = next;
   }
   warm_ = last_;
+  kept_ = iterate_;
 }
 
 void ContactElasticity::log_contact(ContactLog& log) {
@@ -87,53 +93,35 @@ void ContactElasticity::log_contact(ContactLog& log) {
   solver_->set_recorder(&log);
 }
 
-void ContactElasticity::solve_contact(double t, const contact::ContactLoad& load) {
+void ContactElasticity::solve_contact(const contact::InterfaceLoad& load, const contact::ContactState& warm) {
   const auto lap = watch_.lap(Part::contact);
-  if (log_) log_->begin_solve(t);
+  if (log_) log_->begin_solve(load.time);
   try {
-    contact::ContactResult result = solver_->solve(load, warm_);
+    contact::ContactResult result = solver_->solve(interface_.contact_load(load), warm);
     counters_.schwarz_iterations += result.iterations;
     ++counters_.contact_solves;
     last_ = std::move(result.state);
     gaps_ = std::move(result.gap);
   } catch (const contact::UnbalancedLoad& unbalanced) {
-    interface_.report(unbalanced, t);
+    interface_.report(unbalanced, load.time);
   }
-}
-
-void ContactElasticity::solve(double t, const CreepViews& creep) {
-  const std::size_t n_bodies = model_.bodies.size();
-  for (const auto& body : model_.bodies) body->set_time(t);
-  model_.temperature_watch.see(t, model_.bodies);
-  time_ = t;
-  {
-    const auto lap = watch_.lap(Part::material);
-    for (std::size_t b = 0; b < n_bodies; ++b) model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
-  }
-  const contact::InterfaceLoad load = forward(interface_.initial_load(t));
-  if (interface_.n_rows() > 0) solve_contact(t, interface_.contact_load(load));
-  backward(last_.multiplier);
-  const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < n_bodies; ++b) {
-    const mechanics::Body& body = *model_.bodies[b];
-    body.constraints().expand(work_[b].free, body.prescribed(), states_[b].displacement);
-    interface_.add_rigid_motion(b, last_.rigid, states_[b].displacement);
-    body.discretization().stress(states_[b].displacement, body.elastic(), creep[b], states_[b].stress);
-  }
-  ++counters_.elastic_solves;
 }
 
 void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<std::vector<double>>& stress) {
   const std::size_t n_bodies = model_.bodies.size();
+  contact::InterfaceLoad load = interface_.no_load();
   {
     const auto lap = watch_.lap(Part::material);
-    for (std::size_t b = 0; b < n_bodies; ++b)
+    for (std::size_t b = 0; b < n_bodies; ++b) {
       model_.bodies[b]->initial_strain_force(creep_change[b], work_[b].right_hand_side);
+      interface_.take_resultant(b, work_[b].right_hand_side, load);
+    }
   }
-  const contact::InterfaceLoad load = forward(interface_.no_load());
+  forward();
   contact::ContactState change;
   if (interface_.n_rows() > 0) {
     const auto lap = watch_.lap(Part::contact);
+    for (std::size_t b = 0; b < n_bodies; ++b) interface_.add_trace(b, work_[b].factored, load);
     // Initial strains are in equilibrium with themselves: no resultants.
     change = frozen_.solve(last_.active, {load.gap, {}}).state;
   }
@@ -143,7 +131,9 @@ void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<s
     const mechanics::Body& body = *model_.bodies[b];
     body.constraints().expand(work_[b].free, work_[b].no_displacement, work_[b].displacement);
     interface_.add_rigid_motion(b, change.rigid, work_[b].displacement);
-    body.discretization().stress(work_[b].displacement, {body.elastic().moduli, {}}, creep_change[b], stress[b]);
+    body.discretization().stress(work_[b].displacement, body.factored(), creep_change[b], stress[b]);
+    if (stiffness_.scale != 1)
+      for (double& component : stress[b]) component *= stiffness_.scale;
   }
   ++counters_.elastic_solves;
 }
@@ -153,6 +143,12 @@ void ContactElasticity::save(Memory& memory) const {
   memory["contact.rigid"].assign(warm_.rigid.begin(), warm_.rigid.end());
   memory["contact.active"].assign(warm_.active.begin(), warm_.active.end());
   memory["contact.sweeps_given_up"] = {solver_->has_given_up_sweeps() ? 1.0 : 0.0};
+  if (!stiffness_changes_) return;
+  for (const auto& body : model_.bodies) memory["stiffness.factor_times"].push_back(body->factor_time());
+  for (std::size_t b = 0; b < kept_.size(); ++b) {
+    memory[factored_name(b)] = kept_[b].factored;
+    memory[free_name(b)] = kept_[b].free;
+  }
 }
 
 void ContactElasticity::restore(const Memory& memory) {
@@ -166,6 +162,12 @@ void ContactElasticity::restore(const Memory& memory) {
   warm_.active.assign(active.begin(), active.end());
   last_ = warm_;
   if (memory.at("contact.sweeps_given_up").at(0) != 0) solver_->give_up_sweeps();
+  if (!stiffness_changes_) return;
+  const std::vector<double>& factor_times = memory.at("stiffness.factor_times");
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b) model_.bodies[b]->set_time(factor_times.at(b));
+  refactorize();
+  for (std::size_t b = 0; b < model_.bodies.size() && memory.contains(factored_name(b)); ++b)
+    kept_.push_back({memory.at(factored_name(b)), memory.at(free_name(b))});
 }
 
 }  // namespace creepcontact::simulation

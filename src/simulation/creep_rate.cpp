@@ -76,6 +76,7 @@ void CreepRate::set_scale(const std::vector<double>& output_times) {
   if (!(*std::max_element(stress.begin(), stress.end()) > 0))
     throw ModelError(
         "nothing loads the bodies: at no output time does any load, support, temperature or gap give stress");
+  for (const auto& body : elasticity_.model().bodies) body->set_time(0.0);  // Young's modulus where the run begins
   scale_->set_elastic(stress);
 }
 
@@ -240,12 +241,12 @@ void CreepRate::accept(double t, std::span<const double> /*y*/) {
 
 void CreepRate::save(ContactElasticity::Memory& memory) const {
   elasticity_.save(memory);
-  memory["stress_scale"] = scale_->stress();
+  memory["strain_scale"] = scale_->strain();
 }
 
 void CreepRate::restore(const ContactElasticity::Memory& memory) {
   elasticity_.restore(memory);
-  scale_->restore(memory.at("stress_scale"));
+  scale_->restore(memory.at("strain_scale"));
 }
 
 ode::System::Counters CreepRate::counters() const {

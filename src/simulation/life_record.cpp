@@ -60,7 +60,8 @@ void LifeRecord::fill(io::Summary& summary) const {
   if (rupture_) summary.rupture = {rupture_->first, bodies[rupture_->second.body]->name(), largest(rupture_->second)};
   for (std::size_t p = 0; p < final_force_.size(); ++p) {
     const contact::Pair& pair = system_.elasticity().interface().pairs()[p];
-    if (pair.coupling.type != contact::ContactType::tied) summary.contacts[pair.name] = {largest_force_[p], final_force_[p]};
+    if (pair.coupling.type != contact::ContactType::tied)
+      summary.contacts[pair.name] = {largest_force_[p], final_force_[p]};
   }
 }
 

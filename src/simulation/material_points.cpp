@@ -162,6 +162,7 @@ material::StressTangent MaterialPoints::tangent(std::size_t p, std::span<const d
 }
 
 void MaterialPoints::linearize(std::span<const double> stress, const double* state) {
+  const mechanics::ElasticState elastic = body_.elastic();
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
@@ -169,23 +170,20 @@ void MaterialPoints::linearize(std::span<const double> stress, const double* sta
     Tensor6 direction = tensor::deviator(Eigen::Map<const Tensor6>(stress.data() + 6 * p));
     if (const double length = direction.norm(); length > 0) direction /= length;
     std::copy(direction.begin(), direction.end(), locals_[p].direction);
-    locals_[p].deviatoric = part.deviatoric;
-    locals_[p].radial = part.radial;
-    locals_[p].volumetric = part.volumetric;
+    const material::Moduli& moduli = elastic.at(p);
+    locals_[p].deviatoric = 2 * moduli.mu * part.deviatoric;
+    locals_[p].radial = 2 * moduli.mu * part.radial;
+    locals_[p].volumetric = (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric;
   }
 }
 
 void MaterialPoints::precondition(double gamma, const double* r, double* z) const {
-  const mechanics::ElasticState elastic = body_.elastic();
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
     const Local& local = locals_[p];
-    const material::Moduli& moduli = elastic.at(p);
-    const double shear = 2 * gamma * moduli.mu;
-    const double bulk = gamma * (3 * moduli.lambda + 2 * moduli.mu);
-    const double a = shear * local.deviatoric;
-    const double b = shear * local.radial;
+    const double a = gamma * local.deviatoric;
+    const double b = gamma * local.radial;
     const Eigen::Map<const Tensor6> right(r + stride_ * p);
     const Eigen::Map<const Tensor6> direction(local.direction);
     Eigen::Map<Tensor6> result(z + stride_ * p);
@@ -193,7 +191,7 @@ void MaterialPoints::precondition(double gamma, const double* r, double* z) cons
     Tensor6 deviator = right;
     deviator.head<3>().array() -= mean;
     result = (deviator - (b / (1 + a + b)) * direction.dot(deviator) * direction) / (1 + a);
-    result.head<3>().array() += mean / (1 + bulk * local.volumetric);
+    result.head<3>().array() += mean / (1 + gamma * local.volumetric);
     for (std::size_t k = 6; k < stride_; ++k) z[stride_ * p + k] = r[stride_ * p + k];
   }
 }

@@ -85,6 +85,7 @@ Model build_model(const config::Config& config) {
   Model model;
   if (config.temperature)
     mistakes.collect(config.temperature->location, [&] { model.temperature = temperature_field(*config.temperature); });
+  if (config.temperature) model.refactor_change = config.temperature->refactor_change;
   mistakes.raise();
   for (std::size_t b = 0; b < meshes.size(); ++b)
     mistakes.collect(config.bodies[b].location, [&] {

@@ -26,17 +26,19 @@ class StressScale {
   void follow(const std::vector<BodyState>& states);
 
   std::span<const double> values() const { return values_; }
-  /// The stress behind every body's scale: all that follow() has left behind.
-  const std::vector<double>& stress() const { return stress_; }
-  void restore(const std::vector<double>& stress);
+  /// Every body's scale: all that follow() has left behind.
+  const std::vector<double>& strain() const { return strain_; }
+  void restore(const std::vector<double>& strain);
 
  private:
-  void fill(std::size_t body);
+  void set(std::size_t body, double strain);
+  /// Young's modulus at the body's set time.
+  double young_modulus(std::size_t body) const;
 
   const Model& model_;
   const StateLayout& layout_;
   double least_ = 0;
-  std::vector<double> stress_;  // a body
+  std::vector<double> strain_;  // a body
   std::vector<double> values_;
 };
 

@@ -52,7 +52,8 @@ void TangentSystem::prepare(double gamma, std::span<const double> y) {
     factors[b] = &*sides_[b].factor;
   }
   const auto lap = watch_.lap(Part::factorize);
-  interface_ = std::make_unique<contact::TangentInterface>(elasticity_.interface(), factors);
+  interface_ =
+      std::make_unique<contact::TangentInterface>(elasticity_.interface(), factors, 1 / elasticity_.stiffness_scale());
 }
 
 template <typename Work>

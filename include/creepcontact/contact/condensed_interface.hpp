@@ -41,6 +41,10 @@ class CondensedInterface {
   ~CondensedInterface();
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+  /// Factors these bodies anew, with the stiffness of their set time, and condenses their rows anew. Contact solvers
+  /// and systems made of problem() must be told (flexibility_changed). Cost: as the constructor, without the orderings.
+  void refactorize(std::span<const std::size_t> bodies);
+
   const std::vector<Pair>& pairs() const { return pairs_; }
   const ContactProblem& problem() const { return problem_; }
   const FloatingMotions& floating() const { return floating_; }
@@ -77,6 +81,7 @@ class CondensedInterface {
   void make_problem();
   void make_rows();
   void condense(std::size_t body);
+  void sum_flexibilities();
   void warn_of_held_overlaps(const InterfaceLoad& load) const;
 
   struct Side {
@@ -94,6 +99,7 @@ class CondensedInterface {
   ContactProblem problem_;
   std::vector<int> immovable_;  // rows
   std::unique_ptr<FactoredFlexibility> large_;
+  std::int64_t earlier_products_ = 0;  // those of a large_ that was replaced
 };
 
 /// Free unknowns that contact rows touch, ascending. @param reduced  rows on the free unknowns

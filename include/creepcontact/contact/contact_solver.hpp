@@ -18,6 +18,8 @@ class ContactSolver {
   /// @throws UnbalancedLoad if bodies held by contact alone fly off; SolverError if no consistent contact state is
   /// found
   virtual ContactResult solve(const ContactLoad& load, const ContactState& warm) = 0;
+  /// The flexibilities of the problem are others than before: what was made of them must be made anew.
+  virtual void flexibility_changed() = 0;
   /// Who is told of every iteration from now on; null: nobody. @param recorder must outlive its use
   virtual void set_recorder(IterationRecorder* recorder) = 0;
   /// True once sweeps have failed to converge and are not tried again: all that solves to come depend on, warm apart.

@@ -30,6 +30,8 @@ class FrozenSystem {
   /// With a flexibility given as an operator: conjugate gradients.
   /// @throws SolverError if the contact conditions of the set contradict or repeat each other
   FrozenSolution solve(const std::vector<int>& active, const ContactLoad& load);
+  /// The flexibilities of the problem are others than before.
+  void flexibility_changed();
 
  private:
   void factorize(const std::vector<int>& active);

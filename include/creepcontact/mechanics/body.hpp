@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/linalg/supernodal_cholesky.hpp"
@@ -22,8 +23,8 @@ class Body {
  public:
   /// The time is 0 until set_time() is called.
   /// @param temperature  nullopt where none is given (thermal strain then zero, T = reference)
-  /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants are not
-  ///         admissible, or they depend on a temperature that changes in time
+  /// @throws ModelError if an element is inverted, supports contradict each other, or the elastic constants are not
+  ///         admissible
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
        std::optional<TemperatureField> temperature);
   ~Body();
@@ -53,13 +54,23 @@ class Body {
   /// u += sum of amplitudes x free motions (3 n_nodes)
   void add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const;
 
-  /// Orders, analyses and factors the stiffness of the free unknowns, the pins fixed.
+  /// Orders, analyses and factors the stiffness of the free unknowns at the set time, the pins fixed.
   /// @param trailing  free unknowns to be eliminated last (those of the contact surfaces)
   /// @throws ModelError naming the body and the place if the stiffness is singular
   void factorize(std::vector<std::int64_t> trailing);
+  /// The elastic constants follow a temperature that changes in time: those of the factor are then those of
+  /// factor_time() alone.
+  bool stiffness_changes() const;
+  /// Factors the stiffness of the set time, in the order and with the pattern found before. @throws as factorize
+  void refactorize();
+  double factor_time() const;
+  /// Least and largest ratio of the bulk and shear moduli at the set time to those of the factor, over all points: the
+  /// eigenvalues of K0^-1 K(t) lie between them. {1, 1} if the stiffness does not change.
+  std::pair<double, double> stiffness_ratio() const;
   /// As factorize, but the analysis only: bytes of the factor for `check`.
   std::int64_t estimate_factor_bytes() const;
-  /// Lower triangle over the free unknowns, the pins' rows and columns emptied but for the diagonal. Cost: assembly.
+  /// That of the set time: lower triangle over the free unknowns, the pins' rows and columns emptied but for the
+  /// diagonal. Cost: assembly.
   linalg::SparseMatrix stiffness() const;
   /// The same with symmetric moduli of any kind, one a point, in place of the elastic ones.
   linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
@@ -75,8 +86,13 @@ class Body {
   /// Cost: one element loop; no allocation.
   /// right_hand_side (n_free) = T^T (F(t) + integral B^T H (creep + thermal strain) - K prescribed(t))
   void right_hand_side(CreepStrainView creep, std::span<double> right_hand_side) const;
-  /// T^T integral B^T H v alone (Jacobian products): no loads, no prescribed values.
+  /// T^T integral B^T H0 v alone (Jacobian products), H0 that of the factor: no loads, no prescribed values.
   void initial_strain_force(CreepStrainView strain, std::span<double> right_hand_side) const;
+  /// Elastic constants of the factor, without thermal strain.
+  ElasticState factored() const;
+  /// What the stress of a displacement leaves of right_hand_side(): T^T (F(t) - integral B^T stress). Cost: one element
+  /// loop. @param free  the free unknowns of that displacement
+  void imbalance(std::span<const double> stress, std::span<const double> free, std::span<double> right_hand_side) const;
   std::span<const double> prescribed() const;  ///< 3 n_nodes at the set time
   /// External forces F(t) at the set time, 3 n_nodes.
   std::span<const double> external_forces() const;

@@ -40,7 +40,7 @@ class MaterialPoints {
   /// Of every point the largest of its mechanisms, 0 where none knows the measure.
   std::vector<double> measure(material::Measure of, std::span<const double> stress, const double* state) const;
 
-  /// Keeps d(rate)/d(stress) of this point for precondition().
+  /// Keeps C H of this point for precondition(): C = d(rate)/d(stress), H of the body's set time.
   void linearize(std::span<const double> stress, const double* state);
   /// z = (I + gamma C H)^-1 r, closed form of Sherman and Morrison for isotropic laws.
   void precondition(double gamma, const double* r, double* z) const;
@@ -49,8 +49,8 @@ class MaterialPoints {
 
  private:
   struct Local {
-    double direction[6];  // of the stress deviator, unit length
-    double deviatoric, radial, volumetric;
+    double direction[6];                    // of the stress deviator, unit length
+    double deviatoric, radial, volumetric;  // parts of C H
   };
   /// call(law, point, offset of its internal variables in the state of the point) for every mechanism at point p
   template <typename Call>

@@ -22,6 +22,7 @@ struct Model {
   bool use_schwarz = true;
   contact::SchwarzOptions schwarz;
   double dense_limit_mb = 0;        ///< of the contact zone's dense matrices
+  double refactor_change = 0;       ///< of the stiffness, relative, beyond which it is factored anew
   std::vector<double> breakpoints;  ///< kinks in time of all loads, supports, gaps, temperatures; ascending
 
   /// @returns bodies.size() if there is none of this name

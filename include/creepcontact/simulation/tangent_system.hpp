@@ -1,6 +1,8 @@
 #pragma once
 /// Direct solver of the Newton systems (I - gamma J) z = r of the creep rate. MaterialTangent eliminates the state
 /// point by point; K_tan du = integral B^T D e with K_tan = integral B^T D B is left, with the active contacts closed.
+/// Bodies that do not creep enter with the flexibility that the elasticity knows of them: where their stiffness changes
+/// in time, that is wrong by Model::refactor_change at most, and the Newton iteration converges linearly.
 
 #include <cstdint>
 #include <memory>

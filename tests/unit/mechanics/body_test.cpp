@@ -1,4 +1,4 @@
-/// The body: errors of the model, time, supports along inclined normals, temperature.
+/// The body: errors of the model, time, supports along inclined normals.
 #include "creepcontact/mechanics/body.hpp"
 
 #include <gtest/gtest.h>
@@ -215,50 +215,10 @@ TEST(Body, RightHandSideIsLinearInTheCreepStrain) {
   for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(with[i], without[i] + alone[i], 1e-11);
 }
 
-TEST(Body, TakesTheElasticConstantsOfASteadyTemperature) {
-  const mesh::Mesh bar = box_mesh(CellType::hex8, {2, 1, 1}, {2, 1, 1});
-  material::Material material = elastic_material();
-  material.young_modulus = Function::expression("200 - T", {"T"});
-  Body body("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
-  body.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
-  EXPECT_EQ(body.elastic().moduli.size(), body.discretization().n_points());
-  material.poisson_ratio = 0.0;
-  Body slender("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
-  slender.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
-  slender.factorize({});
-  const std::vector<double> u = solve(slender);
-  for (const std::int64_t node : mesh::group_nodes(bar, "x1"))
-    EXPECT_NEAR(u[3 * static_cast<std::size_t>(node)], 1.0 / 200 + 1.0 / 100, 1e-13);
-  Body uniform("bar", bar, material, symmetry_supports(bar), Function(50.0));
-  ASSERT_EQ(uniform.elastic().moduli.size(), 1u);
-  EXPECT_NEAR(uniform.elastic().at(3).mu, 75.0, 1e-12);
-}
-
-TEST(Body, RefusesAStiffnessThatChangesInTime) {
-  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
-  material::Material material = elastic_material();
-  material.young_modulus = Function::table("T", {0, 100}, {200, 100});
-  const std::string message = message_of([&] { Body("b", box, material, {}, Function::expression("20*t", {"t"})); });
-  EXPECT_NE(message.find("a stiffness that changes in time is not supported yet"), std::string::npos) << message;
-  EXPECT_NE(message.find("steady temperature field"), std::string::npos) << message;
-}
-
 TEST(Body, RefusesInadmissibleElasticConstants) {
   const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
   EXPECT_NE(message_of([&] { Body("b", box, elastic_material(200, 0.5), {}, std::nullopt); }), "");
   EXPECT_NE(message_of([&] { Body("b", box, elastic_material(0, 0.3), {}, std::nullopt); }), "");
-}
-
-TEST(Body, KnowsItsTemperature) {
-  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
-  Body body("b", box, elastic_material(), {}, Function::expression("x + 10*t", {"x", "t"}));
-  for (const double t : {0.0, 2.0}) {
-    const auto temperature = body.temperature(t);
-    for (std::size_t p = 0; p < temperature.size(); ++p)
-      EXPECT_NEAR(temperature[p], body.discretization().point_coordinates()[p][0] + 10 * t, 1e-14);
-  }
-  Body cold("b", box, elastic_material(), {}, std::nullopt);
-  EXPECT_TRUE(cold.temperature(1.0).empty());
 }
 
 TEST(Body, EstimatesTheMemoryOfItsFactor) {

@@ -1,0 +1,100 @@
+/// The body under a temperature: its elastic constants, steady or not, and the factor of another time.
+#include <gtest/gtest.h>
+
+#include "creepcontact/mechanics/body.hpp"
+#include "meshes.hpp"
+#include "solve.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+using mechanics::Body;
+using mechanics::Support;
+
+TEST(BodyInHeat, TakesTheElasticConstantsOfASteadyTemperature) {
+  const mesh::Mesh bar = box_mesh(CellType::hex8, {2, 1, 1}, {2, 1, 1});
+  material::Material material = elastic_material();
+  material.young_modulus = Function::expression("200 - T", {"T"});
+  Body body("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
+  body.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
+  EXPECT_EQ(body.elastic().moduli.size(), body.discretization().n_points());
+  material.poisson_ratio = 0.0;
+  Body slender("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
+  slender.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
+  slender.factorize({});
+  const std::vector<double> u = solve(slender);
+  for (const std::int64_t node : mesh::group_nodes(bar, "x1"))
+    EXPECT_NEAR(u[3 * static_cast<std::size_t>(node)], 1.0 / 200 + 1.0 / 100, 1e-13);
+  Body uniform("bar", bar, material, symmetry_supports(bar), Function(50.0));
+  ASSERT_EQ(uniform.elastic().moduli.size(), 1u);
+  EXPECT_NEAR(uniform.elastic().at(3).mu, 75.0, 1e-12);
+}
+
+/// Half the bar heats up; its stiffness at every time is that of a bar with these constants.
+TEST(BodyInHeat, FollowsElasticConstantsThatChangeInTime) {
+  const mesh::Mesh bar = box_mesh(CellType::hex8, {2, 1, 1}, {2, 1, 1});
+  material::Material material = elastic_material();
+  material.young_modulus = Function::expression("200 - T", {"T"});
+  material.poisson_ratio = 0.0;
+  const auto body_at = [&](const Function& temperature) {
+    Body body("bar", bar, material, symmetry_supports(bar), temperature);
+    body.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
+    return body;
+  };
+  Body body = body_at(Function::expression("100*(x > 1)*t", {"x", "t"}));
+  EXPECT_TRUE(body.stiffness_changes());
+  body.factorize({});
+  body.set_time(0.5);
+  EXPECT_EQ(body.factor_time(), 0.0);
+  EXPECT_NEAR(body.stiffness_ratio().first, 0.75, 1e-14);
+  EXPECT_NEAR(body.stiffness_ratio().second, 1.0, 1e-14);
+  EXPECT_NEAR(body.factored().at(body.discretization().n_points() - 1).mu, 100, 1e-12);
+  body.refactorize();
+  EXPECT_EQ(body.factor_time(), 0.5);
+  EXPECT_EQ(body.stiffness_ratio(), std::pair(1.0, 1.0));
+  const std::vector<double> u = solve(body);
+  for (const std::int64_t node : mesh::group_nodes(bar, "x1"))
+    EXPECT_NEAR(u[3 * static_cast<std::size_t>(node)], 1.0 / 200 + 1.0 / 150, 1e-13);
+
+  Body steady = body_at(Function::expression("100*(x > 1)", {"x"}));
+  steady.factorize({});
+  steady.set_time(0.5);
+  EXPECT_FALSE(steady.stiffness_changes());
+  EXPECT_EQ(steady.stiffness_ratio(), std::pair(1.0, 1.0));
+}
+
+/// The imbalance of a displacement is what of the forces its stress does not carry.
+TEST(Body, HasNoImbalanceInEquilibrium) {
+  const mesh::Mesh box = box_mesh(CellType::hex20, {1, 1, 4});  // a single row: hourglass modes are held
+  std::vector<Support> supports = symmetry_supports(box);
+  supports.push_back(support(box, "z1", Vector3::UnitZ(), 0.01));
+  Body body("row", box, elastic_material(), supports, std::nullopt);
+  body.add_load(mechanics::traction_load(box, mesh::boundary_faces(box, "x1"), {1.0, 0.5, 0.0}));
+  body.factorize({});
+  const auto n = static_cast<std::size_t>(body.constraints().n_free());
+  std::vector<double> load(n), free(n), u(3 * box.nodes.size()), rest(n);
+  body.right_hand_side({}, load);
+  for (const double part : {1.0, 0.25}) {
+    for (std::size_t i = 0; i < n; ++i) free[i] = part * load[i];
+    body.factor().forward(free, free);
+    body.factor().backward(free, free);
+    body.constraints().expand(free, body.prescribed(), u);
+    body.imbalance(stress_of(body, u), free, rest);
+    for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(rest[i], (1 - part) * load[i], 1e-10);
+  }
+}
+
+TEST(BodyInHeat, KnowsItsTemperature) {
+  const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
+  Body body("b", box, elastic_material(), {}, Function::expression("x + 10*t", {"x", "t"}));
+  for (const double t : {0.0, 2.0}) {
+    const auto temperature = body.temperature(t);
+    for (std::size_t p = 0; p < temperature.size(); ++p)
+      EXPECT_NEAR(temperature[p], body.discretization().point_coordinates()[p][0] + 10 * t, 1e-14);
+  }
+  Body cold("b", box, elastic_material(), {}, std::nullopt);
+  EXPECT_TRUE(cold.temperature(1.0).empty());
+}
+
+}  // namespace
+}  // namespace creepcontact::test
