@@ -12,11 +12,9 @@ namespace {
 constexpr std::int64_t parallel_bytes = 1 << 20;
 constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
 
-std::string factored_name(std::size_t body) {
-  return fmt::format("stiffness.factored.{}", body);
-}
-std::string free_name(std::size_t body) {
-  return fmt::format("stiffness.free.{}", body);
+/// @param step  0: the last accepted one
+std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) {
+  return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
 }
 
 contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
@@ -85,7 +83,10 @@ void ContactElasticity::keep_warm() {
     row = next;
   }
   warm_ = last_;
-  kept_ = iterate_;
+  if (!stiffness_changes_) return;
+  if (!kept_.empty() && kept_.front().time == time_) kept_.erase(kept_.begin());
+  kept_.insert(kept_.begin(), {time_, iterate_});
+  if (kept_.size() > 2) kept_.pop_back();
 }
 
 void ContactElasticity::log_contact(ContactLog& log) {
@@ -145,9 +146,12 @@ void ContactElasticity::save(Memory& memory) const {
   memory["contact.sweeps_given_up"] = {solver_->has_given_up_sweeps() ? 1.0 : 0.0};
   if (!stiffness_changes_) return;
   for (const auto& body : model_.bodies) memory["stiffness.factor_times"].push_back(body->factor_time());
-  for (std::size_t b = 0; b < kept_.size(); ++b) {
-    memory[factored_name(b)] = kept_[b].factored;
-    memory[free_name(b)] = kept_[b].free;
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    memory[kept_name("time", k)] = {kept_[k].time};
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+      memory[kept_name("factored", k, b)] = kept_[k].bodies[b].factored;
+      memory[kept_name("free", k, b)] = kept_[k].bodies[b].free;
+    }
   }
 }
 
@@ -166,8 +170,11 @@ void ContactElasticity::restore(const Memory& memory) {
   const std::vector<double>& factor_times = memory.at("stiffness.factor_times");
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) model_.bodies[b]->set_time(factor_times.at(b));
   refactorize();
-  for (std::size_t b = 0; b < model_.bodies.size() && memory.contains(factored_name(b)); ++b)
-    kept_.push_back({memory.at(factored_name(b)), memory.at(free_name(b))});
+  for (std::size_t k = 0; memory.contains(kept_name("time", k)); ++k) {
+    kept_.push_back({memory.at(kept_name("time", k)).at(0), {}});
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b)
+      kept_.back().bodies.push_back({memory.at(kept_name("factored", k, b)), memory.at(kept_name("free", k, b))});
+  }
 }
 
 }  // namespace creepcontact::simulation

@@ -13,8 +13,9 @@ namespace {
 constexpr double exact = 1e-12;             // of the stiffness: rounding
 constexpr double stress_tolerance = 1e-10;  // of the stress in the body, energy norm: far below any integrator's
 constexpr double rounding = 1e-12;          // of the displacement, energy norm
-constexpr double stalled = 0.9;             // an iteration that changes more of what the last one did converges no more
-constexpr double good_if_stalled = 1e-8;    // of the displacement: rounding in an ill-conditioned stiffness
+constexpr double stalled = 0.9;  // where an iteration changes more than this part of what the last did, it stands
+constexpr double farthest = 2;   // extrapolation, in steps
+constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
 
 /// Twice the elastic energy, integral sigma H^-1 sigma.
 double elastic_energy(const mechanics::Body& body, const std::vector<double>& stress) {
@@ -117,10 +118,23 @@ contact::InterfaceLoad ContactElasticity::start(double t, const CreepViews& cree
     iterate_.resize(model_.bodies.size());
     return given;
   }
-  iterate_ = kept_;
+  extrapolate(t);
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) update_state(b, warm_.rigid, creep[b]);
   leave_imbalance();
   return given;
+}
+
+void ContactElasticity::extrapolate(double t) {
+  iterate_ = kept_.front().bodies;
+  if (kept_.size() < 2) return;
+  const double last = kept_[0].time, before = kept_[1].time;
+  // Steps that grow fast follow those after a jump, which tell little of what comes.
+  const double part = std::clamp((t - last) / (last - before), -1.0, farthest);
+  for (std::size_t b = 0; b < iterate_.size(); ++b) {
+    const Iterate& old = kept_[1].bodies[b];
+    vector(iterate_[b].factored) += part * (vector(iterate_[b].factored) - vector(old.factored));
+    vector(iterate_[b].free) += part * (vector(iterate_[b].free) - vector(old.free));
+  }
 }
 
 void ContactElasticity::update_state(std::size_t b, const Eigen::VectorXd& rigid,

@@ -101,13 +101,20 @@ class ContactElasticity {
   struct Iterate {
     std::vector<double> factored, free;
   };
+  struct Kept {
+    double time = 0;
+    std::vector<Iterate> bodies;
+  };
   StiffnessChange stiffness_change() const;
   /// Makes K0 the stiffness of the set time.
   void refactorize();
   /// @returns false if the iteration does not converge, which nothing but rounding can be the cause of
   bool iterate(double t, const CreepViews& creep);
-  /// Right-hand sides for the start from the last accepted displacement, or from none. @returns the load without traces
+  /// Right-hand sides for the start: from the displacements of the last accepted steps, or from none. @returns the load
+  /// without traces
   contact::InterfaceLoad start(double t, const CreepViews& creep);
+  /// The iterate becomes what the last two accepted steps lead to.
+  void extrapolate(double t);
   /// One elastic solve. @returns change of the displacement, energy norm
   double advance(const contact::InterfaceLoad& given, const contact::ContactState& from, const CreepViews& creep);
   /// Displacement and stress of the last iterate.
@@ -129,8 +136,9 @@ class ContactElasticity {
   contact::FrozenSystem frozen_;
   ContactLog* log_ = nullptr;
   bool stiffness_changes_ = false;
-  StiffnessChange stiffness_;            // at time_
-  std::vector<Iterate> iterate_, kept_;  // one a body if the stiffness changes: of the last solve, of keep_warm()
+  StiffnessChange stiffness_;     // at time_
+  std::vector<Iterate> iterate_;  // one a body if the stiffness changes: of the last solve
+  std::vector<Kept> kept_;        // of the last two accepted steps, the last one first
   contact::ContactState last_, warm_;
   Eigen::VectorXd gaps_;
   double time_ = 0;

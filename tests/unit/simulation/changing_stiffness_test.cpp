@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// hex20 in a single row, whose hourglass modes are held by a stiffness that is not the material's.
 TEST(ChangingStiffnessOfARow, HasTheEquilibriumOfItsTimeWithAnyFactor) {
   std::string geometry = separate_blocks();
-  for (const std::string& from : {"{1:24} = 3", "{9:12} = 4", "{21:24} = 5"})
+  for (const std::string from : {"{1:24} = 3", "{9:12} = 4", "{21:24} = 5"})
     geometry.replace(geometry.find(from), from.size(), from.substr(0, from.size() - 1) + "2");
   const std::string fine = "Transfinite Curve{21:24} = 2;";
   geometry.replace(geometry.find(fine), fine.size(), fine + "\nTransfinite Curve{1, 3, 5, 7} = 5;");
