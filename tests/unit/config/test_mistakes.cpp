@@ -77,6 +77,8 @@ TEST(ConfigMistakes, OutOfRange) {
                  "cases/block.toml:13:18: contact_solver.alpha.blok: unknown body 'blok'; did you mean 'block'?");
   expect_mistake(minimal + "[contact_solver]\ndamping = 0\n",
                  "cases/block.toml:13:11: contact_solver.damping: number 0; allowed: a number in (0, 1]");
+  expect_mistake(minimal + "[temperature]\nvalue = 1\nrefactor_change = 0.6\n",
+                 "cases/block.toml:14:19: temperature.refactor_change: number 0.6; allowed: a number in [0, 0.5]");
   expect_mistake(minimal, "--set time.end=0: time.end: number 0; allowed: a number > 0", {"time.end=0"});
   for (const char* wrong : {"0.5", "-1", "'0.25*2'", "{ T = [0, 1], values = [0.3, 0.5] }"}) {
     const std::vector<std::string> lines = mistakes(
