@@ -107,8 +107,8 @@ struct Load {
 };
 
 struct Temperature {
-  Function value;              ///< unless `file` is given
-  std::filesystem::path file;  ///< of temperatures at points; relative to the working directory
+  Function value;                 ///< unless `file` is given
+  std::filesystem::path file;     ///< of temperatures at points; relative to the working directory
   double refactor_change = 0.05;  ///< of the stiffness, relative, beyond which it is factored anew; 0 to 0.5
   Location location;
 };
