@@ -144,7 +144,7 @@ struct OfPoints final : TemperatureField::Definition {
     return result;
   }
 
-  double distance_outside(const Vector3& place) const override { return field->interpolation.distance_outside(place); }
+  double distance_outside(const Vector3& at) const override { return field->interpolation.distance_outside(at); }
 
   std::shared_ptr<const Scattered> field;
 };
