@@ -1,0 +1,74 @@
+#pragma once
+/// A cube of 100 mm of one element in a uniform state, its material given as text.
+
+#include <string>
+
+#include "verification/case.hpp"
+
+namespace creepcontact::test {
+
+inline const char* const cube_geo = R"(
+  Point(1) = {0, 0, 0}; Point(2) = {100, 0, 0}; Point(3) = {100, 100, 0}; Point(4) = {0, 100, 0};
+  Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+  Line Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+  Transfinite Curve{1, 2, 3, 4} = 2; Transfinite Surface{1}; Recombine Surface{1};
+  out[] = Extrude {0, 0, 100} { Surface{1}; Layers{1}; Recombine; };
+  Physical Volume("cube") = {out[1]};
+  Physical Surface("z0") = {1}; Physical Surface("z1") = {out[0]};
+  Physical Surface("y0") = {out[2]}; Physical Surface("x1") = {out[3]};
+  Physical Surface("y1") = {out[4]}; Physical Surface("x0") = {out[5]};
+)";
+
+/// E = 200e3, nu = 0.3; probes of stress and creep strain, sxx, cxx, ..., damage and life.
+/// @param material  further tables of the material "steel"
+/// @param loading   supports and loads besides the symmetry planes, temperature, contacts
+/// @param time      keys of [time]
+inline std::string cube_toml(const std::string& material, const std::string& loading, const std::string& time) {
+  std::string toml = R"(
+    [mesh]
+    file = "case.geo"
+    order = 1
+    [bodies.cube]
+    region = "cube"
+    material = "steel"
+    [materials.steel]
+    young_modulus = 200e3
+    poisson_ratio = 0.3
+    )" + material + R"(
+    [[supports]]
+    on = "x0"
+    displacement = { x = 0 }
+    [[supports]]
+    on = "y0"
+    displacement = { y = 0 }
+    [[supports]]
+    on = "z0"
+    displacement = { z = 0 }
+    )" + loading + "\n[time]\n" +
+                     time;
+  const std::vector<std::pair<std::string, std::string>> probes{
+      {"sxx", "stress_xx"},       {"szz", "stress_zz"}, {"exx", "strain_xx"},     {"cxx", "creep_strain_xx"},
+      {"cyy", "creep_strain_yy"}, {"damage", "damage"}, {"life", "life_fraction"}};
+  for (const auto& [name, quantity] : probes)
+    toml += "\n[[probes]]\nname = \"" + name + "\"\nquantity = \"" + quantity + "\"\nbody = \"cube\"\n";
+  return toml;
+}
+
+inline Outcome run_cube(const std::string& material, const std::string& loading, const std::string& time) {
+  return run_case(cube_toml(material, loading, time), cube_geo);
+}
+
+/// Uniaxial stress along x as a function value (TOML).
+inline std::string pulled(const std::string& stress) {
+  return "\n[[loads]]\non = \"x1\"\ntraction = [" + stress + ", 0, 0]\n";
+}
+inline std::string held(const std::string& surface, const std::string& component, double displacement) {
+  return "\n[[supports]]\non = \"" + surface + "\"\ndisplacement = { " + component + " = " +
+         std::to_string(displacement) + " }\n";
+}
+/// One mechanism of "steel".
+inline std::string creep(const std::string& law, const std::string& keys) {
+  return "\n[[materials.steel.creep]]\nlaw = \"" + law + "\"\n" + keys + "\n";
+}
+
+}  // namespace creepcontact::test
