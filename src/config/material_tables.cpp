@@ -12,7 +12,7 @@ Range range_of(const LawKey& key) {
 
 std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key, Context& context) {
   const Value<Function> value = function(key.variables, range_of(key));
-  CreepParameter parameter{key.name, {}, item.location};
+  CreepParameter parameter{key.name, {}, item.location, true};
   if (key.list) {
     const auto values = list(value).read(item, context);
     if (!values) return std::nullopt;
@@ -74,7 +74,7 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
   for (const LawKey& key : law.keys) {
     const Item found = item.child(key.name);
     if (!found.node) {
-      if (!key.required) mechanism.parameters.push_back({key.name, key.fallback, item.location});
+      if (!key.required) mechanism.parameters.push_back({key.name, key.fallback, item.location, false});
       continue;
     }
     if (auto parameter = read_parameter(found, key, context)) mechanism.parameters.push_back(std::move(*parameter));

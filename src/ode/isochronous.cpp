@@ -31,6 +31,13 @@ void Isochronous::initialize(double t, std::span<const double> y, double /*step*
   time_ = t;
   std::ranges::copy(y, state_.begin());
   system_.forget_evaluations();
+  try {
+    solve(t);
+  } catch (const RecoverableError& error) {
+    throw SolverError(fmt::format("isochronous: no equilibrium at t = {:.6g}: {}", t, error.what()));
+  }
+  std::swap(state_, next_);
+  system_.accept(t, state_);
 }
 
 void Isochronous::solve(double t) {

@@ -16,7 +16,9 @@ class Isochronous final : public Integrator {
   Isochronous(System& system, const IntegratorOptions& options);
 
   std::string name() const override { return "isochronous"; }
+  /// @param y  first guess of the state
   void initialize(double t, std::span<const double> y, double step = 0) override;
+  bool jumps_with_loads() const override { return true; }
   /// Ends at t_limit, or before it if only a shorter way can be solved.
   StepReport step(double t_limit) override;
   void interpolate(double t, std::span<double> y) const override;

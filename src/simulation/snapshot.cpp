@@ -61,32 +61,42 @@ Sample BodyFields::at_point(std::size_t point) const {
           points_[life_fraction][point]};
 }
 
+Snapshot::Snapshot(const ContactElasticity& elasticity, const StateLayout& layout, double time,
+                   std::span<const double> y)
+    : elasticity_(elasticity), time_(time), y_(y) {
+  layout.views(y, creep_);
+}
+
 Snapshot::Snapshot(const CreepRate& system, double time, std::span<const double> y)
-    : system_(system), time_(time), y_(y) {
-  system.layout().views(y, creep_);
+    : Snapshot(system.elasticity(), system.layout(), time, y) {
+  system_ = &system;
+}
+
+std::vector<double> Snapshot::measure(material::Measure of, std::size_t body) const {
+  return system_ ? system_->measure(of, body, y_) : std::vector<double>{};
 }
 
 const BodyFields& Snapshot::fields(std::size_t body) const {
   const auto found = fields_.find(body);
   if (found != fields_.end()) return found->second;
   return fields_
-      .try_emplace(body, *elasticity().model().bodies[body], elasticity().states()[body], creep_[body],
-                   elasticity().time(), system_.measure(material::Measure::damage, body, y_),
-                   system_.measure(material::Measure::life_fraction, body, y_))
+      .try_emplace(body, *elasticity_.model().bodies[body], elasticity_.states()[body], creep_[body],
+                   elasticity_.time(), measure(material::Measure::damage, body),
+                   measure(material::Measure::life_fraction, body))
       .first->second;
 }
 
 const std::vector<double>& Snapshot::reactions(std::size_t body) const {
   std::vector<double>& forces = reactions_[body];
   if (!forces.empty()) return forces;
-  const mechanics::Body& owner = *elasticity().model().bodies[body];
-  const BodyState& state = elasticity().states()[body];
+  const mechanics::Body& owner = *elasticity_.model().bodies[body];
+  const BodyState& state = elasticity_.states()[body];
   forces.assign(state.displacement.size(), 0.0);
   // residual = reactions + contact forces
   std::vector<double> contact(forces.size(), 0.0);
   owner.residual_forces(state.stress, forces);
-  if (elasticity().interface().n_rows() > 0)
-    elasticity().interface().add_contact_forces(body, elasticity().multipliers(), contact);
+  if (elasticity_.interface().n_rows() > 0)
+    elasticity_.interface().add_contact_forces(body, elasticity_.multipliers(), contact);
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] -= contact[i];
   return forces;
 }

@@ -11,7 +11,10 @@
 namespace creepcontact::simulation {
 namespace {
 
-constexpr double almost_ruptured = 0.9;  // damage at which failing steps mean rupture
+/// Damage at which steps that shrink to nothing mean rupture: the rate of damage is then infinite.
+constexpr double almost_ruptured = 0.5;
+constexpr double nothing = 1e-9;      // relative to the time
+constexpr double failing_with = 0.9;  // damage at which steps that cannot be made mean rupture
 
 ode::StepChoice step_choice(const config::TimeStep& step) {
   switch (step.mode) {
@@ -170,7 +173,7 @@ TimeLoop::End TimeLoop::run() {
   } catch (const SolverError&) {
     write_checkpoint();
     // Right before rupture steps may have become as short as numbers allow.
-    if (!integrator_ || !settled_ || life_.largest_damage(integrator_->state()).value < almost_ruptured) throw;
+    if (!integrator_ || !settled_ || life_.largest_damage(integrator_->state()).value < failing_with) throw;
     report_rupture(time_, life_.largest_damage(integrator_->state()));
     output(time_, integrator_->state());
   } catch (const Error&) {
@@ -202,9 +205,10 @@ void TimeLoop::report_rupture(double time, const CreepRate::Extreme& where) {
 
 bool TimeLoop::ruptured(double begin_of_step) {
   CreepRate::Extreme where = life_.largest_damage(integrator_->state());
-  if (where.value < LifeRecord::rupture_damage) return false;
+  const bool at_end = where.value >= LifeRecord::rupture_damage;
+  if (!at_end && !(where.value >= almost_ruptured && time_ - begin_of_step < nothing * time_)) return false;
   double before = begin_of_step, after = time_;
-  for (int halving = 0; halving < 50 && before < after; ++halving) {
+  for (int halving = 0; at_end && halving < 50; ++halving) {
     const double middle = 0.5 * (before + after);
     if (middle == before || middle == after) break;
     integrator_->interpolate(middle, state_);
@@ -227,6 +231,7 @@ void TimeLoop::outputs_of_step(bool breakpoint) {
     output(*next_output_, state_);
   }
   if (breakpoint) begin_segment();  // a result at a jump is that after it
+  if (breakpoint && integrator_->jumps_with_loads()) integrator_->initialize(time_, integrator_->state());
   if (next_output_ != end && *next_output_ == time_ && time_ == integrator_->time()) {
     output(time_, integrator_->state());
     ++next_output_;
@@ -258,7 +263,7 @@ void TimeLoop::integrate(const Interrupt& interrupt) {
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;
     outputs_of_step(breakpoint);
-    if (breakpoint && time_ < end) {
+    if (breakpoint && time_ < end && !integrator_->jumps_with_loads()) {
       const std::span<const double> y = integrator_->state();
       integrator_->initialize(time_, std::vector<double>(y.begin(), y.end()));
     }

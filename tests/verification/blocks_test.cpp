@@ -111,7 +111,8 @@ TEST_P(EveryIntegrator, AgreesWithTheClosedForm) {
 
 std::vector<std::string> integrator_names() {
   std::vector<std::string> names;
-  for (const ode::IntegratorInfo& info : ode::integrators()) names.push_back(info.name);
+  for (const ode::IntegratorInfo& info : ode::integrators())
+    if (!info.isochronous) names.push_back(info.name);
   return names;
 }
 

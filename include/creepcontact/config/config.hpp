@@ -34,6 +34,7 @@ struct CreepParameter {
   std::string key;
   std::vector<Function> values;  ///< of the variables that Vocabulary allows at this key
   Location location;
+  bool given = true;  ///< false: the default
 };
 
 struct CreepMechanism {

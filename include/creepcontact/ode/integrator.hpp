@@ -79,6 +79,9 @@ class Integrator {
   /// @param step  proposed first step, 0: let the integrator choose
   virtual void initialize(double t, std::span<const double> y, double step = 0) = 0;
 
+  /// True if the state jumps where loads do: initialize() then finds that after the jump.
+  virtual bool jumps_with_loads() const { return false; }
+
   /// One accepted step; never goes beyond t_limit, ends on it exactly if it gets there.
   /// @throws SolverError with advice if no step can be made; state() is then the last accepted one.
   virtual StepReport step(double t_limit) = 0;

@@ -40,22 +40,27 @@ class BodyFields {
   std::vector<double> points_[6], nodes_[6];
 };
 
-/// State of the model at an output time. The last evaluation of the system must be that of (time, y) and stays in use,
-/// y too.
+/// State of the model at an output time. The elasticity's last solution must be that of (time, y) and stays in use, y
+/// too.
 class Snapshot {
  public:
   Snapshot(const CreepRate& system, double time, std::span<const double> y);
+  /// Without what creep laws tell beside the strain.
+  Snapshot(const ContactElasticity& elasticity, const StateLayout& layout, double time, std::span<const double> y);
 
   double time() const { return time_; }
-  const ContactElasticity& elasticity() const { return system_.elasticity(); }
-  bool knows(material::Measure measure) const { return system_.knows(measure); }
+  const ContactElasticity& elasticity() const { return elasticity_; }
+  bool knows(material::Measure measure) const { return system_ && system_->knows(measure); }
   /// Smoothing happens at the first call for a body.
   const BodyFields& fields(std::size_t body) const;
   /// Nodal residual integral B^T sigma - F of a body without its contact forces: the reactions of its supports.
   const std::vector<double>& reactions(std::size_t body) const;
 
  private:
-  const CreepRate& system_;
+  std::vector<double> measure(material::Measure of, std::size_t body) const;
+
+  const ContactElasticity& elasticity_;
+  const CreepRate* system_ = nullptr;
   double time_;
   std::span<const double> y_;
   std::vector<mechanics::CreepStrainView> creep_;
