@@ -42,8 +42,9 @@ double ExpressionLaw::equivalent_rate(double q, double eps, const Point& at) con
 HardeningRate ExpressionLaw::linearized_rate(double q, double eps, const Point& at) const {
   const auto f = [&](double stress, double strain) { return value(stress, strain, at.time, at.temperature); };
   HardeningRate result;
-  result.value = f(q, eps);
-  result.by_stress = (f(q * (1 + step), eps) - f(q * (1 - step), eps)) / (2 * step * q);
+  const double above = f(q * (1 + step), eps), below = f(q * (1 - step), eps);
+  result.value = 0.5 * (above + below);
+  result.by_stress = (above - below) / (2 * step * q);
   if (n_internal() > 0) result.by_strain = (f(q, eps * (1 + step)) - f(q, eps * (1 - step))) / (2 * step * eps);
   return result;
 }

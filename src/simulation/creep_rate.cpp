@@ -1,5 +1,7 @@
 #include "creepcontact/simulation/creep_rate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -120,7 +122,26 @@ void CreepRate::rate(double t, std::span<const double> y, std::span<double> rate
     if (!points_[b].empty())
       points_[b].rate(elasticity_.states()[b].stress, y.data() + layout_.offset(b), rate.data() + layout_.offset(b));
   const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), static_cast<Eigen::Index>(rate.size())).sum();
-  if (!std::isfinite(sum)) throw ode::RecoverableError("the creep rate overflows");
+  if (!std::isfinite(sum)) throw ode::RecoverableError(describe_overflow(rate));
+}
+
+std::string CreepRate::describe_overflow(std::span<const double> rate) const {
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const std::size_t stride = layout_.stride(b);
+    for (std::size_t p = 0; stride > 0 && p < points_[b].size(); ++p) {
+      const auto own = rate.subspan(layout_.offset(b) + p * stride, stride);
+      if (std::ranges::all_of(own, [](double value) { return std::isfinite(value); })) continue;
+      const mechanics::Body& body = *elasticity_.model().bodies[b];
+      const Vector3& x = body.discretization().point_coordinates()[p];
+      const Eigen::Map<const Tensor6> stress(elasticity_.states()[b].stress.data() + 6 * p);
+      return fmt::format(
+          "the creep rate of material '{}' overflows or is no number in body '{}' at ({:.6g}, {:.6g}, {:.6g}), where "
+          "the "
+          "equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
+          body.material().name, body.name(), x.x(), x.y(), x.z(), tensor::von_mises(stress), time_);
+    }
+  }
+  return "the creep rate overflows";
 }
 
 void CreepRate::jacobian_times(double t, std::span<const double> y, std::span<const double> v,

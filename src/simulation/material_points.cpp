@@ -196,16 +196,37 @@ void MaterialPoints::precondition(double gamma, const double* r, double* z) cons
   }
 }
 
+double MaterialPoints::stiffest_with_internal(std::size_t p, std::span<const double> stress, const double* state,
+                                              Eigen::VectorXd& v, Eigen::VectorXd& product) const {
+  constexpr int iterations = 12;
+  v.setOnes();
+  double size = 0;
+  for (int i = 0; i < iterations; ++i) {
+    v.normalize();
+    const Tensor6 change = -material::stress(body_.elastic().at(p), v.head<6>());
+    derivative_at(p, stress, state, change.data(), v.data(), product.data());
+    size = product.norm();
+    if (!(size > 0)) return 0;
+    v.swap(product);
+  }
+  return size;
+}
+
 double MaterialPoints::stiffest_rate(std::span<const double> stress, const double* state) const {
   const mechanics::ElasticState elastic = body_.elastic();
   double stiffest = 0;
-#pragma omp parallel for schedule(static) reduction(max : stiffest) if (n_points_ > 2000)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
-    const material::StressTangent part = tangent(p, stress, state);
-    const material::Moduli& moduli = elastic.at(p);
-    stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),
-                         (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric});
+#pragma omp parallel reduction(max : stiffest) if (n_points_ > 2000)
+  {
+    Eigen::VectorXd v(stride_), product(stride_);
+#pragma omp for schedule(static)
+    for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
+      const auto p = static_cast<std::size_t>(i);
+      const material::StressTangent part = tangent(p, stress, state);
+      const material::Moduli& moduli = elastic.at(p);
+      stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),
+                           (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric});
+      if (has_internal_variables()) stiffest = std::max(stiffest, stiffest_with_internal(p, stress, state, v, product));
+    }
   }
   return stiffest;
 }

@@ -45,7 +45,7 @@ std::vector<Case> cases() {
       {"CylinderDamage",
        "thick_cylinder.toml",
        {law("steel", "\"kachanov_rabotnov\",A=3.125e-14,n=5,B=1e-15,r=5,phi=5"), "time.end=20"},
-       250},
+       300},
       {"PlatePrimaryAndSecondary",
        "plate_with_hole.toml",
        {"materials.chromium_steel.creep=[{law=\"norton\",A=1.2e-24,n=8},{law=\"strain_hardening\",A=1e-16,n=6,m=0.333}"
@@ -72,8 +72,9 @@ TEST_P(LawTolerance, BoundsTheRelativeErrorOfTheStress) {
                       integrator, tolerance, error.norm / tolerance, error.maximum / tolerance, history.elastic_solves,
                       history.steps.steps, history.steps.convergence_failures);
       RecordProperty(fmt::format("{}_at_{:g}", integrator, tolerance), measured);
-      EXPECT_LT(error.norm, 3 * tolerance) << measured;
+      EXPECT_LT(error.norm, (integrator == "auto" ? 3 : 4) * tolerance) << measured;
       EXPECT_LT(error.maximum, 6 * tolerance) << measured;
+      EXPECT_LT(history.elastic_solves, 2000) << measured;
       if (error.norm < 1e-3) enough = std::min(enough, history.elastic_solves);
     }
     if (integrator == "auto") {

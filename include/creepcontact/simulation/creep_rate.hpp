@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "creepcontact/ode/system.hpp"
@@ -84,6 +85,7 @@ class CreepRate final : public ode::System {
   bool evaluate(double t, std::span<const double> y);
   /// The time at which loads are to be taken for t.
   double load_time(double t) const;
+  std::string describe_overflow(std::span<const double> rate) const;
   double smallest_start_exponent(double t, std::span<const double> y) const;
   void set_scale(const std::vector<double>& output_times);
   /// Typical stress of every body without creep, the largest over these times.

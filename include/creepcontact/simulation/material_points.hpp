@@ -44,7 +44,8 @@ class MaterialPoints {
   void linearize(std::span<const double> stress, const double* state);
   /// z = (I + gamma C H)^-1 r, closed form of Sherman and Morrison for isotropic laws.
   void precondition(double gamma, const double* r, double* z) const;
-  /// Largest eigenvalue of C H over the points: 2 divided by it is the Cormeau step.
+  /// Largest eigenvalue, over the points, of C H, or of the same with the internal variables: 2 divided by it is the
+  /// Cormeau step.
   double stiffest_rate(std::span<const double> stress, const double* state) const;
 
  private:
@@ -55,6 +56,9 @@ class MaterialPoints {
   /// call(law, point, offset of its internal variables in the state of the point) for every mechanism at point p
   template <typename Call>
   void for_each_law(std::size_t p, std::span<const double> stress, const double* state, Call call) const;
+  /// Largest eigenvalue of a point's own part of the Jacobian, internal variables included, by power iteration.
+  double stiffest_with_internal(std::size_t p, std::span<const double> stress, const double* state, Eigen::VectorXd& v,
+                                Eigen::VectorXd& product) const;
   material::Point point(std::size_t p, std::span<const double> stress, const double* state) const;
   material::StressTangent tangent(std::size_t p, std::span<const double> stress, const double* state) const;
 
