@@ -70,9 +70,11 @@ std::string run_table(const io::Summary& summary, const StepStatistics& steps, d
 }
 
 std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Suspects& suspects) {
+  if (summary.rupture) return {};  // steps that are rejected and shrink are its signs
   std::vector<std::string> lines;
   if (summary.steps < few_steps) return lines;
-  if (share(summary.convergence_failures, summary.steps) > many_failures)
+  // `auto` has changed its method by itself.
+  if (summary.integrator != "auto" && share(summary.convergence_failures, summary.steps) > many_failures)
     lines.push_back(
         fmt::format("the iterations of the implicit steps failed {} times in {} steps.{} Try "
                     "another time.integrator (rkc2, arkode_erk), or a tighter contact_solver.tolerance",

@@ -106,13 +106,14 @@ io::Checkpoint TimeLoop::checkpoint() const {
 
 void TimeLoop::keep_restart_point() {
   if (!at_restart_point()) return;
-  // The copy costs little against a step, but not nothing: made if the next restart point may be far, or a result that
-  // fails to be written may spoil the step.
+  // The copy costs little against a step, but not nothing: made if the next restart point may be far, a result that
+  // fails to be written may spoil the step, or rupture may end within it.
   const bool far = !integrator_->restarts_after_every_step();
   const double reach = 2 * integrator_->next_step();
   const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
   kept_.reset();
-  if (far || output_ahead) kept_ = checkpoint();
+  const bool may_rupture = system_.knows(material::Measure::damage);
+  if (far || output_ahead || may_rupture) kept_ = checkpoint();
 }
 
 void TimeLoop::write_checkpoint() {

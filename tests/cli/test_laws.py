@@ -1,5 +1,6 @@
 """What the program says of wrong values of creep laws and rupture data; nothing is computed."""
 
+import json
 import os
 import pathlib
 import subprocess
@@ -79,6 +80,83 @@ class LawMistakes(unittest.TestCase):
         found = self.errors(temperature + "[materials.steel.rupture]\nstress = [50, 100]\nparameter = [1e4, 2e4]\n")
         self.assertEqual(found, ["materials.steel.rupture.parameter: 20000 after 10000; allowed: values that decrease "
                                  "as the stress increases"])
+
+
+CUBE = """Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Curve{1, 2, 3, 4} = 2; Transfinite Surface{1}; Recombine Surface{1};
+out[] = Extrude {0, 0, 1} { Surface{1}; Layers{1}; Recombine; };
+Physical Volume("all") = {out[1]};
+Physical Surface("z0") = {1}; Physical Surface("y0") = {out[2]};
+Physical Surface("x1") = {out[3]}; Physical Surface("x0") = {out[5]};
+"""
+PULLED = """
+[[loads]]
+on = "x1"
+pressure = -100
+[[probes]]
+name = "creep"
+quantity = "creep_strain_xx"
+body = "block"
+""" + "".join(f'[[supports]]\non = "{axis}0"\ndisplacement = {{ {axis} = 0 }}\n' for axis in "xyz")
+
+
+class LawRuns(unittest.TestCase):
+    """A cube under tension."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.directory = pathlib.Path(temporary.name)
+        (self.directory / "cube.geo").write_text(CUBE, encoding="utf-8")
+
+    def run_law(self, keys, *options, integrator="auto"):
+        text = CONFIG.replace('"block.msh"', '"cube.geo"\norder = 1') + f'integrator = "{integrator}"\n'
+        text += "[output]\ndirectory = \"out\"\n" + PULLED + keys
+        (self.directory / "block.toml").write_text(text, encoding="utf-8")
+        return subprocess.run([PROGRAM, "run", "block.toml", *options], cwd=self.directory, capture_output=True,
+                              text=True, timeout=50)
+
+    def creep(self, law, keys):
+        return f'\n[[materials.steel.creep]]\nlaw = "{law}"\n{keys}\n'
+
+    def summary(self):
+        return json.loads((self.directory / "out/summary.json").read_text(encoding="utf-8"))
+
+    def test_a_rate_that_overflows_names_material_place_and_stress(self):
+        done = self.run_law(self.creep("expression", 'rate = "exp(q^3)"'))
+        self.assertEqual(done.returncode, 4, done.stderr)
+        for part in ("material 'steel'", "body 'block' at (", "equivalent stress is 100"):
+            self.assertIn(part, done.stderr)
+
+    def test_theories_that_do_not_mix(self):
+        done = self.run_law(self.creep("ageing", "A = 1e-14\nn = 5\nm = 0.5"))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn('time.integrator = "isochronous"', done.stderr)
+        done = self.run_law(self.creep("norton", "A = 1e-14\nn = 5"), integrator="isochronous")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn('law = "ageing"', done.stderr)
+        rupture = '\n[materials.steel.rupture]\nrupture_time = "1e12/q^4"\n'
+        done = self.run_law(self.creep("ageing", "A = 1e-14\nn = 5\nm = 0.5") + rupture, integrator="isochronous")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("rupture data", done.stderr)
+
+    def test_rupture_is_an_end_as_good_as_any(self):
+        # (phi + 1) B q^r = 1/5
+        law = self.creep("kachanov_rabotnov", "A = 1e-14\nn = 5\nB = 4e-12\nr = 5\nphi = 4")
+        for options in ([], ["--resume"]):
+            done = self.run_law(law, *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("warning", done.stderr)
+            self.assertIn("ruptured", done.stdout)
+            summary = self.summary()
+            self.assertEqual(summary["status"], "ruptured")
+            self.assertAlmostEqual(summary["rupture"]["time"], 5.0, places=4)
+            self.assertEqual(summary["rupture"]["body"], "block")
+            rows = (self.directory / "out/history.csv").read_text(encoding="utf-8").splitlines()
+            self.assertAlmostEqual(float(rows[-1].split(",")[0]), 5.0, places=4)
+            self.assertEqual(len(rows), len({row.split(",")[0] for row in rows}))
 
 
 if __name__ == "__main__":

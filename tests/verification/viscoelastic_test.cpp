@@ -67,7 +67,6 @@ TEST(Viscoelastic, VolumetricPartFollowsTheMeanStress) {
 /// Under a constant load the theories agree; after a step down ageing forgets what was, heredity does not.
 TEST(Viscoelastic, AgeingAndHeredityAgreeUnderConstantLoadAndDifferAfterAStep) {
   const std::string ageing = creep("ageing", "A = 1e-6\nn = 1\nm = 1");
-  const std::string heredity = creep("hereditary", "compliances = []\ntimes = []\nfluidity = 1e-6");
   const std::string fluid = creep("maxwell", "viscosity = 1e6");
   const std::string iso = time_keys + "integrator = \"isochronous\"\n";
   const auto constant = run_cube(ageing, pulled("100"), iso),

@@ -54,6 +54,8 @@ TEST_F(SummaryFile, TellsFailuresAndInterruptions) {
   summary.message = "contact: no convergence";
   EXPECT_EQ(written(summary)["status"], "failed");
   EXPECT_EQ(written(summary)["message"], "contact: no convergence");
+  summary.status = Summary::Status::ruptured;
+  EXPECT_EQ(written(summary)["status"], "ruptured");
   summary.status = Summary::Status::interrupted;
   EXPECT_EQ(written(summary)["status"], "interrupted");
   EXPECT_TRUE(written(summary)["bodies"].is_object());
@@ -74,6 +76,22 @@ TEST_F(SummaryFile, ReplacesWithoutLeavingAnythingAside) {
 TEST_F(SummaryFile, ADirectoryThatIsNotThereIsAnError) {
   EXPECT_TRUE(test::contains(test::message_of<Error>([&] { write_summary(directory_ / "none/summary.json", {}); }),
                              "No such file or directory"));
+}
+
+TEST_F(SummaryFile, TellsOfLifeOnlyWhatIsKnown) {
+  Summary summary;
+  for (const char* key : {"damage", "life_fraction", "rupture", "contacts"})
+    EXPECT_FALSE(written(summary).contains(key));
+  summary.damage["blade"] = {0.25, {1, 2, 3}};
+  summary.life_fraction["blade"] = {0.5, {4, 5, 6}};
+  summary.rupture = {7.0, "blade", {0.99, {1, 2, 3}}};
+  summary.contacts["fit"] = {200, 50};
+  const auto json = written(summary);
+  EXPECT_EQ(json["damage"]["blade"]["largest"], 0.25);
+  EXPECT_EQ(json["life_fraction"]["blade"]["place"][2], 6.0);
+  EXPECT_EQ(json["rupture"]["time"], 7.0);
+  EXPECT_EQ(json["rupture"]["body"], "blade");
+  EXPECT_EQ(json["contacts"]["fit"]["remaining_fraction"], 0.25);
 }
 
 }  // namespace
