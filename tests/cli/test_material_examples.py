@@ -1,0 +1,120 @@
+"""The examples of creep laws, temperature and life against what a hand can work out."""
+
+import math
+import pathlib
+import subprocess
+import unittest
+
+from test_runs import PROGRAM, RunTest
+
+CONFIGS = pathlib.Path(__file__).resolve().parents[2] / "configs"
+
+
+class MaterialExampleTest(RunTest):
+    def rows(self, name, settings):
+        options = [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
+        done = subprocess.run([PROGRAM, "run", str(CONFIGS / name), "--output", str(self.output), *options,
+                               "--set", "output.fields=false"], cwd=self.directory, capture_output=True, text=True, timeout=100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.table("history.csv")
+
+    def expect_close(self, value, reference, relative):
+        self.assertAlmostEqual(value, reference, delta=relative * abs(reference))
+
+
+class SteamPipe(MaterialExampleTest):
+    """Stationary state of Norton's law in plane strain: q^n A(r) r^2 is constant, d(sigma_r)/d(ln r) = 2/sqrt(3) q."""
+
+    BORE, RIM, PRESSURE, N, KELVIN = 120, 160, 22, 12, 273.15
+
+    def temperature(self, r):
+        return 600 - 6 * math.log(r / self.BORE) / math.log(self.RIM / self.BORE)
+
+    def stationary(self, steps=2000):
+        """(radius, hoop stress, equivalent stress), equidistant in ln r."""
+        radii = [self.BORE * (self.RIM / self.BORE)**(i / steps) for i in range(steps + 1)]
+        shape = [(math.exp(593e3 / 8.314462618 / (self.temperature(r) + self.KELVIN)) / r**2)**(1 / self.N) for r in radii]
+        width = math.log(self.RIM / self.BORE) / steps
+        rise = [0]
+        for a, b in zip(shape, shape[1:]):
+            rise.append(rise[-1] + width * (a + b) / math.sqrt(3))
+        scale = self.PRESSURE / rise[-1]
+        return [(r, -self.PRESSURE + scale * (s + 2 / math.sqrt(3) * f), scale * f) for r, s, f in zip(radii, rise, shape)]
+
+    def test_stationary_stress_and_life(self):
+        rows = self.rows("steam_pipe.toml", {"time.end": "1e7", "time.output": "[0.5, 5, 1e5, 5e6]"})
+        reference = self.stationary()
+        middle = min(reference, key=lambda state: abs(state[0] - 140))
+        for probe, state in (("hoop_inside", reference[0]), ("hoop_middle", middle), ("hoop_outside", reference[-1])):
+            self.expect_close(rows[-1][probe], state[1], 2e-3)
+        for probe, state in (("mises_inside", reference[0]), ("mises_outside", reference[-1])):
+            self.expect_close(rows[-1][probe], state[2], 2e-3)
+        # Larson and Miller between 60 and 80 MPa; 0.2 % of stress are 1.5 % of life
+        q = reference[0][2]
+        parameter = 31700 + (30880 - 31700) * math.log(q / 60) / math.log(80 / 60)
+        life = 10**(parameter / (600 + self.KELVIN) - 30)
+        used, hours = (rows[-1][key] - rows[-2][key] for key in ("life_inside", "time"))
+        self.expect_close(used / hours, 1 / life, 1.5e-2)
+        self.assertLess(rows[1]["hoop_inside"], 0)  # the bore is heated faster than the pressure rises
+
+    def test_life_of_the_service(self):
+        rows = self.rows("steam_pipe.toml", {})
+        self.assertEqual(rows[-1]["time"], 1e5)
+        self.assertTrue(0.11 < rows[-1]["life_inside"] < 0.16, rows[-1]["life_inside"])  # 0.104 in the stationary state
+        lives = [row["life_inside"] for row in rows]
+        self.assertEqual(lives, sorted(lives))
+
+
+class StartStopCycles(MaterialExampleTest):
+    def test_cycles_count_their_hours_at_temperature(self):
+        rows = self.rows("start_stop_cycles.toml", {})
+        cold = [row["fit_pressure"] for row in rows if abs(row["temperature"] - 20) < 1e-6]
+        self.assertEqual(len(cold), 21)
+        self.expect_close(cold[0], 218e3 * 0.1 / (2 * 60**3) * (120**2 - 60**2) * (60**2 - 30**2) / (120**2 - 30**2), 1e-5)
+        self.assertEqual(cold, sorted(cold, reverse=True))
+        fit = self.summary()["contacts"]["fit"]
+        self.expect_close(fit["remaining_fraction"], cold[-1] / cold[0], 1e-9)
+
+        steady = self.rows("start_stop_cycles.toml", {"temperature.value": "600", "time.end": str(20 * self.hours_of_a_cycle()),
+                                                      "time.output": "[]"})
+        self.expect_close(cold[-1] * (190 - 28 * 200 / 250) / 218, steady[-1]["fit_pressure"], 1e-3)
+
+    @staticmethod
+    def hours_of_a_cycle(steps=10000):
+        """Hours at 600 degC that creep as much as 144 h there and 18 h of ramps between 20 and 600 degC."""
+        def factor(i):
+            return math.exp(593e3 / 8.314462618 * (1 / 873.15 - 1 / (20 + 580 * (i + 0.5) / steps + 273.15)))
+        return 144 + 18 * sum(factor(i) for i in range(steps)) / steps
+
+
+class ViscoelasticIndenter(MaterialExampleTest):
+    """Lee and Radok's solution for a rigid sphere on an incompressible half space under a force that is held."""
+
+    @staticmethod
+    def compliance(t):
+        return 0.21834 + 0.771507 * (1 - math.exp(-t / 161.326)) + 0.848373 * (1 - math.exp(-t / 17288))
+
+    @staticmethod
+    def modulus(t):
+        return 0.5440 + 3.5822 * math.exp(-t / 35.364) + 0.4538 * math.exp(-t / 9367.5)
+
+    def radius(self, t):
+        return (3 * 10 * self.compliance(t) / 16)**(1 / 3)
+
+    def pressure(self, t, steps=2000):
+        times = [t * (i / steps)**2 for i in range(steps + 1)]
+        rise = sum(self.modulus(t - (a + b) / 2) * (self.radius(b) - self.radius(a)) for a, b in zip(times, times[1:]))
+        return 8 / (math.pi * 10) * (self.modulus(t) * self.radius(0) + rise)
+
+    def test_pressure_and_depth(self):
+        rows = self.rows("viscoelastic_indenter.toml", {"time.tolerance": "1e-3"})
+        for row in rows:
+            self.expect_close(row["force"], 1 / 36, 1e-5)
+            self.expect_close(row["peak_pressure"], self.pressure(row["time"]), 1.5e-2)
+            self.expect_close(-row["depth"], self.radius(row["time"])**2 / 10, 2.5e-2)  # the block is no half space
+        for row in (rows[0], rows[-1]):
+            self.expect_close(math.sqrt(36 * row["area"] / math.pi), self.radius(row["time"]), 2e-2)
+
+
+if __name__ == "__main__":
+    unittest.main()
