@@ -55,7 +55,8 @@ TEST(ExpressionLaw, NortonWrittenOutIsNorton) {
   const Result expected = rate(norton, at);
   EXPECT_LT((rate(law("3.125e-14*q^5"), at).strain - expected.strain).norm(), 1e-14 * expected.strain.norm());
   const StressTangent a = law("3.125e-14*q^5").stress_tangent(at), b = norton.stress_tangent(at);
-  EXPECT_NEAR(a.deviatoric, b.deviatoric, 1e-14 * b.deviatoric);
+  // Of the two evaluations that the difference in q takes anyway: their mean.
+  EXPECT_NEAR(a.deviatoric, b.deviatoric, 1e-9 * b.deviatoric);
   EXPECT_NEAR(a.radial, b.radial, 1e-8 * b.radial);
 }
 
