@@ -31,7 +31,7 @@ class EveryExample(RunTest):
 
     COARSE = {"bolted_flange": dict(n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
-              "ball_on_block": dict(h=0.6)}
+              "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10)}
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):
         for config in sorted(CONFIGS.glob("*.toml")):
