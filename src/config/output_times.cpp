@@ -32,7 +32,7 @@ std::vector<double> points(const OutputSeries& series, double end) {
   for (int i = 0; i + 1 < series.count; ++i) {
     const double fraction = static_cast<double>(i) / (series.count - 1);
     times.push_back(series.spacing == Spacing::logarithmic ? first * std::pow(end / first, fraction)
-                                                           : first + (end - first) * fraction);
+                                                           : first + (end - first) * i / (series.count - 1));
   }
   return times;
 }

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/log.hpp"
+
 namespace creepcontact::simulation {
 namespace {
 
 using material::Measure;
+
+constexpr double small_strain = 1;  // creep strain beyond which results mean nothing any more
 
 /// Pressures times the areas of their nodes; tied surfaces may pull.
 double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
@@ -50,6 +54,33 @@ void LifeRecord::output(std::span<const double> y) {
     if (!system_.measure(Measure::damage, b, y).empty()) damage_[b] = system_.largest(Measure::damage, b, y);
     if (!system_.measure(Measure::life_fraction, b, y).empty())
       life_[b] = system_.largest(Measure::life_fraction, b, y);
+  }
+}
+
+void LifeRecord::warn(double time, std::span<const double> y) {
+  const auto& bodies = system_.elasticity().model().bodies;
+  std::vector<mechanics::CreepStrainView> views;
+  system_.layout().views(y, views);
+  for (std::size_t b = 0; b < bodies.size() && !warned_of_strain_; ++b)
+    for (std::size_t p = 0; views[b].data != nullptr && p < bodies[b]->discretization().n_points(); ++p) {
+      const double strain = tensor::equivalent_strain(Eigen::Map<const Tensor6>(views[b].data + p * views[b].stride));
+      if (!(strain > small_strain)) continue;
+      const Vector3& x = bodies[b]->discretization().point_coordinates()[p];
+      log::warning(
+          "body '{}': the creep strain has come to {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory is that "
+          "of "
+          "small strain. Look at the units of the creep constants of material '{}', or end the run before",
+          bodies[b]->name(), strain, x.x(), x.y(), x.z(), time, bodies[b]->material().name);
+      warned_of_strain_ = true;
+      break;
+    }
+  for (std::size_t b = 0; b < bodies.size() && !warned_of_life_; ++b) {
+    const CreepRate::Extreme life = system_.largest(Measure::life_fraction, b, y);
+    if (!(life.value > 1)) continue;
+    log::warning(
+        "body '{}': the creep life is used up before t = {:.6g} at ({:.6g}, {:.6g}, {:.6g}): life_fraction {:.3g}",
+        bodies[b]->name(), time, life.place.x(), life.place.y(), life.place.z(), life.value);
+    warned_of_life_ = true;
   }
 }
 

@@ -25,6 +25,8 @@ class LifeRecord {
 
   /// An output time: the elasticity's last solution is of this state.
   void output(std::span<const double> y);
+  /// Warns once, where creep strain is no longer small, or life is used up.
+  void warn(double time, std::span<const double> y);
 
   void fill(io::Summary& summary) const;
   void save(ContactElasticity::Memory& memory) const { memory["largest_contact_force"] = largest_force_; }
@@ -36,6 +38,7 @@ class LifeRecord {
   std::vector<double> largest_force_, final_force_;          // normal force of every contact pair
   std::map<std::size_t, CreepRate::Extreme> damage_, life_;  // by body
   std::optional<std::pair<double, CreepRate::Extreme>> rupture_;
+  bool warned_of_strain_ = false, warned_of_life_ = false;
 };
 
 }  // namespace creepcontact::simulation

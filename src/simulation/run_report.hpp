@@ -23,6 +23,7 @@ class StepStatistics {
     ++n_;
   }
   bool empty() const { return n_ == 0; }
+  std::int64_t n_steps() const { return n_; }
   double shortest() const { return shortest_; }
   double longest() const { return longest_; }
   int highest_order() const { return highest_order_; }

@@ -13,6 +13,7 @@ namespace {
 
 /// Damage at which steps that shrink to nothing mean rupture: the rate of damage is then infinite.
 constexpr double almost_ruptured = 0.5;
+constexpr int steps_between_warnings = 50;
 constexpr double nothing = 1e-9;      // relative to the time
 constexpr double failing_with = 0.9;  // damage at which steps that cannot be made mean rupture
 
@@ -152,6 +153,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     const auto lap = watch_.lap(Part::output);
     results_->output(Snapshot(system_, t, y));
     life_.output(y);
+    life_.warn(t, y);
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -260,6 +262,7 @@ void TimeLoop::integrate(const Interrupt& interrupt) {
     results_->step(report, before, system_.counters());
     step_statistics_.see(report);
     progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
+    if (step_statistics_.n_steps() % steps_between_warnings == 0) life_.warn(time_, integrator_->state());
     if (ruptured(time_ - report.step)) return;
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;
