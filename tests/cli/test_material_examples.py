@@ -57,6 +57,16 @@ class SteamPipe(MaterialExampleTest):
         self.expect_close(used / hours, 1 / life, 1.5e-2)
         self.assertLess(rows[1]["hoop_inside"], 0)  # the bore is heated faster than the pressure rises
 
+    def test_probes_in_a_single_layer_of_curved_elements(self):
+        """Their curvature tells nothing about the field across the layer, and must not pretend to."""
+        radii = (120, 122, 125, 140, 157, 159, 160)
+        probes = ", ".join(f'{{ name = "r{r}", quantity = "von_mises", at = [{r}, 0, 0] }}' for r in radii)
+        row = self.rows("steam_pipe.toml", {"mesh.parameters.n_around": 1, "mesh.parameters.n_wall": 24, "time.end": 5,
+                                            "time.output": "[5]", "probes": f"[{probes}]"})[-1]
+        values = [row[f"r{r}"] for r in radii]
+        for one, next_one in zip(values, values[1:]):
+            self.expect_close(one, next_one, 0.25)
+
     def test_life_of_the_service(self):
         rows = self.rows("steam_pipe.toml", {})
         self.assertEqual(rows[-1]["time"], 1e5)

@@ -76,23 +76,5 @@ TEST(LocalFitOfOneLayer, LinearFieldsOfQuadraticElements) {
     }
 }
 
-/// One layer of elements around a pipe: their curvature tells nothing about the field across the layer.
-TEST(LocalFitOfOneLayer, CurvedElementsDoNotMagnifyWhatTheFieldDiffersFromTheFit) {
-  mesh::Mesh mesh = box_mesh(mesh::CellType::hex20, {24, 1, 4}, {40, 10, 160}, Vector3::Zero(), 0);
-  for (Vector3& x : mesh.nodes) {
-    const double r = 120 + x.x(), angle = x.y() * 3.14159265358979 / 180;
-    x = {r * std::cos(angle), r * std::sin(angle), x.z()};
-  }
-  const mechanics::Discretization discretization(mesh);
-  for (std::size_t element = 0; element < 24; ++element) {
-    const std::int64_t node = discretization.element_nodes(element)[0];
-    double sum = 0;
-    for (const auto& [point, weight] :
-         local_fit(discretization, mesh, element, mesh.nodes[static_cast<std::size_t>(node)]))
-      sum += std::abs(weight);
-    EXPECT_LT(sum, 20) << element;
-  }
-}
-
 }  // namespace
 }  // namespace creepcontact::simulation::test
