@@ -20,7 +20,7 @@ std::size_t at(std::int64_t i) {
 
 void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                      std::span<const std::int64_t> trailing) {
-  if (lower.rows() != lower.cols() || lower.rows() == 0) throw std::invalid_argument("the matrix must be square");
+  if (lower.rows() != lower.cols()) throw std::invalid_argument("the matrix must be square");
   if (!lower.isCompressed()) throw std::invalid_argument("the matrix must be compressed");
   if (block_of.size() != at(lower.rows())) throw std::invalid_argument("one block number an unknown is needed");
   std::vector<bool> seen(block_of.size(), false);
@@ -56,6 +56,7 @@ struct SupernodalCholesky::Impl {
 SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                                std::span<const std::int64_t> trailing)
     : n_entries(lower.nonZeros()), n_trailing(std::ssize(trailing)) {
+  if (lower.rows() == 0) return;  // no factor; CHOLMOD takes no empty matrix
   BlasThreads::initialize();
   const std::vector<std::int64_t> order = elimination_order(lower, block_of, trailing, context);
   const SparseMatrix links = missing_links(lower, order, trailing.size(), context);
@@ -71,10 +72,9 @@ SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::i
   make_workspace();
 }
 
-SupernodalCholesky::Impl::Impl(const Impl& analysed)
-    : factor(cholmod_l_copy_factor(analysed.factor.get(), context.get()), {context.get()}),
-      n_entries(analysed.n_entries),
-      n_trailing(analysed.n_trailing) {
+SupernodalCholesky::Impl::Impl(const Impl& analysed) : n_entries(analysed.n_entries), n_trailing(analysed.n_trailing) {
+  if (!analysed.factor) return;
+  factor = FactorPointer(cholmod_l_copy_factor(analysed.factor.get(), context.get()), {context.get()});
   context.check("copy the factor of");
   make_workspace();
 }
@@ -87,7 +87,11 @@ void SupernodalCholesky::Impl::make_workspace() {
 }
 
 void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
-  if (at(lower.rows()) != factor->n || lower.nonZeros() != n_entries || !lower.isCompressed()) {
+  if (!factor && lower.rows() == 0) {
+    rcond = 1;
+    return;
+  }
+  if (!factor || at(lower.rows()) != factor->n || lower.nonZeros() != n_entries || !lower.isCompressed()) {
     throw std::invalid_argument("the pattern is not the one analysed");
   }
   rcond = 0;
@@ -153,13 +157,14 @@ void SupernodalCholesky::factorize(const SparseMatrix& lower) {
 }
 
 std::int64_t SupernodalCholesky::size() const {
-  return static_cast<std::int64_t>(impl_->factor->n);
+  return impl_->factor ? static_cast<std::int64_t>(impl_->factor->n) : 0;
 }
 std::int64_t SupernodalCholesky::trailing_size() const {
   return impl_->n_trailing;
 }
 
 void SupernodalCholesky::forward(std::span<const double> b, std::span<double> y) {
+  if (!impl_->factor) return;
   std::vector<double>& work = impl_->vector;
   const std::int64_t* permutation = impl_->permutation();
   for (std::size_t k = 0; k < work.size(); ++k) work[k] = b[at(permutation[k])];
@@ -168,6 +173,7 @@ void SupernodalCholesky::forward(std::span<const double> b, std::span<double> y)
 }
 
 void SupernodalCholesky::backward(std::span<const double> y, std::span<double> x) {
+  if (!impl_->factor) return;
   std::vector<double>& work = impl_->vector;
   const std::int64_t* permutation = impl_->permutation();
   std::copy_n(y.begin(), work.size(), work.begin());
@@ -176,6 +182,7 @@ void SupernodalCholesky::backward(std::span<const double> y, std::span<double> x
 }
 
 Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {
+  if (!impl_->factor) return {};
   const std::int64_t first = size() - trailing_size();
   Eigen::MatrixXd block = Eigen::MatrixXd::Zero(trailing_size(), trailing_size());
   impl_->for_each_column(first,
@@ -187,7 +194,7 @@ Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {
 }
 
 std::int64_t SupernodalCholesky::factor_bytes() const {
-  return static_cast<std::int64_t>(impl_->factor->xsize * sizeof(double));
+  return impl_->factor ? static_cast<std::int64_t>(impl_->factor->xsize * sizeof(double)) : 0;
 }
 double SupernodalCholesky::rcond() const {
   return impl_->rcond;

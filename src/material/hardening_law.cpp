@@ -7,7 +7,7 @@
 namespace creepcontact::material {
 
 double HardeningLaw::strain(const Point& at) const {
-  return accumulates_ ? std::max(at.internal[0], least_strain) : least_strain;
+  return accumulates_ ? std::max(at.internal[0], at.least_strain) : at.least_strain;
 }
 
 void HardeningLaw::rate(const Point& at, double* strain_rate, double* internal_rate) const {
@@ -26,7 +26,7 @@ void HardeningLaw::derivative(const Point& at, const double* d_stress, const dou
   if (!accumulates_) return;
   d_internal_rate[0] = 0.0;
   if (now.q == 0.0) return;
-  const double by_strain = at.internal[0] > least_strain ? f.by_strain * d_internal[0] : 0.0;
+  const double by_strain = at.internal[0] > at.least_strain ? f.by_strain * d_internal[0] : 0.0;
   add_flow(now, by_strain, d_strain_rate);
   d_internal_rate[0] = f.by_stress * 1.5 * now.s.dot(ds) / now.q + by_strain;
 }

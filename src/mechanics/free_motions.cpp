@@ -140,6 +140,7 @@ std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const MeshParts& pa
 }
 
 std::vector<std::int64_t> determinate_pins(const std::vector<FreeMotion>& motions, const Constraints& constraints) {
+  if (motions.empty()) return {};
   const auto n = static_cast<Eigen::Index>(motions.size());
   Eigen::MatrixXd rows(n, constraints.n_free());
   std::vector<double> free(static_cast<std::size_t>(constraints.n_free()));

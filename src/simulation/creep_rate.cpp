@@ -14,6 +14,8 @@ namespace {
 
 /// A preconditioner need not follow every step: gamma may be off by this factor.
 constexpr double same_gamma = 1.25;
+/// Of the strain that the tolerance stands for: where hardening begins to count.
+constexpr double least_share = 0.3;
 
 // Jumps that differ by rounding alone count as one breakpoint: these times lie beyond all of them.
 constexpr double beside = 16 * std::numeric_limits<double>::epsilon();
@@ -27,7 +29,8 @@ double just_after(double t) {
 
 }  // namespace
 
-CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times)
+CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times,
+                     double tolerance)
     : elasticity_(elasticity),
       watch_(watch),
       layout_(elasticity.model()),
@@ -42,6 +45,8 @@ CreepRate::CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std:
   if (size() == 0) return;
   set_scale(output_times);
   std::ranges::fill(state_, 0.0);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty()) points_[b].set_least_strain(least_share * tolerance * scale_->values()[layout_.offset(b)]);
   may_start_singular_ = smallest_start_exponent(0, state_) < 1;
 }
 
@@ -135,7 +140,8 @@ std::string CreepRate::describe_overflow(std::span<const double> rate) const {
       const Vector3& x = body.discretization().point_coordinates()[p];
       const Eigen::Map<const Tensor6> stress(elasticity_.states()[b].stress.data() + 6 * p);
       return fmt::format(
-          "the creep rate of material '{}' overflows or is no number in body '{}' at ({:.6g}, {:.6g}, {:.6g}), where "
+          "the creep rate of material '{}' overflows, is negative or no number in body '{}' at ({:.6g}, {:.6g}, "
+          "{:.6g}), where "
           "the "
           "equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
           body.material().name, body.name(), x.x(), x.y(), x.z(), tensor::von_mises(stress), time_);

@@ -28,6 +28,13 @@ void require_one_theory(const config::Config& config, const Model& model) {
       const config::Location& where = i < material.creep.size() ? material.creep[i].location : material.location;
       const std::string found =
           i < material.creep.size() ? fmt::format("the law '{}'", material.creep[i].law) : "rupture data";
+      if (ageing_wanted && i >= material.creep.size())
+        throw ConfigError(fmt::format(
+            "{}material '{}' has rupture data, whose life fraction is a rate: time.integrator = \"{}\" integrates "
+            "none. Leave "
+            "[materials.{}.rupture] out, or take a law that is a rate (time_hardening, strain_hardening) and another "
+            "integrator",
+            where.prefix(), material.name, config.time.integrator, material.name));
       if (ageing_wanted)
         throw ConfigError(fmt::format(
             "{}time.integrator = \"{}\" solves for the creep strain of ageing theory alone and integrates no rate, but "

@@ -78,6 +78,7 @@ material::Point MaterialPoints::point(std::size_t p, std::span<const double> str
   at.internal = at.state + 6;
   at.parameters = parameters_.data() + (uniform_ ? 0 : p * n_parameters_);
   at.time = time_;
+  at.least_strain = least_strain_;
   at.temperature = temperature_.empty() ? body_.material().reference_temperature : temperature_[p];
   return at;
 }

@@ -105,7 +105,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     log::info("contact: matrix-free, its matrices would take {:.0f} MB", elasticity.interface().dense_bytes() / 1e6);
   for (const std::string& motion : elasticity.interface().floating().describe_idle())
     log::info("held by nothing, must not be loaded: {}", motion);
-  CreepRate system(elasticity, watch, config.time.output);
+  CreepRate system(elasticity, watch, config.time.output, config.time.tolerance);
 
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);

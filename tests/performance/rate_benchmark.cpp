@@ -117,7 +117,7 @@ void run(benchmark::State& state) {
     Stopwatch watch;
     simulation::Model model = simulation::build_model(config);
     simulation::ContactElasticity elasticity(model, watch);
-    simulation::CreepRate system(elasticity, watch, config.time.output);
+    simulation::CreepRate system(elasticity, watch, config.time.output, config.time.tolerance);
     const auto integrator =
         ode::make_integrator(config.time.integrator, system, {.tolerance = 1e-3, .end_time = config.time.end});
     integrator->initialize(0, std::vector<double>(system.size()));

@@ -108,6 +108,21 @@ TEST(PrimaryCreep, ARampFromZeroNeedsNoBreakpoint) {
                 2e-6 * flow(0.2 * t) * std::sqrt(t) + 1e-8);
 }
 
+/// Where a virgin point is loaded slowly, Newton's corrections must not pass for nothing.
+TEST(PrimaryCreep, SlowRampsFromZeroCreepWithEveryIntegratorOfHighOrder) {
+  const std::string law = creep("strain_hardening", "A = 1e-11\nn = 3.5\nm = 0.35");
+  const double unit = 100 / 200e3;
+  for (const char* integrator : {"auto", "cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk", "rkc2"})
+    for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+      const Outcome outcome = run_cube(law, pulled("\"100*min(t/50, 1)\""),
+                                       "end = 60\noutput = [50]\nintegrator = \"" + std::string(integrator) +
+                                           "\"\ntolerance = " + std::to_string(tolerance) + "\n");
+      // eps^(1/m) = integral (A (2 t)^n)^(1/m) dt
+      const double exact = 1e-11 * std::pow(100.0, 3.5) * std::pow(50 / (3.5 / 0.35 + 1), 0.35);
+      EXPECT_NEAR(outcome.history.at("cxx", 50), exact, 3 * tolerance * unit) << integrator << ", " << tolerance;
+    }
+}
+
 TEST(PrimaryCreep, PrimaryAndSecondaryAdd) {
   for (const char* law : {"time_hardening", "strain_hardening"}) {
     const Outcome outcome =
@@ -119,6 +134,13 @@ TEST(PrimaryCreep, PrimaryAndSecondaryAdd) {
                pulled("200"), times("[1, 1000]"));
   const double q5 = std::pow(200.0, 5);
   EXPECT_RELATIVE(terms.history.at("cxx", 1000), q5 * (1e-14 * 10 + 1e-15 * 1e3 + 1e-20 * 1e9), 1e-6);
+}
+
+/// One linear element whose nodes are all held: there are no equations to solve, but a stress that relaxes.
+TEST(PrimaryCreep, ACubeHeldOnAllSidesRelaxes) {
+  const Outcome outcome = run_cube(creep("norton", "A = 3.125e-14\nn = 5"),
+                                   held("x1", "x", 0.1) + held("y1", "y", 0.05) + held("z1", "z", 0), times("[1000]"));
+  EXPECT_RELATIVE(outcome.history.at("sxx", 1000), 257.88, 1e-4);  // NAFEMS R0027 5B
 }
 
 TEST(PrimaryCreep, AgeingSolvesTheIsochronousCurve) {

@@ -39,7 +39,7 @@ class StressRuns {
   }
 
   StressHistory run(double tolerance, const std::string& integrator_name) {
-    simulation::CreepRate system(elasticity_, watch_, time_.output);
+    simulation::CreepRate system(elasticity_, watch_, time_.output, tolerance);
     ode::IntegratorOptions options{.tolerance = tolerance};
     options.end_time = time_.end;
     const auto integrator = ode::make_integrator(integrator_name, system, options);

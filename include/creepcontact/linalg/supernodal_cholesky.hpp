@@ -21,7 +21,7 @@ struct SingularMatrix {
 class SupernodalCholesky {
  public:
   /// Orders and analyses; factorize() must follow.
-  /// @param lower     n x n, lower triangle
+  /// @param lower     n x n, lower triangle; n may be 0
   /// @param block_of  n entries: unknowns with the same number (the dofs of a node) are ordered as one vertex by METIS
   /// @param trailing  unknowns to be eliminated last, in this order (may be empty)
   /// @throws std::invalid_argument if sizes do not agree or a trailing unknown is named twice; SolverError if memory

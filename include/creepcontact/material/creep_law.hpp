@@ -20,6 +20,9 @@ struct Point {
   const double* parameters = nullptr;  ///< n_parameters() values at this point's temperature
   double time = 0;
   double temperature = 0;
+  /// Hardening strain below this counts as this: small against what the accuracy of the strain is, but not so small
+  /// that Newton's corrections there, which are a share of it, pass for nothing.
+  double least_strain = 1e-10;
 };
 
 /// d(rate)/d(stress) of an isotropic law, in the frame of the current stress deviator s:

@@ -16,12 +16,10 @@ struct HardeningRate {
 /// Base of laws with at most that one internal variable.
 class HardeningLaw : public CreepLaw {
  public:
-  /// eps below this counts as this: virgin points, and stages of an integrator that fall below 0.
-  static constexpr double least_strain = 1e-10;
-
   int n_internal() const final { return accumulates_ ? 1 : 0; }
   /// @param q  von Mises equivalent stress, > 0
-  /// @param eps  accumulated strain, at least least_strain (which stands for all below: by_strain is then not used)
+  /// @param eps  accumulated strain, at least Point::least_strain (virgin points, and stages of an integrator that fall
+  /// below 0, count as that: by_strain is then not used)
   virtual double equivalent_rate(double q, double eps, const Point& at) const = 0;
   virtual HardeningRate linearized_rate(double q, double eps, const Point& at) const = 0;
   /// Strain that accumulates in `duration` at constant q.

@@ -23,8 +23,9 @@ class CreepRate final : public ode::System {
  public:
   /// Solves for the elastic stress at the times that matter, to set the error scale.
   /// @param output_times  ascending, the last is the end of the run. @param elasticity, watch must outlive the object
+  /// @param tolerance  that the integrator will keep: hardening below it is not resolved
   /// @throws ModelError if nothing gives any stress at any of these times
-  CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times);
+  CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times, double tolerance);
 
   ~CreepRate() override;
 

@@ -23,6 +23,9 @@ class MaterialPoints {
   /// Parameters of the laws at the temperature of time t (no work where it does not change).
   void set_time(double t);
 
+  /// See material::Point.
+  void set_least_strain(double strain) { least_strain_ = strain; }
+
   // Stress: n_points x 6. States and rates: n_points x stride, this body's part of y.
   void rate(std::span<const double> stress, const double* state, double* rate) const;
   void derivative(std::span<const double> stress, const double* state, std::span<const double> d_stress,
@@ -68,6 +71,7 @@ class MaterialPoints {
   bool known_[2] = {false, false};  // by Measure
   bool uniform_ = true;             // one set of parameters serves all points
   double time_ = 0;
+  double least_strain_ = material::Point{}.least_strain;
   std::vector<double> parameters_;   // (1 or n_points) x n_parameters
   std::vector<double> temperature_;  // empty, or n_points
   std::vector<Local> locals_;

@@ -100,7 +100,7 @@ TEST(StrainHardening, NegativeAndVirginStrainCountAsTheFloor) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
   const StrainHardening law(parameters[0], parameters[1], parameters[2]);
   double expected = 0;
-  for (const double eps : {HardeningLaw::least_strain, 0.0, -1e-3}) {
+  for (const double eps : {Point{}.least_strain, 0.0, -1e-3}) {
     Tensor6 rate = Tensor6::Zero();
     double own = 0;
     law.rate({.stress = uniaxial.data(), .internal = &eps, .parameters = parameters.data()}, rate.data(), &own);
