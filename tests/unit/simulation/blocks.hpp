@@ -141,7 +141,9 @@ class Case {
 /// A model with all that evaluates it.
 struct System {
   explicit System(const config::Config& config)
-      : model(build_model(config)), elasticity(model, watch), rate(elasticity, watch, config.time.output) {}
+      : model(build_model(config)),
+        elasticity(model, watch),
+        rate(elasticity, watch, config.time.output, config.time.tolerance) {}
 
   Stopwatch watch;
   Model model;
