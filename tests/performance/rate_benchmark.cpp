@@ -31,7 +31,7 @@ class Scene {
       : config_(pressed_blocks(n)),
         model_(simulation::build_model(config_)),
         elasticity_(model_, watch_),
-        system_(elasticity_, watch_, config_.time.output),
+        system_(elasticity_, watch_, config_.time.output, config_.time.tolerance),
         state_(system_.size()),
         rate_(system_.size()) {
     for (const auto& body : model_.bodies) {
