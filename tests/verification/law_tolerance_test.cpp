@@ -74,7 +74,7 @@ TEST_P(LawTolerance, BoundsTheRelativeErrorOfTheStress) {
       RecordProperty(fmt::format("{}_at_{:g}", integrator, tolerance), measured);
       EXPECT_LT(error.norm, (integrator == "auto" ? 3 : 4) * tolerance) << measured;
       EXPECT_LT(error.maximum, 6 * tolerance) << measured;
-      EXPECT_LT(history.elastic_solves, 2000) << measured;
+      EXPECT_LT(history.elastic_solves, 3000) << measured;  // stability that is not seen takes ten thousands
       if (error.norm < 1e-3) enough = std::min(enough, history.elastic_solves);
     }
     if (integrator == "auto") {
