@@ -62,18 +62,20 @@ double SingularStart::free_increment(double longest) {
   }
 }
 
-double SingularStart::begin(double t_limit) {
+bool SingularStart::has_fixed_steps() const {
+  return options_.step.mode == StepMode::fixed && name().ends_with("_euler");
+}
+
+void SingularStart::begin(double t_limit) {
   const double exponent = system_.start_exponent(time_, start_);
+  started_.start(time_, std::min(exponent, 1.0));
   if (!(exponent < 1)) {
-    started_.start(time_, 1);
-    inner_->initialize(time_, start_, proposal_);
-    s_begin_ = time_;
     first_ = 0;
+    inner_->initialize(time_, start_, proposal_);
     begun_ = true;
-    return 0;
+    return;
   }
-  started_.start(time_, exponent);
-  if (options_.step.mode == StepMode::fixed && name().ends_with("_euler")) {
+  if (has_fixed_steps()) {
     first_ = std::min(options_.step.length, t_limit - time_);
     increment_size(time_, first_);
   } else {
@@ -81,23 +83,22 @@ double SingularStart::begin(double t_limit) {
   }
   std::vector<double> state = start_;
   for_each_index(state.size(), [&](std::size_t i) { state[i] += change_[i]; });
-  s_begin_ = std::pow(first_, exponent);
-  inner_->initialize(s_begin_, state);
+  inner_->initialize(std::pow(first_, exponent), state);
   begun_ = true;
-  return first_;
 }
 
 StepReport SingularStart::step(double t_limit) {
   const double from = time_;
   try {
-    const bool fixed = options_.step.mode == StepMode::fixed && name().ends_with("_euler");
-    if (!begun_ && begin(t_limit) > 0 && fixed) {
+    const bool starts = !begun_;
+    if (starts) begin(t_limit);
+    if (starts && first_ > 0 && has_fixed_steps()) {
       time_ = from + first_ >= t_limit ? t_limit : from + first_;
       ++own_steps_;
       system_.accept(time_, inner_->state());
       return {.time = time_, .step = time_ - from, .order = 1, .error_estimate = 0};
     }
-    const double end = fixed ? std::min(t_limit, from + options_.step.length) : t_limit;
+    const double end = has_fixed_steps() ? std::min(t_limit, from + options_.step.length) : t_limit;
     started_.set_limit(end);
     s_begin_ = inner_->time();
     StepReport report = inner_->step(started_.s_limit());
@@ -131,9 +132,7 @@ void SingularStart::interpolate(double t, std::span<double> y) const {
 
 double SingularStart::next_step() const {
   if (!begun_) return proposal_;
-  const double s = inner_->time() + inner_->next_step();
-  return started_.exponent() == 1 ? s - inner_->time()
-                                  : started_.begin() + std::pow(s, 1 / started_.exponent()) - time_;
+  return started_.t(inner_->time() + inner_->next_step()) - time_;
 }
 
 RestartPoint SingularStart::save() const {

@@ -35,13 +35,14 @@ class SingularStart final : public Integrator {
   Counters counters() const override;
 
  private:
-  /// Out of the singular point: on to the inner integrator. @returns the length of the increment
-  double begin(double t_limit);
+  /// Out of the singular point, if it is one: on to the inner integrator.
+  void begin(double t_limit);
   /// Length of the first increment under error control: neither the strain it gives nor the change of stress by loads
   /// in it is as much as the tolerance. Leaves that strain in change_.
   double free_increment(double longest);
   double increment_size(double stress_time, double duration);
-  void require_moving(double s) const;
+  /// Whoever calls step() decides its length: the inner integrator is told where to end.
+  bool has_fixed_steps() const;
 
   System& system_;
   StartedSystem started_;

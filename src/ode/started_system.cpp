@@ -1,16 +1,10 @@
 #include "started_system.hpp"
 
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include "elementwise.hpp"
 
 namespace creepcontact::ode {
-
-void System::start_increment(double, std::span<const double>, double, double, std::span<double>) {
-  throw std::logic_error("the system knows no closed form of its start");
-}
 
 double StartedSystem::s(double t) const {
   return exponent_ == 1 ? t : std::pow(t - begin_, exponent_);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "creepcontact/simulation/contact_elasticity.hpp"
+#include "point_sums.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -19,21 +19,15 @@ constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an
 
 /// Twice the elastic energy, integral sigma H^-1 sigma.
 double elastic_energy(const mechanics::Body& body, const std::vector<double>& stress) {
-  constexpr std::size_t piece = 1000;  // summed by one thread: the sum has the same bits for any number of them
-  const std::size_t n = stress.size() / 6;
   const std::span<const double> weights = body.discretization().weights();
   const mechanics::ElasticState elastic = body.elastic();
-  std::vector<double> sums((n + piece - 1) / piece);
-#pragma omp parallel for schedule(static) if (n > 2 * piece)
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t p = i * piece; p < std::min(n, (i + 1) * piece); ++p) {
-      const Eigen::Map<const Tensor6> sigma(stress.data() + 6 * p);
-      const material::Moduli& h = elastic.at(p);
-      const double mean = tensor::trace(sigma) / 3;
-      const double deviatoric = (sigma.squaredNorm() - 3 * mean * mean) / (2 * h.mu);
-      sums[i] += weights[p] * (deviatoric + mean * mean / (h.lambda + 2.0 / 3.0 * h.mu));
-    }
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
+  return sum_over_points(stress.size() / 6, [&](std::size_t p) {
+    const Eigen::Map<const Tensor6> sigma(stress.data() + 6 * p);
+    const material::Moduli& h = elastic.at(p);
+    const double mean = tensor::trace(sigma) / 3;
+    const double deviatoric = (sigma.squaredNorm() - 3 * mean * mean) / (2 * h.mu);
+    return weights[p] * (deviatoric + mean * mean / (h.lambda + 2.0 / 3.0 * h.mu));
+  });
 }
 
 Eigen::Map<Eigen::VectorXd> vector(std::vector<double>& values) {

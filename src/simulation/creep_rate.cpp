@@ -141,9 +141,7 @@ std::string CreepRate::describe_overflow(std::span<const double> rate) const {
       const Eigen::Map<const Tensor6> stress(elasticity_.states()[b].stress.data() + 6 * p);
       return fmt::format(
           "the creep rate of material '{}' overflows, is negative or no number in body '{}' at ({:.6g}, {:.6g}, "
-          "{:.6g}), where "
-          "the "
-          "equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
+          "{:.6g}), where the equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
           body.material().name, body.name(), x.x(), x.y(), x.z(), tensor::von_mises(stress), time_);
     }
   }
@@ -232,12 +230,13 @@ std::vector<double> CreepRate::measure(material::Measure of, std::size_t body, s
   return points_[body].measure(of, elasticity_.states()[body].stress, y.data() + layout_.offset(body));
 }
 
-CreepRate::Extreme CreepRate::largest(material::Measure of, std::size_t body, std::span<const double> y) const {
+std::optional<CreepRate::Extreme> CreepRate::largest(material::Measure of, std::size_t body,
+                                                     std::span<const double> y) const {
   const std::vector<double> values = measure(of, body, y);
-  if (values.empty()) return {.body = body};
+  if (values.empty()) return std::nullopt;
   const auto at = std::max_element(values.begin(), values.end());
   const auto point = static_cast<std::size_t>(at - values.begin());
-  return {*at, body, elasticity_.model().bodies[body]->discretization().point_coordinates()[point]};
+  return Extreme{*at, body, elasticity_.model().bodies[body]->discretization().point_coordinates()[point]};
 }
 
 double CreepRate::stable_step(double t, std::span<const double> y) {

@@ -29,12 +29,13 @@ void require_one_theory(const config::Config& config, const Model& model) {
       const std::string found =
           i < material.creep.size() ? fmt::format("the law '{}'", material.creep[i].law) : "rupture data";
       if (ageing_wanted && i >= material.creep.size())
-        throw ConfigError(fmt::format(
-            "{}material '{}' has rupture data, whose life fraction is a rate: time.integrator = \"{}\" integrates "
-            "none. Leave "
-            "[materials.{}.rupture] out, or take a law that is a rate (time_hardening, strain_hardening) and another "
-            "integrator",
-            where.prefix(), material.name, config.time.integrator, material.name));
+        throw ConfigError(
+            fmt::format("{}material '{}' has rupture data, whose life fraction is a rate: time.integrator = \"{}\" "
+                        "integrates none. "
+                        "Leave [materials.{}.rupture] out, or take a law that is a rate (time_hardening, "
+                        "strain_hardening) and another "
+                        "integrator",
+                        where.prefix(), material.name, config.time.integrator, material.name));
       if (ageing_wanted)
         throw ConfigError(fmt::format(
             "{}time.integrator = \"{}\" solves for the creep strain of ageing theory alone and integrates no rate, but "
@@ -43,8 +44,7 @@ void require_one_theory(const config::Config& config, const Model& model) {
       throw ConfigError(fmt::format(
           "{}material '{}' has {}, which is a creep strain and no rate: time.integrator = \"{}\" cannot integrate it. "
           "Set time.integrator = \"isochronous\", or take law = \"time_hardening\" or \"strain_hardening\" with the "
-          "same "
-          "A, n, m (the same creep strain at constant stress)",
+          "same A, n, m (the same creep strain at constant stress)",
           where.prefix(), material.name, found, config.time.integrator));
     }
   }

@@ -55,9 +55,10 @@ void add_material(const config::Material& material, Lines& lines) {
   lines.add("materials", item("reference_temperature"), fmt::format("{}", material.reference_temperature));
   for (const config::CreepMechanism& mechanism : material.creep) {
     std::string law = mechanism.law;
-    for (const config::CreepParameter& parameter : mechanism.parameters)
-      for (const Function& value : parameter.given ? parameter.values : std::vector<Function>{})
-        law += fmt::format(", {} = {}", parameter.key, value.text());
+    for (const config::CreepParameter& parameter : mechanism.parameters) {
+      if (!parameter.given) continue;
+      for (const Function& value : parameter.values) law += fmt::format(", {} = {}", parameter.key, value.text());
+    }
     lines.add("materials", item("creep"), law);
   }
   if (material.rupture) {

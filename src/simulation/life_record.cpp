@@ -34,11 +34,9 @@ LifeRecord::LifeRecord(const CreepRate& system)
 
 CreepRate::Extreme LifeRecord::largest_damage(std::span<const double> y) const {
   CreepRate::Extreme result;
-  if (!system_.knows(Measure::damage)) return result;
-  for (std::size_t b = 0; b < system_.elasticity().states().size(); ++b) {
-    const CreepRate::Extreme of_body = system_.largest(Measure::damage, b, y);
-    if (of_body.value > result.value) result = of_body;
-  }
+  for (std::size_t b = 0; b < system_.elasticity().states().size(); ++b)
+    if (const auto of_body = system_.largest(Measure::damage, b, y); of_body && of_body->value > result.value)
+      result = *of_body;
   return result;
 }
 
@@ -51,9 +49,8 @@ void LifeRecord::output(std::span<const double> y) {
     largest_force_[p] = std::max(largest_force_[p], final_force_[p]);
   }
   for (std::size_t b = 0; b < elasticity.states().size(); ++b) {
-    if (!system_.measure(Measure::damage, b, y).empty()) damage_[b] = system_.largest(Measure::damage, b, y);
-    if (!system_.measure(Measure::life_fraction, b, y).empty())
-      life_[b] = system_.largest(Measure::life_fraction, b, y);
+    if (const auto damage = system_.largest(Measure::damage, b, y)) damage_[b] = *damage;
+    if (const auto life = system_.largest(Measure::life_fraction, b, y)) life_[b] = *life;
   }
 }
 
@@ -75,11 +72,11 @@ void LifeRecord::warn(double time, std::span<const double> y) {
       break;
     }
   for (std::size_t b = 0; b < bodies.size() && !warned_of_life_; ++b) {
-    const CreepRate::Extreme life = system_.largest(Measure::life_fraction, b, y);
-    if (!(life.value > 1)) continue;
+    const auto life = system_.largest(Measure::life_fraction, b, y);
+    if (!life || !(life->value > 1)) continue;
     log::warning(
         "body '{}': the creep life is used up before t = {:.6g} at ({:.6g}, {:.6g}, {:.6g}): life_fraction {:.3g}",
-        bodies[b]->name(), time, life.place.x(), life.place.y(), life.place.z(), life.value);
+        bodies[b]->name(), time, life->place.x(), life->place.y(), life->place.z(), life->value);
     warned_of_life_ = true;
   }
 }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "point_sums.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -18,16 +19,12 @@ StressScale::StressScale(const Model& model, const StateLayout& layout)
     : model_(model), layout_(layout), strain_(model.bodies.size(), 0.0), values_(layout.size(), 1.0) {}
 
 double StressScale::typical(const BodyState& state) {
-  constexpr std::size_t piece = 1000;  // summed by one thread: the sum has the same bits for any number of them
   const std::size_t n = state.stress.size() / 6;
-  std::vector<double> sums((n + piece - 1) / piece);
-#pragma omp parallel for schedule(static) if (n > 2 * piece)
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    for (std::size_t p = i * piece; p < std::min(n, (i + 1) * piece); ++p) {
-      const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
-      sums[i] += q * q;
-    }
-  return std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(n));
+  const double sum = sum_over_points(n, [&](std::size_t p) {
+    const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
+    return q * q;
+  });
+  return std::sqrt(sum / static_cast<double>(n));
 }
 
 void StressScale::set_elastic(const std::vector<double>& stress) {

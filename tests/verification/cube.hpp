@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "verification/boxes.hpp"
 #include "verification/case.hpp"
 
 namespace creepcontact::test {
@@ -35,17 +36,8 @@ inline std::string cube_toml(const std::string& material, const std::string& loa
     young_modulus = 200e3
     poisson_ratio = 0.3
     )" + material + R"(
-    [[supports]]
-    on = "x0"
-    displacement = { x = 0 }
-    [[supports]]
-    on = "y0"
-    displacement = { y = 0 }
-    [[supports]]
-    on = "z0"
-    displacement = { z = 0 }
-    )" + loading + "\n[time]\n" +
-                     time;
+  )" + support("x0", "x") +
+                     support("y0", "y") + support("z0", "z") + loading + "\n[time]\n" + time;
   const std::vector<std::pair<std::string, std::string>> probes{
       {"sxx", "stress_xx"},       {"szz", "stress_zz"}, {"exx", "strain_xx"},     {"cxx", "creep_strain_xx"},
       {"cyy", "creep_strain_yy"}, {"damage", "damage"}, {"life", "life_fraction"}};
@@ -61,10 +53,6 @@ inline Outcome run_cube(const std::string& material, const std::string& loading,
 /// Uniaxial stress along x as a function value (TOML).
 inline std::string pulled(const std::string& stress) {
   return "\n[[loads]]\non = \"x1\"\ntraction = [" + stress + ", 0, 0]\n";
-}
-inline std::string held(const std::string& surface, const std::string& component, double displacement) {
-  return "\n[[supports]]\non = \"" + surface + "\"\ndisplacement = { " + component + " = " +
-         std::to_string(displacement) + " }\n";
 }
 /// One mechanism of "steel".
 inline std::string creep(const std::string& law, const std::string& keys) {

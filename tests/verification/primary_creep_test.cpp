@@ -10,7 +10,7 @@ using namespace test;
 
 const std::string nafems = "A = 3.125e-14\nn = 5.0\nm = 0.5";
 const std::string shear_loads = pulled("200") + "\n[[loads]]\non = \"y1\"\ntraction = [0, -200, 0]\n";
-const std::string shear_held = held("x1", "x", 0.1) + held("y1", "y", -0.1);
+const std::string shear_held = support("x1", "x", "0.1") + support("y1", "y", "-0.1");
 
 std::string times(const std::string& outputs, const std::string& integrator = "auto", double tolerance = 1e-5) {
   return "end = 1000\noutput = " + outputs + "\nintegrator = \"" + integrator +
@@ -138,14 +138,15 @@ TEST(PrimaryCreep, PrimaryAndSecondaryAdd) {
 
 /// One linear element whose nodes are all held: there are no equations to solve, but a stress that relaxes.
 TEST(PrimaryCreep, ACubeHeldOnAllSidesRelaxes) {
-  const Outcome outcome = run_cube(creep("norton", "A = 3.125e-14\nn = 5"),
-                                   held("x1", "x", 0.1) + held("y1", "y", 0.05) + held("z1", "z", 0), times("[1000]"));
+  const Outcome outcome =
+      run_cube(creep("norton", "A = 3.125e-14\nn = 5"),
+               support("x1", "x", "0.1") + support("y1", "y", "0.05") + support("z1", "z", "0"), times("[1000]"));
   EXPECT_RELATIVE(outcome.history.at("sxx", 1000), 257.88, 1e-4);  // NAFEMS R0027 5B
 }
 
 TEST(PrimaryCreep, AgeingSolvesTheIsochronousCurve) {
   const Outcome outcome =
-      run_cube(creep("ageing", nafems), held("x1", "x", 0.1), times("[1, 10, 1000]", "isochronous"));
+      run_cube(creep("ageing", nafems), support("x1", "x", "0.1"), times("[1, 10, 1000]", "isochronous"));
   for (const double t : {1.0, 10.0, 1000.0}) {
     const double stress = outcome.history.at("sxx", t);
     EXPECT_RELATIVE(stress / 200e3 + flow(stress) * std::sqrt(t), 1e-3, 1e-7);

@@ -34,7 +34,7 @@ TEST(Viscoelastic, BurgersIsMaxwellAndKelvinInSeries) {
 }
 
 TEST(Viscoelastic, MaxwellRelaxesExponentially) {
-  const Outcome outcome = run_cube(creep("maxwell", "viscosity = 1e6"), held("x1", "x", 0.1), time_keys);
+  const Outcome outcome = run_cube(creep("maxwell", "viscosity = 1e6"), support("x1", "x", "0.1"), time_keys);
   for (const double t : output_times)
     EXPECT_RELATIVE(outcome.history.at("sxx", t), 200 * std::exp(-t * 200e3 / 1e6), 1e-4 * std::max(1.0, t));
 }
@@ -48,7 +48,7 @@ TEST(Viscoelastic, PronyChainWithTimesOverDecades) {
     EXPECT_NEAR(pulled_cube.history.at("cxx", t),
                 100 * (kelvin(t, 1e-6, 1e-3) + kelvin(t, 2e-6, 1) + kelvin(t, 3e-6, 1e3)), 2e-8)
         << t;
-  const Outcome relaxed = run_cube(chain, held("x1", "x", 0.1), "end = 1e5\noutput = [1e5]\ntolerance = 1e-5\n");
+  const Outcome relaxed = run_cube(chain, support("x1", "x", "0.1"), "end = 1e5\noutput = [1e5]\ntolerance = 1e-5\n");
   EXPECT_RELATIVE(relaxed.history.at("sxx", 1e5), 200 / (1 + 200e3 * 6e-6), 1e-4);
   EXPECT_LT(relaxed.count("elastic_solves"), 700);
 }

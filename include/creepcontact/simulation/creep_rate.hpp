@@ -72,8 +72,8 @@ class CreepRate final : public ode::System {
     std::size_t body = 0;
     Vector3 place = Vector3::Zero();
   };
-  /// Largest value of a body; y is of the last evaluation or beside it.
-  Extreme largest(material::Measure measure, std::size_t body, std::span<const double> y) const;
+  /// Largest value of a body, if one of its laws knows the measure; y is of the last evaluation or beside it.
+  std::optional<Extreme> largest(material::Measure measure, std::size_t body, std::span<const double> y) const;
   /// Of every point of a body; empty if none of its laws knows the measure.
   std::vector<double> measure(material::Measure of, std::size_t body, std::span<const double> y) const;
 
