@@ -1,0 +1,95 @@
+#pragma once
+/// A study: many runs of one configuration, compared with a reference. Keys and their defaults.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+#include "creepcontact/config/location.hpp"
+#include "creepcontact/config/vocabulary.hpp"
+
+namespace creepcontact::config {
+
+/// A value of a study, as TOML writes it: what follows the '=' of an override.
+struct StudyValue {
+  std::string toml;
+  std::string label;  ///< for people: strings without quotation marks
+  Location location;
+};
+
+struct Setting {
+  std::string key;
+  Location key_location;
+  StudyValue value;
+  /// "key=value", as `--set` takes it
+  std::string override_text() const { return key + '=' + value.toml; }
+};
+
+struct Axis {
+  Reference key;
+  std::string zip;  ///< axes of the same name run together; empty: one of the product
+  std::vector<StudyValue> values;
+  Location location;
+};
+
+struct SingleRun {
+  std::vector<Setting> settings;
+  Location location;
+};
+
+/// What the runs are compared with: another run, a file or closed forms; at most one of the three is given.
+struct StudyReference {
+  std::vector<Setting> settings;
+  std::filesystem::path csv;                    ///< with the columns of history.csv
+  std::map<std::string, Function> expressions;  ///< of t, by probe
+  Location location;
+  bool is_run() const { return csv.empty() && expressions.empty(); }
+};
+
+enum class ErrorNorm { max, final };
+
+struct Compare {
+  std::vector<Reference> quantities;  ///< probes of the configuration
+  ErrorNorm norm = ErrorNorm::max;
+};
+
+struct Study {
+  std::filesystem::path file;  ///< as given by the user
+  std::string title;
+  std::filesystem::path base;     ///< already relative to the working directory
+  std::vector<Setting> settings;  ///< of all runs and the reference, before their own
+  std::vector<Axis> axes;
+  std::vector<SingleRun> runs;
+  std::optional<StudyReference> reference;
+  Compare compare;
+  std::string normalized;  ///< the document without comments and layout: two studies of the same text are the same
+};
+
+/// One run of a study.
+struct PlannedRun {
+  std::string name;               ///< "run_001", in the order of the study
+  std::vector<Setting> settings;  ///< its own, those of all runs not among them
+  std::vector<int> point;         ///< index of the value on each axis; empty: a single run
+  Location location;              ///< of a single run
+};
+
+/// @throws ConfigError holding every mistake in the document, as config::read
+Study read_study(const std::filesystem::path& file);
+/// As read_study(), from text. @param file  stands in messages; relative paths are taken relative to its directory
+Study parse_study(const std::string& text, const std::filesystem::path& file);
+
+/// All runs: the product of the axes, the last of them changing fastest, then the single runs.
+std::vector<PlannedRun> plan(const Study& study);
+
+/// The overrides of the base configuration that make a run of it.
+std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own);
+
+/// Reads the base configuration with the settings of every run, and of the reference if it is one.
+/// @throws ConfigError holding every mistake, those of a setting at its place in the study, and every quantity that is
+///         no probe of the configuration
+void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const Vocabulary& vocabulary);
+
+}  // namespace creepcontact::config

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/config/reader.hpp"
+#include "creepcontact/config/study.hpp"
+#include "diagnostics.hpp"
+#include "item.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+/// Axes by what varies on its own: one axis, or all of a zip. In the order of their first axes.
+std::vector<std::vector<std::size_t>> independent(const std::vector<Axis>& axes) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    const auto partners = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return !axes[a].zip.empty() && axes[group.front()].zip == axes[a].zip;
+    });
+    if (partners == groups.end())
+      groups.push_back({a});
+    else
+      partners->push_back(a);
+  }
+  return groups;
+}
+
+/// All index tuples of the product. @returns none without axes
+std::vector<std::vector<int>> points(const std::vector<Axis>& axes) {
+  if (axes.empty()) return {};
+  std::vector<std::vector<int>> all{std::vector<int>(axes.size(), 0)};
+  for (const std::vector<std::size_t>& group : independent(axes)) {
+    std::vector<std::vector<int>> longer;
+    for (const std::vector<int>& point : all) {
+      for (std::size_t value = 0; value < axes[group.front()].values.size(); ++value) {
+        longer.push_back(point);
+        for (const std::size_t axis : group) longer.back()[axis] = static_cast<int>(value);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// What a run's configuration has to complain of, each once, where the study says it.
+class RunMistakes {
+ public:
+  explicit RunMistakes(Diagnostics& errors) : errors_(errors) {}
+
+  /// @param message    one mistake a line: "--set key=value: ...", or of the base configuration itself
+  /// @param elsewhere  of what makes the run
+  void add(const std::string& message, const std::vector<Setting>& settings, const Location& elsewhere) {
+    std::istringstream lines(message);
+    for (std::string line; std::getline(lines, line);) {
+      Location where = elsewhere;
+      for (const Setting& setting : settings) {
+        const std::string begin = std::string(override_prefix) + setting.override_text() + ": ";
+        if (!line.starts_with(begin)) continue;
+        line.erase(0, begin.size());
+        // A wrong key is wrong with all its values: it is named once, and itself.
+        where = line.find("unknown key") == std::string::npos ? setting.value.location : setting.key_location;
+        break;
+      }
+      if (seen_.insert(where.prefix() + line).second) errors_.add(where, line);
+    }
+  }
+
+ private:
+  Diagnostics& errors_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::vector<PlannedRun> plan(const Study& study) {
+  std::vector<PlannedRun> runs;
+  for (const std::vector<int>& point : points(study.axes)) {
+    PlannedRun& run = runs.emplace_back();
+    run.point = point;
+    for (std::size_t a = 0; a < study.axes.size(); ++a) {
+      const Axis& axis = study.axes[a];
+      run.settings.push_back({axis.key.name, axis.key.location, axis.values[static_cast<std::size_t>(point[a])]});
+    }
+    run.location = study.axes.front().location;
+  }
+  for (const SingleRun& single : study.runs) runs.push_back({{}, single.settings, {}, single.location});
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = fmt::format("run_{:03}", i + 1);
+  return runs;
+}
+
+std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own) {
+  std::vector<std::string> all;
+  for (const Setting& setting : study.settings) all.push_back(setting.override_text());
+  for (const Setting& setting : own) all.push_back(setting.override_text());
+  return all;
+}
+
+void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const Vocabulary& vocabulary) {
+  Diagnostics errors;
+  RunMistakes mistakes(errors);
+  std::set<std::string> missing;
+  const auto check = [&](const std::vector<Setting>& own, const Location& where) {
+    std::vector<Setting> settings = study.settings;
+    settings.insert(settings.end(), own.begin(), own.end());
+    try {
+      const Config config = read(study.base, vocabulary, overrides(study, own));
+      std::vector<std::string> probes;
+      for (const Probe& probe : config.probes) probes.push_back(probe.name);
+      for (const Reference& quantity : study.compare.quantities)
+        if (std::find(probes.begin(), probes.end(), quantity.name) == probes.end() &&
+            missing.insert(quantity.name).second)
+          errors.add_unknown(quantity.location,
+                             fmt::format("'{}' is no probe of {}", quantity.name, study.base.string()), quantity.name,
+                             probes);
+    } catch (const ConfigError& error) {
+      mistakes.add(error.what(), settings, where);
+    }
+  };
+  if (study.reference && study.reference->is_run()) check(study.reference->settings, study.reference->location);
+  for (const PlannedRun& run : runs) check(run.settings, run.location);
+  errors.throw_if_any();
+}
+
+}  // namespace creepcontact::config

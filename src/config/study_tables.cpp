@@ -1,0 +1,154 @@
+/// The keys of a study.
+
+#include "study_tables.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "table.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+StudyValue study_value(const Item& item) {
+  StudyValue value{{}, {}, item.location};
+  std::ostringstream text;
+  item.node->visit([&](const auto& node) { text << node; });
+  value.toml = text.str();
+  // Long lists are broken into lines; in an override, and in a table of results, they stand in one.
+  std::replace(value.toml.begin(), value.toml.end(), '\n', ' ');
+  const auto* word = item.node->as_string();
+  value.label = word ? word->get() : value.toml;
+  return value;
+}
+
+Value<StudyValue> any_value() {
+  Value<StudyValue> value{.type = "a value of the configuration", .read = {}};
+  value.read = [](const Item& item, Context&) { return std::optional(study_value(item)); };
+  return value;
+}
+
+/// A key that needs quotation marks in a path gets them.
+std::string path_part(std::string_view key) {
+  const bool bare = !key.empty() && key.find_first_not_of(
+                                        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                        "0123456789_-.[]\"") == std::string_view::npos;
+  return bare ? std::string(key) : '"' + std::string(key) + '"';
+}
+
+/// "time.step" = 1 and time.step = 1 mean the same.
+void append_settings(const Item& item, const std::string& path, std::vector<Setting>& all) {
+  for (const auto& [key, node] : *item.node->as_table()) {
+    const Item child = item.child(key.str());
+    const std::string below = path.empty() ? path_part(key.str()) : path + '.' + path_part(key.str());
+    if (node.is_table() && !node.as_table()->is_inline())
+      append_settings(child, below, all);
+    else
+      all.push_back({below, locate(key.source(), child.location.key, child.location), study_value(child)});
+  }
+}
+
+Value<std::vector<Setting>> settings() {
+  Value<std::vector<Setting>> value{.type = "a table of keys of the configuration and their values", .read = {}};
+  value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::vector<Setting>> {
+    if (!item.node->is_table()) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    std::vector<Setting> all;
+    append_settings(item, "", all);
+    std::stable_sort(all.begin(), all.end(), [](const Setting& a, const Setting& b) {
+      const Location &left = a.value.location, &right = b.value.location;
+      return std::pair(left.line, left.column) < std::pair(right.line, right.column);
+    });
+    return all;
+  };
+  return value;
+}
+
+Value<Axis> axis_table() {
+  const auto keys = table<Axis>({
+      field<Axis>("key", &Axis::key, reference("a key of the configuration, \"time.step\""), "what is varied",
+                  Presence::required),
+      field<Axis>("values", &Axis::values, list(any_value()), "its values", Presence::required),
+      field<Axis>("zip", &Axis::zip, name("a name that the axes which run together share"),
+                  "axes of the same name take their first values together, then their second ones"),
+  });
+  return converted<Axis>(keys, [](Axis axis, const Item& item, Context& context) -> std::optional<Axis> {
+    axis.location = item.location;
+    if (item.has("values") && axis.values.empty() && item.child("values").node->is_array())
+      context.errors.add(item.child("values").location, "an empty list", "at least one value");
+    return axis;
+  });
+}
+
+Value<SingleRun> run_table() {
+  const auto keys = table<SingleRun>({
+      field<SingleRun>("set", &SingleRun::settings, settings(), "its settings", Presence::required),
+  });
+  return converted<SingleRun>(keys, [](SingleRun run, const Item& item, Context&) -> std::optional<SingleRun> {
+    run.location = item.location;
+    return run;
+  });
+}
+
+Value<std::map<std::string, Function>> expressions() {
+  using Map = std::map<std::string, Function>;
+  Value<Map> value{.type = "a table of functions of t by probe", .read = {}};
+  value.read = [type = value.type](const Item& item, Context& context) -> std::optional<Map> {
+    const toml::table* found = item.node->as_table();
+    if (!found || found->empty()) {
+      context.errors.add(item.location, found ? "an empty table" : describe(*item.node), type);
+      return std::nullopt;
+    }
+    Map all;
+    for (const auto& [key, node] : *found) {
+      if (const auto one = function({"t"}).read(item.child(key.str()), context)) all.emplace(key.str(), *one);
+    }
+    return all;
+  };
+  return value;
+}
+
+Value<StudyReference> reference_table() {
+  const auto keys = table<StudyReference>({
+      field<StudyReference>("set", &StudyReference::settings, settings(), "a run with these settings"),
+      field<StudyReference>("csv", &StudyReference::csv, path(), "a file with the columns of history.csv"),
+      field<StudyReference>("expressions", &StudyReference::expressions, expressions(), "closed forms"),
+  });
+  return converted<StudyReference>(
+      keys, [](StudyReference read, const Item& item, Context& context) -> std::optional<StudyReference> {
+        read.location = item.location;
+        const int given = item.has("set") + item.has("csv") + item.has("expressions");
+        if (given == 1) return read;
+        context.errors.add(item.location, given == 0 ? "no reference" : "several references",
+                           "one of 'set', 'csv', 'expressions'");
+        return std::nullopt;
+      });
+}
+
+Value<Compare> compare_table() {
+  return table<Compare>({
+      field<Compare>("quantities", &Compare::quantities, list(reference("the name of a probe")),
+                     "probes that are compared with the reference", Presence::required),
+      field<Compare>("norm", &Compare::norm,
+                     choice<ErrorNorm>("norm", {{"max", ErrorNorm::max}, {"final", ErrorNorm::final}}),
+                     "over all output times, or at the last one"),
+  });
+}
+
+}  // namespace
+
+Value<Study> study_table() {
+  return table<Study>({
+      field<Study>("title", &Study::title, text(), "what the study asks"),
+      field<Study>("base", &Study::base, path(), "the configuration that all runs share", Presence::required),
+      field<Study>("set", &Study::settings, settings(), "settings of all runs and of the reference"),
+      field<Study>("axes", &Study::axes, tables(axis_table()), "what is varied"),
+      field<Study>("runs", &Study::runs, tables(run_table()), "single runs beside the product of the axes"),
+      field<Study>("reference", &Study::reference, reference_table(), "what the runs are compared with"),
+      field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),
+  });
+}
+
+}  // namespace creepcontact::config

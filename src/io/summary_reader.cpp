@@ -1,0 +1,33 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "creepcontact/io/summary.hpp"
+
+namespace creepcontact::io {
+
+std::optional<Summary> read_summary(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    Summary summary;
+    const std::string status = json.at("status");
+    using Status = Summary::Status;
+    summary.status = status == "completed"  ? Status::completed
+                     : status == "ruptured" ? Status::ruptured
+                     : status == "failed"   ? Status::failed
+                                            : Status::interrupted;
+    summary.message = json.value("message", "");
+    summary.version = json.at("version");
+    summary.time_reached = json.at("time_reached");
+    summary.steps = json.at("steps");
+    summary.elastic_solves = json.at("elastic_solves");
+    summary.schwarz_iterations = json.at("schwarz_iterations");
+    summary.wall_seconds.total = json.at("wall_seconds").at("total");
+    return summary;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace creepcontact::io
