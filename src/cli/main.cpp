@@ -19,8 +19,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> all{
       {"run", "CONFIG.toml [options]", "Computes what the configuration describes.", run},
       {"check", "CONFIG.toml [options]", "Reads configuration and mesh and reports on them; computes nothing.", check},
-      {"study", "STUDY.toml [options]", "Runs a configuration with many settings (not available in this version).",
-       study},
+      {"study", "STUDY.toml [options]", "Runs a configuration with many settings and compares the results.", study},
       {"list", "(integrators|laws|elements|quantities)", "Shows what a configuration may name.", list},
   };
   return all;

@@ -1,15 +1,30 @@
+#include <filesystem>
+#include <iostream>
+
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/config/study.hpp"
+#include "creepcontact/simulation/study.hpp"
 
 namespace creepcontact::cli {
 
 int study(const Command& self, const Arguments& arguments) {
   namespace po = boost::program_options;
+  simulation::StudyOptions options;
+  std::string output;
   CommandLine line(self);
-  line.add_options()("jobs", po::value<int>()->value_name("N"), "runs at a time");
-  line.add_options()("output,o", po::value<std::string>()->value_name("DIR"), "where results go");
+  line.add_options()("jobs", po::value(&options.jobs)->value_name("N"),
+                     "runs at a time; not given: as many as there are cores");
+  line.add_options()("output,o", po::value(&output)->value_name("DIR"),
+                     "where results go; not given: results/<name of the study> beside its file");
   if (!line.parse(arguments, "STUDY.toml")) return 0;
-  throw ConfigError("study: not available in this version");
+  if (line.has("jobs") && options.jobs < 1) throw ConfigError("--jobs: expected a number > 0");
+  options.output = output;
+  options.program = std::filesystem::read_symlink("/proc/self/exe");
+
+  const simulation::StudyResult result = simulation::run_study(config::read_study(line.positional()), options);
+  (result.exit_status == 0 ? std::cout : std::cerr << "error: ") << result.message << '\n';
+  return result.exit_status;
 }
 
 }  // namespace creepcontact::cli

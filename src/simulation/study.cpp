@@ -1,0 +1,122 @@
+#include "creepcontact/simulation/study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <thread>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/simulation/vocabulary.hpp"
+#include "interrupt.hpp"
+#include "study_errors.hpp"
+#include "study_execution.hpp"
+#include "study_report.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const stored_study = "study_input.toml";
+
+/// One study a directory: the results of another one would stand beside those of this one.
+void claim(const fs::path& directory, const config::Study& study) {
+  std::error_code failure;
+  fs::create_directories(directory, failure);
+  if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
+  const fs::path file = directory / stored_study;
+  if (fs::exists(file)) {
+    std::ifstream stream(file, std::ios::binary);
+    if (std::string(std::istreambuf_iterator<char>(stream), {}) == study.normalized) return;
+    throw ConfigError(
+        fmt::format("output directory {} holds another study, or {} as it was before a change (its text is in {}); "
+                    "choose another directory with --output, or remove this one",
+                    directory.string(), study.file.string(), file.string()));
+  }
+  io::replace_file(file, study.normalized);
+}
+
+class Comparison {
+ public:
+  explicit Comparison(const config::Study& study) : study_(study) {
+    if (!study.reference || study.reference->is_run()) return;
+    if (study.reference->expressions.empty())
+      reference_.emplace(io::read_csv(study.reference->csv), study.reference->csv.string(), study.compare.quantities);
+    else
+      reference_.emplace(study.reference->expressions);
+  }
+
+  void take_reference(const fs::path& directory) {
+    const fs::path file = directory / "history.csv";
+    reference_.emplace(io::read_csv(file), file.string(), study_.compare.quantities);
+  }
+
+  /// Fills the errors of a row, and its message where there are none.
+  void judge(const fs::path& directory, StudyRow& row) const {
+    row.errors.assign(study_.compare.quantities.size(), std::numeric_limits<double>::quiet_NaN());
+    if (!row.succeeded() || !reference_) return;
+    const io::CsvTable history = io::read_csv(directory / "history.csv");
+    for (std::size_t q = 0; q < row.errors.size(); ++q) {
+      const auto [value, message] =
+          reference_->error(history, study_.compare.quantities[q].name, study_.compare.norm, row.status == "completed");
+      row.errors[q] = value;
+      if (row.message.empty()) row.message = message;
+    }
+  }
+
+ private:
+  const config::Study& study_;
+  std::optional<ReferenceHistory> reference_;
+};
+
+StudyResult result_of(const std::vector<StudyRow>& rows, const Interrupt& interrupt, const fs::path& directory) {
+  const auto succeeded = std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.succeeded(); });
+  const std::string results =
+      fmt::format("{} of {} runs succeeded; results in {}", succeeded, rows.size(), directory.string());
+  if (interrupt.requested()) return {130, fmt::format("interrupted: {}; the same command goes on", results)};
+  if (succeeded > 0) return {0, results};
+  const auto told = std::find_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.message.empty(); });
+  return {4, fmt::format("{}{}", results, told != rows.end() ? "; the first one: " + told->message : "")};
+}
+
+}  // namespace
+
+StudyResult run_study(const config::Study& study, const StudyOptions& options) {
+  const std::vector<config::PlannedRun> runs = config::plan(study);
+  config::check_runs(study, runs, vocabulary());
+  Comparison comparison(study);
+  const fs::path directory =
+      options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
+  claim(directory, study);
+
+  const int jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const bool reference_run = study.reference && study.reference->is_run();
+  const Interrupt interrupt;
+  std::vector<StudyRow> rows;
+  std::optional<StudyRow> reference;
+  {
+    StudyProgress progress(runs.size() + (reference_run ? 1 : 0));
+    StudyExecution execution(study, options.program, directory, jobs, interrupt, progress);
+    if (reference_run) {
+      const config::PlannedRun run{"reference", study.reference->settings, {}, study.reference->location};
+      reference = execution.run({run}).front();
+      if (reference->succeeded())
+        comparison.take_reference(execution.directory_of(run));
+      else if (!interrupt.requested())
+        throw SolverError(fmt::format("the reference {}: {}; what it printed is in {}", reference->status,
+                                      reference->message, (execution.directory_of(run) / "run.log").string()));
+    }
+    rows = execution.run(runs);
+    for (std::size_t r = 0; r < runs.size(); ++r) comparison.judge(execution.directory_of(runs[r]), rows[r]);
+  }
+  io::replace_file(directory / "study.csv", study_csv(study, runs, rows));
+  io::replace_file(directory / "study.md", study_markdown(study, runs, rows, reference));
+  return result_of(rows, interrupt, directory);
+}
+
+}  // namespace creepcontact::simulation

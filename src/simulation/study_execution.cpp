@@ -1,0 +1,169 @@
+#include "study_execution.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <thread>
+
+#include "child_process.hpp"
+#include "creepcontact/base/checksum.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/config/reader.hpp"
+#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "creepcontact/simulation/vocabulary.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+using Status = io::Summary::Status;
+
+constexpr auto between_looks = std::chrono::milliseconds(10);
+constexpr int interrupted_status = 130;
+const char* const log_file = "run.log";
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return stream ? std::string(std::istreambuf_iterator<char>(stream), {}) : "";
+}
+
+std::string checksum_line(const fs::path& file) {
+  const std::string text = text_of(file);
+  Checksum checksum;
+  checksum.add(text.data(), text.size());
+  return fmt::format("{} {:016x}\n", file.filename().string(), checksum.value());
+}
+
+std::string settings_text(const config::PlannedRun& run) {
+  std::string text;
+  for (const config::Setting& setting : run.settings)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", setting.key, setting.value.label);
+  return text;
+}
+
+void take_counts(const io::Summary& summary, StudyRow& row) {
+  row.counted = true;
+  row.steps = summary.steps;
+  row.elastic_solves = summary.elastic_solves;
+  row.schwarz_iterations = summary.schwarz_iterations;
+  row.wall_seconds = summary.wall_seconds.total;
+}
+
+/// @returns a row without status unless the run came to its end
+StudyRow finished_row(const fs::path& directory) {
+  StudyRow row;
+  const auto summary = io::read_summary(directory / "summary.json");
+  if (!summary || (summary->status != Status::completed && summary->status != Status::ruptured)) return row;
+  take_counts(*summary, row);
+  row.status = summary->status == Status::ruptured ? "ruptured" : "completed";
+  return row;
+}
+
+/// What the program said at its end.
+std::string logged_errors(const fs::path& directory, int exit_status) {
+  const std::string begin = "error: ";
+  std::ifstream log(directory / log_file);
+  std::string message;
+  for (std::string line; std::getline(log, line);)
+    if (line.starts_with(begin)) message += (message.empty() ? "" : "; ") + line.substr(begin.size());
+  if (!message.empty()) return message;
+  return exit_status > 128 ? fmt::format("ended by signal {}", exit_status - 128)
+                           : fmt::format("ended with exit status {}", exit_status);
+}
+
+StudyRow ended_row(const fs::path& directory, int exit_status) {
+  StudyRow row = exit_status == 0 ? finished_row(directory) : StudyRow{};
+  if (row.succeeded()) return row;
+  if (const auto summary = io::read_summary(directory / "summary.json")) take_counts(*summary, row);
+  row.status = exit_status == interrupted_status ? "interrupted" : "failed";
+  if (row.status == "failed") row.message = logged_errors(directory, exit_status);
+  return row;
+}
+
+/// Whether the interrupted run of this directory can go on.
+bool resumable(const fs::path& directory) {
+  const auto summary = io::read_summary(directory / "summary.json");
+  return summary && summary->status == Status::interrupted && fs::exists(directory / "checkpoint.h5");
+}
+
+}  // namespace
+
+/// What the results depend on: settings, program, and the files that the configuration names.
+std::string StudyExecution::record_of(const config::PlannedRun& run) const {
+  const std::vector<std::string> overrides = config::overrides(study_, run.settings);
+  const config::Config config = config::read(study_.base, vocabulary(), overrides);
+  std::string record = fmt::format("creepcontact {}\n", CREEPCONTACT_VERSION);
+  record += checksum_line(study_.base) + checksum_line(config.mesh.file);
+  if (config.temperature && !config.temperature->file.empty()) record += checksum_line(config.temperature->file);
+  for (const std::string& one : overrides) record += one + '\n';
+  return record;
+}
+
+std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>& runs) {
+  struct UnderWay {
+    std::size_t index;
+    ChildProcess process;
+    UnderWay(std::size_t i, const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log)
+        : index(i), process(program, arguments, log) {}
+  };
+  StudyRow not_started;
+  not_started.status = "not started";
+  std::vector<StudyRow> rows(runs.size(), not_started);
+  std::list<UnderWay> under_way;
+  std::size_t next = 0;
+
+  const auto start = [&](std::size_t i) {
+    const fs::path directory = directory_of(runs[i]);
+    const std::string record = record_of(runs[i]);
+    const bool same = text_of(directory / "settings.txt") == record;
+    if (StudyRow row = same ? finished_row(directory) : StudyRow{}; row.succeeded()) {
+      progress_.kept(row);
+      rows[i] = row;
+      return;
+    }
+    std::vector<std::string> arguments{"run",     study_.base.string(), "--output", directory.string(),
+                                       "--quiet", "--threads",          "1"};
+    for (const std::string& one : config::overrides(study_, runs[i].settings)) {
+      arguments.emplace_back("--set");
+      arguments.push_back(one);
+    }
+    if (same && resumable(directory)) {
+      arguments.emplace_back("--resume");
+    } else {
+      // The summary of other settings must not speak for these, should the run be killed at once.
+      fs::remove_all(directory);
+      fs::create_directories(directory);
+      io::replace_file(directory / "settings.txt", record);
+    }
+    under_way.emplace_back(i, program_, arguments, directory / log_file);
+  };
+
+  bool told = false;
+  while (!under_way.empty() || (next < runs.size() && !told)) {
+    if (interrupt_.requested() && !told) {
+      for (UnderWay& one : under_way) one.process.interrupt();
+      told = true;
+    }
+    while (!told && next < runs.size() && under_way.size() < jobs_) start(next++);
+    for (auto one = under_way.begin(); one != under_way.end();) {
+      const auto status = one->process.poll();
+      if (!status) {
+        ++one;
+        continue;
+      }
+      const config::PlannedRun& run = runs[one->index];
+      rows[one->index] = ended_row(directory_of(run), *status);
+      progress_.finished(run.name, settings_text(run), rows[one->index]);
+      one = under_way.erase(one);
+    }
+    progress_.draw(under_way.size());
+    if (!under_way.empty()) std::this_thread::sleep_for(between_looks);
+  }
+  return rows;
+}
+
+}  // namespace creepcontact::simulation

@@ -1,0 +1,43 @@
+#pragma once
+/// The runs of a study as processes side by side.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "creepcontact/config/study.hpp"
+#include "creepcontact/simulation/study_results.hpp"
+#include "interrupt.hpp"
+#include "study_progress.hpp"
+
+namespace creepcontact::simulation {
+
+class StudyExecution {
+ public:
+  /// @param directory  of the study; all are referred to and must outlive this
+  StudyExecution(const config::Study& study, const std::filesystem::path& program,
+                 const std::filesystem::path& directory, int jobs, const Interrupt& interrupt, StudyProgress& progress)
+      : study_(study),
+        program_(program),
+        directory_(directory),
+        jobs_(static_cast<std::size_t>(jobs)),
+        interrupt_(interrupt),
+        progress_(progress) {}
+
+  /// Makes the runs that are not finished yet; after an interruption the rest is "not started".
+  /// @returns one row a run, without errors
+  std::vector<StudyRow> run(const std::vector<config::PlannedRun>& runs);
+  std::filesystem::path directory_of(const config::PlannedRun& run) const { return directory_ / "runs" / run.name; }
+
+ private:
+  std::string record_of(const config::PlannedRun& run) const;
+
+  const config::Study& study_;
+  const std::filesystem::path& program_;
+  const std::filesystem::path& directory_;
+  std::size_t jobs_;
+  const Interrupt& interrupt_;
+  StudyProgress& progress_;
+};
+
+}  // namespace creepcontact::simulation
