@@ -9,6 +9,7 @@
 #include "creepcontact/config/study.hpp"
 #include "diagnostics.hpp"
 #include "item.hpp"
+#include "toml_document.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -56,15 +57,17 @@ class RunMistakes {
     std::istringstream lines(message);
     for (std::string line; std::getline(lines, line);) {
       Location where = elsewhere;
+      bool of_setting = false;
       for (const Setting& setting : settings) {
         const std::string begin = std::string(override_prefix) + setting.override_text() + ": ";
         if (!line.starts_with(begin)) continue;
         line.erase(0, begin.size());
         // A wrong key is wrong with all its values: it is named once, and itself.
         where = line.find("unknown key") == std::string::npos ? setting.value.location : setting.key_location;
+        of_setting = true;
         break;
       }
-      if (seen_.insert(where.prefix() + line).second) errors_.add(where, line);
+      if (seen_.insert((of_setting ? where.prefix() : "") + line).second) errors_.add(where, line);
     }
   }
 
@@ -102,6 +105,12 @@ void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const V
   Diagnostics errors;
   RunMistakes mistakes(errors);
   std::set<std::string> missing;
+  try {
+    read_text(study.base);
+  } catch (const ConfigError& error) {
+    errors.add(study.base_location, error.what());
+    errors.throw_if_any();
+  }
   const auto check = [&](const std::vector<Setting>& own, const Location& where) {
     std::vector<Setting> settings = study.settings;
     settings.insert(settings.end(), own.begin(), own.end());

@@ -56,6 +56,7 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
   if (!root.has("axes") && !root.has("runs")) context.errors.add(root.location, "no runs", "[[axes]] or [[runs]]");
   context.errors.throw_if_any();
   study.file = file;
+  study.base_location = root.child("base").location;
   std::ostringstream normalized;
   normalized << document << '\n';
   study.normalized = normalized.str();

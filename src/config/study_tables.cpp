@@ -10,16 +10,26 @@
 namespace creepcontact::config {
 namespace {
 
-StudyValue study_value(const Item& item) {
-  StudyValue value{{}, {}, item.location};
-  std::ostringstream text;
-  item.node->visit([&](const auto& node) { text << node; });
-  value.toml = text.str();
+/// Shortest text that reads back to the same number; toml++ writes 17 digits.
+std::string number_text(double number) {
+  const std::string text = fmt::format("{}", number);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string toml_text(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return number_text(number->get());
+  std::ostringstream stream;
+  node.visit([&](const auto& one) { stream << one; });
+  std::string text = stream.str();
   // Long lists are broken into lines; in an override, and in a table of results, they stand in one.
-  std::replace(value.toml.begin(), value.toml.end(), '\n', ' ');
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+StudyValue study_value(const Item& item) {
+  const std::string text = toml_text(*item.node);
   const auto* word = item.node->as_string();
-  value.label = word ? word->get() : value.toml;
-  return value;
+  return {text, word ? word->get() : text, item.location};
 }
 
 Value<StudyValue> any_value() {

@@ -116,11 +116,6 @@ class List(CliTest):
         self.expect_error(call("list"), "integrators, laws, elements, quantities")
 
 
-class Study(CliTest):
-    def test_not_yet(self):
-        self.expect_error(call("study", "a.toml"), "not available in this version")
-
-
 class ConfigErrors(CliTest):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()

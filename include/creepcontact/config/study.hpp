@@ -59,7 +59,8 @@ struct Compare {
 struct Study {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
-  std::filesystem::path base;     ///< already relative to the working directory
+  std::filesystem::path base;  ///< already relative to the working directory
+  Location base_location;
   std::vector<Setting> settings;  ///< of all runs and the reference, before their own
   std::vector<Axis> axes;
   std::vector<SingleRun> runs;

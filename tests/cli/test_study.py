@@ -1,0 +1,259 @@
+"""`creepcontact study` on a cube of one element: orders, a run that fails, what is kept, interruption, mistakes."""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
+
+GEOMETRY = """Point(1) = {0, 0, 0}; Point(2) = {100, 0, 0}; Point(3) = {100, 100, 0}; Point(4) = {0, 100, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Transfinite Curve{1, 2, 3, 4} = 2; Transfinite Surface{1}; Recombine Surface{1};
+out[] = Extrude {0, 0, 100} { Surface{1}; Layers{1}; Recombine; };
+Physical Volume("cube") = {out[1]};
+Physical Surface("z0") = {1}; Physical Surface("y0") = {out[2]}; Physical Surface("x1") = {out[3]};
+Physical Surface("x0") = {out[5]};
+"""
+
+# Stretched and held: sigma = (200^-4 + 4 A E t)^(-1/4).
+BASE = """[mesh]
+file = "cube.geo"
+order = 1
+[bodies.cube]
+region = "cube"
+material = "steel"
+[materials.steel]
+young_modulus = 200e3
+poisson_ratio = 0.3
+creep = [{ law = "norton", A = 3.125e-14, n = 5 }]
+[[supports]]
+on = "x0"
+displacement = { x = 0 }
+[[supports]]
+on = "y0"
+displacement = { y = 0 }
+[[supports]]
+on = "z0"
+displacement = { z = 0 }
+[[supports]]
+on = "x1"
+displacement = { x = 0.1 }
+[time]
+end = 0.4
+output = [0.1, 0.2]
+[[probes]]
+name = "stress"
+quantity = "stress_xx"
+body = "cube"
+"""
+
+STUDY = """title = "How much error a step buys"
+base = "cube.toml"
+set = { time.beta = 0.5, output.fields = false }
+[[axes]]
+key = "time.integrator"
+values = ["explicit_euler", "beta_euler"]
+[[axes]]
+key = "time.step"
+values = [0.005, 0.0025]
+[[runs]]
+set = { "time.integrator" = "beta_euler", "time.step" = 0.4 }
+"""
+REFERENCE = """[reference]
+set = { "time.integrator" = "cvode_bdf", "time.tolerance" = 1e-8 }
+"""
+COMPARE = """[compare]
+quantities = ["stress"]
+"""
+
+
+class StudyTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.directory = pathlib.Path(scratch.name)
+        self.output = self.directory / "results" / "study"
+        self.write("cube.geo", GEOMETRY)
+        self.write("cube.toml", BASE)
+
+    def write(self, name, text):
+        (self.directory / name).write_text(text)
+
+    def study(self, text=STUDY + REFERENCE + COMPARE, *more):
+        self.write("study.toml", text)
+        return subprocess.run([PROGRAM, "study", "study.toml", *more], cwd=self.directory, capture_output=True,
+                              text=True, timeout=100)
+
+    def rows(self):
+        with open(self.output / "study.csv", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def written(self):
+        """When each run wrote its summary."""
+        return {path.parent.name: path.stat().st_mtime_ns for path in self.output.glob("runs/*/summary.json")}
+
+    def expect_error(self, done, status, *texts):
+        self.assertEqual(done.returncode, status, done.stderr)
+        for text in texts:
+            self.assertIn(text, done.stderr)
+
+
+class StudyRuns(StudyTest):
+    def test_errors_orders_and_a_failed_run(self):
+        done = self.study()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("4 of 5 runs succeeded", done.stdout)
+        self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("info: run_")]), 5)
+        rows = self.rows()
+        self.assertEqual(list(rows[0]), ["time.integrator", "time.step", "error_stress", "status", "message", "steps",
+                                         "elastic_solves", "schwarz_iterations", "wall_seconds"])
+        self.assertEqual([row["status"] for row in rows], ["completed"] * 4 + ["failed"])
+        self.assertEqual([row["steps"] for row in rows[:4]], ["80", "160", "80", "160"])
+        self.assertIn("inner iterations diverge", rows[4]["message"])
+        self.assertEqual(rows[4]["error_stress"], "")
+        errors = [float(row["error_stress"]) for row in rows[:4]]
+        self.assertAlmostEqual(errors[0] / errors[1], 2, delta=0.1)
+        self.assertAlmostEqual(errors[2] / errors[3], 4, delta=0.2)
+        text = (self.output / "study.md").read_text()
+        self.assertTrue(text.startswith("# How much error a step buys\n"))
+        orders = dict(re.findall(r"\| time.integrator = (\w+) \| stress \|[^|]*\| ([\d.]+) \|", text))
+        self.assertAlmostEqual(float(orders["explicit_euler"]), 1, delta=0.05)
+        self.assertAlmostEqual(float(orders["beta_euler"]), 2, delta=0.05)
+
+    def test_closed_form_agrees_with_the_reference_run(self):
+        closed = '[reference]\nexpressions = { stress = "(200^-4 + 4*3.125e-14*200e3*t)^(-1/4)" }\n'
+        self.assertEqual(self.study().returncode, 0)
+        by_run = [float(row["error_stress"]) for row in self.rows()[:4]]
+        done = self.study(STUDY + closed + COMPARE, "--output", "other", "--jobs", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.output = self.directory / "other"
+        for first, second in zip(by_run, self.rows()):
+            self.assertAlmostEqual(first, float(second["error_stress"]), delta=1e-6)
+
+    def test_a_csv_as_reference(self):
+        self.assertEqual(self.study().returncode, 0)
+        by_run = [row["error_stress"] for row in self.rows()]
+        self.write("known.csv", (self.output / "runs" / "reference" / "history.csv").read_text())
+        done = self.study(STUDY + '[reference]\ncsv = "known.csv"\n' + COMPARE, "--output", "other")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.output = self.directory / "other"
+        self.assertEqual([row["error_stress"] for row in self.rows()], by_run)
+
+    def test_zipped_axes_and_no_reference(self):
+        text = STUDY.replace("[[runs]]", '[[axes]]\nkey = "time.end"\nvalues = [0.4, 0.2]\nzip = "a"\n[[runs]]')
+        text = text.replace("values = [0.005, 0.0025]", 'values = [0.005, 0.0025]\nzip = "a"')
+        self.assertEqual(self.study(text).returncode, 0)
+        self.assertEqual([row["steps"] for row in self.rows()[:4]], ["80", "80", "80", "80"])
+
+    def test_no_successful_run(self):
+        done = self.study('base = "cube.toml"\n[[runs]]\nset = { time.integrator = "beta_euler", time.step = 0.4 }\n')
+        self.expect_error(done, 4, "0 of 1 runs succeeded", "inner iterations diverge")
+        self.assertEqual(self.rows()[0]["status"], "failed")
+
+    def test_a_reference_that_gives_up(self):
+        self.expect_error(self.study(STUDY + '[reference]\nset = { time.integrator = "beta_euler", time.step = 0.4 }\n'
+                                     + COMPARE), 4, "error: the reference failed: beta_euler: the inner iterations")
+        self.assertEqual(list(self.written()), ["reference"])
+
+
+class StudyResume(StudyTest):
+    finished = STUDY[:STUDY.index("[[runs]]")] + REFERENCE + COMPARE
+
+    def test_finished_runs_are_kept(self):
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        first, table = self.written(), self.rows()
+        self.assertEqual(len(first), 5)
+        done = self.study("# the same but for this line\n" + self.finished)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.written(), first)
+        self.assertEqual(self.rows(), table)
+
+    def test_another_base_is_run_anew(self):
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        first = self.written()
+        self.write("cube.toml", BASE.replace("displacement = { x = 0.1 }", "displacement = { x = 0.09 }"))
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        for name, when in self.written().items():
+            self.assertGreater(when, first[name], name)
+
+    def test_a_run_that_is_missing_is_made(self):
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        first = self.written()
+        (self.output / "runs" / "run_002" / "summary.json").unlink()
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        changed = {name for name, when in self.written().items() if when != first[name]}
+        self.assertEqual(changed, {"run_002"})
+
+    def test_interruption(self):
+        text = ('base = "cube.toml"\nset = { output.fields = false, time.integrator = "explicit_euler" }\n'
+                '[[axes]]\nkey = "time.step"\nvalues = [1e-6, 2e-6, 4e-6]\n')
+        self.write("study.toml", text)
+        process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
+                                   stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        steps = [self.output / "runs" / name / "steps.csv" for name in ("run_001", "run_002")]
+        give_up = time.monotonic() + 50
+        while not all(path.exists() and path.stat().st_size > 1000 for path in steps):
+            self.assertLess(time.monotonic(), give_up)
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        errors = process.communicate(timeout=50)[1]
+        self.assertEqual(process.returncode, 130, errors)
+        self.assertIn("interrupted: 0 of 3 runs succeeded", errors)
+        self.assertEqual([row["status"] for row in self.rows()], ["interrupted", "interrupted", "not started"])
+        for path in steps:
+            self.assertTrue((path.parent / "checkpoint.h5").exists())
+        reached = json.loads((steps[0].parent / "summary.json").read_text())["time_reached"]
+        self.assertGreater(reached, 0)
+        # The same command goes on from there: what lies in the directory of a run that begins anew is removed.
+        sentinel = steps[0].parent / "sentinel"
+        sentinel.touch()
+        process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
+                                   stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=50), 130)
+        self.assertTrue(sentinel.exists())
+        self.assertGreaterEqual(json.loads((steps[0].parent / "summary.json").read_text())["time_reached"], reached)
+
+
+class StudyMistakes(StudyTest):
+    def test_wrong_axis_key(self):
+        self.expect_error(self.study(STUDY.replace('"time.step"\nvalues', '"time.stepp"\nvalues')), 2,
+                          "error: study.toml:8:7: axes[1].key: time.stepp: unknown key; did you mean 'step'?")
+        self.assertFalse(self.output.exists())
+
+    def test_all_in_one_go(self):
+        text = STUDY.replace("0.0025", "-1").replace('"beta_euler"]', '"beta_eulr"]') + REFERENCE
+        self.expect_error(self.study(text + COMPARE.replace("stress", "strain")), 2,
+                          "study.toml:6:29: axes[0].values[1]: time.integrator: unknown integrator 'beta_eulr'",
+                          "study.toml:9:18: axes[1].values[1]: time.step: number -1; allowed:",
+                          "study.toml:15:15: compare.quantities[0]: 'strain' is no probe of cube.toml; did you mean "
+                          "'stress'?")
+
+    def test_another_study_in_the_directory(self):
+        single = 'base = "cube.toml"\n[[runs]]\nset = { time.step = 0.2 }\n'
+        self.assertEqual(self.study(single).returncode, 0)
+        self.expect_error(self.study(single.replace("0.2", "0.3")), 2, "results/study holds another study", "--output")
+
+    def test_references_that_cannot_be_read(self):
+        text = STUDY + '[reference]\ncsv = "known.csv"\n' + COMPARE
+        self.expect_error(self.study(text), 2, "known.csv: cannot be read: No such file")
+        self.write("known.csv", "time,strain\n0,0\n")
+        self.expect_error(self.study(text), 2, "known.csv: there is no column 'stress' (found: time, strain)")
+
+    def test_command_line(self):
+        self.expect_error(self.study(STUDY, "--jobs", "0"), 2, "--jobs: expected a number > 0")
+        done = subprocess.run([PROGRAM, "study", "none.toml"], cwd=self.directory, capture_output=True, text=True)
+        self.expect_error(done, 2, "none.toml: cannot be read: No such file or directory")
+
+
+if __name__ == "__main__":
+    unittest.main()

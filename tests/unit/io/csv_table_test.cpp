@@ -1,0 +1,85 @@
+/// Histories and summaries are read back as they were written.
+#include "creepcontact/io/csv_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/io/history_writer.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "unit/io/temporary_directory.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+class ReadBack : public testing::Test {
+ protected:
+  void write(const std::string& text) { std::ofstream(file_) << text; }
+  std::string mistake() {
+    try {
+      read_csv(file_);
+      return "";
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+  }
+  test::TemporaryDirectory directory_;
+  std::filesystem::path file_ = directory_ / "history.csv";
+};
+
+TEST_F(ReadBack, HistoryToTheLastBit) {
+  const std::vector<double> values{1.0 / 3, -2e-300};
+  HistoryWriter(file_, {"a", "b c"}).write(0.1, values);
+  const CsvTable table = read_csv(file_);
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"time", "a", "b c"}));
+  EXPECT_EQ(table.values[table.find("time")], std::vector<double>{0.1});
+  EXPECT_EQ(table.values[table.find("a")], std::vector<double>{1.0 / 3});
+  EXPECT_EQ(table.values[table.find("b c")], std::vector<double>{-2e-300});
+  EXPECT_EQ(table.find("c"), table.columns.size());
+}
+
+TEST_F(ReadBack, TablesOfOtherPrograms) {
+  write("time, \"p, \"\"mean\"\"\"\r\n1, 2\r\n\r\n3,4e2\n");
+  const CsvTable table = read_csv(file_);
+  EXPECT_EQ(table.columns[1], "p, \"mean\"");
+  EXPECT_EQ(table.values[1], (std::vector<double>{2, 400}));
+}
+
+TEST_F(ReadBack, MistakesNameTheLine) {
+  EXPECT_EQ(mistake(), file_.string() + ": cannot be read: No such file or directory");
+  write("time,a\n1,2\n3,x\n");
+  EXPECT_EQ(mistake(), file_.string() + ":3: 'x' is no number");
+  write("time,a\n1\n");
+  EXPECT_EQ(mistake(), file_.string() + ":2: 1 cells under 2 columns");
+}
+
+TEST_F(ReadBack, Summary) {
+  Summary written;
+  written.status = Summary::Status::ruptured;
+  written.message = "said";
+  written.steps = 7;
+  written.elastic_solves = 21;
+  written.schwarz_iterations = 5;
+  written.time_reached = 0.3;
+  written.wall_seconds.total = 1.5;
+  write_summary(directory_ / "summary.json", written);
+  const auto read = read_summary(directory_ / "summary.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->status, Summary::Status::ruptured);
+  EXPECT_EQ(read->message, "said");
+  EXPECT_EQ(read->steps, 7);
+  EXPECT_EQ(read->elastic_solves, 21);
+  EXPECT_EQ(read->schwarz_iterations, 5);
+  EXPECT_EQ(read->time_reached, 0.3);
+  EXPECT_EQ(read->wall_seconds.total, 1.5);
+}
+
+TEST_F(ReadBack, NoSummary) {
+  EXPECT_FALSE(read_summary(file_));
+  write("{\"status\": \"completed\"}");
+  EXPECT_FALSE(read_summary(file_));
+}
+
+}  // namespace
+}  // namespace creepcontact::io
