@@ -38,12 +38,12 @@ Value<StudyValue> any_value() {
   return value;
 }
 
-/// A key that needs quotation marks in a path gets them.
+/// A name that needs quotation marks in a path gets them; a path with marks of its own keeps those.
 std::string path_part(std::string_view key) {
-  const bool bare = !key.empty() && key.find_first_not_of(
-                                        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                        "0123456789_-.[]\"") == std::string_view::npos;
-  return bare ? std::string(key) : '"' + std::string(key) + '"';
+  const bool needs_marks = key.empty() || (key.find('"') == std::string_view::npos &&
+                                           key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                                                 "0123456789_-.[]") != std::string_view::npos);
+  return needs_marks ? '"' + std::string(key) + '"' : std::string(key);
 }
 
 /// "time.step" = 1 and time.step = 1 mean the same.

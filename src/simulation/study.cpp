@@ -38,6 +38,12 @@ void claim(const fs::path& directory, const config::Study& study) {
                     "choose another directory with --output, or remove this one",
                     directory.string(), study.file.string(), file.string()));
   }
+  // Runs are made in directories that are emptied before.
+  if (fs::exists(directory / "runs"))
+    throw ConfigError(
+        fmt::format("output directory {} holds '{}', which no study has made; choose another directory "
+                    "with --output",
+                    directory.string(), (directory / "runs").string()));
   io::replace_file(file, study.normalized);
 }
 

@@ -22,7 +22,7 @@ StudyProgress::~StudyProgress() {
 
 void StudyProgress::count(const StudyRow& row) {
   ++done_;
-  if (!row.succeeded()) ++failed_;
+  if (row.status == "failed") ++failed_;
 }
 
 void StudyProgress::finished(const std::string& run, const std::string& settings, const StudyRow& row) {

@@ -243,6 +243,10 @@ class StudyMistakes(StudyTest):
         self.assertEqual(self.study(single).returncode, 0)
         self.expect_error(self.study(single.replace("0.2", "0.3")), 2, "results/study holds another study", "--output")
 
+    def test_runs_of_somebody_else_in_the_directory(self):
+        (self.directory / "runs").mkdir()
+        self.expect_error(self.study(STUDY, "--output", "."), 2, "which no study has made", "--output")
+
     def test_references_that_cannot_be_read(self):
         text = STUDY + '[reference]\ncsv = "known.csv"\n' + COMPARE
         self.expect_error(self.study(text), 2, "known.csv: cannot be read: No such file")

@@ -63,6 +63,12 @@ TEST(StudyReading, EveryKey) {
   EXPECT_EQ(study.compare.norm, ErrorNorm::final);
 }
 
+TEST(StudyReading, SettingsUnderNamesWithBlanks) {
+  const Study study = parsed(head + "[[runs]]\n[runs.set]\nmaterials.\"old steel\".E = 1\n'a.\"b c\".d' = 2\n");
+  EXPECT_EQ(study.runs[0].settings[0].key, "materials.\"old steel\".E");
+  EXPECT_EQ(study.runs[0].settings[1].key, "a.\"b c\".d");
+}
+
 TEST(StudyReading, ClosedFormsAsReference) {
   const Study study = parsed(head + axis("time.step", "[1]") +
                              "[reference]\nexpressions = { q = \"2*t\" }\n[compare]\nquantities = [\"q\"]\n");
