@@ -16,14 +16,30 @@ std::string number_text(double number) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
+/// A name that needs quotation marks in a path gets them; a path with marks of its own keeps those.
+std::string path_part(std::string_view key) {
+  const bool needs_marks = key.empty() || (key.find('"') == std::string_view::npos &&
+                                           key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                                                 "0123456789_-.[]") != std::string_view::npos);
+  return needs_marks ? '"' + std::string(key) + '"' : std::string(key);
+}
+
+/// In one line, as an override and a table of results need it.
 std::string toml_text(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number_text(number->get());
+  std::string text;
+  if (const auto* array = node.as_array()) {
+    for (const toml::node& one : *array) text += (text.empty() ? "" : ", ") + toml_text(one);
+    return '[' + text + ']';
+  }
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, one] : *table)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", path_part(key.str()), toml_text(one));
+    return "{ " + text + " }";
+  }
   std::ostringstream stream;
   node.visit([&](const auto& one) { stream << one; });
-  std::string text = stream.str();
-  // Long lists are broken into lines; in an override, and in a table of results, they stand in one.
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  return stream.str();
 }
 
 StudyValue study_value(const Item& item) {
@@ -36,14 +52,6 @@ Value<StudyValue> any_value() {
   Value<StudyValue> value{.type = "a value of the configuration", .read = {}};
   value.read = [](const Item& item, Context&) { return std::optional(study_value(item)); };
   return value;
-}
-
-/// A name that needs quotation marks in a path gets them; a path with marks of its own keeps those.
-std::string path_part(std::string_view key) {
-  const bool needs_marks = key.empty() || (key.find('"') == std::string_view::npos &&
-                                           key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                                                 "0123456789_-.[]") != std::string_view::npos);
-  return needs_marks ? '"' + std::string(key) + '"' : std::string(key);
 }
 
 /// "time.step" = 1 and time.step = 1 mean the same.

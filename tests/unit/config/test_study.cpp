@@ -58,7 +58,7 @@ TEST(StudyReading, EveryKey) {
   EXPECT_EQ(study.axes[0].values[1].toml, "0.5");
   ASSERT_EQ(study.runs.size(), 1u);
   EXPECT_EQ(study.runs[0].settings[0].value.label, "cvode_bdf");
-  EXPECT_EQ(study.runs[0].settings[1].override_text(), "time.output=[ 1, 2.5 ]");
+  EXPECT_EQ(study.runs[0].settings[1].override_text(), "time.output=[1, 2.5]");
   EXPECT_EQ(overrides(study, study.reference->settings), (Lines{"output.fields=false", "time.tolerance=1e-08"}));
   EXPECT_EQ(study.compare.norm, ErrorNorm::final);
 }
@@ -67,6 +67,13 @@ TEST(StudyReading, SettingsUnderNamesWithBlanks) {
   const Study study = parsed(head + "[[runs]]\n[runs.set]\nmaterials.\"old steel\".E = 1\n'a.\"b c\".d' = 2\n");
   EXPECT_EQ(study.runs[0].settings[0].key, "materials.\"old steel\".E");
   EXPECT_EQ(study.runs[0].settings[1].key, "a.\"b c\".d");
+}
+
+TEST(StudyReading, ValuesOfAnyTypeAsOverridesTakeThem) {
+  const Study study = parsed(head + axis("k", "[[0.1,\n 'a\"b'], { t = [0, 1.0], f = true }, 1e-7]"));
+  EXPECT_EQ(study.axes[0].values[0].toml, "[0.1, 'a\"b']");
+  EXPECT_EQ(study.axes[0].values[1].toml, "{ f = true, t = [0, 1.0] }");
+  EXPECT_EQ(study.axes[0].values[2].toml, "1e-07");
 }
 
 TEST(StudyReading, ClosedFormsAsReference) {
