@@ -136,13 +136,16 @@ TEST(StudyMistakes, AtTheirPlaces) {
 class StudyRuns : public testing::Test {
  protected:
   void SetUp() override {
-    std::ofstream(directory_ / "study_test_base.toml")
+    // Tests run side by side.
+    directory_ /= std::string("creepcontact_") + testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::create_directories(directory_);
+    std::ofstream(directory_ / "base.toml")
         << minimal << "[[probes]]\nname = \"q\"\nquantity = \"von_mises\"\nbody = \"block\"\n";
   }
-  void TearDown() override { std::filesystem::remove(directory_ / "study_test_base.toml"); }
+  void TearDown() override { std::filesystem::remove_all(directory_); }
 
   Lines mistakes_of(const std::string& rest) const {
-    const Study study = parse_study("base = \"study_test_base.toml\"\n" + rest, directory_ / "study.toml");
+    const Study study = parse_study("base = \"base.toml\"\n" + rest, directory_ / "study.toml");
     return complaints([&] { check_runs(study, plan(study), test_vocabulary()); });
   }
   std::string at(const std::string& where) const { return (directory_ / "study.toml").string() + where; }
@@ -175,7 +178,7 @@ TEST_F(StudyRuns, ReferenceIsCheckedToo) {
 }
 
 TEST_F(StudyRuns, MistakesBetweenSettingsAndBaseAreNamedOnce) {
-  std::ofstream(directory_ / "study_test_base.toml", std::ios::app) << "[contact_solver]\ntolerance = -1\n";
+  std::ofstream(directory_ / "base.toml", std::ios::app) << "[contact_solver]\ntolerance = -1\n";
   const Lines lines = mistakes_of(axis("time.step", "[1, 2]") + "[[runs]]\nset = { time.end = 3 }\n");
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_TRUE(lines[0].starts_with(at(":2:1: axes[0]: "))) << lines[0];
