@@ -44,26 +44,28 @@ double number(const std::string& cell, const std::string& where) {
 
 }  // namespace
 
-std::size_t CsvTable::find(const std::string& column) const {
-  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
+const std::vector<double>* CsvTable::column(const std::string& name) const {
+  const auto found = std::ranges::find(names, name);
+  return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
 }
 
-CsvTable read_csv(const std::filesystem::path& file) {
-  std::ifstream stream(file);
+CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended) {
+  std::ifstream stream(path);
   std::string line;
   if (!stream || !std::getline(stream, line))
-    throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(),
+    throw ConfigError(fmt::format("{}: cannot be read: {}", path.string(),
                                   stream.is_open() ? "no header" : std::generic_category().message(errno)));
   CsvTable table;
-  table.columns = cells(line);
-  table.values.resize(table.columns.size());
+  table.names = cells(line);
+  table.columns.resize(table.names.size());
   for (int row = 2; std::getline(stream, line); ++row) {
+    if (stream.eof() && unended == UnendedRow::is_left_out) break;
     const std::vector<std::string> found = cells(line);
     if (found.size() == 1 && found[0].empty()) continue;
-    const std::string where = fmt::format("{}:{}", file.string(), row);
-    if (found.size() != table.columns.size())
-      throw ConfigError(fmt::format("{}: {} cells under {} columns", where, found.size(), table.columns.size()));
-    for (std::size_t c = 0; c < found.size(); ++c) table.values[c].push_back(number(found[c], where));
+    const std::string where = fmt::format("{}:{}", path.string(), row);
+    if (found.size() != table.names.size())
+      throw ConfigError(fmt::format("{}: {} cells under {} columns", where, found.size(), table.names.size()));
+    for (std::size_t c = 0; c < found.size(); ++c) table.columns[c].push_back(number(found[c], where));
   }
   return table;
 }

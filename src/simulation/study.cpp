@@ -52,21 +52,21 @@ class Comparison {
   explicit Comparison(const config::Study& study) : study_(study) {
     if (!study.reference || study.reference->is_run()) return;
     if (study.reference->expressions.empty())
-      reference_.emplace(io::read_csv(study.reference->csv), study.reference->csv.string(), study.compare.quantities);
+      reference_.emplace(io::read_csv_table(study.reference->csv), study.reference->csv.string(), study.compare.quantities);
     else
       reference_.emplace(study.reference->expressions);
   }
 
   void take_reference(const fs::path& directory) {
     const fs::path file = directory / "history.csv";
-    reference_.emplace(io::read_csv(file), file.string(), study_.compare.quantities);
+    reference_.emplace(io::read_csv_table(file), file.string(), study_.compare.quantities);
   }
 
   /// Fills the errors of a row, and its message where there are none.
   void judge(const fs::path& directory, StudyRow& row) const {
     row.errors.assign(study_.compare.quantities.size(), std::numeric_limits<double>::quiet_NaN());
     if (!row.succeeded() || !reference_) return;
-    const io::CsvTable history = io::read_csv(directory / "history.csv");
+    const io::CsvTable history = io::read_csv_table(directory / "history.csv");
     for (std::size_t q = 0; q < row.errors.size(); ++q) {
       const auto [value, message] =
           reference_->error(history, study_.compare.quantities[q].name, study_.compare.norm, row.status == "completed");

@@ -32,16 +32,16 @@ ReferenceHistory::ReferenceHistory(io::CsvTable table, std::string name,
   std::vector<std::string> wanted{"time"};
   for (const config::Reference& quantity : quantities) wanted.push_back(quantity.name);
   std::string missing, found;
-  for (const std::string& column : table_.columns) found += (found.empty() ? "" : ", ") + column;
+  for (const std::string& column : table_.names) found += (found.empty() ? "" : ", ") + column;
   for (const std::string& column : wanted)
-    if (table_.find(column) == table_.columns.size()) missing += (missing.empty() ? "'" : ", '") + column + "'";
+    if (table_.column(column) == nullptr) missing += (missing.empty() ? "'" : ", '") + column + "'";
   if (!missing.empty()) throw ConfigError(fmt::format("{}: there is no column {} (found: {})", name, missing, found));
-  if (table_.values.front().empty()) throw ConfigError(fmt::format("{}: there are no rows", name));
+  if (table_.rows() == 0) throw ConfigError(fmt::format("{}: there are no rows", name));
 }
 
 ReferenceHistory::Points ReferenceHistory::points(const std::string& quantity,
                                                   const std::vector<double>& run_times) const {
-  if (expressions_.empty()) return {table_.values[table_.find("time")], table_.values[table_.find(quantity)]};
+  if (expressions_.empty()) return {*table_.column("time"), *table_.column(quantity)};
   Points result{run_times, {}};
   for (const double time : run_times) result.values.push_back(expressions_.at(quantity)({.t = time}));
   return result;
@@ -49,8 +49,8 @@ ReferenceHistory::Points ReferenceHistory::points(const std::string& quantity,
 
 ReferenceHistory::Error ReferenceHistory::error(const io::CsvTable& history, const std::string& quantity,
                                                 config::ErrorNorm norm, bool whole) const {
-  const std::vector<double>& run_times = history.values[history.find("time")];
-  const std::vector<double>& run_values = history.values[history.find(quantity)];
+  const std::vector<double>& run_times = *history.column("time");
+  const std::vector<double>& run_values = *history.column(quantity);
   const bool final_only = norm == config::ErrorNorm::final;
   const Points reference = points(quantity, run_times);
   double largest = 0, scale = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// Tables of numbers read back: history.csv, or a reference in its form.
+/// Tables of numbers with a header read back: history.csv and steps.csv, or a reference in their form.
 
 #include <filesystem>
 #include <string>
@@ -8,15 +8,20 @@
 namespace creepcontact::io {
 
 struct CsvTable {
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> values;  ///< of every column
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> columns;  ///< one a name, all of the same length
 
-  /// Index into columns; their number if there is none of the name.
-  std::size_t find(const std::string& column) const;
+  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  /// Null if there is none of this name.
+  const std::vector<double>* column(const std::string& name) const;
 };
 
-/// @param file  a header, then rows of as many numbers; empty lines count for nothing
-/// @throws ConfigError naming file and line if it cannot be read or a cell is no number
-CsvTable read_csv(const std::filesystem::path& file);
+/// Whether a last row without its end of line counts: other programs write such, a run at work leaves torn ones.
+enum class UnendedRow { counts, is_left_out };
+
+/// Names may stand in quotes (RFC 4180); blanks around cells and empty lines count for nothing.
+/// @throws ConfigError naming the file, and the line and what was found in it: a file that cannot be read, a row with
+/// another number of cells than the header, a cell that is no number
+CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended = UnendedRow::counts);
 
 }  // namespace creepcontact::io

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
@@ -18,7 +19,7 @@ class ReadBack : public testing::Test {
   void write(const std::string& text) { std::ofstream(file_) << text; }
   std::string mistake() {
     try {
-      read_csv(file_);
+      read_csv_table(file_);
       return "";
     } catch (const ConfigError& error) {
       return error.what();
@@ -31,19 +32,27 @@ class ReadBack : public testing::Test {
 TEST_F(ReadBack, HistoryToTheLastBit) {
   const std::vector<double> values{1.0 / 3, -2e-300};
   HistoryWriter(file_, {"a", "b c"}).write(0.1, values);
-  const CsvTable table = read_csv(file_);
-  EXPECT_EQ(table.columns, (std::vector<std::string>{"time", "a", "b c"}));
-  EXPECT_EQ(table.values[table.find("time")], std::vector<double>{0.1});
-  EXPECT_EQ(table.values[table.find("a")], std::vector<double>{1.0 / 3});
-  EXPECT_EQ(table.values[table.find("b c")], std::vector<double>{-2e-300});
-  EXPECT_EQ(table.find("c"), table.columns.size());
+  const CsvTable table = read_csv_table(file_);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"time", "a", "b c"}));
+  EXPECT_EQ(*table.column("time"), std::vector<double>{0.1});
+  EXPECT_EQ(*table.column("a"), std::vector<double>{1.0 / 3});
+  EXPECT_EQ(*table.column("b c"), std::vector<double>{-2e-300});
+  EXPECT_EQ(table.column("c"), nullptr);
 }
 
 TEST_F(ReadBack, TablesOfOtherPrograms) {
   write("time, \"p, \"\"mean\"\"\"\r\n1, 2\r\n\r\n3,4e2\n");
-  const CsvTable table = read_csv(file_);
-  EXPECT_EQ(table.columns[1], "p, \"mean\"");
-  EXPECT_EQ(table.values[1], (std::vector<double>{2, 400}));
+  const CsvTable table = read_csv_table(file_);
+  EXPECT_EQ(table.names[1], "p, \"mean\"");
+  EXPECT_EQ(table.columns[1], (std::vector<double>{2, 400}));
+}
+
+TEST_F(ReadBack, ARowWithoutItsEndMayBeTorn) {
+  write("time,a\n0,1\n1e3,-nan\n2,3.25");
+  EXPECT_EQ(read_csv_table(file_).columns[1].back(), 3.25);
+  const CsvTable whole_rows = read_csv_table(file_, UnendedRow::is_left_out);
+  EXPECT_EQ(whole_rows.columns[0], (std::vector<double>{0, 1e3}));
+  EXPECT_TRUE(std::isnan(whole_rows.columns[1].back()));
 }
 
 TEST_F(ReadBack, MistakesNameTheLine) {
