@@ -56,6 +56,7 @@ void add_life(const Summary& summary, Json& json) {
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
+  for (const auto& [name, quantity] : summary.probes) json["probes"][name] = {{"quantity", quantity}};
   json["status"] = text(summary.status);
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;

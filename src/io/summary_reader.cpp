@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/io/summary.hpp"
 
 namespace creepcontact::io {
@@ -28,6 +31,22 @@ std::optional<Summary> read_summary(const std::filesystem::path& path) {
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
+}
+
+SummaryHeading read_summary_heading(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw ConfigError(fmt::format("cannot read '{}'", path.string()));
+  const auto json = nlohmann::json::parse(stream, nullptr, false);
+  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is no JSON object", path.string()));
+  const auto text = [](const nlohmann::json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}};
+  if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
+    for (const auto& [name, probe] : probes->items())
+      if (probe.is_object()) heading.probes[name] = text(probe, "quantity");
+  return heading;
 }
 
 }  // namespace creepcontact::io

@@ -49,6 +49,7 @@ struct Summary {
   std::map<std::string, Contact> contacts;  ///< unilateral ones, by name
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
+  std::map<std::string, std::string> probes;  ///< their quantities by name; written if there are any
 };
 
 /// Replaces the file as a whole. Cost: small; may be called at every output time.
@@ -59,5 +60,14 @@ void write_summary(const std::filesystem::path& path, const Summary& summary);
 /// time; nothing else is read.
 /// @returns nullopt if the file is not there or is no summary
 std::optional<Summary> read_summary(const std::filesystem::path& path);
+
+/// What names and units a run had. What the file does not tell is empty.
+struct SummaryHeading {
+  std::string title, units, status;
+  std::map<std::string, std::string> probes;  ///< their quantities by name
+};
+
+/// @throws ConfigError if the file cannot be read or is no JSON object
+SummaryHeading read_summary_heading(const std::filesystem::path& path);
 
 }  // namespace creepcontact::io

@@ -94,5 +94,29 @@ TEST_F(SummaryFile, TellsOfLifeOnlyWhatIsKnown) {
   EXPECT_EQ(json["contacts"]["fit"]["remaining_fraction"], 0.25);
 }
 
+TEST_F(SummaryFile, HeadingIsReadBack) {
+  Summary summary;
+  EXPECT_FALSE(written(summary).contains("probes"));
+  summary.title = "Fit";
+  summary.units = "mm, N";
+  summary.status = Summary::Status::failed;
+  summary.probes["p"] = "contact_pressure";
+  write_summary(directory_ / "summary.json", summary);
+  const SummaryHeading heading = read_summary_heading(directory_ / "summary.json");
+  EXPECT_EQ(heading.title, "Fit");
+  EXPECT_EQ(heading.units, "mm, N");
+  EXPECT_EQ(heading.status, "failed");
+  EXPECT_EQ(heading.probes, summary.probes);
+}
+
+TEST_F(SummaryFile, HeadingOfAnotherFile) {
+  const auto message = [&](const char* text) {
+    const auto path = test::write_text(directory_ / "summary.json", text);
+    return test::message_of<ConfigError>([&] { read_summary_heading(path); });
+  };
+  EXPECT_TRUE(test::contains(message("{\"title\": "), "is no JSON object"));
+  EXPECT_EQ(message("{\"title\": 7, \"probes\": [1]}"), "nothing was thrown");
+}
+
 }  // namespace
 }  // namespace creepcontact::io
