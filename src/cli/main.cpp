@@ -20,6 +20,7 @@ const std::vector<Command>& commands() {
       {"run", "CONFIG.toml [options]", "Computes what the configuration describes.", run},
       {"check", "CONFIG.toml [options]", "Reads configuration and mesh and reports on them; computes nothing.", check},
       {"study", "STUDY.toml [options]", "Runs a configuration with many settings and compares the results.", study},
+      {"plot", "DIR [options]", "Draws the probes and the time steps of a run, as SVG and PNG (by gnuplot).", plot},
       {"list", "(integrators|laws|elements|quantities)", "Shows what a configuration may name.", list},
   };
   return all;

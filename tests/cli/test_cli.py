@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
-COMMANDS = ("run", "check", "study", "list")
+COMMANDS = ("run", "check", "study", "plot", "list")
 
 WRONG = """[mesh]
 file = "block.msh"

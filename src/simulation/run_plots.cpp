@@ -1,0 +1,132 @@
+#include "creepcontact/simulation/run_plots.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/config/suggestion.hpp"
+#include "units.hpp"
+
+namespace creepcontact::simulation {
+namespace {
+
+constexpr std::size_t most_panels = 5;  // of a picture: what a screen shows
+
+io::SummaryHeading heading_of(const std::filesystem::path& run) {
+  try {
+    return io::read_summary_heading(run / "summary.json");
+  } catch (const ConfigError& error) {
+    log::warning("{}: no title and no units in the pictures", error.what());
+    return {};
+  }
+}
+
+std::string title(const io::SummaryHeading& heading, const std::filesystem::path& run) {
+  const std::string name = heading.title.empty() ? run.lexically_normal().string() : heading.title;
+  const bool whole = heading.status.empty() || heading.status == "completed";
+  return whole ? name : fmt::format("{} ({})", name, heading.status);
+}
+
+io::Axis time_axis(const io::SummaryHeading& heading, bool logarithmic) {
+  return {labelled("time", Dimension::time, heading.units), logarithmic, true};
+}
+
+io::CsvTable read_history(const std::filesystem::path& run) {
+  if (!std::filesystem::is_directory(run))
+    throw ConfigError(fmt::format("no directory '{}'; plot takes the output directory of a run", run.string()));
+  const std::filesystem::path path = run / "history.csv";
+  if (!std::filesystem::exists(path))
+    throw ConfigError(fmt::format("no history.csv in '{}'; plot takes the output directory of a run", run.string()));
+  io::CsvTable history = io::read_csv_table(path, io::UnendedRow::is_left_out);
+  if (history.names.size() < 2)
+    throw ConfigError(fmt::format("'{}' has no probes; name some in [[probes]] of the configuration", path.string()));
+  if (history.rows() < 2)
+    throw ConfigError(fmt::format("'{}' has {} row{}; a curve takes at least two output times", path.string(),
+                                  history.rows(), history.rows() == 1 ? "" : "s"));
+  return history;
+}
+
+/// The time and these columns, in the order asked for.
+io::CsvTable chosen(const io::CsvTable& history, const std::vector<std::string>& probes, const std::string& path) {
+  const std::vector<std::string> known(history.names.begin() + 1, history.names.end());
+  io::CsvTable result{{history.names[0]}, {history.columns[0]}};
+  for (const std::string& name : probes) {
+    if (std::ranges::count(known, name) == 0)
+      throw ConfigError(fmt::format("--probes: no probe '{}' in '{}'; did you mean '{}'? (there are: {})", name, path,
+                                    config::nearest(name, known), fmt::join(known, ", ")));
+    if (std::ranges::count(result.names, name) > 0) continue;
+    result.names.push_back(name);
+    result.columns.push_back(*history.column(name));
+  }
+  return result;
+}
+
+}  // namespace
+
+bool spans_decades(const std::vector<double>& times) {
+  double first = INFINITY, last = 0;
+  for (double time : times) {
+    if (time > 0) first = std::min(first, time);
+    last = std::max(last, time);
+  }
+  return last > 1e3 * first;
+}
+
+io::Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time) {
+  const auto curve = [&](const char* column, const char* name, io::Series::Style style) {
+    const std::vector<double>* values = steps.column(column);
+    if (values == nullptr) throw ConfigError(fmt::format("steps.csv has no column '{}'", column));
+    return io::Series{name, steps.columns[0], *values, style};
+  };
+  const auto whole = [](const char* label) { return io::Axis{.label = label, .whole_numbers = true}; };
+  const auto any = [](const io::Series& series) {
+    return std::ranges::any_of(series.y, [](double value) { return value != 0; });
+  };
+  using Style = io::Series::Style;
+  const io::Series solves = curve("elastic_solves", "elastic solves", Style::points);
+  const io::Series iterations = curve("schwarz_iterations", "Schwarz iterations", Style::points);
+  const io::Series contacts = curve("active_contacts", "active contacts", Style::steps);
+
+  const io::Axis length{labelled("step length", Dimension::time, heading.units), true};
+  io::Figure figure{heading.title, time_axis(heading, log_time), {}};
+  figure.panels.push_back({length, {curve("step", "step length", Style::steps)}});
+  figure.panels.push_back({whole("order"), {curve("order", "order", Style::steps)}});
+  figure.panels.push_back({whole("in a step"), {solves}});
+  if (any(iterations)) figure.panels.back().series.push_back(iterations);
+  if (any(contacts)) figure.panels.push_back({whole("multipliers"), {contacts}});
+  return figure;
+}
+
+std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {
+  io::CsvTable history = read_history(run);
+  if (!options.probes.empty()) history = chosen(history, options.probes, (run / "history.csv").string());
+  const io::SummaryHeading heading = heading_of(run);
+  const bool log_time = options.log_time.value_or(spans_decades(history.columns[0]));
+  const std::filesystem::path directory = options.directory.empty() ? run / "plots" : options.directory;
+
+  std::vector<std::filesystem::path> pictures;
+  const auto draw = [&](const io::Figure& figure, const std::string& name) {
+    io::draw(figure, directory, name);
+    pictures.push_back(directory / (name + ".svg"));
+  };
+  const std::vector<io::Panel> panels = history_panels(history, heading);
+  auto next = panels.begin();
+  int part = 0;
+  for (std::size_t size : io::even_parts(panels.size(), most_panels)) {
+    const io::Figure figure{title(heading, run), time_axis(heading, log_time), {next, next + static_cast<long>(size)}};
+    draw(figure, ++part == 1 ? "history" : fmt::format("history_{}", part));
+    next += static_cast<long>(size);
+  }
+  if (!std::filesystem::exists(run / "steps.csv")) return pictures;
+  const io::CsvTable steps = io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
+  if (steps.rows() == 0) return pictures;  // nothing creeps
+  io::Figure figure = steps_figure(steps, heading, log_time);
+  figure.title = title(heading, run) + ": time steps";
+  draw(figure, "steps");
+  return pictures;
+}
+
+}  // namespace creepcontact::simulation

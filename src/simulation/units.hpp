@@ -1,0 +1,29 @@
+#pragma once
+/// Units of the quantities, as far as the words of `units` in the configuration tell them.
+
+#include <string>
+
+namespace creepcontact::simulation {
+
+enum class Dimension { none, time, length, area, force, stress, temperature };
+
+/// What is on an axis: "stress", and its dimension. The kinds of one dimension share an axis, but for those that have
+/// none (strain, damage), which are different things.
+struct QuantityKind {
+  std::string name;
+  Dimension dimension = Dimension::none;
+};
+
+/// @param quantity  of a probe; another name has the kind "value"
+QuantityKind kind_of(const std::string& quantity);
+
+/// "stress" for all its kinds.
+std::string name_of(Dimension dimension);
+
+/// The unit of a dimension in a list such as "mm, N, MPa, h, degC"; empty if the list has none for it.
+std::string unit_of(Dimension dimension, const std::string& units);
+
+/// "stress (MPa)", or the name alone if the unit is not known.
+std::string labelled(const std::string& name, Dimension dimension, const std::string& units);
+
+}  // namespace creepcontact::simulation

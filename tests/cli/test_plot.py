@@ -1,0 +1,67 @@
+"""creepcontact plot: pictures of a small run, and what it says of directories that hold none."""
+
+import os
+import struct
+import subprocess
+import unittest
+import xml.etree.ElementTree
+
+from test_runs import PROGRAM, RunTest
+
+
+class Plot(RunTest):
+    def plot(self, *more, **environment):
+        return subprocess.run([PROGRAM, "plot", *more], cwd=self.directory, capture_output=True, text=True, timeout=50,
+                              env={**os.environ, **environment})
+
+    def texts(self, picture):
+        root = xml.etree.ElementTree.parse(picture).getroot()
+        return {"".join(text.itertext()).strip() for text in root.iter("{http://www.w3.org/2000/svg}text")}
+
+    def test_pictures_of_a_run(self):
+        self.run_short("--quiet")
+        done = self.plot("out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.split(), ["out/plots/history.svg", "out/plots/steps.svg"])
+        plots = self.output / "plots"
+        history, steps = self.texts(plots / "history.svg"), self.texts(plots / "steps.svg")
+        self.assertLessEqual({"fit_pressure", "disc_hoop_stress", "rim_displacement", "time (h)",
+                              "stress (MPa)", "displacement (mm)"}, history)
+        self.assertLessEqual({"step length (h)", "order", "Schwarz iterations", "active contacts"}, steps)
+        for name in ("history.png", "steps.png"):
+            content = (plots / name).read_bytes()
+            self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+            width, height = struct.unpack(">II", content[16:24])
+            self.assertTrue(600 < width < 1600 and 300 < height < 1600, (width, height))
+
+        # a choice of probes, elsewhere
+        done = self.plot("out", "--probes", "rim_displacement", "--output", "chosen", "--log-time", "yes")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        chosen = self.texts(self.directory / "chosen" / "history.svg")
+        self.assertIn("rim_displacement", chosen)
+        self.assertNotIn("fit_pressure", chosen)
+        self.assertIn("set logscale x", (self.directory / "chosen" / "history.gp").read_text())
+
+        self.expect_error(self.plot("out", "--probes", "fit_presure"), 2, "no probe 'fit_presure'",
+                          "did you mean 'fit_pressure'?")
+        self.expect_error(self.plot("out", "--log-time", "ja"), 2, "--log-time: unknown choice 'ja'")
+        self.expect_error(self.plot("out", PATH="/nonexistent"), 2, "gnuplot", "apt-get install gnuplot-nox")
+
+    def test_directories_without_a_run(self):
+        self.expect_error(self.plot("none"), 2, "no directory 'none'")
+        self.output.mkdir()
+        self.expect_error(self.plot("out"), 2, "no history.csv in 'out'")
+        (self.output / "history.csv").write_text("time,a\n0,1\n")
+        self.expect_error(self.plot("out"), 2, "has 1 row;")
+
+    def test_a_run_without_summary(self):
+        self.output.mkdir()
+        (self.output / "history.csv").write_text("time,a_b\n0,1\n1,2\n")
+        done = self.plot("out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning: cannot read 'out/summary.json'", done.stderr)
+        self.assertIn("a_b", self.texts(self.output / "plots" / "history.svg"))
+
+
+if __name__ == "__main__":
+    unittest.main()
