@@ -24,7 +24,7 @@ constexpr std::array<Look, max_series> looks{
     {{"#0072B2", 7}, {"#D55E00", 5}, {"#009E73", 9}, {"#CC79A7", 11}, {"#E69F00", 13}, {"#56B4E9", 6}, {"#000000", 4}}};
 
 // Pixels, for a font of 13.
-constexpr double plot_width = 620, left = 118, panel_height = 190, gap = 20, top = 48, bottom = 64;
+constexpr double plot_width = 620, left = 118, lone_panel = 340, stacked_panel = 190, gap = 20, top = 48, bottom = 64;
 constexpr double character = 9.6, sample = 78;
 constexpr std::size_t longest_name = 48;
 constexpr std::size_t markers_a_line = 24;
@@ -56,7 +56,6 @@ std::string style(const Series& series, std::size_t k) {
   if (series.style == Series::Style::points) return fmt::format("with points {} pointsize 0.6", point);
   if (series.style == Series::Style::steps)
     return fmt::format("with fsteps linewidth 2 linecolor rgb '{}'", look.color);
-  // Markers of different series stand at different places, so that lines that coincide show both.
   const std::size_t every = std::max<std::size_t>(1, series.x.size() / markers_a_line);
   return fmt::format("with linespoints linewidth 2 {} pointsize 0.8 pointinterval {}", point, every);
 }
@@ -91,6 +90,7 @@ std::string terminals(double width, double height, const std::string& stem) {
 std::string gnuplot_script(const Figure& figure, const std::string& stem) {
   check(figure);
   const auto n = static_cast<double>(figure.panels.size());
+  const double panel_height = figure.panels.size() == 1 ? lone_panel : stacked_panel;
   const double width = left + plot_width + legend_width(figure),
                height = top + n * panel_height + (n - 1) * gap + bottom;
   const Range x_range = common_range(figure);
