@@ -70,8 +70,11 @@ std::vector<std::filesystem::path> plot_errors(const std::filesystem::path& dire
   };
   const auto collect = [&](List list, const std::string* setting) {
     std::vector<Series> all;
-    for (const MethodErrors& method : methods)
-      if (setting == nullptr || method.setting_name == *setting) all.push_back(series_of(method, list));
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      if (setting != nullptr && methods[m].setting_name != *setting) continue;
+      all.push_back(series_of(methods[m], list));
+      if (methods.size() <= max_series) all.back().look = static_cast<int>(m);  // the same in every picture
+    }
     std::erase_if(all, [](const Series& series) { return series.x.empty(); });
     return all;
   };

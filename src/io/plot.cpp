@@ -51,7 +51,7 @@ bool has_points(const Series& series, const Axis& x, const Axis& y) {
 }
 
 std::string style(const Series& series, std::size_t k) {
-  const Look& look = looks[k];
+  const Look& look = looks[series.look < 0 ? k : static_cast<std::size_t>(series.look)];
   const std::string point = fmt::format("linecolor rgb '{}' pointtype {}", look.color, look.marker);
   if (series.style == Series::Style::points) return fmt::format("with points {} pointsize 0.6", point);
   if (series.style == Series::Style::steps)

@@ -13,6 +13,7 @@ struct Series {
   std::string name;  ///< any text; it is shown as it is
   std::vector<double> x, y;
   Style style = Style::line;
+  int look = -1;  ///< colour and marker, below max_series; not given: that of the place in the panel
 };
 
 struct Axis {

@@ -86,6 +86,9 @@ TEST(ErrorPlots, OnePictureASettingAndOneOfEachCost) {
   const std::string solves = test::read_text(pictures[2]);
   EXPECT_TRUE(contains(solves, "explicit_euler") && contains(solves, "cvode_bdf"));
   EXPECT_FALSE(contains(solves, "the reference"));  // an error of zero has no logarithm
+  for (const char* name : {"error_over_solves.gp", "error_over_time_tolerance.gp"})
+    EXPECT_TRUE(contains(test::read_text(directory / name), "rgb '#D55E00' pointtype 5")) << name;
+  EXPECT_FALSE(contains(test::read_text(directory / "error_over_time_tolerance.gp"), "#0072B2"));
   EXPECT_TRUE(contains(test::read_text(directory / "error_over_solves.dat"), "10 0.01\n100 0.001\n"));
 }
 
