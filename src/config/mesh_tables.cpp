@@ -27,23 +27,6 @@ Value<std::map<std::string, double>> numbers_by_name() {
   return value;
 }
 
-Value<std::vector<Reference>> one_or_more_volumes() {
-  const std::string type = "a physical volume or a list of them";
-  Value<std::vector<Reference>> value{.type = type, .read = {}};
-  value.read = [type](const Item& item, Context& context) -> std::optional<std::vector<Reference>> {
-    if (item.node->is_array()) {
-      auto all = list(reference("a physical volume")).read(item, context);
-      if (!all || !all->empty()) return all;
-    } else if (item.node->is_string()) {
-      if (const auto one = reference(type).read(item, context)) return std::vector{*one};
-      return std::nullopt;
-    }
-    context.errors.add(item.location, describe(*item.node), type);
-    return std::nullopt;
-  };
-  return value;
-}
-
 }  // namespace
 
 std::vector<std::string> given_keys(const Item& item, const std::vector<std::string>& keys) {
@@ -79,7 +62,7 @@ Value<Mesh> mesh_table() {
 
 Value<Body> body_table() {
   const auto keys = table<Body>({
-      field<Body>("region", &Body::region, one_or_more_volumes(), "what the body fills", Presence::required),
+      field<Body>("region", &Body::region, one_or_more("a physical volume"), "what the body fills", Presence::required),
       field<Body>("material", &Body::material, reference("the name of a material"), "one of the materials",
                   Presence::required),
   });

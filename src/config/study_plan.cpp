@@ -18,9 +18,8 @@ namespace {
 std::vector<std::vector<std::size_t>> independent(const std::vector<Axis>& axes) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    const auto partners = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-      return !axes[a].zip.empty() && axes[group.front()].zip == axes[a].zip;
-    });
+    const auto partners = std::find_if(groups.begin(), groups.end(),
+                                       [&](const auto& group) { return run_together(axes[a], axes[group.front()]); });
     if (partners == groups.end())
       groups.push_back({a});
     else
@@ -29,9 +28,8 @@ std::vector<std::vector<std::size_t>> independent(const std::vector<Axis>& axes)
   return groups;
 }
 
-/// All index tuples of the product. @returns none without axes
+/// All index tuples of the product.
 std::vector<std::vector<int>> points(const std::vector<Axis>& axes) {
-  if (axes.empty()) return {};
   std::vector<std::vector<int>> all{std::vector<int>(axes.size(), 0)};
   for (const std::vector<std::size_t>& group : independent(axes)) {
     std::vector<std::vector<int>> longer;
@@ -80,16 +78,15 @@ class RunMistakes {
 
 std::vector<PlannedRun> plan(const Study& study) {
   std::vector<PlannedRun> runs;
-  for (const std::vector<int>& point : points(study.axes)) {
-    PlannedRun& run = runs.emplace_back();
-    run.point = point;
-    for (std::size_t a = 0; a < study.axes.size(); ++a) {
-      const Axis& axis = study.axes[a];
-      run.settings.push_back({axis.key.name, axis.key.location, axis.values[static_cast<std::size_t>(point[a])]});
+  const std::vector<Product> all = products(study);
+  for (std::size_t p = 0; p < all.size(); ++p)
+    for (const std::vector<int>& point : points(all[p].axes)) {
+      PlannedRun& run = runs.emplace_back(PlannedRun{"", all[p].settings, p, point});
+      for (std::size_t a = 0; a < point.size(); ++a) {
+        const Axis& axis = all[p].axes[a];
+        run.settings.push_back({axis.key.name, axis.key.location, axis.values[static_cast<std::size_t>(point[a])]});
+      }
     }
-    run.location = study.axes.front().location;
-  }
-  for (const SingleRun& single : study.runs) runs.push_back({{}, single.settings, {}, single.location});
   for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = fmt::format("run_{:03}", i + 1);
   return runs;
 }
@@ -129,7 +126,8 @@ void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const V
     }
   };
   if (study.reference && study.reference->is_run()) check(study.reference->settings, study.reference->location);
-  for (const PlannedRun& run : runs) check(run.settings, run.location);
+  const std::vector<Product> all = products(study);
+  for (const PlannedRun& run : runs) check(run.settings, all[run.product].location);
   errors.throw_if_any();
 }
 

@@ -10,9 +10,9 @@
 namespace creepcontact::config {
 namespace {
 
-void check_axes(const Study& study, Diagnostics& errors) {
-  for (auto axis = study.axes.begin(); axis != study.axes.end(); ++axis) {
-    for (auto other = study.axes.begin(); other != axis; ++other) {
+void check_axes(const Product& product, Diagnostics& errors) {
+  for (auto axis = product.axes.begin(); axis != product.axes.end(); ++axis) {
+    for (auto other = product.axes.begin(); other != axis; ++other) {
       if (axis->key.given() && axis->key.name == other->key.name)
         errors.add(axis->key.location,
                    fmt::format("'{}' has an axis already, in line {}", axis->key.name, other->key.location.line));
@@ -25,6 +25,15 @@ void check_axes(const Study& study, Diagnostics& errors) {
       break;
     }
   }
+}
+
+void check_plot(const Study& study, Diagnostics& errors) {
+  std::vector<std::string> keys;
+  for (const Product& product : products(study))
+    for (const Axis& axis : product.axes) keys.push_back(axis.key.name);
+  for (const Reference& key : study.plot.over)
+    if (std::find(keys.begin(), keys.end(), key.name) == keys.end())
+      errors.add_unknown(key.location, fmt::format("'{}' is no key of an axis", key.name), key.name, keys);
 }
 
 void check_comparison(const Study& study, const Item& root, Diagnostics& errors) {
@@ -44,6 +53,18 @@ void check_comparison(const Study& study, const Item& root, Diagnostics& errors)
                          quantity.name, names);
 }
 
+/// Names and pictures may change without another run.
+std::string what_is_run(toml::table document) {
+  document.erase("title");
+  document.erase("plot");
+  if (auto* runs = document["runs"].as_array())
+    for (toml::node& one : *runs)
+      if (auto* table = one.as_table()) table->erase("label");
+  std::ostringstream text;
+  text << document << '\n';
+  return text.str();
+}
+
 }  // namespace
 
 Study parse_study(const std::string& text, const std::filesystem::path& file) {
@@ -51,15 +72,14 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
   Context context{file.parent_path(), {}};
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Study study = study_table().read(root, context).value();
-  check_axes(study, context.errors);
+  for (const Product& product : products(study)) check_axes(product, context.errors);
+  check_plot(study, context.errors);
   check_comparison(study, root, context.errors);
   if (!root.has("axes") && !root.has("runs")) context.errors.add(root.location, "no runs", "[[axes]] or [[runs]]");
   context.errors.throw_if_any();
   study.file = file;
   study.base_location = root.child("base").location;
-  std::ostringstream normalized;
-  normalized << document << '\n';
-  study.normalized = normalized.str();
+  study.normalized = what_is_run(document);
   return study;
 }
 

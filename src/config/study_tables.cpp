@@ -100,13 +100,26 @@ Value<Axis> axis_table() {
   });
 }
 
-Value<SingleRun> run_table() {
-  const auto keys = table<SingleRun>({
-      field<SingleRun>("set", &SingleRun::settings, settings(), "its settings", Presence::required),
+Value<Product> runs_table() {
+  const auto keys = table<Product>({
+      field<Product>("label", &Product::label, text(), "names the runs in legends of pictures"),
+      field<Product>("set", &Product::settings, settings(), "settings of these runs"),
+      field<Product>("axes", &Product::axes, tables(axis_table()), "what is varied among them; without axes: one run"),
   });
-  return converted<SingleRun>(keys, [](SingleRun run, const Item& item, Context&) -> std::optional<SingleRun> {
-    run.location = item.location;
-    return run;
+  return converted<Product>(keys, [](Product runs, const Item& item, Context& context) -> std::optional<Product> {
+    runs.location = item.location;
+    if (!item.has("set") && !item.has("axes"))
+      context.errors.add(item.location, "a table of runs that sets nothing", "'set', 'axes' or both");
+    return runs;
+  });
+}
+
+Value<StudyPlot> plot_table() {
+  return table<StudyPlot>({
+      field<StudyPlot>("over", &StudyPlot::over, one_or_more("the key of an axis"),
+                       "the axes along which results are drawn"),
+      field<StudyPlot>("show", &StudyPlot::show, list(choice("column", study_counts())),
+                       "what is drawn beside the errors"),
   });
 }
 
@@ -163,9 +176,10 @@ Value<Study> study_table() {
       field<Study>("base", &Study::base, path(), "the configuration that all runs share", Presence::required),
       field<Study>("set", &Study::settings, settings(), "settings of all runs and of the reference"),
       field<Study>("axes", &Study::axes, tables(axis_table()), "what is varied"),
-      field<Study>("runs", &Study::runs, tables(run_table()), "single runs beside the product of the axes"),
+      field<Study>("runs", &Study::runs, tables(runs_table()), "runs beside the product of the axes"),
       field<Study>("reference", &Study::reference, reference_table(), "what the runs are compared with"),
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),
+      field<Study>("plot", &Study::plot, plot_table(), "what the pictures show"),
   });
 }
 

@@ -29,4 +29,21 @@ void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, s
   }
 }
 
+Value<std::vector<Reference>> one_or_more(const std::string& what) {
+  const std::string type = what + " or a list of them";
+  Value<std::vector<Reference>> value{.type = type, .read = {}};
+  value.read = [=](const Item& item, Context& context) -> std::optional<std::vector<Reference>> {
+    if (item.node->is_array()) {
+      auto all = list(reference(what)).read(item, context);
+      if (!all || !all->empty()) return all;
+    } else if (item.node->is_string()) {
+      if (const auto one = reference(type).read(item, context)) return std::vector{*one};
+      return std::nullopt;
+    }
+    context.errors.add(item.location, describe(*item.node), type);
+    return std::nullopt;
+  };
+  return value;
+}
+
 }  // namespace creepcontact::config

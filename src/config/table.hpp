@@ -113,6 +113,9 @@ Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dro
   return value;
 }
 
+/// References, a single one without a list too. @param what  one of them
+Value<std::vector<Reference>> one_or_more(const std::string& what);
+
 /// [[array.of.tables]]
 template <class T>
 Value<std::vector<T>> tables(const Value<T>& entry) {

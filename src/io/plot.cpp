@@ -18,10 +18,22 @@ namespace {
 
 struct Look {
   const char* color;
-  int marker;  // gnuplot's number
+  int marker, dashes;  // gnuplot's numbers
 };
-constexpr std::array<Look, max_series> looks{
-    {{"#0072B2", 7}, {"#D55E00", 5}, {"#009E73", 9}, {"#CC79A7", 11}, {"#E69F00", 13}, {"#56B4E9", 6}, {"#000000", 4}}};
+constexpr std::array<Look, max_series> looks{{{"#0072B2", 7, 1},
+                                              {"#D55E00", 5, 1},
+                                              {"#009E73", 9, 1},
+                                              {"#CC79A7", 11, 1},
+                                              {"#E69F00", 13, 1},
+                                              {"#56B4E9", 6, 1},
+                                              {"#000000", 4, 1},
+                                              {"#0072B2", 8, 2},
+                                              {"#D55E00", 12, 2},
+                                              {"#009E73", 10, 2},
+                                              {"#CC79A7", 14, 2},
+                                              {"#E69F00", 1, 2},
+                                              {"#56B4E9", 2, 2},
+                                              {"#000000", 3, 2}}};
 
 // Pixels, for a font of 13.
 constexpr double plot_width = 620, left = 118, lone_panel = 340, stacked_panel = 190, gap = 20, top = 48, bottom = 64;
@@ -55,9 +67,10 @@ std::string style(const Series& series, std::size_t k) {
   const std::string point = fmt::format("linecolor rgb '{}' pointtype {}", look.color, look.marker);
   if (series.style == Series::Style::points) return fmt::format("with points {} pointsize 0.6", point);
   if (series.style == Series::Style::steps)
-    return fmt::format("with fsteps linewidth 2 linecolor rgb '{}'", look.color);
+    return fmt::format("with fsteps linewidth 2 dashtype {} linecolor rgb '{}'", look.dashes, look.color);
   const std::size_t every = std::max<std::size_t>(1, series.x.size() / markers_a_line);
-  return fmt::format("with linespoints linewidth 2 {} pointsize 0.8 pointinterval {}", point, every);
+  return fmt::format("with linespoints linewidth 2 dashtype {} {} pointsize 0.8 pointinterval {}", look.dashes, point,
+                     every);
 }
 
 /// Ticks, grid and ends of an axis, 'x' or 'y'.

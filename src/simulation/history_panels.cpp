@@ -85,7 +85,7 @@ std::vector<io::Panel> history_panels(const io::CsvTable& history, const io::Sum
   for (const Group& dimension : groups)
     for (const Group& group : by_magnitude(dimension)) {
       auto next = group.curves.begin();
-      for (std::size_t size : io::even_parts(group.curves.size(), io::max_series)) {
+      for (std::size_t size : io::even_parts(group.curves.size(), io::max_colors)) {
         const std::vector<Curve> curves(next, next + static_cast<long>(size));
         io::Panel panel{{label(curves, heading.units)}, {}};
         for (const Curve& curve : curves) panel.series.push_back(curve.series);

@@ -10,11 +10,13 @@
 #include <thread>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
 #include "interrupt.hpp"
 #include "study_errors.hpp"
 #include "study_execution.hpp"
+#include "study_plots.hpp"
 #include "study_report.hpp"
 
 namespace creepcontact::simulation {
@@ -52,7 +54,8 @@ class Comparison {
   explicit Comparison(const config::Study& study) : study_(study) {
     if (!study.reference || study.reference->is_run()) return;
     if (study.reference->expressions.empty())
-      reference_.emplace(io::read_csv_table(study.reference->csv), study.reference->csv.string(), study.compare.quantities);
+      reference_.emplace(io::read_csv_table(study.reference->csv), study.reference->csv.string(),
+                         study.compare.quantities);
     else
       reference_.emplace(study.reference->expressions);
   }
@@ -90,6 +93,17 @@ StudyResult result_of(const std::vector<StudyRow>& rows, const Interrupt& interr
   return {4, fmt::format("{}{}", results, told != rows.end() ? "; the first one: " + told->message : "")};
 }
 
+/// Results without pictures are better than none.
+std::vector<fs::path> drawn(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                            const std::vector<StudyRow>& rows, const fs::path& directory) {
+  try {
+    return plot_study(study, runs, rows, directory);
+  } catch (const Error& error) {
+    log::warning("no pictures: {}", error.what());
+    return {};
+  }
+}
+
 }  // namespace
 
 StudyResult run_study(const config::Study& study, const StudyOptions& options) {
@@ -109,7 +123,7 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
     StudyProgress progress(runs.size() + (reference_run ? 1 : 0));
     StudyExecution execution(study, options.program, directory, jobs, interrupt, progress);
     if (reference_run) {
-      const config::PlannedRun run{"reference", study.reference->settings, {}, study.reference->location};
+      const config::PlannedRun run{"reference", study.reference->settings, 0, {}};
       reference = execution.run({run}).front();
       if (reference->succeeded())
         comparison.take_reference(execution.directory_of(run));
@@ -121,7 +135,8 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
     for (std::size_t r = 0; r < runs.size(); ++r) comparison.judge(execution.directory_of(runs[r]), rows[r]);
   }
   io::replace_file(directory / "study.csv", study_csv(study, runs, rows));
-  io::replace_file(directory / "study.md", study_markdown(study, runs, rows, reference));
+  const std::vector<fs::path> pictures = drawn(study, runs, rows, directory);
+  io::replace_file(directory / "study.md", study_markdown(study, runs, rows, reference, pictures));
   return result_of(rows, interrupt, directory);
 }
 

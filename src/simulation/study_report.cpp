@@ -10,13 +10,16 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// Keys that head columns: those of the axes, then the others that single runs set.
+/// Keys that head columns: those of the axes, then the others that some runs set.
 Cells keys(const config::Study& study) {
   Cells all;
-  for (const config::Axis& axis : study.axes) all.push_back(axis.key.name);
-  for (const config::SingleRun& run : study.runs)
-    for (const config::Setting& setting : run.settings)
-      if (std::find(all.begin(), all.end(), setting.key) == all.end()) all.push_back(setting.key);
+  const auto add = [&](const std::string& key) {
+    if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
+  };
+  for (const config::Product& product : config::products(study)) {
+    for (const config::Setting& setting : product.settings) add(setting.key);
+    for (const config::Axis& axis : product.axes) add(axis.key.name);
+  }
   return all;
 }
 
@@ -47,7 +50,10 @@ std::string markdown_cell(const std::string& text) {
 
 std::string csv_line(const Cells& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (&cell == cells.data() ? "" : ",") + csv_cell(cell);
+  for (const std::string& cell : cells) {
+    if (&cell != cells.data()) line += ',';
+    line += csv_cell(cell);
+  }
   return line + '\n';
 }
 
@@ -109,16 +115,12 @@ std::string reference_text(const config::Study& study, const std::optional<Study
   return fmt::format("{}. Errors are {}.\n\n", text, norm);
 }
 
-bool has_order(const std::string& axis) {
-  return axis == "time.step" || axis == "time.tolerance";
-}
-
-std::string orders_text(const config::Study& study, const std::vector<StudySeries>& all) {
+std::string orders_text(const config::Study& study, const std::vector<StudySeries>& all,
+                        const std::vector<StudyRow>& rows) {
   std::string text;
   for (const StudySeries& one : all) {
-    if (!has_order(one.axis)) continue;
-    for (std::size_t q = 0; q < one.errors.size(); ++q) {
-      const std::vector<double> orders = observed_orders(one.x, one.errors[q]);
+    for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
+      const std::vector<double> orders = observed_orders(one.x, one.errors(rows, q));
       for (std::size_t i = 0; i < orders.size(); ++i)
         text += markdown_line({one.label, study.compare.quantities[q].name,
                                fmt::format("{}: {} to {}", one.axis, one.x[i], one.x[i + 1]),
@@ -126,8 +128,8 @@ std::string orders_text(const config::Study& study, const std::vector<StudySerie
     }
   }
   if (text.empty()) return "";
-  return "\n## Observed orders\n\nSlope of log(error) against log(step), or log(tolerance), between consecutive "
-         "values.\n\n" +
+  return "\n## Observed orders\n\nSlope of log(error) against the logarithm of what is varied, between "
+         "consecutive values.\n\n" +
          markdown_line({"runs", "quantity", "from, to", "order"}) + rule(4) + text;
 }
 
@@ -141,14 +143,19 @@ std::string study_csv(const config::Study& study, const std::vector<config::Plan
 }
 
 std::string study_markdown(const config::Study& study, const std::vector<config::PlannedRun>& runs,
-                           const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference) {
+                           const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
+                           const std::vector<std::filesystem::path>& pictures) {
   constexpr int digits = 3;
   const Cells columns = head(study);
   std::string text = fmt::format("# {}\n\n{}", study.title.empty() ? study.file.stem().string() : study.title,
                                  reference_text(study, reference));
   text += markdown_line(columns) + rule(columns.size());
   for (std::size_t r = 0; r < runs.size(); ++r) text += markdown_line(body(study, runs[r], rows[r], digits));
-  return text + orders_text(study, series(study, runs, rows));
+  text += orders_text(study, series(study, runs), rows);
+  if (!pictures.empty()) text += "\n## Pictures\n";
+  for (const std::filesystem::path& picture : pictures)
+    text += fmt::format("\n![{}]({})\n", picture.stem().string(), picture.filename().string());
+  return text;
 }
 
 }  // namespace creepcontact::simulation

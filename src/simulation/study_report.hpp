@@ -1,6 +1,7 @@
 #pragma once
 /// study.csv and study.md.
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,13 +11,14 @@
 
 namespace creepcontact::simulation {
 
-/// A row a run: values of the axes, then of the other keys that single runs set; errors; status, message, costs.
+/// A row a run: values of all keys that are varied; errors; status, message, costs.
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                       const std::vector<StudyRow>& rows);
 
-/// Title, reference, the same table, and the observed orders where an axis is a step or a tolerance.
+/// Title, reference, the same table, the observed orders along the curves, and the pictures.
 /// @param reference  if it is a run
 std::string study_markdown(const config::Study& study, const std::vector<config::PlannedRun>& runs,
-                           const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference);
+                           const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
+                           const std::vector<std::filesystem::path>& pictures);
 
 }  // namespace creepcontact::simulation

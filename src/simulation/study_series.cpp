@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,57 +12,65 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::optional<double> number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+/// Words speak for themselves, numbers need the last part of their key: "beta_euler", "beta = 0.5".
+std::string short_text(const std::string& key, const config::StudyValue& value) {
+  const bool is_word = value.label != value.toml;
+  if (is_word) return value.label;
+  return fmt::format("{} = {}", key.substr(key.rfind('.') + 1), value.label);
 }
 
-std::vector<double> numbers(const config::Axis& axis) {
-  std::vector<double> values;
-  for (const config::StudyValue& value : axis.values) {
-    const auto found = number(value.label);
-    if (!found) return {};
-    values.push_back(*found);
+void append(std::string& label, const std::string& part) {
+  label += (label.empty() ? "" : ", ") + part;
+}
+
+std::string label_of(const config::Product& product, const config::PlannedRun& run, const config::Axis* along) {
+  std::string label = product.label;
+  if (label.empty())
+    for (const config::Setting& setting : product.settings) append(label, short_text(setting.key, setting.value));
+  for (std::size_t a = 0; a < product.axes.size(); ++a) {
+    const config::Axis& axis = product.axes[a];
+    if (!along || !config::run_together(axis, *along))
+      append(label, short_text(axis.key.name, axis.values[static_cast<std::size_t>(run.point[a])]));
   }
-  return values;
-}
-
-bool run_together(const config::Axis& a, const config::Axis& b) {
-  return a.key.name == b.key.name || (!a.zip.empty() && a.zip == b.zip);
+  return label;
 }
 
 }  // namespace
 
-std::vector<StudySeries> series(const config::Study& study, const std::vector<config::PlannedRun>& runs,
-                                const std::vector<StudyRow>& rows) {
+double StudyRow::count(const std::string& column) const {
+  if (!succeeded()) return unknown;
+  if (column == "steps") return static_cast<double>(steps);
+  if (column == "elastic_solves") return static_cast<double>(elastic_solves);
+  if (column == "schwarz_iterations") return static_cast<double>(schwarz_iterations);
+  return wall_seconds;
+}
+
+std::vector<double> StudySeries::errors(const std::vector<StudyRow>& rows, std::size_t quantity) const {
+  std::vector<double> all;
+  for (const std::size_t run : runs) all.push_back(rows[run].errors[quantity]);
+  return all;
+}
+
+std::vector<double> StudySeries::counts(const std::vector<StudyRow>& rows, const std::string& column) const {
+  std::vector<double> all;
+  for (const std::size_t run : runs) all.push_back(rows[run].count(column));
+  return all;
+}
+
+std::vector<StudySeries> series(const config::Study& study, const std::vector<config::PlannedRun>& runs) {
   std::vector<StudySeries> all;
-  for (const config::Axis& axis : study.axes) {
-    const std::vector<double> values = numbers(axis);
-    if (values.size() < 2) continue;
-    std::map<std::string, std::size_t> found;  // index in `all` by label
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      if (runs[r].point.empty()) continue;
-      std::string label;
-      double x = 0;
-      for (std::size_t a = 0; a < study.axes.size(); ++a) {
-        const auto index = static_cast<std::size_t>(runs[r].point[a]);
-        if (&study.axes[a] == &axis) x = values[index];
-        if (run_together(study.axes[a], axis)) continue;
-        label += fmt::format("{}{} = {}", label.empty() ? "" : ", ", study.axes[a].key.name,
-                             study.axes[a].values[index].label);
-      }
-      const auto [place, is_new] = found.try_emplace(label, all.size());
-      if (is_new) all.push_back({axis.key.name, label, {}, {}, {}, {}});
-      StudySeries& one = all[place->second];
-      const StudyRow& row = rows[r];
-      one.x.push_back(x);
-      one.elastic_solves.push_back(row.succeeded() ? static_cast<double>(row.elastic_solves) : unknown);
-      one.wall_seconds.push_back(row.succeeded() ? row.wall_seconds : unknown);
-      one.errors.resize(study.compare.quantities.size());
-      for (std::size_t q = 0; q < one.errors.size(); ++q) one.errors[q].push_back(row.errors[q]);
-    }
+  const std::vector<config::Product> products = config::products(study);
+  std::map<std::pair<std::size_t, std::string>, std::size_t> found;  // index in `all`
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const config::Product& product = products[runs[r].product];
+    const auto along = config::axis_of_curves(study, product);
+    const config::Axis* axis = along ? &product.axes[*along] : nullptr;
+    const std::string label = label_of(product, runs[r], axis);
+    const auto [place, is_new] = found.try_emplace({runs[r].product, label}, all.size());
+    if (is_new) all.push_back({axis ? axis->key.name : "", label, {}, {}});
+    StudySeries& one = all[place->second];
+    one.x.push_back(axis ? config::numbers(*axis)[static_cast<std::size_t>(runs[r].point[*along])] : unknown);
+    one.runs.push_back(r);
   }
   return all;
 }

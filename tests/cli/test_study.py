@@ -138,6 +138,23 @@ class StudyRuns(StudyTest):
         for first, second in zip(by_run, self.rows()):
             self.assertAlmostEqual(first, float(second["error_stress"]), delta=1e-6)
 
+    def test_pictures_of_curves(self):
+        text = STUDY.replace("[[runs]]", """[[runs]]
+label = "Adams & more"
+set = { "time.integrator" = "cvode_adams" }
+axes = [{ key = "time.tolerance", values = [1e-3, 1e-4] }]
+[[runs]]""")
+        done = self.study(text + REFERENCE + COMPARE + '[plot]\nshow = ["elastic_solves"]\n')
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([row["time.tolerance"] for row in self.rows()[4:6]], ["0.001", "0.0001"])
+        for name in ("error_stress_over_time_step", "error_stress_over_time_tolerance", "error_stress_over_wall_seconds",
+                     "error_stress_over_elastic_solves", "elastic_solves_over_time_step"):
+            self.assertIn(f"![{name}]({name}.svg)", (self.output / "study.md").read_text())
+            self.assertEqual((self.output / f"{name}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        solves = (self.output / "error_stress_over_elastic_solves.svg").read_text()
+        for curve in ("explicit_euler", "beta_euler", "Adams &amp; more"):
+            self.assertIn(curve, solves)
+
     def test_a_csv_as_reference(self):
         self.assertEqual(self.study().returncode, 0)
         by_run = [row["error_stress"] for row in self.rows()]

@@ -35,8 +35,11 @@ struct Axis {
   Location location;
 };
 
-struct SingleRun {
+/// Runs with common settings: the product of the axes, or a single run without axes.
+struct Product {
+  std::string label;  ///< for people; may be empty
   std::vector<Setting> settings;
+  std::vector<Axis> axes;
   Location location;
 };
 
@@ -56,25 +59,36 @@ struct Compare {
   ErrorNorm norm = ErrorNorm::max;
 };
 
+/// Columns of study.csv that tell what a run cost.
+const std::vector<std::string>& study_counts();
+
+/// Pictures of results along an axis.
+struct StudyPlot {
+  std::vector<Reference> over;    ///< keys of axes; empty: see axis_of_curves()
+  std::vector<std::string> show;  ///< of study_counts(), beside the errors
+};
+
 struct Study {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
   std::filesystem::path base;  ///< already relative to the working directory
   Location base_location;
   std::vector<Setting> settings;  ///< of all runs and the reference, before their own
-  std::vector<Axis> axes;
-  std::vector<SingleRun> runs;
+  std::vector<Axis> axes;         ///< of the first product
+  std::vector<Product> runs;      ///< beside it
   std::optional<StudyReference> reference;
   Compare compare;
-  std::string normalized;  ///< the document without comments and layout: two studies of the same text are the same
+  StudyPlot plot;
+  std::string
+      normalized;  ///< the document without names, [plot], comments and layout: of equal ones the runs are equal
 };
 
 /// One run of a study.
 struct PlannedRun {
   std::string name;               ///< "run_001", in the order of the study
   std::vector<Setting> settings;  ///< its own, those of all runs not among them
-  std::vector<int> point;         ///< index of the value on each axis; empty: a single run
-  Location location;              ///< of a single run
+  std::size_t product = 0;        ///< index into products()
+  std::vector<int> point;         ///< index of the value on each of its axes
 };
 
 /// @throws ConfigError holding every mistake in the document, as config::read
@@ -82,7 +96,21 @@ Study read_study(const std::filesystem::path& file);
 /// As read_study(), from text. @param file  stands in messages; relative paths are taken relative to its directory
 Study parse_study(const std::string& text, const std::filesystem::path& file);
 
-/// All runs: the product of the axes, the last of them changing fastest, then the single runs.
+/// The product of the study's axes, if it has any, then those of [[runs]].
+std::vector<Product> products(const Study& study);
+
+/// The axis along which a product's results are drawn: the first of [plot] over that it has, or time.step,
+/// time.tolerance, or else its last one with several values; only axes whose values are numbers.
+/// @returns index into its axes; nullopt if it has none
+std::optional<std::size_t> axis_of_curves(const Study& study, const Product& product);
+
+/// Values of an axis as numbers; empty if one of them is none.
+std::vector<double> numbers(const Axis& axis);
+
+/// Whether the two take their values together: zipped, or one and the same.
+bool run_together(const Axis& a, const Axis& b);
+
+/// All runs, product by product, the last axis of each changing fastest.
 std::vector<PlannedRun> plan(const Study& study);
 
 /// The overrides of the base configuration that make a run of it.

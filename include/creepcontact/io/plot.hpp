@@ -34,8 +34,10 @@ struct Figure {
   std::vector<Panel> panels;  ///< from top to bottom
 };
 
-/// Colours of Okabe and Ito (2008) that stand out from white; each has its own marker.
-inline constexpr std::size_t max_series = 7;
+/// Colours of Okabe and Ito (2008) that stand out from white.
+inline constexpr std::size_t max_colors = 7;
+/// Each has its own marker; beyond max_colors the colours come again, with dashes.
+inline constexpr std::size_t max_series = 2 * max_colors;
 
 /// The commands for gnuplot: `<stem>.svg` or, with format='png', `<stem>.png` from `<stem>.dat`.
 /// @throws ConfigError if a figure has no panel, or a panel no series or too many

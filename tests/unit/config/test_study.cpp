@@ -99,6 +99,7 @@ TEST(StudyPlan, ProductOfTheAxesThenSingleRuns) {
   EXPECT_EQ(settings_of(runs[5]), (Lines{"a.x=2", "b='w'"}));
   EXPECT_EQ(settings_of(runs[6]), (Lines{"c=true"}));
   EXPECT_EQ(runs[5].point, (std::vector<int>{1, 2}));
+  EXPECT_EQ(runs[6].product, 1u);
   EXPECT_TRUE(runs[6].point.empty());
   EXPECT_EQ(runs[6].name, "run_007");
 }
@@ -110,6 +111,49 @@ TEST(StudyPlan, ZippedAxesRunTogether) {
   ASSERT_EQ(runs.size(), 4u);
   EXPECT_EQ(settings_of(runs[1]), (Lines{"a=1", "b=6", "c=3"}));
   EXPECT_EQ(settings_of(runs[2]), (Lines{"a=2", "b=5", "c=4"}));
+}
+
+TEST(StudyPlan, RunsWithAxesOfTheirOwn) {
+  const Study study = parsed(head + axis("a", "[1, 2]") + R"(
+[[runs]]
+label = "BDF"
+set = { c = 0 }
+axes = [{ key = "b", values = [3, 4] }, { key = "a", values = [5] }]
+[plot]
+over = "b"
+show = ["schwarz_iterations"]
+)");
+  const std::vector<PlannedRun> runs = plan(study);
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_EQ(settings_of(runs[3]), (Lines{"c=0", "b=4", "a=5"}));
+  EXPECT_EQ(runs[3].product, 1u);
+  EXPECT_EQ(runs[3].point, (std::vector<int>{1, 0}));
+  EXPECT_EQ(axis_of_curves(study, products(study)[0]), 0u);
+  EXPECT_EQ(axis_of_curves(study, products(study)[1]), 0u);
+  EXPECT_EQ(products(study)[1].label, "BDF");
+}
+
+TEST(StudyReading, NamesAndPicturesMakeNoOtherStudy) {
+  const std::string runs = "[[runs]]\nset = { c = 1 }\n";
+  const std::string one = parsed(head + runs).normalized;
+  EXPECT_EQ(parsed("title = \"else\"\nbase = \"block.toml\" # here\n" + runs + "label = \"d\"\n[plot]\nshow = []\n")
+                .normalized,
+            one);
+  EXPECT_NE(parsed(head + "[[runs]]\nset = { c = 2 }\n").normalized, one);
+}
+
+TEST(StudyPlan, CurvesRunAlongNumbers) {
+  const auto along = [](const std::string& axes, const std::string& plot = "") {
+    const Study study = parsed(head + axes + plot);
+    const auto found = axis_of_curves(study, products(study)[0]);
+    return found ? products(study)[0].axes[*found].key.name : "";
+  };
+  const std::string words = axis("w", "[\"u\", \"v\"]"), step = axis("time.step", "[1, 2]"),
+                    beta = axis("beta", "[1, 2]");
+  EXPECT_EQ(along(step + beta + words), "time.step");
+  EXPECT_EQ(along(step + beta + words, "[plot]\nover = [\"w\", \"beta\"]\n"), "beta");
+  EXPECT_EQ(along(beta + axis("last", "[1, 2]") + axis("one", "[1]") + words), "last");
+  EXPECT_EQ(along(words), "");
 }
 
 TEST(StudyMistakes, AtTheirPlaces) {
@@ -128,6 +172,12 @@ TEST(StudyMistakes, AtTheirPlaces) {
                    "studies/cost.toml:6:1: reference: no reference; allowed: one of 'set', 'csv', 'expressions'");
   expect_complaint(head + one + "[reference]\nexpressions = { p = \"t\" }\n[compare]\nquantities = [\"q\"]\n",
                    "studies/cost.toml:9:15: compare.quantities[0]: 'q' has no expression");
+  expect_complaint(head + one + "[plot]\nover = \"time.stepp\"\n",
+                   "studies/cost.toml:7:8: plot.over: 'time.stepp' is no key of an axis; did you mean 'time.step'?");
+  expect_complaint(head + one + "[plot]\nshow = [\"solves\"]\n",
+                   "studies/cost.toml:7:9: plot.show[0]: unknown column 'solves'; did you mean ");
+  expect_complaint(head + "[[runs]]\nlabel = \"x\"\n",
+                   "studies/cost.toml:3:1: runs[0]: a table of runs that sets nothing");
   expect_complaint(head + one + "[reference]\nexpressions = { q = \"t + s\" }\n[compare]\nquantities = [\"q\"]\n",
                    "studies/cost.toml:7:21: reference.expressions.q: expression 't + s'");
 }

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
+#include <set>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/io/error_plots.hpp"
+#include "creepcontact/io/curves.hpp"
 #include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::io {
@@ -33,16 +35,20 @@ TEST(Plot, HostileNamesRunNothingAndStandInThePicture) {
   EXPECT_EQ(test::read_text(directory / "plot.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
-TEST(Plot, EverySeriesHasColourAndMarkerOfItsOwn) {
+TEST(Plot, EverySeriesHasALookOfItsOwn) {
   Figure figure = one_curve("a");
   for (std::size_t k = 1; k < max_series; ++k) figure.panels[0].series.push_back(figure.panels[0].series[0]);
   const std::string script = gnuplot_script(figure, "plot");
-  for (const char* look :
-       {"'#0072B2' pointtype 7", "'#D55E00' pointtype 5", "'#009E73' pointtype 9", "'#CC79A7' pointtype 11",
-        "'#E69F00' pointtype 13", "'#56B4E9' pointtype 6", "'#000000' pointtype 4"})
-    EXPECT_TRUE(contains(script, look)) << look;
+  std::set<std::string> looks, markers;
+  const std::regex of_series(R"(dashtype (\d) linecolor rgb '(#\w+)' pointtype (\d+))");
+  for (std::sregex_iterator one(script.begin(), script.end(), of_series), end; one != end; ++one) {
+    looks.insert((*one)[1].str() + (*one)[2].str());
+    markers.insert((*one)[3]);
+  }
+  EXPECT_EQ(looks.size(), max_series);
+  EXPECT_EQ(markers.size(), max_series);
   figure.panels[0].series.push_back(figure.panels[0].series[0]);
-  EXPECT_TRUE(contains(test::message_of<ConfigError>([&] { gnuplot_script(figure, "plot"); }), "allowed: 1 to 7"));
+  EXPECT_TRUE(contains(test::message_of<ConfigError>([&] { gnuplot_script(figure, "plot"); }), "allowed: 1 to 14"));
 }
 
 TEST(Plot, RoundingIsNotMagnified) {
@@ -73,30 +79,26 @@ TEST(Plot, PartsAreEven) {
   EXPECT_TRUE(even_parts(0, 7).empty());
 }
 
-TEST(ErrorPlots, OnePictureASettingAndOneOfEachCost) {
+TEST(Curves, PointsInOrderThatTheAxesCanShow) {
   const test::TemporaryDirectory directory;
-  const std::vector<MethodErrors> methods{{"explicit_euler", "time.step", {1, 0.1}, {10, 100}, {1, 9}, {1e-2, 1e-3}},
-                                          {"cvode_bdf", "time.tolerance", {1e-2, 1e-4}, {20, 60}, {2, 4}, {1e-3, 1e-5}},
-                                          {"the reference itself", "time.tolerance", {1e-8}, {900}, {50}, {0}}};
-  const auto pictures = plot_errors(directory.path(), "Errors", "error, relative", methods);
-  std::vector<std::string> names;
-  for (const auto& picture : pictures) names.push_back(picture.filename().string());
-  EXPECT_EQ(names, (std::vector<std::string>{"error_over_time_step.svg", "error_over_time_tolerance.svg",
-                                             "error_over_solves.svg", "error_over_seconds.svg"}));
-  const std::string solves = test::read_text(pictures[2]);
-  EXPECT_TRUE(contains(solves, "explicit_euler") && contains(solves, "cvode_bdf"));
-  EXPECT_FALSE(contains(solves, "the reference"));  // an error of zero has no logarithm
-  for (const char* name : {"error_over_solves.gp", "error_over_time_tolerance.gp"})
-    EXPECT_TRUE(contains(test::read_text(directory / name), "rgb '#D55E00' pointtype 5")) << name;
-  EXPECT_FALSE(contains(test::read_text(directory / "error_over_time_tolerance.gp"), "#0072B2"));
-  EXPECT_TRUE(contains(test::read_text(directory / "error_over_solves.dat"), "10 0.01\n100 0.001\n"));
+  const Axis log{.label = "error", .logarithmic = true};
+  const Curves curves{"Errors", log, log, {{"method", {10, 1, 0.1, 5}, {1e-2, 1e-3, 0, NAN}}, {"exact", {1}, {0}}}};
+  const auto pictures = draw_curves(curves, directory.path(), "error");
+  EXPECT_EQ(pictures, (std::vector<std::filesystem::path>{directory / "error.svg"}));
+  EXPECT_TRUE(contains(test::read_text(directory / "error.dat"), "1 0.001\n10 0.01\n# end"));
+  const std::string picture = test::read_text(pictures[0]);
+  EXPECT_TRUE(contains(picture, "method"));
+  EXPECT_FALSE(contains(picture, "exact"));
 }
 
-TEST(ErrorPlots, ListsOfDifferentLengthAreAnError) {
-  const std::string message = test::message_of<ConfigError>([] {
-    plot_errors("unused", "", "", {{"rkc2", "time.step", {1}, {1}, {1, 2}, {1}}});
-  });
-  EXPECT_TRUE(contains(message, "'rkc2': 1 errors, 1 settings, 1 numbers of solves and 2 times")) << message;
+TEST(Curves, ManyAreSpreadOverPictures) {
+  const test::TemporaryDirectory directory;
+  Curves curves{"Errors", {}, {}, {}};
+  for (std::size_t i = 0; i <= max_series; ++i) curves.series.push_back({std::to_string(i), {0, 1}, {1, 2}});
+  EXPECT_EQ(draw_curves(curves, directory.path(), "p").size(), 2u);
+  EXPECT_TRUE(std::filesystem::exists(directory / "p_2.png"));
+  curves.series.clear();
+  EXPECT_TRUE(draw_curves(curves, directory.path(), "none").empty());
 }
 
 }  // namespace

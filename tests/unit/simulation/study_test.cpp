@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "../../../src/simulation/study_errors.hpp"
+#include "../../../src/simulation/study_plots.hpp"
 #include "../../../src/simulation/study_report.hpp"
 #include "creepcontact/base/error.hpp"
+#include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -76,7 +78,7 @@ class StudyTables : public testing::Test {
   void SetUp() override {
     for (const config::PlannedRun& run : runs_) {
       StudyRow row{"failed", "gave up, \"really\"", {std::nan("")}};
-      if (!run.point.empty()) {
+      if (run.product == 0) {
         const double step = run.point[1] == 0 ? 0.4 : 0.1;
         row = {"completed", "", {run.point[0] == 0 ? step : step * step}, 5, 6, 7, 0.5, true};
       }
@@ -105,25 +107,60 @@ quantities = ["q"]
   std::vector<StudyRow> rows_;
 };
 
-TEST_F(StudyTables, SeriesAlongNumbers) {
-  const std::vector<StudySeries> all = series(study_, runs_, rows_);
-  ASSERT_EQ(all.size(), 2u);
+TEST_F(StudyTables, CurvesAlongNumbers) {
+  const std::vector<StudySeries> all = series(study_, runs_);
+  ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].axis, "time.step");
-  EXPECT_EQ(all[0].label, "time.integrator = u");
-  EXPECT_EQ(all[1].label, "time.integrator = v");
+  EXPECT_EQ(all[0].label, "u");
+  EXPECT_EQ(all[1].label, "v");
   EXPECT_EQ(all[1].x, (std::vector<double>{0.4, 0.1}));
-  EXPECT_EQ(all[1].elastic_solves, (std::vector<double>{6, 6}));
-  EXPECT_DOUBLE_EQ(observed_orders(all[0].x, all[0].errors[0])[0], 1);
-  EXPECT_DOUBLE_EQ(observed_orders(all[1].x, all[1].errors[0])[0], 2);
+  EXPECT_EQ(all[1].counts(rows_, "elastic_solves"), (std::vector<double>{6, 6}));
+  EXPECT_DOUBLE_EQ(observed_orders(all[0].x, all[0].errors(rows_, 0))[0], 1);
+  EXPECT_DOUBLE_EQ(observed_orders(all[1].x, all[1].errors(rows_, 0))[0], 2);
+  EXPECT_EQ(all[2].axis, "");
+  EXPECT_EQ(all[2].label, "beta = 0.5, w");
+  EXPECT_EQ(all[2].runs, std::vector<std::size_t>{4});
+  EXPECT_TRUE(std::isnan(all[2].counts(rows_, "steps")[0]));  // it failed
 }
 
-TEST_F(StudyTables, ZippedAxesMakeOneSeries) {
+TEST_F(StudyTables, ZippedAxesMakeOneCurve) {
   study_.axes[0].zip = study_.axes[1].zip = "z";
-  const auto runs = config::plan(study_);
-  const std::vector<StudySeries> all = series(study_, runs, {rows_[0], rows_[3], rows_[4]});
-  ASSERT_EQ(all.size(), 1u);
+  const std::vector<StudySeries> all = series(study_, config::plan(study_));
+  ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].label, "");
   EXPECT_EQ(all[0].x, (std::vector<double>{0.4, 0.1}));
+  EXPECT_EQ(all[0].runs, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST_F(StudyTables, RunsWithAxesOfTheirOwnAreCurvesByTheirLabel) {
+  study_.runs[0].axes = {{{"time.tolerance"}, "", {{"1e-2", "1e-2", {}}, {"1e-3", "1e-3", {}}}, {}}};
+  study_.runs[0].label = "third";
+  const auto runs = config::plan(study_);
+  const std::vector<StudySeries> all = series(study_, runs);
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[2].axis, "time.tolerance");
+  EXPECT_EQ(all[2].label, "third");
+  EXPECT_EQ(all[2].x, (std::vector<double>{1e-2, 1e-3}));
+  study_.plot.over = {{"time.integrator"}};  // words: no axis of a curve
+  EXPECT_EQ(series(study_, runs)[2].axis, "time.tolerance");
+  study_.plot.over = {{"time.tolerance"}, {"time.step"}};
+  EXPECT_EQ(series(study_, runs)[0].axis, "time.step");
+}
+
+TEST_F(StudyTables, PicturesOfErrorsAndCounts) {
+  const io::test::TemporaryDirectory directory;
+  study_.plot.show = {"schwarz_iterations"};
+  std::vector<std::string> names;
+  for (const auto& picture : plot_study(study_, runs_, rows_, directory.path()))
+    names.push_back(picture.filename().string());
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"error_q_over_time_step.svg", "error_q_over_elastic_solves.svg",
+                                      "error_q_over_wall_seconds.svg", "schwarz_iterations_over_time_step.svg"}));
+  const std::string steps = io::test::read_text(directory / "error_q_over_time_step.gp");
+  EXPECT_TRUE(io::test::contains(steps, "set logscale x") && io::test::contains(steps, "'error of q, relative'"))
+      << steps;
+  EXPECT_TRUE(io::test::contains(steps, "title 'u'") && io::test::contains(steps, "title 'v'")) << steps;
+  EXPECT_FALSE(io::test::contains(steps, "'beta = 0.5, w'")) << steps;
 }
 
 TEST_F(StudyTables, Csv) {
@@ -136,11 +173,12 @@ TEST_F(StudyTables, Csv) {
 }
 
 TEST_F(StudyTables, Markdown) {
-  const std::string text = study_markdown(study_, runs_, rows_, {});
+  const std::string text = study_markdown(study_, runs_, rows_, {}, {"dir/a.svg"});
   EXPECT_EQ(text.substr(0, 7), "# cost\n");
   EXPECT_NE(text.find("Reference: `known.csv`."), std::string::npos);
-  EXPECT_NE(text.find("| time.integrator = u | q | time.step: 0.4 to 0.1 | 1.00 |"), std::string::npos) << text;
-  EXPECT_NE(text.find("| time.integrator = v | q | time.step: 0.4 to 0.1 | 2.00 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| u | q | time.step: 0.4 to 0.1 | 1.00 |"), std::string::npos) << text;
+  EXPECT_NE(text.find("![a](a.svg)"), std::string::npos) << text;
+  EXPECT_NE(text.find("| v | q | time.step: 0.4 to 0.1 | 2.00 |"), std::string::npos) << text;
 }
 
 }  // namespace
