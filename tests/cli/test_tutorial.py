@@ -88,7 +88,7 @@ class Tutorial(unittest.TestCase):
     def run_command(self, command):
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "PATH": f"{self.directory / 'bin'}:{os.environ['PATH']}"}
         return subprocess.run(["bash", "-c", command], cwd=self.directory / "press_fit", env=environment, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=110)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=200)
 
     def test_commands_print_what_is_quoted(self):
         for name in ("bin", "press_fit"):
