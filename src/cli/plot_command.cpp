@@ -44,7 +44,10 @@ int plot(const Command& self, const Arguments& arguments) {
   options.log_time = log_time(log);
   if (line.has("probes")) options.probes = names(probes);
   options.directory = directory;
-  for (const auto& picture : simulation::plot_run(line.positional(), options)) std::cout << picture.string() << '\n';
+  for (std::filesystem::path picture : simulation::plot_run(line.positional(), options)) {
+    std::cout << picture.string() << '\n';
+    std::cout << picture.replace_extension(".png").string() << '\n';
+  }
   return 0;
 }
 

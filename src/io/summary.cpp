@@ -56,7 +56,10 @@ void add_life(const Summary& summary, Json& json) {
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
-  for (const auto& [name, quantity] : summary.probes) json["probes"][name] = {{"quantity", quantity}};
+  for (const auto& [name, probe] : summary.probes) {
+    json["probes"][name] = {{"quantity", probe.quantity}};
+    if (!probe.integrated_over.empty()) json["probes"][name]["integrated_over"] = probe.integrated_over;
+  }
   json["status"] = text(summary.status);
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;

@@ -45,7 +45,7 @@ SummaryHeading read_summary_heading(const std::filesystem::path& path) {
   SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}};
   if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
     for (const auto& [name, probe] : probes->items())
-      if (probe.is_object()) heading.probes[name] = text(probe, "quantity");
+      if (probe.is_object()) heading.probes[name] = {text(probe, "quantity"), text(probe, "integrated_over")};
   return heading;
 }
 

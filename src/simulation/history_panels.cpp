@@ -71,7 +71,7 @@ std::vector<io::Panel> history_panels(const io::CsvTable& history, const io::Sum
   std::vector<Group> groups;
   for (std::size_t c = 1; c < history.names.size(); ++c) {
     const auto known = heading.probes.find(history.names[c]);
-    Curve curve{kind_of(known == heading.probes.end() ? "" : known->second),
+    Curve curve{kind_of(known == heading.probes.end() ? io::SummaryProbe{} : known->second),
                 {history.names[c], history.columns[0], history.columns[c]},
                 largest_magnitude(history.columns[c])};
     const auto group = std::ranges::find_if(groups, [&](const Group& g) { return g.takes(curve.kind); });

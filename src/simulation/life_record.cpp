@@ -81,6 +81,16 @@ void LifeRecord::warn(double time, std::span<const double> y) {
   }
 }
 
+void LifeRecord::warn_of_open_contacts() const {
+  for (std::size_t p = 0; p < largest_force_.size(); ++p) {
+    const contact::Pair& pair = system_.elasticity().interface().pairs()[p];
+    if (pair.coupling.type == contact::ContactType::tied || largest_force_[p] > 0) continue;
+    log::warning(
+        "contact '{}' was open at every output time and has carried nothing (a negative gap is an interference)",
+        pair.name);
+  }
+}
+
 void LifeRecord::fill(io::Summary& summary) const {
   const auto& bodies = system_.elasticity().model().bodies;
   for (const auto& [b, extreme] : damage_) summary.damage[bodies[b]->name()] = largest(extreme);

@@ -28,6 +28,9 @@ class LifeRecord {
   /// Warns once, where creep strain is no longer small, or life is used up.
   void warn(double time, std::span<const double> y);
 
+  /// At the end of a run: contacts that are not tied and have carried nothing.
+  void warn_of_open_contacts() const;
+
   void fill(io::Summary& summary) const;
   void save(ContactElasticity::Memory& memory) const { memory["largest_contact_force"] = largest_force_; }
   /// Nothing happens if the memory has no record.

@@ -30,7 +30,10 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
   summary.title = config.title;
   summary.units = config.units;
   summary.version = CREEPCONTACT_VERSION;
-  for (const config::Probe& probe : config.probes) summary.probes[probe.name] = probe.quantity;
+  for (const config::Probe& probe : config.probes) {
+    const char* const region = probe.on.given() ? "surface" : "body";
+    summary.probes[probe.name] = {probe.quantity, probe.reduce == config::Reduce::sum ? region : ""};
+  }
   summary.integrator = config.time.integrator;
   summary.method = loop.method();
   summary.time_reached = loop.time();

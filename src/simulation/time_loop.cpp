@@ -185,7 +185,9 @@ TimeLoop::End TimeLoop::run() {
   }
   write_checkpoint();
   if (ruptured_) return End::ruptured;
-  return time_ >= config_.time.end ? End::completed : End::interrupted;
+  if (time_ < config_.time.end) return End::interrupted;
+  life_.warn_of_open_contacts();
+  return End::completed;
 }
 
 void TimeLoop::begin_segment() {

@@ -68,10 +68,15 @@ std::vector<std::string> words(const std::string& units) {
 
 }  // namespace
 
-QuantityKind kind_of(const std::string& quantity) {
-  for (const KindOfPrefix& kind : kinds)
-    if (quantity.starts_with(kind.prefix)) return {std::string(kind.name), kind.dimension};
-  return {"value", Dimension::none};
+QuantityKind kind_of(const io::SummaryProbe& probe) {
+  const auto kind =
+      std::ranges::find_if(kinds, [&](const KindOfPrefix& k) { return probe.quantity.starts_with(k.prefix); });
+  if (kind == kinds.end()) return {"value", Dimension::none};
+  const std::string name(kind->name);
+  const bool is_total = kind->dimension == Dimension::force || kind->dimension == Dimension::area;
+  if (probe.integrated_over.empty() || is_total) return {name, kind->dimension};
+  if (kind->dimension == Dimension::stress && probe.integrated_over == "surface") return {"force", Dimension::force};
+  return {name + ", sum", Dimension::none};
 }
 
 std::string name_of(Dimension dimension) {

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "creepcontact/io/summary.hpp"
+
 namespace creepcontact::simulation {
 
 enum class Dimension { none, time, length, area, force, stress, temperature };
@@ -14,8 +16,9 @@ struct QuantityKind {
   Dimension dimension = Dimension::none;
 };
 
-/// @param quantity  of a probe; another name has the kind "value"
-QuantityKind kind_of(const std::string& quantity);
+/// A quantity that is not known has the kind "value". Stress over a surface is a force, other integrals have no unit
+/// here.
+QuantityKind kind_of(const io::SummaryProbe& probe);
 
 /// "stress" for all its kinds.
 std::string name_of(Dimension dimension);

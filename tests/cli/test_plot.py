@@ -22,7 +22,7 @@ class Plot(RunTest):
         self.run_short("--quiet")
         done = self.plot("out")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(done.stdout.split(), ["out/plots/history.svg", "out/plots/steps.svg"])
+        self.assertEqual(done.stdout.split(), [f"out/plots/{name}.{kind}" for name in ("history", "steps") for kind in ("svg", "png")])
         plots = self.output / "plots"
         history, steps = self.texts(plots / "history.svg"), self.texts(plots / "steps.svg")
         self.assertLessEqual({"fit_pressure", "disc_hoop_stress", "rim_displacement", "time (h)",

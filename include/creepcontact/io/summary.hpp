@@ -10,6 +10,13 @@
 
 namespace creepcontact::io {
 
+/// What a column of history.csv shows.
+struct SummaryProbe {
+  std::string quantity;
+  std::string integrated_over;  ///< "surface" or "body" if its values are sums, empty else
+  bool operator==(const SummaryProbe&) const = default;
+};
+
 /// The members carry the names they have in the file.
 struct Summary {
   enum class Status { completed, ruptured, failed, interrupted };
@@ -49,7 +56,7 @@ struct Summary {
   std::map<std::string, Contact> contacts;  ///< unilateral ones, by name
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
-  std::map<std::string, std::string> probes;  ///< their quantities by name; written if there are any
+  std::map<std::string, SummaryProbe> probes;  ///< by name; written if there are any
 };
 
 /// Replaces the file as a whole. Cost: small; may be called at every output time.
@@ -64,7 +71,7 @@ std::optional<Summary> read_summary(const std::filesystem::path& path);
 /// What names and units a run had. What the file does not tell is empty.
 struct SummaryHeading {
   std::string title, units, status;
-  std::map<std::string, std::string> probes;  ///< their quantities by name
+  std::map<std::string, SummaryProbe> probes;  ///< by name
 };
 
 /// @throws ConfigError if the file cannot be read or is no JSON object

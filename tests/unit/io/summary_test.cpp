@@ -100,7 +100,7 @@ TEST_F(SummaryFile, HeadingIsReadBack) {
   summary.title = "Fit";
   summary.units = "mm, N";
   summary.status = Summary::Status::failed;
-  summary.probes["p"] = "contact_pressure";
+  summary.probes["p"] = {"contact_pressure", "surface"};
   write_summary(directory_ / "summary.json", summary);
   const SummaryHeading heading = read_summary_heading(directory_ / "summary.json");
   EXPECT_EQ(heading.title, "Fit");

@@ -22,15 +22,27 @@ TEST(HistoryPanels, OneADimensionWithItsUnit) {
   const io::SummaryHeading heading{"",
                                    "mm, N, MPa, h, degC",
                                    "",
-                                   {{"p", "contact_pressure"},
-                                    {"u", "displacement_x"},
-                                    {"hoop", "stress_theta"},
-                                    {"creep", "creep_strain_equivalent"},
-                                    {"life", "life_fraction"}}};
+                                   {{"p", {"contact_pressure", ""}},
+                                    {"u", {"displacement_x", ""}},
+                                    {"hoop", {"stress_theta", ""}},
+                                    {"creep", {"creep_strain_equivalent", ""}},
+                                    {"life", {"life_fraction", ""}}}};
   EXPECT_EQ(names(history_panels(history, heading)), (Names{{"stress (MPa)", "p", "hoop"},
                                                             {"displacement (mm)", "u"},
                                                             {"creep strain", "creep"},
                                                             {"life fraction", "life"}}));
+}
+
+TEST(HistoryPanels, SumsHaveTheUnitOfTheirIntegral) {
+  const io::CsvTable history{{"time", "clamping", "area", "grown"}, {{0, 1}, {1, 2}, {1, 2}, {0, 1}}};
+  const io::SummaryHeading heading{"",
+                                   "mm, N, MPa, h",
+                                   "",
+                                   {{"clamping", {"contact_pressure", "surface"}},
+                                    {"area", {"contact_area", "surface"}},
+                                    {"grown", {"creep_strain_equivalent", "body"}}}};
+  EXPECT_EQ(names(history_panels(history, heading)),
+            (Names{{"force (N)", "clamping"}, {"contact area (mm²)", "area"}, {"creep strain, sum", "grown"}}));
 }
 
 TEST(HistoryPanels, WithoutQuantitiesMagnitudesTell) {
