@@ -51,17 +51,24 @@ class TemporaryGeo {
   std::filesystem::path path_;
 };
 
-/// What Gmsh logged as errors since the session began, a line each; its warnings go to the log.
+/// What Gmsh logged as errors since the session began, a line each, the first ones; its warnings go to the log.
 std::string take_errors(const std::string& name) {
   std::vector<std::string> lines;
   gmsh::logger::get(lines);
   gmsh::logger::stop();
   gmsh::logger::start();
+  constexpr int told = 5;
   std::string errors;
+  int found = 0;
+  bool extrusions_touch = false;
   for (const std::string& line : lines) {
-    if (line.starts_with("Error: ")) errors += "\n  " + line.substr(7);
+    if (line.starts_with("Error: ") && ++found <= told) errors += "\n  " + line.substr(7);
     if (line.starts_with("Warning: ")) log::warning("{}: Gmsh: {}", name, line.substr(9));
+    extrusions_touch |= line.find("extruded node") != std::string::npos;
   }
+  if (found > told) errors += fmt::format("\n  and {} more, which may follow from these", found - told);
+  if (extrusions_touch)
+    errors += "\n  (bodies that touch need SetFactory(\"OpenCASCADE\"): the built-in kernel makes their faces one)";
   return errors;
 }
 

@@ -21,6 +21,13 @@ std::string element_names(const mesh::Mesh& mesh) {
   return text;
 }
 
+std::string gap_text(const config::Contact& contact) {
+  if (contact.type == config::ContactType::tied) return "tied";
+  if (contact.geometric_gap) return "gap from the mesh";
+  const bool overlaps = contact.gap.is_constant() && contact.gap({}) < 0;
+  return fmt::format("gap {}{}", contact.gap.text(), overlaps ? " (interference)" : "");
+}
+
 }  // namespace
 
 void check(const config::Config& config, std::ostream& report) {
@@ -51,9 +58,10 @@ void check(const config::Config& config, std::ostream& report) {
   for (std::size_t p = 0; p < model.pairs.size(); ++p) {
     const contact::Pair& pair = model.pairs[p];
     const double n = pair.coupling.n_rows();
-    text += fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers\n", pair.name,
-                        pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
-                        model.bodies[pair.master_body]->name(), pair.coupling.nodes.size());
+    text +=
+        fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
+                    pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
+                    model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(), gap_text(config.contacts[p]));
     bytes += 8 * n * n * 12;
   }
   const contact::FloatingMotions floating(model.bodies, model.pairs);
@@ -61,11 +69,13 @@ void check(const config::Config& config, std::ostream& report) {
   for (const std::string& motion : floating.describe_idle())
     text += fmt::format("held by nothing, must not be loaded: {}\n", motion);
   if (const auto range = temperature_range(config, model))
-    text += fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
+    text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
+                                      : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
   text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
   text += fmt::format("estimated memory: {:.0f} MB\n", bytes / 1e6 + 60);
   report << text << std::flush;
   floating.require_contact(model.pairs);
+  report << "no mistakes found\n" << std::flush;
 }
 
 }  // namespace creepcontact::simulation

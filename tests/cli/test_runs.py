@@ -149,8 +149,8 @@ class Check(RunTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for text in ("body 'shaft': 48 hex20, 419 nodes", "body 'disc': 72 hex20, 592 nodes", "576 integration points",
                      "material 'wheel'", "rigid-body modes: none",
-                     "contact 'fit': slave 'disc_bore' on 'disc', master 'shaft_outer' on 'shaft', 20 multipliers",
-                     "estimated memory: "):
+                     "contact 'fit': slave 'disc_bore' on 'disc', master 'shaft_outer' on 'shaft', 20 multipliers, gap -0.09 (interference)",
+                     "estimated memory: ", "\nno mistakes found\n"):
             self.assertIn(text, done.stdout)
         self.assertEqual(list(self.directory.iterdir()), [])
 
