@@ -114,14 +114,15 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
       options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
   claim(directory, study);
 
-  const int jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = options.jobs > 0 ? options.jobs : cores;
   const bool reference_run = study.reference && study.reference->is_run();
   const Interrupt interrupt;
   std::vector<StudyRow> rows;
   std::optional<StudyRow> reference;
   {
     StudyProgress progress(runs.size() + (reference_run ? 1 : 0));
-    StudyExecution execution(study, options.program, directory, jobs, interrupt, progress);
+    StudyExecution execution(study, options.program, directory, jobs, cores, interrupt, progress);
     if (reference_run) {
       const config::PlannedRun run{"reference", study.reference->settings, 0, {}};
       reference = execution.run({run}).front();

@@ -125,8 +125,8 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
       rows[i] = row;
       return;
     }
-    std::vector<std::string> arguments{"run",     study_.base.string(), "--output", directory.string(),
-                                       "--quiet", "--threads",          "1"};
+    std::vector<std::string> arguments{"run",     study_.base.string(), "--output",     directory.string(),
+                                       "--quiet", "--threads",          threads_of_run_};
     for (const std::string& one : config::overrides(study_, runs[i].settings)) {
       arguments.emplace_back("--set");
       arguments.push_back(one);

@@ -1,6 +1,7 @@
 #pragma once
 /// The runs of a study as processes side by side.
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,13 +15,16 @@ namespace creepcontact::simulation {
 
 class StudyExecution {
  public:
+  /// @param jobs  runs at a time, among which the cores are divided
   /// @param directory  of the study; all are referred to and must outlive this
   StudyExecution(const config::Study& study, const std::filesystem::path& program,
-                 const std::filesystem::path& directory, int jobs, const Interrupt& interrupt, StudyProgress& progress)
+                 const std::filesystem::path& directory, int jobs, int cores, const Interrupt& interrupt,
+                 StudyProgress& progress)
       : study_(study),
         program_(program),
         directory_(directory),
         jobs_(static_cast<std::size_t>(jobs)),
+        threads_of_run_(std::to_string(std::max(1, cores / jobs))),
         interrupt_(interrupt),
         progress_(progress) {}
 
@@ -36,6 +40,7 @@ class StudyExecution {
   const std::filesystem::path& program_;
   const std::filesystem::path& directory_;
   std::size_t jobs_;
+  std::string threads_of_run_;
   const Interrupt& interrupt_;
   StudyProgress& progress_;
 };
