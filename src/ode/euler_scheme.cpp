@@ -206,9 +206,11 @@ void EulerScheme::interpolate(double t, std::span<double> y) const {
   if (!(t >= begin_ && t < time()))
     throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", name(), t));
   const double theta = (t - begin_) / last_step_;
-  const double slope = theta * (1 - theta) * last_step_;
   for_each_index(y.size(), [&](std::size_t i) {
-    y[i] = previous_.state[i] + slope * previous_.rate[i] + theta * theta * (current_.state[i] - previous_.state[i]);
+    const double change = current_.state[i] - previous_.state[i];
+    // More would leave the range between both ends: the rate at the start of a step much longer than the stable one.
+    const double bend = std::clamp(last_step_ * previous_.rate[i] - change, -std::abs(change), std::abs(change));
+    y[i] = previous_.state[i] + theta * (change + (1 - theta) * bend);
   });
 }
 

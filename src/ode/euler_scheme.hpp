@@ -24,7 +24,8 @@ class EulerScheme : public Integrator {
   StepReport step(double t_limit) final;
 
   bool interpolates() const final { return true; }
-  /// y_n + theta (1 - theta) dt f_n + theta^2 (y_{n+1} - y_n): second order; linear for single explicit steps.
+  /// y_n + theta (1 - theta) dt f_n + theta^2 (y_{n+1} - y_n): second order; linear for single explicit steps. Where
+  /// that would leave the range between y_n and y_{n+1}, its bend is cut such that it just does not.
   void interpolate(double t, std::span<double> y) const final;
 
   double time() const final { return clock_.time(); }

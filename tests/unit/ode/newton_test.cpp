@@ -112,6 +112,27 @@ TEST(InnerNewton, GivesTheSolutionOfTheFixedPoint) {
     }
 }
 
+TEST(InnerNewton, LongStepsAreInterpolatedBetweenTheirEnds) {
+  for (const double beta : {0.5, 0.75, 1.0}) {
+    RelaxingBar bar;
+    const double dt = 1e3 * bar.stable_step(0, Values{0});
+    auto integrator = make_integrator("beta_euler", bar, newton(dt, beta));
+    integrator->initialize(0, Values{0});
+    for (int k = 0; k < 3; ++k) {
+      const double begin = integrator->time();
+      const double from = integrator->state()[0];
+      integrator->step(never);
+      const auto [low, high] = std::minmax({from, integrator->state()[0]});
+      Values y(1);
+      for (const double theta : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+        integrator->interpolate(begin + theta * dt, y);
+        EXPECT_GE(y[0], low) << "beta = " << beta << ", theta = " << theta;
+        EXPECT_LE(y[0], high) << "beta = " << beta << ", theta = " << theta;
+      }
+    }
+  }
+}
+
 TEST(InnerNewton, ObservedOrderOfConvergence) {
   for (const auto& [beta, order] : {std::pair{1.0, 1}, {0.75, 1}, {0.5, 2}}) {
     const auto error = [beta = beta](double step) {
