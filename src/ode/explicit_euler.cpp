@@ -31,14 +31,15 @@ void ExplicitEuler::complete(double t, EulerPoint& to) {
 }
 
 void ExplicitEuler::warn_if_unstable(double t, std::span<const double> y) {
-  if (warned_ || adaptive() || options_.step.mode == StepMode::stable) return;
+  const bool in_stable_steps = options_.step.mode == StepMode::stable;
+  if (warned_ || adaptive() || (in_stable_steps && options_.step_factor <= 1)) return;
   const double stable = system_.stable_step(t, y);
   if (!(made_ > stable)) return;
   warned_ = true;
   log::warning(
       "explicit_euler: the step of {:.3g} is longer than the stable one of {:.3g} at t = {:.6g}; the stress will "
-      "oscillate. Take step = \"stable\" or \"adaptive\", a smaller step, or another integrator",
-      made_, stable, t);
+      "oscillate. Take {}, a smaller step, or another integrator",
+      made_, stable, t, in_stable_steps ? "step_factor = 1 or less" : "step = \"stable\" or \"adaptive\"");
 }
 
 }  // namespace creepcontact::ode

@@ -49,6 +49,15 @@ TEST(Euler, ExplicitIsStableBelowAndUnstableAboveTheCormeauStep) {
   EXPECT_GT(after_many_steps(1.02), 1);
 }
 
+TEST(Euler, ExplicitWarnsOfMoreThanOneStableStep) {
+  for (const double factor : {1.0, 1.5}) {
+    testing::internal::CaptureStderr();
+    after_many_steps(factor);
+    const bool warned = testing::internal::GetCapturedStderr().find("step_factor = 1 or less") != std::string::npos;
+    EXPECT_EQ(warned, factor > 1) << factor;
+  }
+}
+
 TEST(Euler, ExplicitNamesTheStableStepWhenTheStateOverflows) {
   LinearSystem system({-1.0});
   auto integrator = make_integrator("explicit_euler", system, {.step = 100});
