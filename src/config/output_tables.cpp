@@ -63,7 +63,7 @@ Value<Output> output_table() {
   return table<Output>({
       field<Output>("directory", &Output::directory, path(),
                     "where results go; not given: results/<name of the configuration>"),
-      field<Output>("fields", &Output::fields, boolean(), "write fields.pvd and fields/*.vtu"),
+      field<Output>("fields", &Output::fields, boolean(), "write fields.pvd, contact.pvd and their .vtu files"),
       field<Output>("checkpoint_seconds", &Output::checkpoint_seconds, number(at_least(0)),
                     "wall time between checkpoints; 0: one after every step"),
   });

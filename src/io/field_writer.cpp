@@ -75,17 +75,17 @@ FieldWriter::FieldWriter(std::filesystem::path directory, std::string name, cons
                          const std::string& units, Continuation continuation)
     : directory_(std::move(directory)),
       name_(std::move(name)),
-      units_(units),
+      texts_(mesh.texts),
       n_points_(mesh.points.size()),
       n_cells_(mesh.n_cells()),
       points_(encode_points(mesh.points)),
       cells_(encode_cells(mesh)) {
+  if (!units.empty()) texts_.insert(texts_.begin(), {"units", {units}});
   std::error_code error;
-  std::filesystem::create_directories(directory_ / "fields", error);
-  if (error) {
+  std::filesystem::create_directories(directory_ / name_, error);
+  if (error)
     throw ConfigError(
-        fmt::format("cannot make the directory '{}': {}", (directory_ / "fields").string(), error.message()));
-  }
+        fmt::format("cannot make the directory '{}': {}", (directory_ / name_).string(), error.message()));
   if (continuation.resume) read_collection(continuation.last_time);
 }
 
@@ -93,7 +93,7 @@ std::filesystem::path FieldWriter::write(double time, const std::vector<FieldDat
                                          const std::vector<FieldData>& cell_data) {
   const std::string file = file_name(first_ + entries_.size());
   replace_file(directory_ / file,
-               vtu_document({time, units_, n_points_, n_cells_, &points_, &cells_, encode_fields(point_data, n_points_),
+               vtu_document({time, texts_, n_points_, n_cells_, &points_, &cells_, encode_fields(point_data, n_points_),
                              encode_fields(cell_data, n_cells_)}));
   entries_.push_back({time, file});
   write_collection();
@@ -101,7 +101,11 @@ std::filesystem::path FieldWriter::write(double time, const std::vector<FieldDat
 }
 
 std::string FieldWriter::file_name(std::size_t number) const {
-  return fmt::format("fields/{}_{:04}.vtu", name_, number);
+  return fmt::format("{0}/{0}_{1:04}.vtu", name_, number);
+}
+
+std::filesystem::path FieldWriter::list_path() const {
+  return directory_ / (name_ + ".pvd");
 }
 
 void FieldWriter::write_collection() const {
@@ -118,11 +122,11 @@ void FieldWriter::write_collection() const {
   }
   std::ostringstream stream;
   document.save(stream, " ");
-  replace_file(directory_ / "fields.pvd", std::move(stream).str());
+  replace_file(list_path(), std::move(stream).str());
 }
 
 void FieldWriter::read_collection(double last_time) {
-  const std::filesystem::path path = directory_ / "fields.pvd";
+  const std::filesystem::path path = list_path();
   if (!std::filesystem::exists(path)) {
     log::warning("'{}' of the interrupted run is missing; its fields up to {:.6g} are in no list", path.string(),
                  last_time);

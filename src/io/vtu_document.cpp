@@ -1,6 +1,6 @@
 #include "vtu_document.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <pugixml.hpp>
@@ -38,15 +38,19 @@ void add_field_data(pugi::xml_node grid, const VtuContent& content) {
   time.append_attribute("NumberOfTuples") = 1;
   time.append_attribute("format") = "ascii";
   time.text() = fmt::format("{}", content.time).c_str();
-  if (content.units.empty()) return;
-  pugi::xml_node units = fields.append_child("Array");
-  units.append_attribute("type") = "String";
-  units.append_attribute("Name") = "units";
-  units.append_attribute("NumberOfTuples") = 1;
-  units.append_attribute("format") = "ascii";
-  std::string codes;
-  for (char c : content.units) codes += fmt::format("{} ", static_cast<unsigned char>(c));
-  units.text() = (codes + "0").c_str();
+  for (const TextArray& text : content.texts) {
+    pugi::xml_node node = fields.append_child("Array");
+    node.append_attribute("type") = "String";
+    node.append_attribute("Name") = text.name.c_str();
+    node.append_attribute("NumberOfTuples") = static_cast<unsigned long long>(text.values.size());
+    node.append_attribute("format") = "ascii";
+    std::vector<int> codes;
+    for (const std::string& value : text.values) {
+      for (char c : value) codes.push_back(static_cast<unsigned char>(c));
+      codes.push_back(0);
+    }
+    node.text() = fmt::format("{}", fmt::join(codes, " ")).c_str();
+  }
 }
 
 }  // namespace

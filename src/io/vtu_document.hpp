@@ -10,7 +10,7 @@ namespace creepcontact::io {
 
 struct VtuContent {
   double time = 0;
-  std::string units;
+  std::vector<TextArray> texts;
   std::size_t n_points = 0, n_cells = 0;
   const EncodedArray* points = nullptr;
   const std::vector<EncodedArray>* cells = nullptr;  ///< connectivity, offsets, types

@@ -7,40 +7,6 @@ void append_components(const Tensor6& mandel, std::vector<double>& values) {
   for (int k = 0; k < 6; ++k) values.push_back(k < 3 ? mandel[k] : mandel[k] / tensor::sqrt2);
 }
 
-/// Pressure and gap at the multiplier nodes of all pairs; middle nodes of quadratic faces stay 0 and are filled below.
-void add_contact(const Snapshot& snapshot, io::FieldData& pressure, io::FieldData& gap) {
-  const ContactElasticity& elasticity = snapshot.elasticity();
-  std::vector<std::size_t> first_node;
-  std::size_t count = 0;
-  for (const auto& body : elasticity.model().bodies) {
-    first_node.push_back(count);
-    count += body->mesh().nodes.size();
-  }
-  for (const contact::Pair& pair : elasticity.interface().pairs()) {
-    const bool tied = pair.coupling.type == contact::ContactType::tied;
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-      const contact::MultiplierNode& node = pair.coupling.nodes[i];
-      const int row = pair.first_row + static_cast<int>(tied ? 3 * i : i);
-      const std::size_t at = first_node[pair.slave_body] + static_cast<std::size_t>(node.node);
-      pressure.values[at] =
-          tied ? node.normal.dot(elasticity.multipliers().segment<3>(row)) : elasticity.multipliers()[row];
-      gap.values[at] = tied ? 0.0 : elasticity.gaps()[row] / pair.coupling.area[i];
-    }
-    // The multipliers are linear along the edges of a quadratic face.
-    const mesh::Mesh& mesh = elasticity.model().bodies[pair.slave_body]->mesh();
-    for (const mesh::Face& face : mesh::boundary_faces(mesh, pair.slave_surface)) {
-      const int corners = mesh::n_corners(face.type);
-      for (int e = 0; e < corners && mesh::order(face.type) == 2; ++e) {
-        const auto node = [&](int k) {
-          return first_node[pair.slave_body] + static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(k)]);
-        };
-        for (io::FieldData* data : {&pressure, &gap})
-          data->values[node(corners + e)] = 0.5 * (data->values[node(e)] + data->values[node((e + 1) % corners)]);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<io::FieldData> point_arrays(const Snapshot& snapshot) {
@@ -67,13 +33,6 @@ std::vector<io::FieldData> point_arrays(const Snapshot& snapshot) {
   std::vector<io::FieldData> result{displacement, stress, creep, von_mises, equivalent, temperature, body_id};
   if (snapshot.knows(material::Measure::damage)) result.push_back(std::move(damage));
   if (snapshot.knows(material::Measure::life_fraction)) result.push_back(std::move(life));
-  if (snapshot.elasticity().interface().n_rows() > 0) {
-    const std::size_t n = body_id.values.size();
-    io::FieldData pressure{"contact_pressure", 1, std::vector<double>(n)}, gap{"gap", 1, std::vector<double>(n)};
-    add_contact(snapshot, pressure, gap);
-    result.push_back(std::move(pressure));
-    result.push_back(std::move(gap));
-  }
   return result;
 }
 

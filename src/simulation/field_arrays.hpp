@@ -8,8 +8,8 @@
 
 namespace creepcontact::simulation {
 
-/// displacement, stress, creep_strain, von_mises, creep_strain_equivalent, temperature (if given), contact_pressure and
-/// gap (0 off the slave surfaces), body.
+/// displacement, stress, creep_strain, von_mises, creep_strain_equivalent, temperature, body; damage and life_fraction
+/// if a material has them.
 std::vector<io::FieldData> point_arrays(const Snapshot& snapshot);
 /// Element means: stress, creep_strain, von_mises, body.
 std::vector<io::FieldData> cell_arrays(const Snapshot& snapshot);

@@ -9,23 +9,35 @@ namespace creepcontact::simulation {
 
 Results::Results(const config::Config& config, const std::filesystem::path& directory,
                  const ContactElasticity& elasticity, io::Continuation continuation)
-    : probes_(make_probes(config, elasticity.model(), elasticity.interface().pairs())) {
+    : probes_(make_probes(config, elasticity.model(), elasticity.interface().pairs())), surfaces_(elasticity) {
   std::vector<std::string> names;
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);
   history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation);
   steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation);
-  if (config.output.fields) {
-    io::FieldMesh mesh;
-    for (const auto& body : elasticity.model().bodies) mesh.append(body->mesh());
-    fields_ = std::make_unique<io::FieldWriter>(directory, "fields", mesh, config.units, continuation);
+  if (!config.output.fields) return;
+  io::FieldMesh mesh;
+  io::TextArray body_names{"bodies", {}};
+  for (const auto& body : elasticity.model().bodies) {
+    mesh.append(body->mesh());
+    body_names.values.push_back(body->name());
   }
+  mesh.texts.push_back(std::move(body_names));
+  fields_ = std::make_unique<io::FieldWriter>(directory, "fields", mesh, config.units, continuation);
+  if (!surfaces_.empty())
+    contact_ = std::make_unique<io::FieldWriter>(directory, "contact", surfaces_.mesh(), config.units, continuation);
 }
 
 void Results::output(const Snapshot& snapshot) {
   values_.clear();
   for (const auto& probe : probes_) values_.push_back(probe->value(snapshot));
   history_->write(snapshot.time(), values_);
-  if (fields_) fields_->write(snapshot.time(), point_arrays(snapshot), cell_arrays(snapshot));
+  if (!fields_) return;
+  std::vector<io::FieldData> at_points = point_arrays(snapshot);
+  if (contact_) {
+    for (io::FieldData& field : surfaces_.on_bodies()) at_points.push_back(std::move(field));
+    contact_->write(snapshot.time(), surfaces_.point_arrays(), surfaces_.cell_arrays());
+  }
+  fields_->write(snapshot.time(), at_points, cell_arrays(snapshot));
 }
 
 void Results::sync() {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "contact_surfaces.hpp"
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/io/field_writer.hpp"
 #include "creepcontact/io/history_writer.hpp"
@@ -20,7 +21,7 @@ class Results {
   Results(const config::Config& config, const std::filesystem::path& directory, const ContactElasticity& elasticity,
           io::Continuation continuation);
 
-  /// A row of history.csv and a file of fields.
+  /// A row of history.csv, and files of the fields in the bodies and on the contact surfaces.
   void output(const Snapshot& snapshot);
   /// A row of steps.csv. @param before, after  counters around the step
   void step(const ode::StepReport& report, const ode::System::Counters& before, const ode::System::Counters& after);
@@ -34,7 +35,8 @@ class Results {
   std::vector<double> values_;
   std::unique_ptr<io::HistoryWriter> history_;
   std::unique_ptr<io::StepWriter> steps_;
-  std::unique_ptr<io::FieldWriter> fields_;
+  ContactSurfaces surfaces_;
+  std::unique_ptr<io::FieldWriter> fields_, contact_;
 };
 
 }  // namespace creepcontact::simulation

@@ -60,11 +60,13 @@ class Results(RunTest):
     def test_all_files_and_columns(self):
         self.run_short("--quiet")
         names = {str(path.relative_to(self.output)) for path in self.output.rglob("*") if path.is_file()}
-        fields = {f"fields/fields_{i:04}.vtu" for i in range(3)}
-        self.assertEqual(names, {"history.csv", "steps.csv", "summary.json", "checkpoint.h5", "fields.pvd"} | fields)
-        collection = (self.output / "fields.pvd").read_text()
-        for name in fields:
-            self.assertIn(f'file="{name}"', collection)
+        fields = {kind: {f"{kind}/{kind}_{i:04}.vtu" for i in range(3)} for kind in ("fields", "contact")}
+        self.assertEqual(names, {"history.csv", "steps.csv", "summary.json", "checkpoint.h5", "fields.pvd", "contact.pvd",
+                                 *fields["fields"], *fields["contact"]})
+        for kind, files in fields.items():
+            collection = (self.output / f"{kind}.pvd").read_text()
+            for name in files:
+                self.assertIn(f'file="{name}"', collection)
 
         lines = (self.output / "history.csv").read_text().splitlines()
         self.assertEqual(lines[0], "time,fit_pressure,disc_hoop_stress,rim_displacement")
@@ -127,6 +129,7 @@ class Results(RunTest):
         self.assertEqual(self.summary()["integrator"], "explicit_euler")
         self.assertEqual([row["time"] for row in self.table("steps.csv")], [2.5, 5, 7.5, 10])
         self.assertFalse((self.output / "fields.pvd").exists())
+        self.assertFalse((self.output / "contact.pvd").exists())
         half = self.table("history.csv")[0]["fit_pressure"]
         self.output = self.directory / "whole"
         self.run_short("--quiet", "--set", "output.fields=false")

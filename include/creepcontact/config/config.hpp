@@ -180,7 +180,7 @@ struct Time {
 
 struct Output {
   std::filesystem::path directory;  ///< relative to the working directory; not given: results/<stem> beside the file
-  bool fields = true;               ///< write fields.pvd and fields/*.vtu
+  bool fields = true;               ///< write fields.pvd, contact.pvd and their .vtu files
   double checkpoint_seconds = 30;   ///< wall time between checkpoints; 0: one after every step
 };
 

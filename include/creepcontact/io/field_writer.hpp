@@ -1,5 +1,5 @@
 #pragma once
-/// Fields for ParaView: fields.pvd and fields/<name>_NNNN.vtu (XML, appended, zlib-compressed).
+/// Fields for ParaView: <name>.pvd and <name>/<name>_NNNN.vtu (XML, appended, zlib-compressed).
 
 #include <filesystem>
 #include <string>
@@ -10,10 +10,17 @@
 
 namespace creepcontact::io {
 
-/// Points and cells of all bodies; the caller merges them. Node numbering within the cells is Gmsh's.
+/// Words that stand in the field data of every file, as the names of the bodies do.
+struct TextArray {
+  std::string name;
+  std::vector<std::string> values;
+};
+
+/// Points and cells of all bodies, or of surfaces; the caller merges them. Node numbering within the cells is Gmsh's.
 struct FieldMesh {
   std::vector<Vector3> points;
   std::vector<mesh::CellBlock> blocks;
+  std::vector<TextArray> texts = {};
 
   /// Appends a body's points and its cells of dimension 3; values of point and cell data go in the same order.
   void append(const mesh::Mesh& body);
@@ -38,13 +45,13 @@ struct EncodedArray {
   std::vector<std::string> component_names = {};
 };
 
-/// Writes one .vtu a time and keeps fields.pvd, the list of them, complete; both appear under their names when whole.
+/// Writes one .vtu a time and keeps <name>.pvd, the list of them, complete; both appear under their names when whole.
 class FieldWriter {
  public:
   /// Compresses the geometry once, for all times. Beginning anew removes nothing but overwrites files of the same name;
-  /// resuming keeps the entries of fields.pvd up to `last_time`.
-  /// @param directory  of fields.pvd; @param name  stem of the .vtu files; @param units  echoed as field data `units`
-  /// @throws ConfigError if the directories cannot be made or, resuming, fields.pvd cannot be understood
+  /// resuming keeps the entries of the list up to `last_time`.
+  /// @param directory  of the list; @param name  stem of all files; @param units  echoed as field data `units`
+  /// @throws ConfigError if the directories cannot be made or, resuming, the list cannot be understood
   FieldWriter(std::filesystem::path directory, std::string name, const FieldMesh& mesh, const std::string& units,
               Continuation continuation = {});
 
@@ -61,11 +68,13 @@ class FieldWriter {
     std::string file;
   };
   std::string file_name(std::size_t number) const;
+  std::filesystem::path list_path() const;
   void write_collection() const;
   void read_collection(double last_time);
 
   std::filesystem::path directory_;
-  std::string name_, units_;
+  std::string name_;
+  std::vector<TextArray> texts_;
   std::size_t n_points_, n_cells_;
   EncodedArray points_;
   std::vector<EncodedArray> cells_;  // connectivity, offsets, types

@@ -47,7 +47,7 @@ TEST_F(Fields, ReadBackExactly) {
   for (std::size_t i = 0; i < 12; ++i) tensors[i] = std::sin(static_cast<double>(i));
   const auto file = writer.write(0.25, {{"temperature", 1, scalar}, {"displacement", 3, vectors, {"x", "y", "z"}}},
                                  {{"stress", 6, tensors}});
-  EXPECT_EQ(file, directory_ / "fields/ring_0000.vtu");
+  EXPECT_EQ(file, directory_ / "ring/ring_0000.vtu");
 
   const VtuReader vtu(file);
   EXPECT_EQ(vtu.piece().attribute("NumberOfPoints").as_int(), 12);
@@ -77,11 +77,17 @@ TEST_F(Fields, ArraysOfSeveralBlocksReadBack) {
   EXPECT_EQ(vtu.values<double>("Points", "Points").size(), 300000u);
 }
 
-TEST_F(Fields, TimeAndUnitsAreFieldData) {
-  FieldWriter writer(directory_.path(), "a", field_mesh({CellType::tet4}), "mm");
+TEST_F(Fields, TimeUnitsAndNamesAreFieldData) {
+  FieldMesh mesh = field_mesh({CellType::tet4});
+  mesh.texts.push_back({"bodies", {"pin", "hub"}});
+  FieldWriter writer(directory_.path(), "a", mesh, "mm");
   const VtuReader vtu(writer.write(0.1, {}, {}));
-  EXPECT_EQ(vtu.grid().child("FieldData").child("DataArray").text().as_double(), 0.1);
-  EXPECT_STREQ(vtu.grid().child("FieldData").child("Array").text().as_string(), "109 109 0");
+  const pugi::xml_node data = vtu.grid().child("FieldData");
+  EXPECT_EQ(data.child("DataArray").text().as_double(), 0.1);
+  EXPECT_STREQ(data.find_child_by_attribute("Array", "Name", "units").text().as_string(), "109 109 0");
+  const pugi::xml_node bodies = data.find_child_by_attribute("Array", "Name", "bodies");
+  EXPECT_EQ(bodies.attribute("NumberOfTuples").as_int(), 2);
+  EXPECT_STREQ(bodies.text().as_string(), "112 105 110 0 104 117 98 0");
 }
 
 TEST_F(Fields, CollectionListsEveryTimeWritten) {
@@ -89,12 +95,11 @@ TEST_F(Fields, CollectionListsEveryTimeWritten) {
   writer.write(0, {}, {});
   writer.write(1.0 / 3, {}, {});
   pugi::xml_document pvd;
-  ASSERT_TRUE(pvd.load_file((directory_ / "fields.pvd").c_str()));
+  ASSERT_TRUE(pvd.load_file((directory_ / "a.pvd").c_str()));
   std::vector<std::pair<double, std::string>> entries;
   for (const auto& node : pvd.child("VTKFile").child("Collection").children("DataSet"))
     entries.emplace_back(node.attribute("timestep").as_double(), node.attribute("file").as_string());
-  EXPECT_EQ(entries,
-            (std::vector<std::pair<double, std::string>>{{0, "fields/a_0000.vtu"}, {1.0 / 3, "fields/a_0001.vtu"}}));
+  EXPECT_EQ(entries, (std::vector<std::pair<double, std::string>>{{0, "a/a_0000.vtu"}, {1.0 / 3, "a/a_0001.vtu"}}));
 }
 
 TEST_F(Fields, ResumingKeepsEntriesUpToTheCheckpoint) {
@@ -104,11 +109,11 @@ TEST_F(Fields, ResumingKeepsEntriesUpToTheCheckpoint) {
     for (double t : {0.0, 1.0, 2.0, 3.0}) writer.write(t, {}, {});
   }
   FieldWriter writer(directory_.path(), "a", mesh, "", {true, 1.5});
-  EXPECT_EQ(writer.write(1.75, {}, {}), directory_ / "fields/a_0002.vtu");
-  const std::string text = test::read_text(directory_ / "fields.pvd");
+  EXPECT_EQ(writer.write(1.75, {}, {}), directory_ / "a/a_0002.vtu");
+  const std::string text = test::read_text(directory_ / "a.pvd");
   EXPECT_TRUE(contains(text, "timestep=\"1\"") && contains(text, "timestep=\"1.75\""));
   EXPECT_FALSE(contains(text, "timestep=\"2\"") || contains(text, "a_0003"));
-  test::write_text(directory_ / "fields.pvd", "<VTKFile><Coll");
+  test::write_text(directory_ / "a.pvd", "<VTKFile><Coll");
   EXPECT_TRUE(contains(message_of<ConfigError>([&] {
                          FieldWriter(directory_.path(), "a", mesh, "", {true, 1});
                        }),
@@ -120,7 +125,7 @@ TEST_F(Fields, ArraysOfTheWrongSizeAreErrors) {
   EXPECT_THROW(writer.write(0, {{"v", 1, {1, 2, 3}}}, {}), std::invalid_argument);
   EXPECT_THROW(writer.write(0, {{"v", 2, std::vector<double>(8)}}, {}), std::invalid_argument);
   EXPECT_THROW(writer.write(0, {}, {{"v", 3, {1, 2}}}), std::invalid_argument);
-  EXPECT_FALSE(std::filesystem::exists(directory_ / "fields.pvd"));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "a.pvd"));
 }
 
 // Corners between which VTK's mid-edge nodes lie, in VTK's order (headers of vtkQuadraticTetra, vtkQuadraticHexahedron,
