@@ -2,6 +2,7 @@
 /// The commands of the program, and what they share in reading their arguments.
 
 #include <boost/program_options.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Command {
   std::string summary;  ///< one line
   /// @returns the exit status; throws Error
   int (*execute)(const Command& self, const Arguments& arguments);
+  std::string details = {};  ///< what the command's own help says besides
 };
 
 int run(const Command& self, const Arguments& arguments);
@@ -23,7 +25,7 @@ int study(const Command& self, const Arguments& arguments);
 int plot(const Command& self, const Arguments& arguments);
 int list(const Command& self, const Arguments& arguments);
 
-/// Arguments of one command: options, and one positional argument that must be given.
+/// Arguments of one command: options, one positional argument that must be given, and one that may be.
 class CommandLine {
  public:
   explicit CommandLine(const Command& command);
@@ -31,11 +33,13 @@ class CommandLine {
   boost::program_options::options_description_easy_init add_options() { return options_.add_options(); }
 
   /// @param positional  name of the positional argument, for messages
+  /// @param optional    name of a second one that need not be given; empty: there is none
   /// @returns false if help was asked for and has been printed
   /// @throws ConfigError for an unknown option (naming the nearest), a wrong or missing value
-  bool parse(const Arguments& arguments, const std::string& positional);
+  bool parse(const Arguments& arguments, const std::string& positional, const std::string& optional = {});
 
-  const std::string& positional() const { return positional_; }
+  const std::string& positional() const { return positionals_.front(); }
+  const std::optional<std::string>& optional() const { return optional_; }
   bool has(const std::string& option) const { return values_.count(option) > 0; }
   template <class T>
   const T& get(const std::string& option) const {
@@ -48,7 +52,8 @@ class CommandLine {
   const Command& command_;
   boost::program_options::options_description options_;
   boost::program_options::variables_map values_;
-  std::string positional_;
+  std::vector<std::string> positionals_;
+  std::optional<std::string> optional_;
 };
 
 /// Adds --set key.path=value.

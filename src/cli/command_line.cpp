@@ -20,11 +20,11 @@ std::vector<std::string> CommandLine::option_names() const {
   return names;
 }
 
-bool CommandLine::parse(const Arguments& arguments, const std::string& positional) {
+bool CommandLine::parse(const Arguments& arguments, const std::string& positional, const std::string& optional) {
   po::options_description all(options_);
-  all.add_options()("positional", po::value<std::string>(&positional_));
+  all.add_options()("positional", po::value(&positionals_));
   po::positional_options_description positions;
-  positions.add("positional", 1);
+  positions.add("positional", optional.empty() ? 1 : 2);
   const std::string help = fmt::format("; see creepcontact {} --help", command_.name);
   try {
     // a beginning of a name is no name: it would hide mistypes and change its meaning with every new option
@@ -35,17 +35,23 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
     throw ConfigError(fmt::format("unknown option '{}'; did you mean '{}'?{}", error.get_option_name(),
                                   config::nearest(error.get_option_name(), option_names()), help));
   } catch (const po::too_many_positional_options_error&) {
-    throw ConfigError(fmt::format("{} takes one argument, {}{}", command_.name, positional, help));
+    const std::string further = optional.empty() ? "" : fmt::format(", and perhaps {}", optional);
+    throw ConfigError(fmt::format("{} takes {}, {}{}{}", command_.name,
+                                  optional.empty() ? "one argument" : "one or two arguments", positional, further,
+                                  help));
   } catch (const po::error& error) {
     throw ConfigError(error.what() + help);
   }
   if (has("help")) {
     std::cout << "creepcontact " << command_.name << ' ' << command_.usage << "\n\n"
-              << command_.summary << "\n\n"
+              << command_.summary << "\n"
+              << command_.details << '\n'
               << options_;
     return false;
   }
-  if (positional_.empty()) throw ConfigError(fmt::format("{} needs {}{}", command_.name, positional, help));
+  if (positionals_.empty() || positionals_.front().empty())
+    throw ConfigError(fmt::format("{} needs {}{}", command_.name, positional, help));
+  if (positionals_.size() > 1) optional_ = positionals_[1];
   return true;
 }
 

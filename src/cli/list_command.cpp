@@ -1,31 +1,78 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/config/key_reference.hpp"
 #include "creepcontact/config/suggestion.hpp"
-#include "creepcontact/material/law_reference.hpp"
+#include "creepcontact/simulation/lists.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
 
 namespace creepcontact::cli {
+namespace {
+
+const std::vector<std::string> key_lists{"keys", "study-keys"};
+const std::vector<std::string> name_lists{"integrators", "laws", "elements", "quantities"};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string all_lists() {
+  return fmt::format("{}, {}", fmt::join(key_lists, ", "), fmt::join(name_lists, ", "));
+}
+
+struct Output {
+  bool markdown = false, names = false, values = false;
+};
+
+/// @param wanted  which keys; not given: all
+std::string keys(const std::string& what, const std::optional<std::string>& wanted, const Output& output) {
+  auto sections =
+      config::key_sections(what == "keys" ? config::schema(simulation::vocabulary()) : config::study_schema());
+  if (wanted) sections = config::select_keys(sections, *wanted);
+  if (output.names) return config::key_names(sections);
+  if (output.values) return config::key_values(sections);
+  if (output.markdown) return config::key_markdown(sections, !wanted || !wanted->starts_with('['));
+  return config::key_listing(sections);
+}
+
+void check(const std::string& what, const CommandLine& line, const Output& output) {
+  if (!contains(key_lists, what) && !contains(name_lists, what)) {
+    std::vector<std::string> lists = key_lists;
+    lists.insert(lists.end(), name_lists.begin(), name_lists.end());
+    throw ConfigError(fmt::format("list: unknown list '{}'; did you mean '{}'? (allowed: {})", what,
+                                  config::nearest(what, lists), all_lists()));
+  }
+  if (contains(name_lists, what) && (line.optional() || output.names || output.values))
+    throw ConfigError(
+        fmt::format("list {}: KEY, --names and --values are for {} only", what, fmt::join(key_lists, " and ")));
+  if (output.markdown + output.names + output.values > 1)
+    throw ConfigError("list: --markdown, --names and --values exclude each other");
+}
+
+}  // namespace
 
 int list(const Command& self, const Arguments& arguments) {
-  const std::vector<std::string> lists{"integrators", "laws", "elements", "quantities"};
   CommandLine line(self);
-  bool markdown = false;
-  line.add_options()("markdown", boost::program_options::bool_switch(&markdown),
-                     "laws: as in docs/materials.md, with all that is allowed");
-  if (!line.parse(arguments, "one of integrators, laws, elements, quantities")) return 0;
+  Output output;
+  const auto flag = [&](const char* name, bool& value, const char* meaning) {
+    line.add_options()(name, boost::program_options::bool_switch(&value), meaning);
+  };
+  flag("markdown", output.markdown, "as in the documentation");
+  flag("names", output.names, "keys: their names alone, one a line");
+  flag("values", output.values, "keys: the words that they may be, one a line");
+  if (!line.parse(arguments, "one of " + all_lists(), "KEY")) return 0;
   const std::string& what = line.positional();
-  if (std::find(lists.begin(), lists.end(), what) == lists.end()) {
-    throw ConfigError(
-        fmt::format("list: unknown list '{}'; did you mean '{}'? (allowed: integrators, laws, elements, quantities)",
-                    what, config::nearest(what, lists)));
+  check(what, line, output);
+  if (contains(key_lists, what)) {
+    std::cout << keys(what, line.optional(), output);
+  } else {
+    std::cout << (output.markdown ? simulation::list_markdown(what) : simulation::list(what));
   }
-  if (markdown && what != "laws") throw ConfigError("list: --markdown is for laws only");
-  std::cout << (markdown ? material::law_reference() : simulation::list(what));
   return 0;
 }
 

@@ -21,7 +21,11 @@ const std::vector<Command>& commands() {
       {"check", "CONFIG.toml [options]", "Reads configuration and mesh and reports on them; computes nothing.", check},
       {"study", "STUDY.toml [options]", "Runs a configuration with many settings and compares the results.", study},
       {"plot", "DIR [options]", "Draws the probes and the time steps of a run, as SVG and PNG (by gnuplot).", plot},
-      {"list", "(integrators|laws|elements|quantities)", "Shows what a configuration may name.", list},
+      {"list", "(keys|study-keys|integrators|laws|elements|quantities) [KEY] [options]",
+       "Shows what a configuration or a study may say.", list,
+       "KEY picks keys: a path (time, contacts[0].gap) with all below it, a table as it stands in\n"
+       "the file ('[time]'; '[]' for the keys above all tables), or a word in their names, else in\n"
+       "their descriptions (tolerance).\n"},
   };
   return all;
 }

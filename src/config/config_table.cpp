@@ -3,7 +3,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "creepcontact/config/schema.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -18,25 +17,23 @@ const Material& Config::material(const std::string& name) const {
 
 Value<Config> config_table(const Vocabulary& vocabulary) {
   return table<Config>({
-      field<Config>("title", &Config::title, text(), "what the run is about"),
-      field<Config>("units", &Config::units, text(), "the consistent set of units; echoed into every output"),
+      field<Config>("title", &Config::title, text(), "what the run is about; goes into `summary.json`"),
+      field<Config>("units", &Config::units, text(), "the set of units; goes into `summary.json` and the fields"),
       field<Config>("mesh", &Config::mesh, mesh_table(), "the mesh of all bodies", Presence::required),
-      field<Config>("bodies", &Config::bodies, named(body_table()), "the bodies by name", Presence::required),
-      field<Config>("materials", &Config::materials, named(material_table(vocabulary)), "the materials by name",
+      field<Config>("bodies", &Config::bodies, named(body_table()),
+                    "the bodies; the order of the file is the order of all results", Presence::required),
+      field<Config>("materials", &Config::materials, named(material_table(vocabulary)), "the materials",
                     Presence::required),
       field<Config>("supports", &Config::supports, tables(support_table()), "prescribed displacements"),
       field<Config>("loads", &Config::loads, tables(load_table()), "external forces"),
-      field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies"),
-      field<Config>("contacts", &Config::contacts, tables(contact_table()), "contact between bodies"),
+      field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies")
+          .otherwise("each material at its `reference_temperature`"),
+      field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),
       field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(), "how contact is solved"),
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required),
-      field<Config>("output", &Config::output, output_table(), "results"),
-      field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of history.csv"),
+      field<Config>("output", &Config::output, output_table(), "where results go, and which"),
+      field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),
   });
-}
-
-std::vector<KeyInfo> schema(const Vocabulary& vocabulary) {
-  return config_table(vocabulary).keys;
 }
 
 }  // namespace creepcontact::config

@@ -13,7 +13,10 @@ struct Gap {
 
 Value<Gap> gap_value() {
   const Value<Function> given = function(place_and_time);
-  Value<Gap> value{.type = given.type + ", or \"geometric\"", .read = {}};
+  Value<Gap> value{.type = given.type + ", or \"geometric\"",
+                   .read = {},
+                   .brief = given.brief + ", or `\"geometric\"`",
+                   .words = words_of({"geometric"})};
   value.read = [given](const Item& item, Context& context) -> std::optional<Gap> {
     if (item.node->value<std::string>() == "geometric") return Gap{.geometric = true};
     const auto found = given.read(item, context);
@@ -47,7 +50,8 @@ Value<Alpha> alpha_value(Range range) {
   const Value<double> number_of_body = number(range);
   const auto single = word_or_number("diagonal", range);
   const std::string type = single.type + ", or a table of numbers by body";
-  Value<Alpha> value{.type = type, .read = {}};
+  Value<Alpha> value{
+      .type = type, .read = {}, .brief = single.brief + ", or a table of such numbers by body", .words = single.words};
   value.read = [=](const Item& item, Context& context) -> std::optional<Alpha> {
     Alpha alpha;
     if (const toml::table* bodies = item.node->as_table()) {
@@ -94,14 +98,17 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
 Value<Contact> contact_table() {
   const auto type =
       choice<ContactType>("contact type", {{"unilateral", ContactType::unilateral}, {"tied", ContactType::tied}});
+  auto slave = name("\"auto\" or one of the two surfaces");
+  slave.brief = "`\"auto\"` or one of the two surfaces";
+  slave.words = words_of({"auto"});
   const auto keys = table<ContactKeys>({
-      field<ContactKeys>("name", &ContactKeys::name, name("a name"), "for messages; not given: the two surfaces"),
-      field<ContactKeys>("between", &ContactKeys::between, two_surfaces(), "the surfaces", Presence::required),
-      field<ContactKeys>("type", &ContactKeys::type, type, "unilateral: may open; tied: may not open or slide"),
-      field<ContactKeys>("slave", &ContactKeys::slave_name, name("\"auto\" or one of the two surfaces"),
-                         "the surface that the multipliers live on"),
+      field<ContactKeys>("name", &ContactKeys::name, name("a name"), "for messages; unique")
+          .otherwise("the two surfaces"),
+      field<ContactKeys>("between", &ContactKeys::between, two_surfaces(), "of two bodies", Presence::required),
+      field<ContactKeys>("type", &ContactKeys::type, type, "`\"unilateral\"`: may open and slide; `\"tied\"`: neither"),
+      field<ContactKeys>("slave", &ContactKeys::slave_name, slave, "the surface that the multipliers live on"),
       field<ContactKeys>("gap", &ContactKeys::initial_gap, gap_value(),
-                         "initial normal distance, negative: interference; \"geometric\": measured from the mesh"),
+                         "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh"),
   });
   return converted<Contact>(keys, make_contact);
 }
@@ -115,17 +122,23 @@ Value<ContactSolver> contact_solver_table() {
                                                                   {"cg", Acceleration::cg}});
   const Range relaxation{.min = 0, .max = 1, .open_min = true};
   return table<ContactSolver>({
-      field<ContactSolver>("method", &ContactSolver::method, method, "algorithm"),
-      field<ContactSolver>("alpha", &ContactSolver::alpha, alpha_value(relaxation),
-                           "schwarz: iteration parameter of all bodies, or body by body; \"diagonal\": from their "
-                           "stiffness, as for bodies that a table leaves out"),
-      field<ContactSolver>("damping", &ContactSolver::damping, number(relaxation), "schwarz: part of each sweep taken"),
-      field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration, "schwarz: acceleration"),
-      field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)), "relative"),
+      field<ContactSolver>("method", &ContactSolver::method, method,
+                           "alternating Schwarz, or direct solves on an active set"),
       field<ContactSolver>(
-          "dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
-          "memory that the matrices of the contact zones may take [MB]; beyond it they are not formed"),
-      field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1), "bound on the iterations"),
+          "alpha", &ContactSolver::alpha, alpha_value(relaxation),
+          "Schwarz: iteration parameter of all bodies; `\"diagonal\"`: weights from their stiffness; or body by "
+          "body: `{ shaft = 0.3, disc = 0.6 }`, `\"diagonal\"` for those left out"),
+      field<ContactSolver>("damping", &ContactSolver::damping, number(relaxation),
+                           "Schwarz: part of each sweep that is taken"),
+      field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration,
+                           "Schwarz: plain sweeps, accelerated ones, or conjugate gradients"),
+      field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)),
+                           "relative error of the multipliers"),
+      field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1),
+                           "bound on the iterations on one active set"),
+      field<ContactSolver>("dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
+                           "memory [MB] for the matrices of the contact zones; beyond it contact is iterated by passes "
+                           "through the factor"),
   });
 }
 

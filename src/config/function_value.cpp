@@ -28,6 +28,13 @@ struct Allowed {
     }
     return names;
   }
+  /// "function of T, > 0"; @param what  "function" or "functions"; without variables "number"
+  std::string brief(const std::string& what, const std::string& constant) const {
+    if (variables.empty()) return range.describe(constant);
+    const std::string text = fmt::format("{} of {}", what, fmt::join(variables, ", "));
+    const std::string bounds = range.describe("");
+    return bounds.empty() ? text : text + ',' + bounds;
+  }
   std::string describe() const {
     std::string text = range.describe();
     if (!variables.empty()) text += fmt::format(", an expression in {}", fmt::join(variables, ", "));
@@ -107,7 +114,10 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
 
 Value<Function> function(const std::vector<std::string>& variables, Range range) {
   const Allowed allowed{variables, range};
-  Value<Function> value{.type = allowed.describe(), .read = {}};
+  Value<Function> value{.type = allowed.describe(),
+                        .read = {},
+                        .brief = allowed.brief("function", "number"),
+                        .plural = allowed.brief("functions", "numbers")};
   value.read = [allowed](const Item& item, Context& context) -> std::optional<Function> {
     if (const auto* string = item.node->as_string()) return read_expression(item, string->get(), allowed, context);
     if (item.node->is_table()) return read_points(item, allowed, context);

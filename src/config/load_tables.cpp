@@ -70,14 +70,14 @@ std::optional<Load> make_load(LoadKeys keys, const Item& item, Context& context)
 }
 
 Value<Rotation> rotation_table() {
-  const auto keys = table<Rotation>({
+  const auto keys = written_inline(table<Rotation>({
       field<Rotation>("axis", &Rotation::axis, triple(number()), "direction of the axis, of any length"),
       field<Rotation>("origin", &Rotation::origin, triple(number()), "a point of the axis"),
       field<Rotation>("angular_velocity", &Rotation::angular_velocity, function({"t"}), "radians per time",
                       Presence::required),
       field<Rotation>("density", &Rotation::density, function(place_and_time, at_least(0)), "mass per volume",
                       Presence::required),
-  });
+  }));
   return converted<Rotation>(keys, [](Rotation found, const Item& item, Context& context) -> std::optional<Rotation> {
     if (found.axis == std::array<double, 3>{}) {
       context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
@@ -91,17 +91,19 @@ Value<Rotation> rotation_table() {
 Value<Load> load_table() {
   const Value<Functions3> vector = triple(function(place_and_time));
   const auto keys = table<LoadKeys>({
-      field<LoadKeys>("on", &LoadKeys::on, reference("a physical surface"), "where pressure and traction act"),
-      field<LoadKeys>("at", &LoadKeys::at, triple(number()), "where a force acts: the mesh node nearest to this point"),
-      field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)),
-                      "largest distance of that node; not given: 1e-6 of the model size"),
+      field<LoadKeys>("on", &LoadKeys::on, reference("a physical surface"),
+                      "surface of `pressure` and `traction`; on each of its bodies, unless `body` says which"),
+      field<LoadKeys>("at", &LoadKeys::at, triple(number()), "place of `force`: the mesh node nearest to this point"),
+      field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)), "largest distance of that node")
+          .otherwise("1e-6 of the model's size"),
       field<LoadKeys>("body", &LoadKeys::body, reference("the name of a body"),
-                      "where body_force and rotation act; beside 'on' and 'at': in this body only"),
-      field<LoadKeys>("pressure", &LoadKeys::pressure, function(place_and_time), "towards the body, per area"),
-      field<LoadKeys>("traction", &LoadKeys::traction, vector, "force per area"),
-      field<LoadKeys>("force", &LoadKeys::force, vector, "force at a point"),
-      field<LoadKeys>("body_force", &LoadKeys::body_force, vector, "force per volume"),
-      field<LoadKeys>("rotation", &LoadKeys::rotation, rotation_table(), "centrifugal force"),
+                      "place of `body_force` and `rotation`; beside `on` and `at`: in this body only"),
+      field<LoadKeys>("pressure", &LoadKeys::pressure, function(place_and_time),
+                      "with `on`: per area, positive towards the body"),
+      field<LoadKeys>("traction", &LoadKeys::traction, vector, "with `on`: force per area"),
+      field<LoadKeys>("force", &LoadKeys::force, vector, "with `at`: force at the node"),
+      field<LoadKeys>("body_force", &LoadKeys::body_force, vector, "with `body`: force per volume"),
+      field<LoadKeys>("rotation", &LoadKeys::rotation, rotation_table(), "with `body`: centrifugal force"),
   });
   return converted<Load>(keys, make_load);
 }

@@ -83,21 +83,37 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
   return mechanism;
 }
 
+KeyInfo law_key(const Law& law, const LawKey& key) {
+  const Value<Function> one = function(key.variables, range_of(key));
+  const Value<std::vector<Function>> several = list(one);
+  return {.path = key.name,
+          .type = key.list ? several.type : one.type,
+          .required = key.required,
+          .default_value = key.fallback.empty() ? "" : key.fallback.front().text(),
+          .description = key.description,
+          .brief = key.list ? several.brief : one.brief,
+          .only_with = law.name};
+}
+
+std::vector<KeyInfo> law_keys(const std::vector<Law>& laws, const std::vector<std::string>& names) {
+  std::vector<KeyInfo> keys{{.path = "law",
+                             .type = choice("creep law", names).type,
+                             .required = true,
+                             .default_value = {},
+                             .description = "creep law; the other keys are the law's own",
+                             .brief = "law; `creepcontact list laws` shows all"}};
+  for (const Law& law : laws) {
+    keys.front().words.push_back({law.name, law.formula});
+    for (const LawKey& key : law.keys) keys.push_back(law_key(law, key));
+  }
+  return keys;
+}
+
 /// The keys depend on `law`, so this is no plain table.
 Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   std::vector<std::string> names;
   for (const Law& law : laws) names.push_back(law.name);
-  const Value<std::string> law_name = choice("creep law", names);
-  Value<CreepMechanism> value{.type = "a table", .read = {}};
-  value.keys.push_back({"law", law_name.type, true, "", "creep law; the other keys are the law's own"});
-  for (const Law& law : laws) {
-    for (const LawKey& key : law.keys) {
-      const std::string type = function(key.variables, range_of(key)).type;
-      value.keys.push_back({key.name, key.list ? "a list, each " + type : type, key.required,
-                            key.fallback.empty() ? "" : key.fallback.front().text(),
-                            fmt::format("{}: {}", law.name, key.description)});
-    }
-  }
+  Value<CreepMechanism> value{.type = "a table", .read = {}, .keys = law_keys(laws, names), .form = Form::table};
   value.read = [=](const Item& item, Context& context) -> std::optional<CreepMechanism> {
     if (!item.node->is_table()) {
       context.errors.add(item.location, describe(*item.node), "a table");
@@ -123,12 +139,14 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio",
                       Presence::required),
       field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
-                      "secant coefficient of thermal expansion"),
+                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`)"),
       field<Material>("reference_temperature", &Material::reference_temperature, number(),
                       "temperature without thermal strain"),
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
-                      "creep mechanisms; their rates add"),
-      field<Material>("rupture", &Material::rupture, rupture_table(vocabulary), "time to rupture; gives life_fraction"),
+                      "creep mechanisms; their rates add")
+          .otherwise("elastic"),
+      field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
+                      "time to rupture at constant stress, for the life used up"),
   });
   return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
     material.location = item.location;

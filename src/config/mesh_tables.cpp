@@ -39,11 +39,13 @@ std::vector<std::string> given_keys(const Item& item, const std::vector<std::str
 
 Value<Mesh> mesh_table() {
   const auto keys = table<Mesh>({
-      field<Mesh>("file", &Mesh::file, path(), "geometry (.geo, meshed in process) or mesh (.msh 2.2 or 4.1)",
+      field<Mesh>("file", &Mesh::file, path(),
+                  "`.geo` (meshed in process by the Gmsh library) or `.msh` (2.2, 4.1; ASCII, binary)",
                   Presence::required),
-      field<Mesh>("order", &Mesh::order, integer(1, 2), "order of the elements; .geo only"),
+      field<Mesh>("order", &Mesh::order, integer(1, 2),
+                  "`.geo` only: order of the elements; 2 gives tet10, hex20, wedge15"),
       field<Mesh>("parameters", &Mesh::parameters, numbers_by_name(),
-                  "overrides constants made with DefineConstant; .geo only"),
+                  "`.geo` only: new values for constants made with `DefineConstant`"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;
@@ -62,8 +64,9 @@ Value<Mesh> mesh_table() {
 
 Value<Body> body_table() {
   const auto keys = table<Body>({
-      field<Body>("region", &Body::region, one_or_more("a physical volume"), "what the body fills", Presence::required),
-      field<Body>("material", &Body::material, reference("the name of a material"), "one of the materials",
+      field<Body>("region", &Body::region, one_or_more("a physical volume"),
+                  "what the body fills; every volume belongs to one body at most", Presence::required),
+      field<Body>("material", &Body::material, reference("the name of a material"), "one of `[materials]`",
                   Presence::required),
   });
   return converted<Body>(keys, [](Body body, const Item& item, Context&) -> std::optional<Body> {

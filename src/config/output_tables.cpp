@@ -12,6 +12,7 @@ Value<std::string> quantity_name(const std::vector<Quantity>& quantities) {
   const std::string type = "a quantity; `creepcontact list quantities` shows all";
   Value<std::string> value = text();
   value.type = type;
+  value.words = words_of(names);
   value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
     const auto found = name(type).read(item, context);
     if (!found || std::find(names.begin(), names.end(), *found) != names.end()) return found;
@@ -61,11 +62,11 @@ void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Co
 
 Value<Output> output_table() {
   return table<Output>({
-      field<Output>("directory", &Output::directory, path(),
-                    "where results go; not given: results/<name of the configuration>"),
-      field<Output>("fields", &Output::fields, boolean(), "write fields.pvd, contact.pvd and their .vtu files"),
+      field<Output>("directory", &Output::directory, path(), "where results go")
+          .otherwise("`results/<name of the configuration>`"),
+      field<Output>("fields", &Output::fields, boolean(), "write `fields.pvd`, `contact.pvd` and their `.vtu` files"),
       field<Output>("checkpoint_seconds", &Output::checkpoint_seconds, number(at_least(0)),
-                    "wall time between checkpoints; 0: one after every step"),
+                    "wall time between checkpoints for `--resume`; 0: one after every step"),
   });
 }
 
@@ -73,14 +74,18 @@ Value<Probe> probe_table(const Vocabulary& vocabulary) {
   const auto reduce = choice<Reduce>(
       "reduction", {{"mean", Reduce::mean}, {"max", Reduce::max}, {"min", Reduce::min}, {"sum", Reduce::sum}});
   const auto keys = table<Probe>({
-      field<Probe>("name", &Probe::name, column_name(), "heads its column of history.csv", Presence::required),
+      field<Probe>("name", &Probe::name, column_name(), "heads its column of `history.csv`; unique",
+                   Presence::required),
       field<Probe>("quantity", &Probe::quantity, quantity_name(vocabulary.quantities), "what is recorded",
                    Presence::required),
-      field<Probe>("on", &Probe::on, reference("a physical surface"), "over this surface"),
-      field<Probe>("at", &Probe::at, triple(number()), "at this point"),
+      field<Probe>("on", &Probe::on, reference("a physical surface, curve or point"), "over this group ..."),
+      field<Probe>("at", &Probe::at, triple(number()), "... or at this point of the undeformed body ..."),
       field<Probe>("body", &Probe::body, reference("the name of a body"),
-                   "alone: over this body; beside 'on' and 'at': in this body"),
-      field<Probe>("reduce", &Probe::reduce, reduce, "over a surface or body; \"mean\" is weighted by area or volume"),
+                   "... or, alone, over this body; beside `on` and `at`: in this body only"),
+      field<Probe>(
+          "reduce", &Probe::reduce, reduce,
+          "over a group or body; `\"mean\"` is weighted by area or volume, `\"sum\"` integrates; areas and forces have "
+          "`\"sum\"` alone"),
   });
   return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {
     probe.location = item.location;

@@ -11,10 +11,10 @@ namespace {
 Value<OutputSeries> series_table() {
   const auto spacing = choice<Spacing>("spacing", {{"log", Spacing::logarithmic}, {"linear", Spacing::linear}});
   const auto keys = table<OutputSeries>({
-      field<OutputSeries>("first", &OutputSeries::first, number(greater(0)),
-                          "first time after 0; spacing \"linear\" has end / count by default"),
+      field<OutputSeries>("first", &OutputSeries::first, number(greater(0)), "first time after 0")
+          .otherwise("linear: `end` / `count`; log: required"),
       field<OutputSeries>("count", &OutputSeries::count, integer(2), "number of times after 0", Presence::required),
-      field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "of the times from first to the end"),
+      field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "of the times from `first` to `end`"),
   });
   return converted<OutputSeries>(
       keys, [](OutputSeries series, const Item& item, Context& context) -> std::optional<OutputSeries> {
@@ -44,8 +44,10 @@ Value<OutputTimes> output_times() {
     return std::optional(PlacedTime{time, item.location});
   }));
   const auto series = series_table();
-  Value<OutputTimes> value{.type = "a list of times, or { first, count, spacing }", .read = {}};
-  value.keys = series.keys;
+  Value<OutputTimes> value{.type = "a list of times, or { first, count, spacing }",
+                           .read = {},
+                           .keys = series.keys,
+                           .brief = "list of times, or `{ first, count, spacing }`"};
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<OutputTimes> {
     if (item.node->is_array()) {
       const auto found = times.read(item, context);

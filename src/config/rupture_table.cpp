@@ -41,12 +41,14 @@ void check_measure(const Rupture& rupture, const Item& item, Context& context) {
 Value<Rupture> rupture_table(const Vocabulary& vocabulary) {
   const auto keys = table<Rupture>({
       field<Rupture>("rupture_time", &Rupture::rupture_time, function({"q", "T"}, greater(0)),
-                     "time to rupture at constant stress; q is the stress of stress_measure"),
+                     "time to rupture; `q` is the stress of `stress_measure`"),
       field<Rupture>("larson_miller_constant", &Rupture::larson_miller_constant, number(greater(0)),
                      "C in P = (T - absolute_zero) (C + log10 of the time to rupture)"),
-      field<Rupture>("stress", &Rupture::stress, list(number(greater(0))), "of the Larson-Miller data; increasing"),
-      field<Rupture>("parameter", &Rupture::parameter, list(number()),
-                     "Larson-Miller parameters P at these stresses; decreasing"),
+      field<Rupture>("stress", &Rupture::stress, list(number(greater(0))),
+                     "stresses of the Larson-Miller data: at least two, increasing")
+          .otherwise("required without `rupture_time`"),
+      field<Rupture>("parameter", &Rupture::parameter, list(number()), "P at these stresses; decreasing")
+          .otherwise("required without `rupture_time`"),
       field<Rupture>("absolute_zero", &Rupture::absolute_zero, number(),
                      "the temperature of absolute zero in your unit; 0 for kelvin"),
       field<Rupture>("time_unit", &Rupture::time_unit, number(greater(0)),
@@ -55,9 +57,9 @@ Value<Rupture> rupture_table(const Vocabulary& vocabulary) {
                      choice<StressMeasure>("stress measure", {{"von_mises", StressMeasure::von_mises},
                                                               {"principal", StressMeasure::principal},
                                                               {"mixed", StressMeasure::mixed}}),
-                     "which stress ruptures"),
-      field<Rupture>("alpha", &Rupture::alpha, number({.min = 0, .max = 1}),
-                     "mixed: alpha max(sigma_1, 0) + (1 - alpha) q"),
+                     "`q`, max(sigma_1, 0), or `alpha` max(sigma_1, 0) + (1 - `alpha`) q"),
+      field<Rupture>("alpha", &Rupture::alpha, number({.min = 0, .max = 1}), "share of the largest principal stress")
+          .otherwise("required with `\"mixed\"`"),
   });
   return converted<Rupture>(
       keys, [vocabulary](Rupture rupture, const Item& item, Context& context) -> std::optional<Rupture> {

@@ -86,11 +86,11 @@ Value<std::vector<Setting>> settings() {
 
 Value<Axis> axis_table() {
   const auto keys = table<Axis>({
-      field<Axis>("key", &Axis::key, reference("a key of the configuration, \"time.step\""), "what is varied",
-                  Presence::required),
-      field<Axis>("values", &Axis::values, list(any_value()), "its values", Presence::required),
+      field<Axis>("key", &Axis::key, reference("a key of the configuration, \"time.step\""),
+                  "what is varied, written as after `--set`", Presence::required),
+      field<Axis>("values", &Axis::values, list(any_value()), "its values, of any type", Presence::required),
       field<Axis>("zip", &Axis::zip, name("a name that the axes which run together share"),
-                  "axes of the same name take their first values together, then their second ones"),
+                  "axes of the same name run together: first values, second values, ...; they have as many values"),
   });
   return converted<Axis>(keys, [](Axis axis, const Item& item, Context& context) -> std::optional<Axis> {
     axis.location = item.location;
@@ -102,8 +102,9 @@ Value<Axis> axis_table() {
 
 Value<Product> runs_table() {
   const auto keys = table<Product>({
-      field<Product>("label", &Product::label, text(), "names the runs in legends of pictures"),
-      field<Product>("set", &Product::settings, settings(), "settings of these runs"),
+      field<Product>("label", &Product::label, text(), "names these runs in the legends of the pictures")
+          .otherwise("the settings"),
+      field<Product>("set", &Product::settings, settings(), "the settings of these runs"),
       field<Product>("axes", &Product::axes, tables(axis_table()), "what is varied among them; without axes: one run"),
   });
   return converted<Product>(keys, [](Product runs, const Item& item, Context& context) -> std::optional<Product> {
@@ -117,9 +118,10 @@ Value<Product> runs_table() {
 Value<StudyPlot> plot_table() {
   return table<StudyPlot>({
       field<StudyPlot>("over", &StudyPlot::over, one_or_more("the key of an axis"),
-                       "the axes along which results are drawn"),
+                       "the axes along which the curves of the pictures run")
+          .otherwise("`time.step`, `time.tolerance`, or the last axis of numbers"),
       field<StudyPlot>("show", &StudyPlot::show, list(choice("column", study_counts())),
-                       "what is drawn beside the errors"),
+                       "columns of `study.csv` that are drawn over these axes beside the errors"),
   });
 }
 
@@ -143,9 +145,11 @@ Value<std::map<std::string, Function>> expressions() {
 
 Value<StudyReference> reference_table() {
   const auto keys = table<StudyReference>({
-      field<StudyReference>("set", &StudyReference::settings, settings(), "a run with these settings"),
-      field<StudyReference>("csv", &StudyReference::csv, path(), "a file with the columns of history.csv"),
-      field<StudyReference>("expressions", &StudyReference::expressions, expressions(), "closed forms"),
+      field<StudyReference>("set", &StudyReference::settings, settings(),
+                            "a run with these settings, `{}` for the base as it is; it is made first"),
+      field<StudyReference>("csv", &StudyReference::csv, path(), "... or a file with the columns of `history.csv`"),
+      field<StudyReference>("expressions", &StudyReference::expressions, expressions(),
+                            "... or closed forms: `{ force = \"100*exp(-t)\" }`"),
   });
   return converted<StudyReference>(
       keys, [](StudyReference read, const Item& item, Context& context) -> std::optional<StudyReference> {
@@ -172,12 +176,14 @@ Value<Compare> compare_table() {
 
 Value<Study> study_table() {
   return table<Study>({
-      field<Study>("title", &Study::title, text(), "what the study asks"),
-      field<Study>("base", &Study::base, path(), "the configuration that all runs share", Presence::required),
+      field<Study>("title", &Study::title, text(), "what the study asks; heads `study.md`"),
+      field<Study>("base", &Study::base, path(), "the configuration that all runs share, relative to the study",
+                   Presence::required),
       field<Study>("set", &Study::settings, settings(), "settings of all runs and of the reference"),
       field<Study>("axes", &Study::axes, tables(axis_table()), "what is varied"),
       field<Study>("runs", &Study::runs, tables(runs_table()), "runs beside the product of the axes"),
-      field<Study>("reference", &Study::reference, reference_table(), "what the runs are compared with"),
+      field<Study>("reference", &Study::reference, reference_table(),
+                   "what the runs are compared with; together with `[compare]`"),
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),
       field<Study>("plot", &Study::plot, plot_table(), "what the pictures show"),
   });

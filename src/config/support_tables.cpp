@@ -22,12 +22,13 @@ Value<Displacement> displacement_table() {
   const auto component = [](std::size_t i) {
     return [i](Displacement& into) -> std::optional<Function>& { return into.components[i]; };
   };
-  const auto keys = table<Displacement>({
+  const auto keys = written_inline(table<Displacement>({
       field<Displacement>("x", component(0), value, "displacement along x"),
       field<Displacement>("y", component(1), value, "displacement along y"),
       field<Displacement>("z", component(2), value, "displacement along z"),
-      field<Displacement>("normal", &Displacement::normal, value, "displacement along the outward normal"),
-  });
+      field<Displacement>("normal", &Displacement::normal, value,
+                          "displacement along the outward normal; surfaces only"),
+  }));
   return converted<Displacement>(
       keys, [](Displacement found, const Item& item, Context& context) -> std::optional<Displacement> {
         if (item.node->as_table()->empty()) {
@@ -48,8 +49,8 @@ Value<Support> support_table() {
       field<SupportKeys>("on", &SupportKeys::on, reference("a physical surface, curve or point"), "what is held",
                          Presence::required),
       field<SupportKeys>("body", &SupportKeys::body, reference("the name of a body"), "only the nodes of this body"),
-      field<SupportKeys>("displacement", &SupportKeys::prescribed, displacement_table(), "prescribed displacement",
-                         Presence::required),
+      field<SupportKeys>("displacement", &SupportKeys::prescribed, displacement_table(),
+                         "at least one of the four below", Presence::required),
   });
   return converted<Support>(keys, [](SupportKeys found, const Item& item, Context&) -> std::optional<Support> {
     found.displacement = std::move(found.prescribed.components);
@@ -61,11 +62,14 @@ Value<Support> support_table() {
 
 Value<Temperature> temperature_table() {
   const auto keys = table<TemperatureKeys>({
-      field<TemperatureKeys>("value", &TemperatureKeys::value, function(place_and_time), "temperature of all bodies"),
+      field<TemperatureKeys>("value", &TemperatureKeys::value, function(place_and_time),
+                             "temperature of all bodies, or ..."),
       field<TemperatureKeys>("file", &TemperatureKeys::file, path(),
-                             "temperatures at points, .csv or .h5, in place of 'value'"),
-      field<TemperatureKeys>("refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
-                             "relative change of the stiffness with the temperature beyond which it is factored anew"),
+                             "... temperatures at points, `.csv`, `.h5` or `.hdf5`, interpolated to all bodies"),
+      field<TemperatureKeys>(
+          "refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
+          "change of the stiffness with the temperature, relative, beyond which it is factored anew; it moves the "
+          "cost, not the results"),
   });
   return converted<
       Temperature>(keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {

@@ -22,6 +22,13 @@ void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& 
   }
 }
 
+std::string brief_type(const std::string& type, const std::string& brief) {
+  if (!brief.empty()) return brief;
+  for (const std::string_view article : {"a ", "an ", "the "})
+    if (type.starts_with(article)) return type.substr(article.size());
+  return type;
+}
+
 void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all) {
   for (KeyInfo key : keys) {
     key.path = key.path.starts_with('[') ? parent + key.path : parent + '.' + key.path;

@@ -19,6 +19,13 @@ struct Field {
   KeyInfo info;
   std::vector<KeyInfo> keys;  ///< below it
   std::function<void(const Item&, Context&, S&)> read;
+
+  /// @param words  what holds if the key is not given, where that is no default to be written
+  Field otherwise(const std::string& words) && {
+    info.default_value.clear();
+    info.otherwise = words;
+    return std::move(*this);
+  }
 };
 
 /// Names every key that is not among `keys`. @returns true if there is none
@@ -28,11 +35,23 @@ void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& 
 /// `keys` below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
 void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all);
 
+/// KeyInfo::brief
+std::string brief_type(const std::string& type, const std::string& brief);
+
 /// @param member  of S, or a callable from S& to a reference; a T or an optional<T>
 template <class S, class Member, class T>
 Field<S> field(const std::string& name, Member member, const Value<T>& value, const std::string& description,
                Presence presence = Presence::optional) {
-  Field<S> made{{name, value.type, presence == Presence::required, "", description}, value.keys, {}};
+  Field<S> made{{.path = name,
+                 .type = value.type,
+                 .required = presence == Presence::required,
+                 .default_value = {},
+                 .description = description,
+                 .brief = brief_type(value.type, value.brief),
+                 .form = value.form,
+                 .words = value.words},
+                value.keys,
+                {}};
   made.read = [=](const Item& item, Context& context, S& into) {
     if (auto found = value.read(item, context)) std::invoke(member, into) = std::move(*found);
   };
@@ -46,7 +65,7 @@ Field<S> field(const std::string& name, Member member, const Value<T>& value, co
 
 template <class S>
 Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a table") {
-  Value<S> value{.type = type, .read = {}};
+  Value<S> value{.type = type, .read = {}, .form = Form::table};
   std::vector<std::string> names;
   std::vector<KeyInfo> own;
   for (const Field<S>& entry : fields) {
@@ -72,11 +91,23 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
   return value;
 }
 
+/// A table that is written among the keys around it: rotation = { ... }
+template <class S>
+Value<S> written_inline(Value<S> table) {
+  table.form = Form::value;
+  return table;
+}
+
 /// Reads an A, then makes the B of it. @param convert  (A, Item, Context&) -> optional<B>
 template <class B, class A, class Convert>
 Value<B> converted(const Value<A>& from, Convert convert) {
-  Value<B> value{.type = from.type, .read = {}};
-  value.keys = from.keys;
+  Value<B> value{.type = from.type,
+                 .read = {},
+                 .keys = from.keys,
+                 .brief = from.brief,
+                 .plural = from.plural,
+                 .form = from.form,
+                 .words = from.words};
   value.read = [=](const Item& item, Context& context) -> std::optional<B> {
     auto found = from.read(item, context);
     if (!found) return std::nullopt;
@@ -91,6 +122,7 @@ enum class Partial { dropped, kept };
 template <class T>
 Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dropped) {
   Value<std::vector<T>> value{.type = "a list, each " + entry.type, .read = {}};
+  if (!entry.plural.empty()) value.brief = "list of " + entry.plural;
   append_below("[]", entry.keys, value.keys);
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
     const toml::array* array = item.node->as_array();
@@ -120,13 +152,15 @@ Value<std::vector<Reference>> one_or_more(const std::string& what);
 template <class T>
 Value<std::vector<T>> tables(const Value<T>& entry) {
   Value<std::vector<T>> value = list(entry, Partial::kept);
+  value.form = Form::tables;
   value.show = [](const std::vector<T>&) { return std::string(); };
   return value;
 }
 
 template <class T>
 Value<std::array<T, 3>> triple(const Value<T>& entry) {
-  Value<std::array<T, 3>> value{.type = "[x, y, z], each " + entry.type, .read = {}};
+  Value<std::array<T, 3>> value{
+      .type = "[x, y, z], each " + entry.type, .read = {}, .brief = "`[x, y, z]`, " + entry.plural};
   value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::array<T, 3>> {
     const toml::array* array = item.node->as_array();
     if (!array || array->size() != 3) {
@@ -146,7 +180,7 @@ Value<std::array<T, 3>> triple(const Value<T>& entry) {
 /// Tables by a name of the user's, in the order of the file. T has members name and location.
 template <class T>
 Value<std::vector<T>> named(const Value<T>& entry) {
-  Value<std::vector<T>> value{.type = "tables by name", .read = {}};
+  Value<std::vector<T>> value{.type = "tables by name", .read = {}, .form = Form::named};
   append_below("<name>", entry.keys, value.keys);
   value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
     const toml::table* tables = item.node->as_table();

@@ -19,7 +19,7 @@ struct TimeKeys : Time {
 
 Value<TimeStep> time_step() {
   const Value<WordOrNumber> given = words_or_number({"stable", "adaptive"}, greater(0));
-  Value<TimeStep> value{.type = given.type, .read = {}};
+  Value<TimeStep> value{.type = given.type, .read = {}, .brief = given.brief, .words = given.words};
   value.read = [=](const Item& item, Context& context) -> std::optional<TimeStep> {
     const auto found = given.read(item, context);
     if (!found) return std::nullopt;
@@ -73,36 +73,42 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
 Value<Time> time_table(const Vocabulary& vocabulary) {
   const auto linear_solver =
       choice<LinearSolver>("linear solver", {{"krylov", LinearSolver::krylov}, {"tangent", LinearSolver::tangent}});
+  auto integrator = choice("integrator", vocabulary.integrators);
+  integrator.brief = "integrator; `creepcontact list integrators` shows all";
   const auto keys = table<TimeKeys>({
       field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required),
-      field<TimeKeys>("integrator", &TimeKeys::integrator, choice("integrator", vocabulary.integrators),
-                      "method of time integration"),
+      field<TimeKeys>("integrator", &TimeKeys::integrator, integrator, "method of time integration"),
       field<TimeKeys>("tolerance", &TimeKeys::tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
-                      "relative accuracy of the stress; the Euler schemes use it with step \"adaptive\""),
-      field<TimeKeys>("linear_solver", &TimeKeys::linear_solver, linear_solver,
-                      "cvode_bdf, arkode_dirk: how the Newton systems are solved"),
-      field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and the end always are"),
+                      "relative accuracy of the stress; the Euler schemes use it with `step = \"adaptive\"` only"),
       field<TimeKeys>(
-          "step", &TimeKeys::step, time_step(),
-          "Euler schemes: fixed step; \"stable\": the stable step times step_factor; \"adaptive\": chosen to "
-          "meet the tolerance"),
-      field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(greater(0)), "Euler schemes, step \"stable\""),
+          "linear_solver", &TimeKeys::linear_solver, linear_solver,
+          "`auto`, `cvode_bdf`, `arkode_dirk`: GMRES on the elastic factors, or a factored tangent stiffness"),
+      field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and `end` always are"),
+      field<TimeKeys>("step", &TimeKeys::step, time_step(),
+                      "Euler schemes: fixed step, the stable step times `step_factor` (with fixed-point iterations at "
+                      "most 0.8 of the "
+                      "bound up to which these contract), or chosen to meet `tolerance`"),
+      field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(greater(0)),
+                      "Euler schemes with `step = \"stable\"`"),
       field<TimeKeys>("beta", &TimeKeys::beta, number({.min = 0.5, .max = 1}),
-                      "beta_euler: 0.5 the trapezoidal rule, 1 implicit Euler"),
+                      "`beta_euler`: 0.5 trapezoidal rule, 1 implicit Euler"),
       field<TimeKeys>("inner", &TimeKeys::inner,
                       choice<InnerIteration>("inner iteration", {{"fixed_point", InnerIteration::fixed_point},
                                                                  {"newton", InnerIteration::newton}}),
-                      "beta_euler: inner iterations; \"newton\" converges for steps of any length"),
+                      "`beta_euler`: inner iterations; Newton's converge for steps of any length"),
       field<TimeKeys>("inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
-                      "beta_euler: bound on the change of creep strain in the last inner iteration"),
-      field<TimeKeys>("inner_anderson", &TimeKeys::inner_anderson, integer(0),
-                      "beta_euler: depth of Anderson acceleration of the fixed-point iterations; 0: none"),
+                      "`beta_euler`: bound on the change of creep strain in the last inner iteration"),
+      field<TimeKeys>(
+          "inner_anderson", &TimeKeys::inner_anderson, integer(0),
+          "`beta_euler`: depth of Anderson acceleration of the fixed-point iterations (3 to 5 is enough); 0: the "
+          "article's plain ones"),
       field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number({.min = 0, .max = 1}),
-                      "Euler schemes: fraction of the nodal-force residual that the next step corrects"),
+                      "`beta_euler`: fraction of the nodal-force residual that the next step corrects"),
       field<TimeKeys>("table", &TimeKeys::table, name("a Butcher table of ARKODE"),
-                      "arkode_erk, arkode_dirk: Butcher table with an embedded method"),
+                      "`arkode_erk`, `arkode_dirk`: one with an embedded method")
+          .otherwise("the integrator's own"),
       field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
-                      "times of jumps and kinks in expressions; those of tables are known"),
+                      "further times to stop at; jumps and kinks of tables and expressions are found"),
   });
   return converted<Time>(keys, [vocabulary](TimeKeys read, const Item& item, Context& context) {
     return make_time(std::move(read), vocabulary, item, context);

@@ -23,6 +23,16 @@ std::string Range::describe(const std::string& what) const {
   return what;
 }
 
+std::vector<Word> words_of(const std::vector<std::string>& texts) {
+  std::vector<Word> words;
+  for (const std::string& text : texts) words.push_back({text});
+  return words;
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+  return words.empty() ? std::string() : fmt::format("`\"{}\"`", fmt::join(words, "\"`, `\""));
+}
+
 Value<std::string> text() {
   Value<std::string> value{.type = "a string", .read = {}};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::string> {
@@ -57,7 +67,10 @@ Value<Reference> reference(const std::string& what) {
 }
 
 Value<double> number(Range range, const std::string& type) {
-  Value<double> value{.type = type.empty() ? range.describe() : type, .read = {}};
+  Value<double> value{.type = type.empty() ? range.describe() : type,
+                      .read = {},
+                      .brief = range.describe("number"),
+                      .plural = range.describe("numbers")};
   value.read = [range, type = value.type](const Item& item, Context& context) -> std::optional<double> {
     const auto found = item.node->is_number() ? item.node->value<double>() : std::nullopt;
     if (found && std::isfinite(*found) && range.contains(*found)) return found;
@@ -83,7 +96,8 @@ Value<int> integer(int min, int max) {
 }
 
 Value<bool> boolean() {
-  Value<bool> value{.type = "true or false", .read = {}};
+  Value<bool> value{
+      .type = "true or false", .read = {}, .brief = "`true`, `false`", .words = words_of({"true", "false"})};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<bool> {
     if (const auto* found = item.node->as_boolean()) return found->get();
     context.errors.add(item.location, describe(*item.node), type);
@@ -94,7 +108,7 @@ Value<bool> boolean() {
 }
 
 Value<std::filesystem::path> path() {
-  Value<std::filesystem::path> value{.type = "a path, relative to the configuration file", .read = {}};
+  Value<std::filesystem::path> value{.type = "a path, relative to the configuration file", .read = {}, .brief = "path"};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::filesystem::path> {
     const auto name = reference(type).read(item, context);
     if (!name) return std::nullopt;
@@ -120,6 +134,8 @@ std::optional<std::size_t> read_choice(const Item& item, Context& context, const
 Value<std::string> choice(const std::string& what, const std::vector<std::string>& names) {
   Value<std::string> value = text();
   value.type = fmt::format("\"{}\"", fmt::join(names, "\", \""));
+  value.brief = value.plural = quoted(names);
+  value.words = words_of(names);
   value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
     const auto index = read_choice(item, context, what, names);
     if (!index) return std::nullopt;
@@ -131,7 +147,10 @@ Value<std::string> choice(const std::string& what, const std::vector<std::string
 Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range range) {
   const Value<double> given =
       number(range, fmt::format("{} or \"{}\"", range.describe(), fmt::join(words, "\" or \"")));
-  Value<WordOrNumber> value{.type = given.type, .read = {}};
+  Value<WordOrNumber> value{.type = given.type,
+                            .read = {},
+                            .brief = fmt::format("{}, {}", range.describe("number"), quoted(words)),
+                            .words = words_of(words)};
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<WordOrNumber> {
     const auto* text = item.node->as_string();
     if (!text) {
@@ -150,7 +169,7 @@ Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range
 
 Value<std::optional<double>> word_or_number(const std::string& word, Range range) {
   const Value<WordOrNumber> either = words_or_number({word}, range);
-  Value<std::optional<double>> value{.type = either.type, .read = {}};
+  Value<std::optional<double>> value{.type = either.type, .read = {}, .brief = either.brief, .words = either.words};
   value.read = [=](const Item& item, Context& context) -> std::optional<std::optional<double>> {
     const auto found = either.read(item, context);
     if (!found) return std::nullopt;

@@ -29,7 +29,15 @@ struct Value {
   std::function<std::optional<T>(const Item&, Context&)> read;
   std::function<std::string(const T&)> show = [](const T&) { return std::string(); };
   std::vector<KeyInfo> keys = {};  ///< of a table
+  std::string brief = {};          ///< KeyInfo::brief; empty: the type without its article
+  std::string plural = {};         ///< brief of several: "numbers > 0"; may be empty
+  Form form = Form::value;
+  std::vector<Word> words = {};  ///< that it may be
 };
+
+std::vector<Word> words_of(const std::vector<std::string>& texts);
+/// `"a"`, `"b"`: as code
+std::string quoted(const std::vector<std::string>& words);
 
 /// Interval of numbers, closed unless said otherwise.
 struct Range {
@@ -78,7 +86,8 @@ template <class Enum>
 Value<Enum> choice(const std::string& what, const std::vector<std::pair<std::string, Enum>>& meanings) {
   std::vector<std::string> names;
   for (const auto& [name, meaning] : meanings) names.push_back(name);
-  Value<Enum> value{.type = choice(what, names).type, .read = {}};
+  const Value<std::string> word = choice(what, names);
+  Value<Enum> value{.type = word.type, .read = {}, .brief = word.brief, .words = word.words};
   value.read = [=](const Item& item, Context& context) -> std::optional<Enum> {
     const auto index = read_choice(item, context, what, names);
     if (!index) return std::nullopt;

@@ -26,28 +26,34 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
       {"auto",
-       "the default: cvode_adams while stress relaxes, cvode_bdf where creep becomes steady; others where these fail",
+       "the default: `cvode_adams` while stress relaxes, `cvode_bdf` where creep becomes steady; `rkc2` or the tangent "
+       "stiffness where these fail",
        make<AutoIntegrator>},
-      {"explicit_euler", "explicit Euler; fixed, Cormeau or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
+      {"explicit_euler", "explicit Euler; fixed, stable or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
       {"beta_euler",
-       "implicit Euler with beta >= 0.5; fixed-point or Newton iterations, fixed or adaptive steps (Stankevich 2012)",
+       "implicit Euler with `beta` >= 0.5; fixed-point or Newton iterations, fixed, stable or adaptive steps "
+       "(Stankevich 2012)",
        make<BetaEuler>},
-      {"cvode_bdf", "CVODE BDF of order 1 to 4, Newton-Krylov, error control", CvodeIntegrator::bdf},
+      {"cvode_bdf", "CVODE BDF of order 1 to 3, with `tolerance` below 2e-4 to 4, Newton-Krylov, error control",
+       CvodeIntegrator::bdf},
       {"cvode_adams", "CVODE Adams of order 1 to 6, fixed-point iterations, error control: while stress relaxes",
        CvodeIntegrator::adams},
       {"arkode_erk",
-       "ARKODE explicit Runge-Kutta, Bogacki-Shampine 3(2) or another, error control: for times short against the "
+       "ARKODE explicit Runge-Kutta, 3(2) of Bogacki and Shampine (`table = \"bogacki_shampine_4_2_3\"`) or another, "
+       "error control: for times short against the "
        "relaxation",
        ArkodeIntegrator::explicit_rk, table_names(explicit_tables())},
       {"arkode_dirk",
-       "ARKODE implicit Runge-Kutta, ESDIRK 3(2) or another, Newton-Krylov, error control: restarts without loss of "
+       "ARKODE implicit Runge-Kutta, ESDIRK 3(2) (`table = \"ark324l2sa_dirk_4_2_3\"`) or another, Newton-Krylov, "
+       "error control: restarts without loss of "
        "order",
        ArkodeIntegrator::diagonally_implicit_rk, table_names(diagonally_implicit_tables())},
-      {"rkc2", "Runge-Kutta-Chebyshev 2, stabilised explicit, error control: for moderate stiffness, no Jacobian",
+      {"rkc2",
+       "stabilised explicit Runge-Kutta-Chebyshev of order 2, error control: for moderate stiffness, no Jacobian",
        make<RungeKuttaChebyshev>},
       {.name = "isochronous",
-       .description =
-           "ageing theory: equilibrium with the creep strain of stress and time at every output time, Newton",
+       .description = "no integration: the equilibrium of ageing theory at every output time, Newton; takes the law "
+                      "`ageing`, and alone does",
        .make = make<Isochronous>,
        .isochronous = true},
   };

@@ -60,10 +60,10 @@ std::vector<QuantityInfo> make_quantities() {
   field("displacement_z", "displacement", displacement<2>);
   field("displacement_magnitude", "length of the displacement",
         [](const Sample& sample) { return sample.displacement.norm(); });
-  add_components<&Sample::stress>(list, "stress", "stress, Cartesian");
-  field("stress_r", "stress, cylindrical about z", cylindrical<0, 0>);
-  field("stress_theta", "stress, cylindrical about z", cylindrical<1, 1>);
-  field("stress_rtheta", "stress, cylindrical about z", cylindrical<0, 1>);
+  add_components<&Sample::stress>(list, "stress", "stress");
+  field("stress_r", "stress in cylindrical components about the z axis", cylindrical<0, 0>);
+  field("stress_theta", "stress in cylindrical components about the z axis", cylindrical<1, 1>);
+  field("stress_rtheta", "stress in cylindrical components about the z axis", cylindrical<0, 1>);
   field("von_mises", "equivalent stress of von Mises",
         [](const Sample& sample) { return tensor::von_mises(sample.stress); });
   field("principal_1", "largest principal stress", principal<0>);
@@ -75,21 +75,21 @@ std::vector<QuantityInfo> make_quantities() {
   field("creep_strain_equivalent", "equivalent creep strain sqrt(2/3 e:e)",
         [](const Sample& sample) { return tensor::equivalent_strain(sample.creep_strain); });
   field("temperature", "temperature", [](const Sample& sample) { return sample.temperature; });
-  field("damage", "damage of kachanov_rabotnov, 0 to 1; 0 where there is none",
+  field("damage", "damage of `kachanov_rabotnov`, 0 to 1; 0 where there is none",
         [](const Sample& sample) { return sample.damage; });
-  field("life_fraction", "share of the creep life spent, by rupture data; 0 where there are none",
+  field("life_fraction", "creep life used up, by rupture data; 0 where there are none",
         [](const Sample& sample) { return sample.life_fraction; });
 
-  list.push_back({"contact_pressure", "contact pressure (multipliers)", Kind::pressure});
-  list.push_back({"gap", "normal distance in contact, 0 where closed", Kind::gap});
-  list.push_back({"contact_area", "area in contact", Kind::area});
+  list.push_back({"contact_pressure", "the multipliers; either surface of a pair gives the same", Kind::pressure});
+  list.push_back({"gap", "normal distance; zero but for rounding where closed", Kind::gap});
+  list.push_back({"contact_area", "area in contact, its edge found between the nodes", Kind::area});
   const char* const axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k)
-    list.push_back({std::string("contact_force_") + axes[k], "resultant contact force on the surface's body",
+    list.push_back({std::string("contact_force_") + axes[k], "resultant contact force on the body of this surface",
                     Kind::force, nullptr, k});
   for (int k = 0; k < 3; ++k)
-    list.push_back(
-        {std::string("reaction_") + axes[k], "resultant support force on the body", Kind::reaction, nullptr, k});
+    list.push_back({std::string("reaction_") + axes[k], "resultant force of the supports on the body", Kind::reaction,
+                    nullptr, k});
   return list;
 }
 

@@ -39,6 +39,7 @@ struct Law {
   std::string name;
   std::vector<LawKey> keys;
   std::function<LawVerdict(const std::vector<std::vector<Function>>&)> judge = {};
+  std::string formula = {};  ///< what the law is, in one line
 };
 
 struct Quantity {
