@@ -1,0 +1,99 @@
+"""What the program writes in the documentation is what it says today, and the documentation has all of it."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def call(*arguments):
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=50)
+    if done.returncode != 0:
+        raise AssertionError(done.stderr)
+    return done.stdout
+
+
+def renew(root, *options):
+    return subprocess.run([sys.executable, str(root / "scripts/renew_docs"), *options, PROGRAM], capture_output=True,
+                          text=True, timeout=100)
+
+
+def document(name):
+    return (ROOT / "docs" / name).read_text(encoding="utf-8")
+
+
+class Renewal(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.root = pathlib.Path(temporary.name)
+        (self.root / "scripts").mkdir()
+        (self.root / "docs").mkdir()
+        shutil.copy(ROOT / "scripts/renew_docs", self.root / "scripts")
+        self.page = self.root / "docs/page.md"
+
+    def test_documentation_is_up_to_date(self):
+        done = renew(ROOT, "--check")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_stale_lines_are_named_and_renewed(self):
+        right = document("configuration.md").split("## `[contact_solver]`\n")[1].split("\n## ")[0]
+        wrong = right.replace("| `\"cg\"` |", "| `\"none\"` |")
+        self.assertNotEqual(wrong, right)
+        self.page.write_text(wrong, encoding="utf-8")
+        line = 1 + next(n for n, (a, b) in enumerate(zip(right.splitlines(), wrong.splitlines())) if a != b)
+        done = renew(self.root, "--check")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(f"docs/page.md:{line}: stale; renew it with scripts/renew_docs ", done.stdout)
+        self.assertEqual(self.page.read_text(encoding="utf-8"), wrong)
+        self.assertEqual(renew(self.root).returncode, 0)
+        self.assertEqual(self.page.read_text(encoding="utf-8"), right)
+
+    def test_marks_without_a_partner(self):
+        self.page.write_text("<!-- begin: creepcontact list elements --markdown -->\ntext\n", encoding="utf-8")
+        done = renew(self.root)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("needs a line '<!-- end -->'", done.stderr)
+
+    def test_command_that_the_program_does_not_know(self):
+        self.page.write_text("<!-- begin: creepcontact list planets -->\n<!-- end -->\n", encoding="utf-8")
+        done = renew(self.root)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("unknown list 'planets'", done.stderr)
+
+
+class Completeness(unittest.TestCase):
+    def test_every_list(self):
+        for name, *lists in (("configuration.md", "elements", "integrators", "quantities"), ("materials.md", "laws"),
+                             ("studies.md", "study-keys")):
+            for what in lists:
+                self.assertIn(call("list", what, "--markdown"), document(name), f"docs/{name} lacks list {what}")
+
+    def test_every_table_of_keys_under_its_heading(self):
+        page = document("configuration.md")
+        parts = re.split(r"(?m)^### `(.*)`\n", call("list", "keys", "--markdown"))
+        self.assertGreater(len(parts), 20)
+        for heading, keys in zip(["Top level", *(f"`{title}`" for title in parts[1::2])], parts[::2]):
+            self.assertRegex(page, rf"(?m)^##+ {re.escape(heading)}$")
+            section = re.split(rf"(?m)^##+ {re.escape(heading)}$", page)[1].split("\n#")[0]
+            self.assertIn(keys.strip(), section, f"docs/configuration.md: {heading}")
+
+    def test_keys_in_running_text_exist(self):
+        names = call("list", "keys", "--names").split()
+        tables = "time|contact_solver|output|mesh|temperature"
+        for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+            text = re.sub(r"(?m)^\| `.*$", "", page.read_text(encoding="utf-8"))  # rows name keys of their table
+            for key in re.findall(rf"`((?:{tables})\.[a-z_.]+)(?:`| = )", text):
+                if not key.startswith("mesh.parameters."):
+                    self.assertIn(key, names, f"{page.name} names a key that does not exist")
+
+
+if __name__ == "__main__":
+    unittest.main()
