@@ -1,10 +1,15 @@
-# cmake --install: program, example configurations, headers, libraries and the CMake package `creepcontact`
+# cmake --install: program, its manual page, completion in bash, documentation, example configurations, headers,
+# libraries and the CMake package `creepcontact`
 # (find_package(creepcontact), targets creepcontact::base, creepcontact::simulation, ...).
 include(CMakePackageConfigHelpers)
 
 if(TARGET creepcontact)
   install(TARGETS creepcontact RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(FILES docs/creepcontact.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES completions/creepcontact DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN *.1 EXCLUDE)
 install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/creepcontact/configs PATTERN results EXCLUDE)
 install(DIRECTORY include/creepcontact DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
