@@ -68,6 +68,7 @@ class Completion(CompletionTest):
         self.assertEqual(self.complete("check --set time.end=1 c"), ["case.toml"])
         self.assertEqual(self.complete("plot "), ["results"])
         self.assertEqual(self.complete("run --output "), ["results"])
+        self.assertEqual(self.complete("run --output=res"), ["results"])
         self.assertEqual(self.complete("run --log-contact case."), ["case.geo", "case.toml"])
 
     def test_lists(self):

@@ -65,7 +65,7 @@ TEST(KeySections, KeysWrittenInlineStandAmongThoseAroundThem) {
 TEST(KeySections, OfAStudy) {
   Lines titles;
   for (const KeySection& section : key_sections(study_schema())) titles.push_back(section.title);
-  for (const char* title : {"", "[[axes]]", "[[runs]]", "[reference]", "[compare]"})
+  for (const char* title : {"", "[[axes]]", "[[runs]]", "[[runs.axes]]", "[reference]", "[compare]"})
     EXPECT_NE(std::find(titles.begin(), titles.end(), title), titles.end()) << title;
 }
 
