@@ -58,6 +58,10 @@ std::vector<KeySection> keep(const std::vector<KeySection>& sections, const Test
   return kept;
 }
 
+bool may_be(const KeyInfo& key, const std::string& text) {
+  return std::any_of(key.words.begin(), key.words.end(), [&](const Word& word) { return word.text == text; });
+}
+
 std::string nearest_key(const std::vector<KeySection>& sections, const std::string& wanted) {
   std::vector<std::string> names;
   for (const KeySection& section : sections) {
@@ -84,7 +88,7 @@ std::vector<KeySection> select_keys(const std::vector<KeySection>& sections, con
   } else {
     tests.push_back([&](const KeySection&, const KeyInfo& key) { return begins_with(parts_of(key.path), parts); });
     tests.push_back([&](const KeySection& section, const KeyInfo& key) {
-      return has_word(section.name(key)) || key.only_with == word;
+      return has_word(section.name(key)) || key.only_with == word || may_be(key, word);
     });
     tests.push_back([&](const KeySection&, const KeyInfo& key) { return has_word(key.description); });
   }

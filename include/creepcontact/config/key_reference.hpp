@@ -26,7 +26,7 @@ std::vector<KeySection> key_sections(const std::vector<KeyInfo>& schema);
 /// The keys that are meant by
 /// - "[time]": the keys of this table; "[]": those outside all tables
 /// - a path, of a user's names and with indices too ("materials.steel.creep[0]"): the key and all below it
-/// - anything else: the keys with this in their name, or else in their description
+/// - anything else: the keys with this in their name or as one of their words, or else in their description
 /// @throws ConfigError, naming the nearest key, if there are none
 std::vector<KeySection> select_keys(const std::vector<KeySection>& sections, const std::string& wanted);
 

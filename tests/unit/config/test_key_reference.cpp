@@ -88,10 +88,12 @@ TEST(KeySelection, OneTable) {
   EXPECT_EQ(select_keys(sections(), "[]").size(), 1u);
 }
 
-TEST(KeySelection, WordInNamesElseInDescriptions) {
+TEST(KeySelection, WordInNamesOrValuesElseInDescriptions) {
   EXPECT_EQ(selected("Tolerance"),
             (Lines{"loads[].tolerance", "contact_solver.tolerance", "time.tolerance", "time.inner_tolerance"}));
-  EXPECT_EQ(selected("hereditary"), (Lines{"materials.<name>.creep[].compliances", "materials.<name>.creep[].times"}));
+  EXPECT_EQ(selected("hereditary"), (Lines{"materials.<name>.creep[].law", "materials.<name>.creep[].compliances",
+                                           "materials.<name>.creep[].times"}));
+  EXPECT_EQ(selected("active_set"), Lines{"contact_solver.method"});
   EXPECT_EQ(selected("mass per volume"), Lines{"loads[].rotation.density"});
 }
 
