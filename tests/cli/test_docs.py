@@ -95,5 +95,67 @@ class Completeness(unittest.TestCase):
                     self.assertIn(key, names, f"{page.name} names a key that does not exist")
 
 
+EVERY_TABLE = """[mesh]
+file = "missing.geo"
+[bodies.steel]
+region = "all"
+material = "steel"
+[materials.steel]
+young_modulus = 2e5
+poisson_ratio = 0.3
+[[materials.steel.creep]]
+law = "norton"
+A = 1e-20
+n = 5
+[materials.steel.rupture]
+stress = [50, 100]
+parameter = [2e4, 1e4]
+[[loads]]
+body = "steel"
+rotation = { angular_velocity = 1, density = 1 }
+[temperature]
+value = 20
+[[contacts]]
+between = ["a", "b"]
+[time]
+end = 10
+[[probes]]
+name = "q"
+quantity = "von_mises"
+body = "steel"
+"""
+
+
+class Defaults(unittest.TestCase):
+    """What the reference calls a default may be written."""
+
+    def mistakes(self, settings):
+        with tempfile.TemporaryDirectory() as directory:
+            config = pathlib.Path(directory) / "case.toml"
+            config.write_text(EVERY_TABLE, encoding="utf-8")
+            options = [option for setting in settings for option in ("--set", setting)]
+            done = subprocess.run([PROGRAM, "check", str(config), *options], capture_output=True, text=True, timeout=50)
+        self.assertIn("missing.geo" if done.returncode != 2 else "error: ", done.stderr)
+        return [line for line in done.stderr.splitlines() if done.returncode == 2]
+
+    def defaults(self):
+        tables = re.split(r"(?m)^### `\[*(.*?)\]*`\n", call("list", "keys", "--markdown"))
+        for table, rows in zip(tables[1::2], tables[2::2]):
+            place = table.replace("<name>", "steel")
+            if re.search(rf"(?m)^\[\[{re.escape(place)}\]\]", EVERY_TABLE):
+                place += "[0]"
+            for key, default in re.findall(r"(?m)^\| `([\w.]+)` \| .*? \| `([^`]*)` \| .* \|$", rows):
+                if "<" not in default and key != "output.spacing":  # a word for a place; a table that is not there
+                    yield f"{place}.{key}={default}"
+
+    def test_may_be_written(self):
+        settings = list(self.defaults())
+        self.assertGreater(len(settings), 30)
+        self.assertEqual(self.mistakes(settings), [])
+
+    def test_a_wrong_one_would_be_found(self):
+        self.assertEqual(len(self.mistakes(["time.beta=3", "contact_solver.method=\"newton\""])), 2)
+
+
 if __name__ == "__main__":
     unittest.main()
