@@ -85,7 +85,9 @@ Table elements() {
     std::string remark =
         fmt::format("{} nodes, {} integration point{}", element.n_nodes(), points, points == 1 ? "" : "s");
     if (element.averages_volumetric_strain()) remark += ", B-bar";
-    if (type == CellType::tet4) remark += "; locks under creep (accepted with a warning), use tet10";
+    if (type == CellType::tet4 || type == CellType::wedge6)
+      remark += fmt::format("; locks under creep (accepted with a warning), use {}",
+                            type == CellType::tet4 ? "tet10" : "wedge15");
     table.rows.push_back({std::string(mesh::name(type)), remark});
   }
   return table;
