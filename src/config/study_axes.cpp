@@ -23,7 +23,8 @@ std::vector<std::string> wanted(const Study& study) {
 }  // namespace
 
 const std::vector<std::string>& study_counts() {
-  static const std::vector<std::string> names{"steps", "elastic_solves", "schwarz_iterations", "wall_seconds"};
+  static const std::vector<std::string> names{"steps",        "elastic_solves", "schwarz_iterations",
+                                              "wall_seconds", "rejected_steps", "convergence_failures"};
   return names;
 }
 

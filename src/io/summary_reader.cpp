@@ -26,6 +26,8 @@ std::optional<Summary> read_summary(const std::filesystem::path& path) {
     summary.steps = json.at("steps");
     summary.elastic_solves = json.at("elastic_solves");
     summary.schwarz_iterations = json.at("schwarz_iterations");
+    summary.rejected_steps = json.at("rejected_steps");
+    summary.convergence_failures = json.at("convergence_failures");
     summary.wall_seconds.total = json.at("wall_seconds").at("total");
     return summary;
   } catch (const nlohmann::json::exception&) {

@@ -36,6 +36,7 @@ void check(const config::Config& config, std::ostream& report) {
   const StateLayout layout(model);
 
   std::string text;
+  for (const std::string& warning : settings_warnings(config)) text += "warning: " + warning + "\n";
   double bytes = 8 * state_vectors * static_cast<double>(layout.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const mechanics::Body& body = *model.bodies[b];

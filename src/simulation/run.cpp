@@ -10,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/simulation/check.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
@@ -94,6 +95,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
   Model model = build_model(config);
   make_probes(config, model, model.pairs);  // mistakes in them show before anything is factored
+  for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
   for (const auto& body : model.bodies)
     for (const std::string& warning : mesh_warnings(*body)) log::warning("{}", warning);
   for (const auto& body : model.bodies)

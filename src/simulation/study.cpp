@@ -74,7 +74,7 @@ class Comparison {
       const auto [value, message] =
           reference_->error(history, study_.compare.quantities[q].name, study_.compare.norm, row.status == "completed");
       row.errors[q] = value;
-      if (row.message.empty()) row.message = message;
+      if (!message.empty()) row.message = message + (row.message.empty() ? "" : "; ") + row.message;
     }
   }
 

@@ -1,6 +1,7 @@
 #include "study_execution.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <fstream>
@@ -50,7 +51,18 @@ void take_counts(const io::Summary& summary, StudyRow& row) {
   row.steps = summary.steps;
   row.elastic_solves = summary.elastic_solves;
   row.schwarz_iterations = summary.schwarz_iterations;
+  row.rejected_steps = summary.rejected_steps;
+  row.convergence_failures = summary.convergence_failures;
   row.wall_seconds = summary.wall_seconds.total;
+}
+
+/// Lines of a run's log that begin so, without their beginning.
+std::vector<std::string> logged(const fs::path& directory, const std::string& begin) {
+  std::ifstream log(directory / log_file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(log, line);)
+    if (line.starts_with(begin)) lines.push_back(line.substr(begin.size()));
+  return lines;
 }
 
 /// @returns a row without status unless the run came to its end
@@ -60,17 +72,16 @@ StudyRow finished_row(const fs::path& directory) {
   if (!summary || (summary->status != Status::completed && summary->status != Status::ruptured)) return row;
   take_counts(*summary, row);
   row.status = summary->status == Status::ruptured ? "ruptured" : "completed";
+  const std::vector<std::string> warnings = logged(directory, "warning: ");
+  if (!warnings.empty()) row.message = "warning: " + warnings.front();
+  if (warnings.size() > 1) row.message += fmt::format(" (and {} more in {})", warnings.size() - 1, log_file);
   return row;
 }
 
 /// What the program said at its end.
 std::string logged_errors(const fs::path& directory, int exit_status) {
-  const std::string begin = "error: ";
-  std::ifstream log(directory / log_file);
-  std::string message;
-  for (std::string line; std::getline(log, line);)
-    if (line.starts_with(begin)) message += (message.empty() ? "" : "; ") + line.substr(begin.size());
-  if (!message.empty()) return message;
+  const std::vector<std::string> errors = logged(directory, "error: ");
+  if (!errors.empty()) return fmt::format("{}", fmt::join(errors, "; "));
   return exit_status > 128 ? fmt::format("ended by signal {}", exit_status - 128)
                            : fmt::format("ended with exit status {}", exit_status);
 }

@@ -25,13 +25,15 @@ std::string described(const std::string& column) {
   return column;
 }
 
-/// Whether all values are positive and the largest is at least so many times the least.
-bool spans(double ratio, const std::vector<io::Series>& all, std::vector<double> io::Series::*list) {
+enum class Zero { is_linear, is_left_out };
+
+/// Whether the largest value is at least so many times the least, so that the axis is to be logarithmic.
+bool spans(double ratio, Zero zero, const std::vector<io::Series>& all, std::vector<double> io::Series::*list) {
   double least = INFINITY, largest = 0;
   for (const io::Series& one : all)
     for (const double value : one.*list) {
-      if (value <= 0) return false;
-      if (!std::isfinite(value)) continue;
+      if (value < 0 || (value == 0 && zero == Zero::is_linear)) return false;
+      if (value == 0 || !std::isfinite(value)) continue;
       least = std::min(least, value);
       largest = std::max(largest, value);
     }
@@ -53,11 +55,11 @@ class Pictures {
   using Values = std::function<std::vector<double>(const StudySeries&)>;
   /// Of what is varied along the curves: a picture a key.
   void over_settings(const std::string& column, const std::string& label, const Values& values, bool is_error) {
-    const double decade = is_error ? 1 : 10;  // errors have orders, seen in a log-log plot alone
+    const double far_apart = is_error ? 1 : 10;  // errors have orders, seen in a log-log plot alone
     for (const std::string& axis : axes_) {
       io::Curves picture{title_, {.label = axis}, {.label = label}, series(axis, values)};
-      picture.x.logarithmic = spans(decade, picture.series, &io::Series::x);
-      picture.y.logarithmic = is_error || spans(decade, picture.series, &io::Series::y);
+      picture.x.logarithmic = spans(far_apart, Zero::is_linear, picture.series, &io::Series::x);
+      picture.y.logarithmic = is_error || spans(far_apart, Zero::is_left_out, picture.series, &io::Series::y);
       draw(picture, column, axis);
     }
   }

@@ -72,8 +72,8 @@ std::string rule(std::size_t columns) {
 Cells head(const config::Study& study) {
   Cells cells = keys(study);
   for (const config::Reference& quantity : study.compare.quantities) cells.push_back("error_" + quantity.name);
-  for (const char* name : {"status", "message", "steps", "elastic_solves", "schwarz_iterations", "wall_seconds"})
-    cells.emplace_back(name);
+  cells.insert(cells.end(), {"status", "message"});
+  for (const std::string& name : config::study_counts()) cells.push_back(name);
   return cells;
 }
 
@@ -88,9 +88,10 @@ Cells body(const config::Study& study, const config::PlannedRun& run, const Stud
   for (const double error : row.errors) cells.push_back(number(error));
   cells.push_back(row.status);
   cells.push_back(one_line(row.message));
-  for (const std::int64_t count : {row.steps, row.elastic_solves, row.schwarz_iterations})
-    cells.push_back(row.counted ? fmt::format("{}", count) : "");
-  cells.push_back(row.counted ? number(row.wall_seconds) : "");
+  for (const std::string& name : config::study_counts()) {
+    const double count = row.count(name);
+    cells.push_back(name == "wall_seconds" || !row.counted ? number(count) : fmt::format("{:.0f}", count));
+  }
   return cells;
 }
 

@@ -38,10 +38,12 @@ std::string label_of(const config::Product& product, const config::PlannedRun& r
 }  // namespace
 
 double StudyRow::count(const std::string& column) const {
-  if (!succeeded()) return unknown;
+  if (!counted) return unknown;
   if (column == "steps") return static_cast<double>(steps);
   if (column == "elastic_solves") return static_cast<double>(elastic_solves);
   if (column == "schwarz_iterations") return static_cast<double>(schwarz_iterations);
+  if (column == "rejected_steps") return static_cast<double>(rejected_steps);
+  if (column == "convergence_failures") return static_cast<double>(convergence_failures);
   return wall_seconds;
 }
 
@@ -53,7 +55,7 @@ std::vector<double> StudySeries::errors(const std::vector<StudyRow>& rows, std::
 
 std::vector<double> StudySeries::counts(const std::vector<StudyRow>& rows, const std::string& column) const {
   std::vector<double> all;
-  for (const std::size_t run : runs) all.push_back(rows[run].count(column));
+  for (const std::size_t run : runs) all.push_back(rows[run].succeeded() ? rows[run].count(column) : unknown);
   return all;
 }
 

@@ -9,7 +9,8 @@ import csv
 import pathlib
 import sys
 
-MEASURED = {"status", "message", "steps", "elastic_solves", "schwarz_iterations", "wall_seconds"}
+MEASURED = {"status", "message", "steps", "elastic_solves", "schwarz_iterations", "wall_seconds",
+            "rejected_steps", "convergence_failures"}
 GAVE_UP = "Schwarz sweeps did not converge"
 
 

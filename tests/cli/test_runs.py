@@ -157,6 +157,12 @@ class Check(RunTest):
             self.assertIn(text, done.stdout)
         self.assertEqual(list(self.directory.iterdir()), [])
 
+    def test_contact_solved_worse_than_time_is_warned_of(self):
+        loose = ("--set", "contact_solver.tolerance=1e-3")
+        self.assertIn("warning: contact_solver.tolerance = 0.001 is looser than time.tolerance = 0.0001",
+                      self.call("check", *loose).stdout)
+        self.assertNotIn("looser", self.call("check", *loose, "--set", "time.integrator=explicit_euler").stdout)
+
     def test_follows_overrides(self):
         done = self.call("check", "--set", "mesh.order=1", "--set", "mesh.parameters.n_disc=2")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -114,7 +114,8 @@ class StudyRuns(StudyTest):
         self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("info: run_")]), 5)
         rows = self.rows()
         self.assertEqual(list(rows[0]), ["time.integrator", "time.step", "error_stress", "status", "message", "steps",
-                                         "elastic_solves", "schwarz_iterations", "wall_seconds"])
+                                         "elastic_solves", "schwarz_iterations", "wall_seconds", "rejected_steps",
+                                         "convergence_failures"])
         self.assertEqual([row["status"] for row in rows], ["completed"] * 4 + ["failed"])
         self.assertEqual([row["steps"] for row in rows[:4]], ["80", "160", "80", "160"])
         self.assertIn("inner iterations diverge", rows[4]["message"])
@@ -137,6 +138,16 @@ class StudyRuns(StudyTest):
         self.output = self.directory / "other"
         for first, second in zip(by_run, self.rows()):
             self.assertAlmostEqual(first, float(second["error_stress"]), delta=1e-6)
+
+    def test_a_warning_is_the_message_of_a_run_that_succeeded(self):
+        runs = ('base = "cube.toml"\n[[runs]]\nset = { time.integrator = "explicit_euler", time.step = 0.05 }\n'
+                '[[runs]]\nset = { time.integrator = "explicit_euler", time.step = 0.01 }\n')
+        self.assertEqual(self.study(runs).returncode, 0)
+        warned, quiet = self.rows()
+        self.assertRegex(warned["message"], "^warning: explicit_euler: .*stable")
+        self.assertEqual((warned["status"], quiet["message"]), ("completed", ""))
+        self.assertEqual(self.study(runs).returncode, 0)  # kept, and said again
+        self.assertEqual(self.rows()[0]["message"], warned["message"])
 
     def test_pictures_of_curves(self):
         text = STUDY.replace("[[runs]]", """[[runs]]

@@ -80,7 +80,7 @@ class StudyTables : public testing::Test {
       StudyRow row{"failed", "gave up, \"really\"", {std::nan("")}};
       if (run.product == 0) {
         const double step = run.point[1] == 0 ? 0.4 : 0.1;
-        row = {"completed", "", {run.point[0] == 0 ? step : step * step}, 5, 6, 7, 0.5, true};
+        row = {"completed", "", {run.point[0] == 0 ? step : step * step}, 5, 6, 7, 2, 1, 0.5, true};
       }
       rows_.push_back(row);
     }
@@ -167,9 +167,9 @@ TEST_F(StudyTables, Csv) {
   const std::string text = study_csv(study_, runs_, rows_);
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "time.integrator,time.step,time.beta,error_q,status,message,steps,elastic_solves,schwarz_iterations,"
-            "wall_seconds");
-  EXPECT_NE(text.find("\nu,0.4,,0.4,completed,,5,6,7,0.5\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\nw,,0.5,,failed,\"gave up, \"\"really\"\"\",,,,\n"), std::string::npos) << text;
+            "wall_seconds,rejected_steps,convergence_failures");
+  EXPECT_NE(text.find("\nu,0.4,,0.4,completed,,5,6,7,0.5,2,1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nw,,0.5,,failed,\"gave up, \"\"really\"\"\",,,,,,\n"), std::string::npos) << text;
 }
 
 TEST_F(StudyTables, Markdown) {
