@@ -40,7 +40,7 @@ int plot(const Command& self, const Arguments& arguments) {
   line.add_options()("probes", po::value(&probes)->value_name("a,b,..."), "these probes only, in this order");
   line.add_options()("output,o", po::value(&directory)->value_name("DIR"),
                      "where pictures go, instead of plots in the run's directory");
-  if (!line.parse(arguments, "DIR, the output directory of a run,")) return 0;
+  if (!line.parse(arguments, "DIR, the output directory of a run")) return 0;
   options.log_time = log_time(log);
   if (line.has("probes")) options.probes = names(probes);
   options.directory = directory;

@@ -1,16 +1,19 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 #include "creepcontact/config/study.hpp"
 
 namespace creepcontact::config {
 namespace {
 
-std::optional<double> number(const std::string& text) {
+/// NaN if the text is none.
+double number(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<std::string> wanted(const Study& study) {
@@ -30,12 +33,9 @@ const std::vector<std::string>& study_counts() {
 
 std::vector<double> numbers(const Axis& axis) {
   std::vector<double> values;
-  for (const StudyValue& value : axis.values) {
-    const auto found = number(value.label);
-    if (!found) return {};
-    values.push_back(*found);
-  }
-  return values;
+  for (const StudyValue& value : axis.values) values.push_back(number(value.label));
+  const bool any = std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
+  return any ? values : std::vector<double>();
 }
 
 bool run_together(const Axis& a, const Axis& b) {

@@ -28,12 +28,18 @@ void check_axes(const Product& product, Diagnostics& errors) {
 }
 
 void check_plot(const Study& study, Diagnostics& errors) {
-  std::vector<std::string> keys;
+  std::vector<std::string> keys, numeric;
   for (const Product& product : products(study))
-    for (const Axis& axis : product.axes) keys.push_back(axis.key.name);
-  for (const Reference& key : study.plot.over)
+    for (const Axis& axis : product.axes) {
+      keys.push_back(axis.key.name);
+      if (!numbers(axis).empty()) numeric.push_back(axis.key.name);
+    }
+  for (const Reference& key : study.plot.over) {
     if (std::find(keys.begin(), keys.end(), key.name) == keys.end())
       errors.add_unknown(key.location, fmt::format("'{}' is no key of an axis", key.name), key.name, keys);
+    else if (std::find(numeric.begin(), numeric.end(), key.name) == numeric.end())
+      errors.add(key.location, fmt::format("the values of '{}' are no numbers", key.name), "axes of numbers");
+  }
 }
 
 void check_comparison(const Study& study, const Item& root, Diagnostics& errors) {

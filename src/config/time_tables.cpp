@@ -97,7 +97,9 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                                                                  {"newton", InnerIteration::newton}}),
                       "`beta_euler`: inner iterations; Newton's converge for steps of any length"),
       field<TimeKeys>("inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
-                      "`beta_euler`: bound on the change of creep strain in the last inner iteration"),
+                      "`beta_euler`: bound on the change of creep strain in the last inner iteration; what they leave "
+                      "adds up over many short steps "
+                      "unless `residual_correction` = 1"),
       field<TimeKeys>(
           "inner_anderson", &TimeKeys::inner_anderson, integer(0),
           "`beta_euler`: depth of Anderson acceleration of the fixed-point iterations (3 to 5 is enough); 0: the "

@@ -74,7 +74,11 @@ Range common_range(const Figure& figure) {
   for (const Panel& panel : figure.panels) extend(range, panel, x, [](double value, double) { return value; });
   if (range.from > range.to) return x.logarithmic ? Range{0.1, 1} : Range{0, 1};
   if (!x.logarithmic) return range.from < range.to ? range : Range{range.from - 1, range.to + 1};
-  if (range.to < 10 * range.from) range = whole_decades(range);
+  if (range.to < 10 * range.from) {
+    constexpr double margin = 1.08;
+    const bool few = figure.panels.size() == 1 && range.from < range.to;
+    range = few ? Range{range.from / margin, range.to * margin} : whole_decades(range);
+  }
   if (has_zero(figure)) {
     const double decades = std::log10(range.to / range.from);
     range.from /= std::pow(10, std::max(0.3, 0.06 * decades));

@@ -55,6 +55,7 @@ CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended) {
   if (!stream || !std::getline(stream, line))
     throw ConfigError(fmt::format("{}: cannot be read: {}", path.string(),
                                   stream.is_open() ? "no header" : std::generic_category().message(errno)));
+  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // the mark that Excel sets before UTF-8
   CsvTable table;
   table.names = cells(line);
   table.columns.resize(table.names.size());

@@ -33,7 +33,7 @@ std::string gnuplot_quoted(std::string_view text) {
     } else if (c < 0x20 || c == 0x7F) {
       result += ' ';
     } else if (c == '\'') {
-      result += "''";
+      result += result.ends_with("''") ? "\u2019" : "''";  // gnuplot knows no two in a row
     } else {
       result += text.substr(i, length);
     }

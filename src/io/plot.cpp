@@ -73,6 +73,18 @@ std::string style(const Series& series, std::size_t k) {
                      every);
 }
 
+/// Ticks with numbers between the decades, where there are few of these.
+std::string ticks_between_decades(char name, const Range& range) {
+  const std::vector<int> marks =
+      range.to < 5 * range.from ? std::vector{1, 2, 3, 4, 5, 6, 7, 8, 9} : std::vector{1, 2, 5};
+  std::string text;
+  for (double decade = std::pow(10, std::floor(std::log10(range.from))); decade <= range.to; decade *= 10)
+    for (const int mark : marks)
+      if (mark * decade >= range.from && mark * decade <= range.to)
+        text += fmt::format("{}'{:g}' {:g}", text.empty() ? "" : ", ", mark * decade, mark * decade);
+  return fmt::format("set {}tics ({})\n", name, text);
+}
+
 /// Ticks, grid and ends of an axis, 'x' or 'y'.
 std::string axis(char name, const Axis& axis, const Range& range) {
   std::string text = fmt::format("unset logscale {0}\nset {0}range [{1:.12g}:{2:.12g}]\nset {0}tics auto\n", name,
@@ -119,6 +131,8 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
   text += fmt::format("set multiplot\nset lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", left / width,
                       (left + plot_width) / width);
   text += axis('x', figure.x, x_range);
+  if (figure.panels.size() == 1 && figure.x.logarithmic && x_range.to < 100 * x_range.from)
+    text += ticks_between_decades('x', x_range);
   if (zero) text += fmt::format("zero = {0:.12g}\nset xtics add ('' zero)\n", x_range.from);
   const auto most_characters = static_cast<std::size_t>(width / character);
   text += fmt::format("set label 1 {} noenhanced at screen {:.5f}, screen {:.5f} left font ',14'\n",

@@ -2,7 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,8 +11,6 @@
 #include <cstring>
 
 #include "creepcontact/base/error.hpp"
-
-extern char** environ;
 
 namespace creepcontact::simulation {
 namespace {
@@ -31,21 +29,32 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
 
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  const int failure = posix_spawn(&process_, program.c_str(), &files, &attributes, pointers.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  if (failure != 0)
-    throw SolverError(fmt::format("cannot start '{}' with its log in '{}': {}", program.string(), log.string(),
-                                  std::strerror(failure)));
+  const int output = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (output < 0 || ::access(program.c_str(), X_OK) != 0) {
+    const std::string reason = std::strerror(errno);
+    if (output >= 0) ::close(output);
+    ::close(input);
+    throw SolverError(
+        fmt::format("cannot start '{}' with its log in '{}': {}", program.string(), log.string(), reason));
+  }
+  const pid_t parent = ::getpid();
+  process_ = ::fork();
+  if (process_ == 0) {
+    // Between fork and exec nothing that takes memory or locks.
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (::getppid() != parent) ::_exit(0);  // it died before it could be watched
+    ::dup2(input, STDIN_FILENO);
+    ::dup2(output, STDOUT_FILENO);
+    ::dup2(output, STDERR_FILENO);
+    ::execv(program.c_str(), pointers.data());
+    ::_exit(127);
+  }
+  const int failure = errno;
+  ::close(output);
+  ::close(input);
+  if (process_ < 0) throw SolverError(fmt::format("cannot start '{}': {}", program.string(), std::strerror(failure)));
 }
 
 ChildProcess::~ChildProcess() {

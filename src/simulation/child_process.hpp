@@ -13,6 +13,7 @@ namespace creepcontact::simulation {
 class ChildProcess {
  public:
   /// Starts it in a process group of its own: signals of the terminal reach it through interrupt() alone, once.
+  /// Should this process die, it is sent SIGTERM.
   /// @param log  file for what it prints, replaced
   /// @throws SolverError if it cannot be started
   ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,

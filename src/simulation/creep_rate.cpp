@@ -107,11 +107,25 @@ bool CreepRate::evaluate(double t, std::span<const double> y) {
   } catch (const SolverError& error) {
     throw ode::RecoverableError(error.what());
   }
+  require_finite_stress(t);
   for (MaterialPoints& points : points_) points.set_time(t);
   time_ = t;
   evaluated_ = true;
   for_output_ = false;
   return true;
+}
+
+/// Laws take a stress that is no number for none, and a run would go on without creep.
+void CreepRate::require_finite_stress(double t) const {
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const std::vector<double>& stress = elasticity_.states()[b].stress;
+    const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), static_cast<Eigen::Index>(stress.size())).sum();
+    if (!std::isfinite(sum))
+      throw ode::RecoverableError(
+          fmt::format("the stress of body '{}' has grown beyond all bounds at t = {:.6g}; take shorter steps, or an "
+                      "integrator with error control",
+                      elasticity_.model().bodies[b]->name(), t));
+  }
 }
 
 void CreepRate::equilibrium(double t, std::span<const double> y) {

@@ -1,5 +1,5 @@
 #pragma once
-/// SIGINT and SIGTERM as a flag that the time loop looks at.
+/// SIGINT, SIGTERM and SIGHUP as a flag that the time loop looks at.
 
 #include <csignal>
 
@@ -16,7 +16,7 @@ class Interrupt {
 
  private:
   struct sigaction old_int_ {
-  }, old_term_{};
+  }, old_term_{}, old_hup_{};
 };
 
 }  // namespace creepcontact::simulation

@@ -12,6 +12,7 @@
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/simulation/check.hpp"
 #include "creepcontact/simulation/probes.hpp"
+#include "directory_lock.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
 #include "useful_threads.hpp"
@@ -91,6 +92,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   const std::filesystem::path directory =
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
 
+  std::optional<DirectoryLock> lock;
+  if (std::filesystem::is_directory(directory)) lock.emplace(directory);
   std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
   if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
   Model model = build_model(config);
@@ -116,6 +119,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
+  if (!lock) lock.emplace(directory);
   TimeLoop loop(config, system, watch, directory, options.resume, options.quiet);
 
   const auto write_summary = [&](io::Summary::Status status, const std::string& message) {

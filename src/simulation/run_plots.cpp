@@ -40,13 +40,24 @@ io::CsvTable read_history(const std::filesystem::path& run) {
   const std::filesystem::path path = run / "history.csv";
   if (!std::filesystem::exists(path))
     throw ConfigError(fmt::format("no history.csv in '{}'; plot takes the output directory of a run", run.string()));
-  io::CsvTable history = io::read_csv_table(path, io::UnendedRow::is_left_out);
+  return io::read_csv_table(path, io::UnendedRow::is_left_out);
+}
+
+/// Why there is no picture of the probes; empty if there is one.
+std::string why_no_curves(const io::CsvTable& history, const std::filesystem::path& run) {
+  const std::string path = (run / "history.csv").string();
   if (history.names.size() < 2)
-    throw ConfigError(fmt::format("'{}' has no probes; name some in [[probes]] of the configuration", path.string()));
+    return fmt::format("'{}' has no probes; name some in [[probes]] of the configuration", path);
   if (history.rows() < 2)
-    throw ConfigError(fmt::format("'{}' has {} row{}; a curve takes at least two output times", path.string(),
-                                  history.rows(), history.rows() == 1 ? "" : "s"));
-  return history;
+    return fmt::format("'{}' has {} row{}; a curve takes at least two output times", path, history.rows(),
+                       history.rows() == 1 ? "" : "s");
+  return "";
+}
+
+/// Without rows if nothing creeps.
+io::CsvTable read_steps(const std::filesystem::path& run) {
+  if (!std::filesystem::exists(run / "steps.csv")) return {};
+  return io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
 }
 
 /// The time and these columns, in the order asked for.
@@ -102,6 +113,13 @@ io::Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& hea
 
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {
   io::CsvTable history = read_history(run);
+  const io::CsvTable steps = read_steps(run);
+  const std::string missing = why_no_curves(history, run);
+  if (!missing.empty()) {
+    if (steps.rows() < 2 || !options.probes.empty()) throw ConfigError(missing);
+    log::warning("{}; the time steps alone are drawn", missing);
+    history = steps;  // for its times
+  }
   if (!options.probes.empty()) history = chosen(history, options.probes, (run / "history.csv").string());
   const io::SummaryHeading heading = heading_of(run);
   const bool log_time = options.log_time.value_or(spans_decades(history.columns[0]));
@@ -112,7 +130,7 @@ std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, co
     io::draw(figure, directory, name);
     pictures.push_back(directory / (name + ".svg"));
   };
-  const std::vector<io::Panel> panels = history_panels(history, heading);
+  const std::vector<io::Panel> panels = missing.empty() ? history_panels(history, heading) : std::vector<io::Panel>();
   auto next = panels.begin();
   int part = 0;
   for (std::size_t size : io::even_parts(panels.size(), most_panels)) {
@@ -120,9 +138,7 @@ std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, co
     draw(figure, ++part == 1 ? "history" : fmt::format("history_{}", part));
     next += static_cast<long>(size);
   }
-  if (!std::filesystem::exists(run / "steps.csv")) return pictures;
-  const io::CsvTable steps = io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
-  if (steps.rows() == 0) return pictures;  // nothing creeps
+  if (steps.rows() == 0) return pictures;
   io::Figure figure = steps_figure(steps, heading, log_time);
   figure.title = title(heading, run) + ": time steps";
   draw(figure, "steps");

@@ -13,6 +13,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
+#include "directory_lock.hpp"
 #include "interrupt.hpp"
 #include "study_errors.hpp"
 #include "study_execution.hpp"
@@ -28,9 +29,6 @@ const char* const stored_study = "study_input.toml";
 
 /// One study a directory: the results of another one would stand beside those of this one.
 void claim(const fs::path& directory, const config::Study& study) {
-  std::error_code failure;
-  fs::create_directories(directory, failure);
-  if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
   const fs::path file = directory / stored_study;
   if (fs::exists(file)) {
     std::ifstream stream(file, std::ios::binary);
@@ -60,9 +58,12 @@ class Comparison {
       reference_.emplace(study.reference->expressions);
   }
 
-  void take_reference(const fs::path& directory) {
+  void take_reference(const fs::path& directory, bool ruptured) {
     const fs::path file = directory / "history.csv";
-    reference_.emplace(io::read_csv_table(file), file.string(), study_.compare.quantities);
+    io::CsvTable history = io::read_csv_table(file);
+    if (ruptured)  // its last row is of the time of rupture, at which no other run has an output
+      for (std::vector<double>& column : history.columns) column.pop_back();
+    reference_.emplace(std::move(history), file.string(), study_.compare.quantities);
   }
 
   /// Fills the errors of a row, and its message where there are none.
@@ -112,6 +113,10 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   Comparison comparison(study);
   const fs::path directory =
       options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
+  std::error_code failure;
+  fs::create_directories(directory, failure);
+  if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
+  const DirectoryLock lock(directory);
   claim(directory, study);
 
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -127,7 +132,7 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
       const config::PlannedRun run{"reference", study.reference->settings, 0, {}};
       reference = execution.run({run}).front();
       if (reference->succeeded())
-        comparison.take_reference(execution.directory_of(run));
+        comparison.take_reference(execution.directory_of(run), reference->status == "ruptured");
       else if (!interrupt.requested())
         throw SolverError(fmt::format("the reference {}: {}; what it printed is in {}", reference->status,
                                       reference->message, (execution.directory_of(run) / "run.log").string()));

@@ -13,6 +13,7 @@
 #include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/reader.hpp"
+#include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
@@ -65,11 +66,20 @@ std::vector<std::string> logged(const fs::path& directory, const std::string& be
   return lines;
 }
 
+bool has_history(const fs::path& directory) {
+  try {
+    return io::read_csv_table(directory / "history.csv").rows() > 0;
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
 /// @returns a row without status unless the run came to its end
 StudyRow finished_row(const fs::path& directory) {
   StudyRow row;
   const auto summary = io::read_summary(directory / "summary.json");
   if (!summary || (summary->status != Status::completed && summary->status != Status::ruptured)) return row;
+  if (!has_history(directory)) return row;
   take_counts(*summary, row);
   row.status = summary->status == Status::ruptured ? "ruptured" : "completed";
   const std::vector<std::string> warnings = logged(directory, "warning: ");

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "creepcontact/io/curves.hpp"
 
@@ -89,8 +90,10 @@ class Pictures {
     return all;
   }
   void draw(const io::Curves& picture, const std::string& column, const std::string& over) {
-    const auto drawn =
-        io::draw_curves(picture, directory_, fmt::format("{}_over_{}", file_part(column), file_part(over)));
+    const std::string name = fmt::format("{}_over_{}", file_part(column), file_part(over));
+    std::string stem = name;
+    for (int n = 2; !stems_.insert(stem).second; ++n) stem = fmt::format("{}__{}", name, n);
+    const auto drawn = io::draw_curves(picture, directory_, stem);
     files_.insert(files_.end(), drawn.begin(), drawn.end());
   }
 
@@ -100,6 +103,7 @@ class Pictures {
   std::filesystem::path directory_;
   std::vector<std::string> axes_;
   std::vector<std::filesystem::path> files_;
+  std::set<std::string> stems_;  // names that differ in other letters alone are not one file
 };
 
 }  // namespace

@@ -123,9 +123,9 @@ std::string orders_text(const config::Study& study, const std::vector<StudySerie
     for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
       const std::vector<double> orders = observed_orders(one.x, one.errors(rows, q));
       for (std::size_t i = 0; i < orders.size(); ++i)
-        text += markdown_line({one.label, study.compare.quantities[q].name,
-                               fmt::format("{}: {} to {}", one.axis, one.x[i], one.x[i + 1]),
-                               std::isfinite(orders[i]) ? fmt::format("{:.2f}", orders[i]) : ""});
+        text += markdown_line(
+            {one.label, study.compare.quantities[q].name, fmt::format("{}: {} to {}", one.axis, one.x[i], one.x[i + 1]),
+             std::isfinite(orders[i]) ? fmt::format("{:.2f}", std::round(100 * orders[i]) / 100 + 0.0) : ""});
     }
   }
   if (text.empty()) return "";

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,11 +13,20 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Words speak for themselves, numbers need the last part of their key: "beta_euler", "beta = 0.5".
-std::string short_text(const std::string& key, const config::StudyValue& value) {
+std::string last_part(const std::string& key) {
+  return key.substr(key.rfind('.') + 1);
+}
+
+/// Words speak for themselves, numbers need the last part of their key, or all of it where others end so:
+/// "beta_euler", "beta = 0.5", "materials.steel.n = 5".
+std::string short_text(const config::Product& product, const std::string& key, const config::StudyValue& value) {
   const bool is_word = value.label != value.toml;
   if (is_word) return value.label;
-  return fmt::format("{} = {}", key.substr(key.rfind('.') + 1), value.label);
+  const std::string last = last_part(key);
+  const auto ends_so = [&](const std::string& other) { return last_part(other) == last; };
+  const auto others = std::ranges::count_if(product.settings, ends_so, &config::Setting::key) +
+                      std::ranges::count_if(product.axes, ends_so, [](const config::Axis& a) { return a.key.name; });
+  return fmt::format("{} = {}", others > 1 ? key : last, value.label);
 }
 
 void append(std::string& label, const std::string& part) {
@@ -26,13 +36,23 @@ void append(std::string& label, const std::string& part) {
 std::string label_of(const config::Product& product, const config::PlannedRun& run, const config::Axis* along) {
   std::string label = product.label;
   if (label.empty())
-    for (const config::Setting& setting : product.settings) append(label, short_text(setting.key, setting.value));
+    for (const config::Setting& setting : product.settings)
+      append(label, short_text(product, setting.key, setting.value));
   for (std::size_t a = 0; a < product.axes.size(); ++a) {
     const config::Axis& axis = product.axes[a];
     if (!along || !config::run_together(axis, *along))
-      append(label, short_text(axis.key.name, axis.values[static_cast<std::size_t>(run.point[a])]));
+      append(label, short_text(product, axis.key.name, axis.values[static_cast<std::size_t>(run.point[a])]));
   }
   return label;
+}
+
+/// A legend has no two entries alike, and none without a name beside others.
+void tell_apart(std::vector<StudySeries>& all) {
+  std::map<std::string, int> seen;
+  for (StudySeries& one : all) {
+    if (one.label.empty() && all.size() > 1) one.label = "as the base";
+    if (const int before = seen[one.label]++; before > 0) one.label += fmt::format(" ({})", before + 1);
+  }
 }
 
 }  // namespace
@@ -74,6 +94,7 @@ std::vector<StudySeries> series(const config::Study& study, const std::vector<co
     one.x.push_back(axis ? config::numbers(*axis)[static_cast<std::size_t>(runs[r].point[*along])] : unknown);
     one.runs.push_back(r);
   }
+  tell_apart(all);
   return all;
 }
 

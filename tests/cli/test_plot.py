@@ -53,6 +53,12 @@ class Plot(RunTest):
         self.expect_error(self.plot("out"), 2, "no history.csv in 'out'")
         (self.output / "history.csv").write_text("time,a\n0,1\n")
         self.expect_error(self.plot("out"), 2, "has 1 row;")
+        # a run that failed before its first output time has steps to look at
+        names = "step,order,rhs_evaluations,elastic_solves,schwarz_iterations,active_contacts,error_estimate"
+        (self.output / "steps.csv").write_text(f"time,{names}\n1,1,1,1,1,0,0,0\n3,2,1,1,1,0,0,0\n")
+        done = self.plot("out")
+        self.assertEqual((done.returncode, done.stdout.split()), (0, ["out/plots/steps.svg", "out/plots/steps.png"]))
+        self.assertIn("has 1 row; a curve takes at least two output times; the time steps alone are drawn", done.stderr)
 
     def test_a_run_without_summary(self):
         self.output.mkdir()

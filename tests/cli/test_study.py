@@ -252,6 +252,35 @@ class StudyResume(StudyTest):
         self.assertGreaterEqual(json.loads((steps[0].parent / "summary.json").read_text())["time_reached"], reached)
 
 
+    def test_two_at_once_and_death(self):
+        text = ('base = "cube.toml"\n[[runs]]\n'
+                'set = { time.integrator = "explicit_euler", time.step = 1e-6 }\n')
+        self.write("study.toml", text)
+        process = subprocess.Popen([PROGRAM, "study", "study.toml"], cwd=self.directory, stderr=subprocess.DEVNULL)
+        steps = self.output / "runs" / "run_001" / "steps.csv"
+        give_up = time.monotonic() + 50
+        while not (steps.exists() and steps.stat().st_size > 1000):
+            self.assertLess(time.monotonic(), give_up)
+            time.sleep(0.02)
+        self.expect_error(self.study(text), 2, "another creepcontact writes there")
+        second = subprocess.run([PROGRAM, "run", "cube.toml", "--output", steps.parent], cwd=self.directory,
+                                capture_output=True, text=True, timeout=50)
+        self.assertEqual(second.returncode, 2)
+        self.assertIn("another creepcontact writes there", second.stderr)
+        process.kill()
+        process.wait()
+        # Its run ends by itself, with a checkpoint.
+        while json.loads((steps.parent / "summary.json").read_text())["message"][:11] != "interrupted":
+            self.assertLess(time.monotonic(), give_up)
+            time.sleep(0.02)
+
+    def test_a_lost_history_is_made_anew(self):
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        (self.output / "runs" / "run_002" / "history.csv").unlink()
+        self.assertEqual(self.study(self.finished).returncode, 0)
+        self.assertEqual([row["status"] for row in self.rows()], ["completed"] * 4)
+
+
 class StudyMistakes(StudyTest):
     def test_wrong_axis_key(self):
         self.expect_error(self.study(STUDY.replace('"time.step"\nvalues', '"time.stepp"\nvalues')), 2,

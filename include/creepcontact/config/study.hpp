@@ -104,7 +104,7 @@ std::vector<Product> products(const Study& study);
 /// @returns index into its axes; nullopt if it has none
 std::optional<std::size_t> axis_of_curves(const Study& study, const Product& product);
 
-/// Values of an axis as numbers; empty if one of them is none.
+/// Values of an axis as numbers, NaN for others ("stable"); empty if none is one.
 std::vector<double> numbers(const Axis& axis);
 
 /// Whether the two take their values together: zipped, or one and the same.

@@ -83,6 +83,7 @@ class CreepRate final : public ode::System {
 
  private:
   /// Stress at (t, y): solved, or kept from the last call if that was at the same point. @returns whether it was solved
+  void require_finite_stress(double t) const;
   bool evaluate(double t, std::span<const double> y);
   /// The time at which loads are to be taken for t.
   double load_time(double t) const;

@@ -151,7 +151,8 @@ TEST(StudyPlan, CurvesRunAlongNumbers) {
   const std::string words = axis("w", "[\"u\", \"v\"]"), step = axis("time.step", "[1, 2]"),
                     beta = axis("beta", "[1, 2]");
   EXPECT_EQ(along(step + beta + words), "time.step");
-  EXPECT_EQ(along(step + beta + words, "[plot]\nover = [\"w\", \"beta\"]\n"), "beta");
+  EXPECT_EQ(along(step + beta + words, "[plot]\nover = [\"beta\", \"time.step\"]\n"), "beta");
+  EXPECT_EQ(along(axis("time.step", "[1, \"stable\", 2]") + beta), "time.step");
   EXPECT_EQ(along(beta + axis("last", "[1, 2]") + axis("one", "[1]") + words), "last");
   EXPECT_EQ(along(words), "");
 }
@@ -174,6 +175,8 @@ TEST(StudyMistakes, AtTheirPlaces) {
                    "studies/cost.toml:9:15: compare.quantities[0]: 'q' has no expression");
   expect_complaint(head + one + "[plot]\nover = \"time.stepp\"\n",
                    "studies/cost.toml:7:8: plot.over: 'time.stepp' is no key of an axis; did you mean 'time.step'?");
+  expect_complaint(head + one + axis("w", "[\"u\"]") + "[plot]\nover = \"w\"\n",
+                   "studies/cost.toml:10:8: plot.over: the values of 'w' are no numbers; allowed: axes of numbers");
   expect_complaint(head + one + "[plot]\nshow = [\"solves\"]\n",
                    "studies/cost.toml:7:9: plot.show[0]: unknown column 'solves'; did you mean ");
   expect_complaint(head + "[[runs]]\nlabel = \"x\"\n",

@@ -41,7 +41,7 @@ TEST_F(ReadBack, HistoryToTheLastBit) {
 }
 
 TEST_F(ReadBack, TablesOfOtherPrograms) {
-  write("time, \"p, \"\"mean\"\"\"\r\n1, 2\r\n\r\n3,4e2\n");
+  write("\xEF\xBB\xBFtime, \"p, \"\"mean\"\"\"\r\n1, 2\r\n\r\n3,4e2\n");
   const CsvTable table = read_csv_table(file_);
   EXPECT_EQ(table.names[1], "p, \"mean\"");
   EXPECT_EQ(table.columns[1], (std::vector<double>{2, 400}));

@@ -32,6 +32,15 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return difference / size;
 }
 
+TEST(CreepRateOverflow, StressBeyondAllBoundsIsNoRate) {
+  const Case blocks;
+  System system(blocks.config(""));
+  for (const double huge : {1e306, 1e308}) {
+    const std::vector<double> y = random_state(system, huge, 1);
+    EXPECT_THROW(rate_at(system, 0, y), ode::RecoverableError) << huge;
+  }
+}
+
 constexpr const char* direct_contact = "contact_solver.method=active_set";
 /// Overlap at x = 0, a gap at x = 2.
 const std::vector<std::string> partly_open{"contacts.0.gap=0.03*x-0.01", "supports.3.displacement.z=-0.01"};

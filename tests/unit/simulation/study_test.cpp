@@ -127,7 +127,7 @@ TEST_F(StudyTables, ZippedAxesMakeOneCurve) {
   study_.axes[0].zip = study_.axes[1].zip = "z";
   const std::vector<StudySeries> all = series(study_, config::plan(study_));
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].label, "");
+  EXPECT_EQ(all[0].label, "as the base");
   EXPECT_EQ(all[0].x, (std::vector<double>{0.4, 0.1}));
   EXPECT_EQ(all[0].runs, (std::vector<std::size_t>{0, 1}));
 }
@@ -145,6 +145,19 @@ TEST_F(StudyTables, RunsWithAxesOfTheirOwnAreCurvesByTheirLabel) {
   EXPECT_EQ(series(study_, runs)[2].axis, "time.tolerance");
   study_.plot.over = {{"time.tolerance"}, {"time.step"}};
   EXPECT_EQ(series(study_, runs)[0].axis, "time.step");
+}
+
+TEST_F(StudyTables, NoTwoCurvesHaveOneName) {
+  config::Axis copper = study_.axes[0], steel = study_.axes[0];
+  copper.key.name = "materials.copper.n";
+  steel.key.name = "materials.steel.n";
+  copper.values = steel.values = {{"3", "3", {}}};
+  study_.runs = {{"", {}, {copper, steel}, {}}, {"w", {}, {}, {}}, {"w", {}, {}, {}}};
+  const std::vector<StudySeries> all = series(study_, config::plan(study_));
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(all[2].label, "materials.copper.n = 3, materials.steel.n = 3");
+  EXPECT_EQ(all[3].label, "w");
+  EXPECT_EQ(all[4].label, "w (2)");
 }
 
 TEST_F(StudyTables, PicturesOfErrorsAndCounts) {
