@@ -63,8 +63,8 @@ struct Summary {
 /// @throws Error if the disk does not take it
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-/// How a run went: status, message, version, time reached, steps (rejected and failed ones too), elastic solves, Schwarz
-/// iterations and the total wall time; nothing else is read.
+/// How a run went: status, message, version, time reached, steps (rejected and failed ones too), elastic solves,
+/// Schwarz iterations and the total wall time; nothing else is read.
 /// @returns nullopt if the file is not there or is no summary
 std::optional<Summary> read_summary(const std::filesystem::path& path);
 
