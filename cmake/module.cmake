@@ -1,13 +1,26 @@
-# creepcontact_module(name USES <public libraries> PRIVATE_USES <implementation only>)
+# Headers whose parsing takes most of the time of a compilation, parsed once a target. Sources include what they need all
+# the same: -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.
+set(creepcontact_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
+    <string> <vector> <fmt/format.h> <fmt/ranges.h>)
+function(creepcontact_precompile target)
+  get_target_property(sources ${target} SOURCES)
+  list(LENGTH sources n_sources)
+  if(n_sources GREATER 6)
+    target_precompile_headers(${target} PRIVATE ${creepcontact_common_headers} ${ARGN})
+  endif()
+endfunction()
+
+# creepcontact_module(name USES <public libraries> PRIVATE_USES <implementation only> PRECOMPILE <headers>)
 # Static library creepcontact_<name> from src/<name>/*.cpp; a module of headers alone becomes an interface library.
 function(creepcontact_module name)
-  cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES;PRECOMPILE" ${ARGN})
   set(target creepcontact_${name})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   if(sources)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE creepcontact_options ${arg_PRIVATE_USES})
+    creepcontact_precompile(${target} ${arg_PRECOMPILE})
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
