@@ -29,8 +29,8 @@ TEST(Plot, NamesAreTextToGnuplotAndNothingElse) {
 
 TEST(Plot, HostileNamesRunNothingAndStandInThePicture) {
   const test::TemporaryDirectory directory;
-  draw(one_curve("it's_<b> & `touch a` \\\nsystem('touch b')\n!touch c"), directory.path(), "plot");
-  EXPECT_TRUE(contains(test::read_text(directory / "plot.svg"), "it's_&lt;b> &amp; `touch a`"));
+  draw(one_curve("it''s_<b> & `touch a` \\\nsystem('touch b')\n!touch c"), directory.path(), "plot");
+  EXPECT_TRUE(contains(test::read_text(directory / "plot.svg"), "it'\u2019s_&lt;b> &amp; `touch a`"));
   for (const char* name : {"a", "b", "c"}) EXPECT_FALSE(std::filesystem::exists(directory / name)) << name;
   EXPECT_EQ(test::read_text(directory / "plot.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
 }

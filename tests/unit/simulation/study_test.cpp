@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "../../../src/simulation/study_errors.hpp"
 #include "../../../src/simulation/study_plots.hpp"
@@ -192,6 +193,15 @@ TEST_F(StudyTables, Markdown) {
   EXPECT_NE(text.find("| u | q | time.step: 0.4 to 0.1 | 1.00 |"), std::string::npos) << text;
   EXPECT_NE(text.find("![a](a.svg)"), std::string::npos) << text;
   EXPECT_NE(text.find("| v | q | time.step: 0.4 to 0.1 | 2.00 |"), std::string::npos) << text;
+}
+
+TEST_F(StudyTables, QuantitiesAlikeInLettersHavePicturesOfTheirOwn) {
+  const io::test::TemporaryDirectory directory;
+  study_.compare.quantities = {{"a 1"}, {"a_1"}};
+  for (StudyRow& row : rows_) row.errors.push_back(row.errors[0]);
+  const auto pictures = plot_study(study_, runs_, rows_, directory.path());
+  EXPECT_EQ(pictures.size(), 6u);
+  EXPECT_EQ(std::set(pictures.begin(), pictures.end()).size(), 6u);
 }
 
 }  // namespace
