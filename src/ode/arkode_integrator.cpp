@@ -31,12 +31,12 @@ ArkodeIntegrator::ArkodeIntegrator(std::string name, Kind kind, System& system, 
     : SundialsIntegrator(std::move(name), system, options), kind_(kind) {
   const ARKRhsFn rate = SundialsCallbacks::rate;
   const bool implicit = kind == Kind::implicit_rk;
+  const ButcherTable& table = table_of(implicit, options);  // throws for an unknown one, before there is memory to free
   memory_ = ARKStepCreate(implicit ? nullptr : rate, implicit ? rate : nullptr, 0.0, state_.get(), context_);
   if (!memory_) throw std::bad_alloc();
   check(ARKStepSetErrHandlerFn(memory_, SundialsCallbacks::message, &callbacks_), "ARKStepSetErrHandlerFn");
   check(ARKStepSetUserData(memory_, &callbacks_), "ARKStepSetUserData");
   check(ARKStepWFtolerances(memory_, SundialsCallbacks::weights), "ARKStepWFtolerances");
-  const ButcherTable& table = table_of(implicit, options);
   order_ = table.order;
   check(ARKStepSetTableName(memory_, implicit ? table.arkode_name.c_str() : "ARKODE_DIRK_NONE",
                             implicit ? "ARKODE_ERK_NONE" : table.arkode_name.c_str()),
