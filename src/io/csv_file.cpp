@@ -12,22 +12,15 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/io/replace_file.hpp"
 
 namespace creepcontact::io {
 namespace {
 
-/// RFC 4180: names with signs that mean something in the format stand in quotes.
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string result = "\"";
-  for (char c : name) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + '"';
-}
-
 std::string header_line(const std::vector<std::string>& columns) {
   std::vector<std::string> cells;
-  for (const std::string& column : columns) cells.push_back(quoted(column));
+  for (const std::string& column : columns) cells.push_back(csv_cell(column));
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
 

@@ -31,10 +31,8 @@ void require_one_theory(const config::Config& config, const Model& model) {
       if (ageing_wanted && i >= material.creep.size())
         throw ConfigError(
             fmt::format("{}material '{}' has rupture data, whose life fraction is a rate: time.integrator = \"{}\" "
-                        "integrates none. "
-                        "Leave [materials.{}.rupture] out, or take a law that is a rate (time_hardening, "
-                        "strain_hardening) and another "
-                        "integrator",
+                        "integrates none. Leave [materials.{}.rupture] out, or take a law that is a rate "
+                        "(time_hardening, strain_hardening) and another integrator",
                         where.prefix(), material.name, config.time.integrator, material.name));
       if (ageing_wanted)
         throw ConfigError(fmt::format(

@@ -65,8 +65,7 @@ void LifeRecord::warn(double time, std::span<const double> y) {
       const Vector3& x = bodies[b]->discretization().point_coordinates()[p];
       log::warning(
           "body '{}': the creep strain has come to {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory is that "
-          "of "
-          "small strain. Look at the units of the creep constants of material '{}', or end the run before",
+          "of small strain. Look at the units of the creep constants of material '{}', or end the run before",
           bodies[b]->name(), strain, x.x(), x.y(), x.z(), time, bodies[b]->material().name);
       warned_of_strain_ = true;
       break;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "creepcontact/io/csv_table.hpp"
+
 namespace creepcontact::simulation {
 namespace {
 
@@ -35,13 +37,6 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string markdown_cell(const std::string& text) {
   std::string escaped;
   for (const char c : one_line(text)) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
@@ -52,7 +47,7 @@ std::string csv_line(const Cells& cells) {
   std::string line;
   for (const std::string& cell : cells) {
     if (&cell != cells.data()) line += ',';
-    line += csv_cell(cell);
+    line += io::csv_cell(cell);
   }
   return line + '\n';
 }

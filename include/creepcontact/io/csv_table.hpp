@@ -1,5 +1,5 @@
 #pragma once
-/// Tables of numbers with a header read back: history.csv and steps.csv, or a reference in their form.
+/// Tables of numbers with a header read back: history.csv and steps.csv, or a reference in their form. Cells of text.
 
 #include <filesystem>
 #include <string>
@@ -23,5 +23,8 @@ enum class UnendedRow { counts, is_left_out };
 /// @throws ConfigError naming the file, and the line and what was found in it: a file that cannot be read, a row with
 /// another number of cells than the header, a cell that is no number
 CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended = UnendedRow::counts);
+
+/// A text as a cell: with signs that mean something in the format it stands in quotes (RFC 4180).
+std::string csv_cell(const std::string& text);
 
 }  // namespace creepcontact::io
