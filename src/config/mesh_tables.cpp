@@ -46,6 +46,8 @@ Value<Mesh> mesh_table() {
                   "`.geo` only: order of the elements; 2 gives tet10, hex20, wedge15"),
       field<Mesh>("parameters", &Mesh::parameters, numbers_by_name(),
                   "`.geo` only: new values for constants made with `DefineConstant`"),
+      field<Mesh>("allow_locking", &Mesh::allow_locking, boolean(),
+                  "accept `tet4` and `wedge6`, which are too stiff under creep; otherwise they are an error"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;

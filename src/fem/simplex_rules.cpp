@@ -1,5 +1,6 @@
 /// Rules on the unit triangle and tetrahedron: symmetric, positive weights, inner points.
-/// Source: Dunavant (1985), the constants refined to double precision; Keast (1986) for the tetrahedron of degree 5.
+/// Source: Dunavant (1985), the constants refined to double precision; for the tetrahedron Witherden and Vincent (2015),
+/// degree 3, and Keast (1986), degree 5.
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
@@ -110,7 +111,10 @@ QuadratureRule tetrahedron(int degree) {
     rule.centre(1);
   } else if (degree == 2) {
     rule.four(0.25, (5 - std::sqrt(5.0)) / 20);
-  } else {  // smaller rules of degree 3 and 4 have negative weights
+  } else if (degree == 3) {
+    rule.four(0.13852796651186214, 0.32805469671142665);
+    rule.four(0.11147203348813786, 0.10695227393293068);
+  } else {  // smaller rules of degree 4 have negative weights
     rule.centre(16. / 135);
     rule.four((2665 + 14 * sqrt15) / 37800, (7 - sqrt15) / 34);
     rule.four((2665 - 14 * sqrt15) / 37800, (7 + sqrt15) / 34);

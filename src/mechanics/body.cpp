@@ -8,7 +8,7 @@
 
 namespace creepcontact::mechanics {
 
-void Body::Impl::require_finite(const std::vector<double>& values, double t) const {
+void Body::Impl::require_finite(std::span<const double> values, double t) const {
   if (Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).allFinite()) return;
   throw ModelError(fmt::format(
       "body '{}': its loads, supports or temperature give no finite number at t = {:.6g}; look for divisions "
@@ -23,8 +23,11 @@ void Body::Impl::set_time(double t) {
   thermal_strain = thermal.strain(material, t);
   std::fill(external.begin(), external.end(), 0.0);
   for (const auto& load : loads) load->add(t, external);
-  known = external;
-  if (!thermal_strain.empty()) discretization.add_initial_strain_force({moduli, thermal_strain}, {}, known);
+  require_finite(external, t);
+  require_finite(thermal_strain, t);
+  const auto end_of_nodes = external.begin() + static_cast<std::ptrdiff_t>(known.size());
+  inner_load = std::any_of(end_of_nodes, external.end(), [](double force) { return force != 0; });
+  known.assign(external.begin(), end_of_nodes);
   if (constraints.prescribed(t, prescribed)) {
     discretization.stress(prescribed, isothermal(), {}, stress);
     std::fill(forces.begin(), forces.end(), 0.0);
@@ -48,14 +51,13 @@ Body& Body::operator=(Body&&) noexcept = default;
 
 void Body::add_load(std::unique_ptr<Load> load) {
   Impl& body = *impl_;
-  std::fill(body.forces.begin(), body.forces.end(), 0.0);
-  load->add(body.time.value_or(0.0), body.forces);
-  body.require_finite(body.forces, body.time.value_or(0.0));
-  for (std::size_t i = 0; i < body.forces.size(); ++i) {
-    body.external[i] += body.forces[i];
-    body.known[i] += body.forces[i];
-  }
+  const double t = body.time.value_or(0.0);
+  std::vector<double> own(body.external.size(), 0.0);
+  load->add(t, own);
+  body.require_finite(own, t);
   body.loads.push_back(std::move(load));
+  body.time.reset();
+  body.set_time(t);
 }
 
 const std::string& Body::name() const {
@@ -111,12 +113,14 @@ void Body::set_time(double t) {
   impl_->set_time(t);
 }
 ElasticState Body::elastic() const {
-  return {impl_->moduli, impl_->thermal_strain};
+  return impl_->elastic();
 }
 
 void Body::right_hand_side(CreepStrainView creep, std::span<double> right_hand_side) const {
   impl_->forces = impl_->known;
-  if (creep.data != nullptr) impl_->discretization.add_initial_strain_force(impl_->isothermal(), creep, impl_->forces);
+  const ElasticState elastic = impl_->elastic();
+  if (creep.data != nullptr || !elastic.thermal_strain.empty() || !elastic.inner_force.empty())
+    impl_->discretization.add_initial_strain_force(elastic, creep, impl_->forces);
   impl_->constraints.restrict_to_free(impl_->forces, right_hand_side);
 }
 
@@ -130,8 +134,7 @@ void Body::imbalance(std::span<const double> stress, std::span<const double> fre
                      std::span<double> right_hand_side) const {
   std::fill(impl_->forces.begin(), impl_->forces.end(), 0.0);
   impl_->discretization.add_internal_force(stress, impl_->forces);
-  std::transform(impl_->external.begin(), impl_->external.end(), impl_->forces.begin(), impl_->forces.begin(),
-                 std::minus<>());
+  std::ranges::transform(external_forces(), impl_->forces, impl_->forces.begin(), std::minus<>());
   impl_->constraints.restrict_to_free(impl_->forces, right_hand_side);
   if (!impl_->stabilized) return;
   const auto n = static_cast<Eigen::Index>(free.size());
@@ -143,11 +146,11 @@ std::span<const double> Body::prescribed() const {
   return impl_->prescribed;
 }
 std::span<const double> Body::external_forces() const {
-  return impl_->external;
+  return std::span(impl_->external).first(impl_->known.size());
 }
 
 void Body::residual_forces(std::span<const double> stress, std::span<double> forces) const {
-  std::transform(impl_->external.begin(), impl_->external.end(), forces.begin(), [](double f) { return -f; });
+  std::ranges::transform(external_forces(), forces.begin(), std::negate<>());
   impl_->discretization.add_internal_force(stress, forces);
 }
 

@@ -19,7 +19,7 @@ struct Body::Impl {
         free_motions(mechanics::free_motions(mesh, parts, constraints)),
         pins(determinate_pins(free_motions, constraints)),
         thermal(std::move(temperature), discretization),
-        external(3 * mesh.nodes.size()),
+        external(3 * (mesh.nodes.size() + discretization.n_inner())),
         prescribed(3 * mesh.nodes.size()),
         known(3 * mesh.nodes.size()),
         forces(3 * mesh.nodes.size()),
@@ -33,7 +33,11 @@ struct Body::Impl {
   bool has_hex20() const;
   void set_time(double t);
   /// @throws ModelError if a force is infinite or not a number
-  void require_finite(const std::vector<double>& values, double t) const;
+  void require_finite(std::span<const double> values, double t) const;
+  /// At the set time.
+  ElasticState elastic() const {
+    return {moduli, thermal_strain, inner_load ? std::span(external).subspan(forces.size()) : std::span<double>{}};
+  }
   [[noreturn]] void report_singular(const linalg::SingularMatrix& error) const;
 
   std::string name;
@@ -57,7 +61,8 @@ struct Body::Impl {
   Eigen::VectorXd hourglass_diagonal;
   linalg::SparseMatrix hourglass;
 
-  // At the set time: known = external + integral B^T H thermal strain - K prescribed.
+  // At the set time: known = external - K prescribed. The external forces on inner displacements come last.
+  bool inner_load = false;  // some of those are not zero
   std::optional<double> time;
   std::span<const Moduli> moduli;
   std::span<const double> thermal_strain;

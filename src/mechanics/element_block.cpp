@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/fem/bubble.hpp"
 #include "element_loops.hpp"
 
 namespace creepcontact::mechanics {
 
 namespace {
 
+using fem::VolumetricStrain;
 using mesh::CellType;
 
 CellType linear_type(CellType type) {
@@ -45,19 +47,19 @@ std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& ce
                                                        BlockStart start) {
   switch (cells.type) {
     case CellType::tet4:
-      return std::make_unique<ElementLoops<4, 1, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<4, 1, VolumetricStrain::pointwise, false>>(cells, nodes, start);
     case CellType::tet10:
-      return std::make_unique<ElementLoops<10, 4, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<10, 8, VolumetricStrain::linear, true>>(cells, nodes, start);
     case CellType::hex8:
-      return std::make_unique<ElementLoops<8, 8, true>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<8, 8, VolumetricStrain::constant, false>>(cells, nodes, start);
     case CellType::hex20:
-      return std::make_unique<ElementLoops<20, 8, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<20, 8, VolumetricStrain::linear, false>>(cells, nodes, start);
     case CellType::hex27:
-      return std::make_unique<ElementLoops<27, 27, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<27, 27, VolumetricStrain::linear, false>>(cells, nodes, start);
     case CellType::wedge6:
-      return std::make_unique<ElementLoops<6, 6, true>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<6, 6, VolumetricStrain::constant, false>>(cells, nodes, start);
     case CellType::wedge15:
-      return std::make_unique<ElementLoops<15, 9, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<15, 12, VolumetricStrain::linear, true>>(cells, nodes, start);
     default:
       throw ModelError(fmt::format("cells of type {} are no volume elements", mesh::name(cells.type)));
   }
@@ -78,6 +80,7 @@ void ElementBlock::tabulate() {
   shape_.resize(static_cast<Eigen::Index>(n_nodes_), static_cast<Eigen::Index>(n_points_));
   derivatives_.resize(n_points_ * n_nodes_ * 3);
   Eigen::MatrixX3d gradient(n_nodes_, 3);
+  const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
   for (std::size_t p = 0; p < n_points_; ++p) {
     const Vector3 xi = reference_.rule().points.row(static_cast<Eigen::Index>(p)).transpose();
     reference_.shape(xi, shape_.col(static_cast<Eigen::Index>(p)));
@@ -85,6 +88,12 @@ void ElementBlock::tabulate() {
     for (std::size_t a = 0; a < n_nodes_; ++a)
       for (std::size_t k = 0; k < 3; ++k)
         derivatives_[(p * n_nodes_ + a) * 3 + k] = gradient(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k));
+    if (!fem::has_bubble(type())) continue;
+    const Vector3 bubble = fem::bubble_gradient(type(), xi), from_middle = xi - middle;
+    bubble_derivatives_.insert(bubble_derivatives_.end(), bubble.begin(), bubble.end());
+    // Integral of N = - integral of xi . grad N / 3. By quadrature, only this balances the stress whose divergence the
+    // force is.
+    bubble_values_.push_back(-from_middle.dot(bubble) / 3);
   }
 }
 
@@ -111,6 +120,62 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       at.weight = determinant * reference_.rule().weights[static_cast<Eigen::Index>(p)];
     }
   }
+  if (reference_.volumetric_strain() == VolumetricStrain::linear) find_linear_functions(nodes);
+}
+
+void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
+  linear_functions_.resize(geometry_.size());
+  Eigen::MatrixX3d places(n_points_, 3);
+  for (std::size_t e = 0; e < n_elements(); ++e) {
+    const Eigen::VectorXd weight = weights(e);
+    for (std::size_t p = 0; p < n_points_; ++p) places.row(static_cast<Eigen::Index>(p)) = point(e, p, nodes);
+    places.rowwise() -= (weight.transpose() * places / weight.sum()).eval();
+    // Gram and Schmidt, twice: flat elements too.
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      for (int pass = 0; pass < 2; ++pass)
+        for (Eigen::Index k = 0; k < j; ++k)
+          places.col(j) -= places.col(k).cwiseProduct(weight).dot(places.col(j)) * places.col(k);
+      places.col(j) /= std::sqrt(places.col(j).cwiseAbs2().dot(weight));
+    }
+    for (std::size_t p = 0; p < n_points_; ++p)
+      Vector3::Map(linear_functions_[e * n_points_ + p].data()) = places.row(static_cast<Eigen::Index>(p));
+  }
+}
+
+Eigen::VectorXd ElementBlock::weights(std::size_t e) const {
+  Eigen::VectorXd result(n_points_);
+  for (std::size_t p = 0; p < n_points_; ++p)
+    result[static_cast<Eigen::Index>(p)] = geometry_[e * n_points_ + p].weight;
+  return result;
+}
+
+Eigen::MatrixXd ElementBlock::volumetric_basis(std::size_t e) const {
+  const auto n_p = static_cast<Eigen::Index>(n_points_);
+  if (reference_.volumetric_strain() == VolumetricStrain::pointwise) return Eigen::MatrixXd(n_p, 0);
+  const double constant = 1 / std::sqrt(weights(e).sum());
+  if (reference_.volumetric_strain() == VolumetricStrain::constant) return Eigen::MatrixXd::Constant(n_p, 1, constant);
+  Eigen::MatrixXd basis(n_p, 4);
+  basis.col(0).setConstant(constant);
+  for (std::size_t p = 0; p < n_points_; ++p)
+    basis.row(static_cast<Eigen::Index>(p)).tail<3>() = Vector3::Map(linear_functions_[e * n_points_ + p].data());
+  return basis;
+}
+
+Eigen::MatrixXd ElementBlock::volumetric_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
+  const Eigen::MatrixXd basis = volumetric_basis(e);
+  if (basis.cols() == 0) return extrapolation_;
+  const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points
+  const auto n = static_cast<Eigen::Index>(n_nodes_);
+  if (basis.cols() == 1) return Eigen::VectorXd::Constant(n, basis(0, 0)) * fit;
+  // The functions are linear in the place: their values at the points give those at the nodes.
+  Eigen::MatrixX4d at_points(n_points_, 4), at_nodes(n, 4);
+  const Vector3 origin = point(e, 0, nodes);
+  for (std::size_t p = 0; p < n_points_; ++p)
+    at_points.row(static_cast<Eigen::Index>(p)) << 1, (point(e, p, nodes) - origin).transpose();
+  const auto cell = this->nodes(e);
+  for (std::size_t a = 0; a < n_nodes_; ++a)
+    at_nodes.row(static_cast<Eigen::Index>(a)) << 1, (nodes[static_cast<std::size_t>(cell[a])] - origin).transpose();
+  return at_nodes * at_points.colPivHouseholderQr().solve(basis) * fit;
 }
 
 Vector3 ElementBlock::point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const {
@@ -121,7 +186,8 @@ Vector3 ElementBlock::point(std::size_t e, std::size_t p, const std::vector<Vect
   return x;
 }
 
-void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<double> element_forces) const {
+void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<double> element_forces,
+                              std::span<double> inner_forces) const {
   for (std::size_t e = 0; e < n_elements(); ++e) {
     Eigen::Map<Eigen::Matrix3Xd> forces(&element_forces[3 * (start_.entry + e * n_nodes_)], 3,
                                         static_cast<Eigen::Index>(n_nodes_));
@@ -130,6 +196,9 @@ void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<
       const std::size_t q = e * n_points_ + p;
       forces +=
           geometry_[q].weight * force_density[start_.point + q] * shape_.col(static_cast<Eigen::Index>(p)).transpose();
+      if (has_bubble())
+        Vector3::Map(&inner_forces[3 * (start_.inner + e)]) +=
+            geometry_[q].weight * bubble_values_[p] * force_density[start_.point + q];
     }
   }
 }

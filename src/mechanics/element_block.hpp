@@ -5,6 +5,7 @@
 /// hex20). The loops are bound by memory, so multiplying the table of reference derivatives, which stays in the
 /// cache, by the inverse Jacobian is cheaper than reading the products.
 
+#include <array>
 #include <memory>
 
 #include "creepcontact/fem/reference_element.hpp"
@@ -20,11 +21,16 @@ struct PointGeometry {
   double weight;      ///< volume that belongs to the point
 };
 
+/// Values at a point of the three functions that, with 1/sqrt(volume), are an orthonormal basis of the linear functions
+/// of the place with respect to the weights of the element's points.
+using LinearFunctions = std::array<double, 3>;
+
 /// Where the block starts in the numbering of the body.
 struct BlockStart {
   std::size_t element = 0;
   std::size_t point = 0;
   std::size_t entry = 0;  ///< of the rows (element, local node), 3 numbers each, of the buffer of element forces
+  std::size_t inner = 0;  ///< of the inner displacements (bubbles), one per element that has one
 };
 
 /// Immutable after construction. Element arguments are numbers within the block; point arrays belong to the body.
@@ -39,6 +45,7 @@ class ElementBlock {
   std::size_t n_elements() const { return connectivity_.size() / n_nodes_; }
   std::size_t n_nodes() const { return n_nodes_; }
   std::size_t n_points() const { return n_points_; }  ///< per element
+  std::size_t n_inner() const { return has_bubble() ? n_elements() : 0; }
   const BlockStart& start() const { return start_; }
   std::span<const std::int64_t> nodes(std::size_t e) const { return {connectivity_.data() + e * n_nodes_, n_nodes_}; }
   const std::vector<std::int64_t>& connectivity() const { return connectivity_; }
@@ -47,18 +54,29 @@ class ElementBlock {
   /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
   /// corners, or onto all shape functions where there are as many points.
   const Eigen::MatrixXd& extrapolation() const { return extrapolation_; }
+  /// Functions on which the volumetric strain of an element is projected, orthonormal with respect to the weights:
+  /// n_points x 0 (no projection), 1 or 4.
+  Eigen::MatrixXd volumetric_basis(std::size_t e) const;
+  /// Values of a field at the points to the nodes, n_nodes x n_points: the fit by those functions, evaluated at the
+  /// nodes; without projection the extrapolation. @param nodes  coordinates of all nodes of the body
+  Eigen::MatrixXd volumetric_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
   /// Coordinates of a point of an element.
   Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;
 
   // The loops over all elements of the block; see Discretization. Element forces: n_entries x 3 of the body.
-  virtual void strain(std::span<const double> u, std::span<double> strain) const = 0;
   virtual void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
                       std::span<double> stress) const = 0;
   virtual void internal_force(std::span<const double> stress, std::span<double> element_forces) const = 0;
   virtual void initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
                                     std::span<double> element_forces) const = 0;
+  virtual void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
+                              std::span<const double> initial_stress, std::span<double> strain) const = 0;
+  virtual void initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
+                                    std::span<double> element_forces) const = 0;
 
-  void body_force(std::span<const Vector3> force_density, std::span<double> element_forces) const;
+  /// @param inner_forces  += those on the bubbles, 3 per inner displacement of the body
+  void body_force(std::span<const Vector3> force_density, std::span<double> element_forces,
+                  std::span<double> inner_forces) const;
   /// 3 n_nodes square, node by node.
   Eigen::MatrixXd element_stiffness(std::size_t e, const ElasticState& elastic) const;
   Eigen::MatrixXd element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const;
@@ -69,20 +87,32 @@ class ElementBlock {
   const fem::ReferenceElement& reference() const { return reference_; }
   /// Reference derivatives, n_points x n_nodes x 3.
   const std::vector<double>& derivatives() const { return derivatives_; }
+  /// n_elements x n_points; empty where the volumetric strain is not projected on linear functions.
+  const std::vector<LinearFunctions>& linear_functions() const { return linear_functions_; }
+  /// Reference derivatives of the bubble, n_points x 3; empty without one.
+  const std::vector<double>& bubble_derivatives() const { return bubble_derivatives_; }
 
  private:
-  /// Gradients of the shape functions at the points of an element: a column a point, three numbers a node.
+  bool has_bubble() const { return !bubble_derivatives_.empty(); }
+  /// Gradients of the shape functions at the points of an element, one column per point, three numbers per node; those
+  /// of the bubble, less their mean, come last.
   Eigen::MatrixXd gradients(std::size_t e) const;
+  /// Eliminates the bubble from a stiffness.
+  Eigen::MatrixXd condensed(const Eigen::MatrixXd& stiffness) const;
+  Eigen::VectorXd weights(std::size_t e) const;
   void tabulate();
   void measure(const std::vector<Vector3>& nodes);
+  void find_linear_functions(const std::vector<Vector3>& nodes);
 
   const fem::ReferenceElement& reference_;
   BlockStart start_;
   std::size_t n_nodes_, n_points_;
   std::vector<std::int64_t> connectivity_;
   std::vector<PointGeometry> geometry_;
+  std::vector<LinearFunctions> linear_functions_;
   std::vector<double> derivatives_;
-  Eigen::MatrixXd shape_;  // n_nodes x n_points
+  std::vector<double> bubble_derivatives_, bubble_values_;  // at the points; values for integrals of body forces
+  Eigen::MatrixXd shape_;                                   // n_nodes x n_points
   Eigen::MatrixXd extrapolation_;
 };
 

@@ -3,16 +3,21 @@
 ///
 /// Displacement gradient at a point: du_i/dx_j = sum_k (sum_a u_ai dN_a/dxi_k) dxi_k/dx_j. The three displacement
 /// components (padded to four) are the vector lanes, so no reduction has to be reassociated.
-/// B-bar (Hughes 1980): the volumetric strain is the element's mean; in the transpose the pressure is.
+///
+/// Elastic strain e = P (B u + B_b a - eps_0), where P replaces the volumetric strain at the points by its projection
+/// on few functions (VolumetricStrain) and a is the inner displacement of elements with a bubble. a follows from its
+/// own equilibrium, sum of w (P B_b)^T H e = f_b, with the force f_b on the bubble. P is its own transpose with respect
+/// to the weights, so nodal forces need P on the stress.
 
 #include <algorithm>
 #include <array>
 
+#include "bubble_terms.hpp"
 #include "element_block.hpp"
 
 namespace creepcontact::mechanics {
 
-template <int n_nodes_v, int n_points_v, bool averages>
+template <int n_nodes_v, int n_points_v, fem::VolumetricStrain volumetric, bool with_bubble>
 class ElementLoops final : public ElementBlock {
  public:
   ElementLoops(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
@@ -20,17 +25,12 @@ class ElementLoops final : public ElementBlock {
     std::copy(derivatives().begin(), derivatives().end(), table_.begin());
   }
 
-  void strain(std::span<const double> u, std::span<double> strain) const override {
-    for_each_element([&](std::size_t e) { element_strain(e, u.data(), strain.data() + first_component(e)); });
-  }
-
   void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
               std::span<double> stress) const override {
     for_each_element([&](std::size_t e) {
       Values strain;
       element_strain(e, u.data(), strain.data());
-      add_stress_free_strain<-1>(e, elastic, creep, strain);
-      hooke(e, elastic, strain.data(), stress.data() + first_component(e));
+      element_stress(e, elastic, creep, strain, stress.data() + first_component(e));
     });
   }
 
@@ -45,10 +45,35 @@ class ElementLoops final : public ElementBlock {
   void initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
                             std::span<double> element_forces) const override {
     for_each_element([&](std::size_t e) {
-      Values values{};
-      add_stress_free_strain<1>(e, elastic, creep, values);
-      hooke(e, elastic, values.data(), values.data());
-      element_force(e, values, element_forces.data());
+      Values strain{}, stress;
+      element_stress(e, elastic, creep, strain, stress.data());
+      for (double& component : stress) component = -component;
+      element_force(e, stress, element_forces.data());
+    });
+  }
+
+  void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
+                      std::span<const double> initial_stress, std::span<double> strain) const override {
+    for_each_element([&](std::size_t e) {
+      double* out = strain.data() + first_component(e);
+      element_strain(e, u.data(), out);
+      project_trace(e, out);
+      add_bubble_strain(e, moduli, initial_stress, out);
+    });
+  }
+
+  void initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
+                            std::span<double> element_forces) const override {
+    for_each_element([&](std::size_t e) {
+      Values stress, strain{};
+      std::copy_n(initial_stress.data() + first_component(e), stress.size(), stress.data());
+      if constexpr (with_bubble) {
+        add_bubble_strain(e, moduli, initial_stress, strain.data());
+        for (std::size_t p = 0; p < P; ++p)
+          Eigen::Map<Tensor6>(&stress[6 * p]) -=
+              moduli[start().point + e * P + p] * Eigen::Map<const Tensor6>(&strain[6 * p]);
+      }
+      element_force(e, stress, element_forces.data());
     });
   }
 
@@ -68,8 +93,10 @@ class ElementLoops final : public ElementBlock {
     return 6 * (start().point + e * P);
   }
 
-  /// Replaces the trace (of strain, of stress) at the points by its mean over the element.
-  static void average_trace(const PointGeometry* at, double* values) {
+  /// Replaces the trace (of strain, of stress) at the points by its projection.
+  void project_trace(std::size_t e, double* values) const {
+    if constexpr (volumetric == fem::VolumetricStrain::pointwise) return;
+    const PointGeometry* at = geometry().data() + e * P;
     double sum = 0, volume = 0;
     for (std::size_t p = 0; p < P; ++p) {
       const double* v = values + 6 * p;
@@ -77,14 +104,32 @@ class ElementLoops final : public ElementBlock {
       volume += at[p].weight;
     }
     const double mean = sum / volume;
+    std::array<double, 3> slope{};
+    [[maybe_unused]] const LinearFunctions* linear = nullptr;
+    if constexpr (volumetric == fem::VolumetricStrain::linear) {
+      linear = linear_functions().data() + e * P;
+      for (std::size_t p = 0; p < P; ++p) {
+        const double* v = values + 6 * p;
+        const double weighted = at[p].weight * (v[0] + v[1] + v[2]);
+        for (std::size_t j = 0; j < 3; ++j) slope[j] += linear[p][j] * weighted;
+      }
+    }
     for (std::size_t p = 0; p < P; ++p) {
       double* v = values + 6 * p;
-      const double shift = (mean - (v[0] + v[1] + v[2])) / 3.0;
+      double projected = mean;
+      if constexpr (volumetric == fem::VolumetricStrain::linear)
+        projected += slope[0] * linear[p][0] + slope[1] * linear[p][1] + slope[2] * linear[p][2];
+      const double shift = (projected - (v[0] + v[1] + v[2])) / 3.0;
       for (std::size_t i = 0; i < 3; ++i) v[i] += shift;
     }
   }
 
+  /// B u without projection; zero where no displacement is given.
   void element_strain(std::size_t e, const double* u, double* strain) const {
+    if (u == nullptr) {
+      std::fill_n(strain, 6 * P, 0.0);
+      return;
+    }
     std::array<Lanes, N> nodal;
     const std::int64_t* cell = connectivity().data() + e * N;
     for (std::size_t a = 0; a < N; ++a) {
@@ -113,38 +158,42 @@ class ElementLoops final : public ElementBlock {
       out[4] = half_sqrt2 * (y[2] + z[1]);
       out[5] = half_sqrt2 * (z[0] + x[2]);
     }
-    if constexpr (averages) average_trace(at, strain);
   }
 
-  template <int sign>
-  void add_stress_free_strain(std::size_t e, const ElasticState& elastic, CreepStrainView creep, Values& strain) const {
+  /// From the strain of the nodal displacement, which becomes the elastic strain (without the bubble's part).
+  void element_stress(std::size_t e, const ElasticState& elastic, CreepStrainView creep, Values& strain,
+                      double* stress) const {
     const std::size_t first = start().point + e * P;
     if (creep.data != nullptr) {
       for (std::size_t p = 0; p < P; ++p) {
         const double* c = creep.data + (first + p) * creep.stride;
-        for (std::size_t i = 0; i < 6; ++i) strain[6 * p + i] += sign * c[i];
+        for (std::size_t i = 0; i < 6; ++i) strain[6 * p + i] -= c[i];
       }
     }
     if (!elastic.thermal_strain.empty()) {
       for (std::size_t p = 0; p < P; ++p)
-        for (std::size_t i = 0; i < 3; ++i) strain[6 * p + i] += sign * elastic.thermal_strain[first + p];
+        for (std::size_t i = 0; i < 3; ++i) strain[6 * p + i] -= elastic.thermal_strain[first + p];
     }
-  }
-
-  /// In place is allowed.
-  void hooke(std::size_t e, const ElasticState& elastic, const double* strain, double* stress) const {
+    project_trace(e, strain.data());
     for (std::size_t p = 0; p < P; ++p) {
-      const Moduli& h = elastic.at(start().point + e * P + p);
-      const double* in = strain + 6 * p;
+      const Moduli& h = elastic.at(first + p);
+      const double* in = strain.data() + 6 * p;
       double* out = stress + 6 * p;
       const double spherical = h.lambda * (in[0] + in[1] + in[2]);
       for (std::size_t i = 0; i < 6; ++i) out[i] = 2.0 * h.mu * in[i] + (i < 3 ? spherical : 0.0);
+    }
+    if constexpr (with_bubble) {
+      const BubbleTerms<P> bubble = bubble_terms(e);
+      const auto moduli = [&](std::size_t p) -> const Moduli& { return elastic.at(first + p); };
+      std::array<double, 3> force{};
+      if (!elastic.inner_force.empty()) std::copy_n(&elastic.inner_force[3 * (start().inner + e)], 3, force.data());
+      bubble.balance(moduli, force, stress);
     }
   }
 
   void element_force(std::size_t e, Values& stress, double* element_forces) const {
     const PointGeometry* at = geometry().data() + e * P;
-    if constexpr (averages) average_trace(at, stress.data());
+    project_trace(e, stress.data());
     std::array<Lanes, 3 * P> flux;  // weight * stress . grad xi_k
     for (std::size_t p = 0; p < P; ++p) {
       constexpr double half_sqrt2 = tensor::sqrt2 / 2;
@@ -168,6 +217,21 @@ class ElementLoops final : public ElementBlock {
       out[1] = force[1];
       out[2] = force[2];
     }
+  }
+
+  /// strain += P B_b a with the a that balances D strain - initial stress (empty: none).
+  void add_bubble_strain([[maybe_unused]] std::size_t e, [[maybe_unused]] std::span<const Matrix6> moduli,
+                         [[maybe_unused]] std::span<const double> initial_stress,
+                         [[maybe_unused]] double* strain) const {
+    if constexpr (with_bubble) {
+      const std::size_t first = start().point + e * P;
+      bubble_terms(e).add_strain(moduli.data() + first,
+                                 initial_stress.empty() ? nullptr : initial_stress.data() + 6 * first, strain);
+    }
+  }
+
+  BubbleTerms<P> bubble_terms(std::size_t e) const {
+    return BubbleTerms<P>(geometry().data() + e * P, linear_functions().data() + e * P, bubble_derivatives().data());
   }
 
   std::array<double, P * N * 3> table_{};

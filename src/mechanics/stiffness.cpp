@@ -8,78 +8,87 @@
 namespace creepcontact::mechanics {
 
 Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
-  const auto n = static_cast<Eigen::Index>(n_nodes_);
-  Eigen::MatrixXd result(3 * n, static_cast<Eigen::Index>(n_points_));
+  const auto n = static_cast<Eigen::Index>(n_nodes_), inner = static_cast<Eigen::Index>(has_bubble() ? 3 : 0);
+  Eigen::MatrixXd result(3 * n + inner, static_cast<Eigen::Index>(n_points_));
   for (std::size_t p = 0; p < n_points_; ++p) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inverse(geometry_[e * n_points_ + p].inverse);
     const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[p * n_nodes_ * 3], 3, n);
     Eigen::Map<Eigen::Matrix3Xd>(result.col(static_cast<Eigen::Index>(p)).data(), 3, n).noalias() =
         inverse.transpose() * table;
+    if (has_bubble())
+      result.col(static_cast<Eigen::Index>(p)).tail<3>() =
+          inverse.transpose() * Vector3::Map(&bubble_derivatives_[3 * p]);
+  }
+  if (has_bubble()) {
+    const Eigen::VectorXd weight = weights(e);
+    result.bottomRows<3>().colwise() -= (result.bottomRows<3>() * weight / weight.sum()).eval();
   }
   return result;
 }
 
+Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const {
+  if (!has_bubble()) return stiffness;
+  const Eigen::Index n = stiffness.rows() - 3;
+  const Eigen::Matrix<double, 3, Eigen::Dynamic> coupling = stiffness.bottomLeftCorner(3, n);
+  const Matrix3 own = stiffness.bottomRightCorner<3, 3>().inverse();
+  return stiffness.topLeftCorner(n, n) - coupling.transpose() * own * coupling;
+}
+
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
-  const auto n = static_cast<Eigen::Index>(n_nodes_), n_dofs = 3 * n, n_p = static_cast<Eigen::Index>(n_points_);
-  const bool averages = reference_.averages_volumetric_strain();
-  const Eigen::MatrixXd gradients = this->gradients(e);
-  // Weights of the terms lambda tr tr and 2 mu e:e.
-  Eigen::VectorXd lambda(n_p), mu(n_p), mean = Eigen::VectorXd::Zero(n_dofs);
-  double volume = 0, bulk = 0;
+  const auto n_p = static_cast<Eigen::Index>(n_points_);
+  const Eigen::MatrixXd gradients = this->gradients(e), basis = volumetric_basis(e);
+  const Eigen::VectorXd weight = weights(e);
+  // Weights of 2 mu e:e, of the product of the traces, and of that of the projected traces.
+  Eigen::VectorXd mu(n_p), lambda(n_p), bulk(n_p);
   for (Eigen::Index p = 0; p < n_p; ++p) {
-    const std::size_t point = e * n_points_ + static_cast<std::size_t>(p);
-    const PointGeometry& at = geometry_[point];
-    const Moduli& h = elastic.at(start_.point + point);
-    mu[p] = at.weight * h.mu;
-    // B-bar: the deviatoric part of the point's own strain, and the bulk modulus times the mean volumetric strain.
-    lambda[p] = at.weight * (averages ? -2.0 / 3.0 * h.mu : h.lambda);
-    bulk += at.weight * (h.lambda + 2.0 / 3.0 * h.mu);
-    volume += at.weight;
-    mean += at.weight * gradients.col(p);
+    const Moduli& h = elastic.at(start_.point + e * n_points_ + static_cast<std::size_t>(p));
+    mu[p] = weight[p] * h.mu;
+    lambda[p] = weight[p] * (basis.cols() == 0 ? h.lambda : -2.0 / 3.0 * h.mu);
+    bulk[p] = weight[p] * (h.lambda + 2.0 / 3.0 * h.mu);
   }
   const Eigen::MatrixXd shear = gradients * mu.asDiagonal() * gradients.transpose();
   Eigen::MatrixXd stiffness = gradients * lambda.asDiagonal() * gradients.transpose();
-  if (averages) stiffness += bulk / (volume * volume) * mean * mean.transpose();
-  for (Eigen::Index b = 0; b < n; ++b) {
-    for (Eigen::Index a = 0; a < n; ++a) {
-      const auto from = shear.block<3, 3>(3 * a, 3 * b);
-      stiffness.block<3, 3>(3 * a, 3 * b) += from.transpose() + from.trace() * Matrix3::Identity();
+  if (basis.cols() > 0) {
+    const Eigen::MatrixXd moments = gradients * weight.asDiagonal() * basis;
+    stiffness += moments * (basis.transpose() * bulk.asDiagonal() * basis) * moments.transpose();
+  }
+  for (Eigen::Index b = 0; b < gradients.rows(); b += 3) {
+    for (Eigen::Index a = 0; a < gradients.rows(); a += 3) {
+      const auto from = shear.block<3, 3>(a, b);
+      stiffness.block<3, 3>(a, b) += from.transpose() + from.trace() * Matrix3::Identity();
     }
   }
-  return stiffness;
+  return condensed(stiffness);
 }
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
-  const auto n = static_cast<Eigen::Index>(n_nodes_), n_p = static_cast<Eigen::Index>(n_points_);
+  const auto n_p = static_cast<Eigen::Index>(n_points_);
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-  const Eigen::MatrixXd gradients = this->gradients(e);
-  // B of all points on top of each other: strain in Mandel order, a column an unknown.
-  Eigen::MatrixXd strain = Eigen::MatrixXd::Zero(6 * n_p, 3 * n);
-  Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(3 * n);
-  double volume = 0;
+  const Eigen::MatrixXd gradients = this->gradients(e), basis = volumetric_basis(e);
+  const Eigen::VectorXd weight = weights(e);
+  const Eigen::Index n_dofs = gradients.rows();
+  // B of all points on top of each other: strain in Mandel order, one column per unknown.
+  Eigen::MatrixXd strain = Eigen::MatrixXd::Zero(6 * n_p, n_dofs);
   for (Eigen::Index p = 0; p < n_p; ++p) {
-    for (Eigen::Index a = 0; a < n; ++a) {
-      const Vector3 g = gradients.block<3, 1>(3 * a, p), shear = half_sqrt2 * g;
-      auto block = strain.block<6, 3>(6 * p, 3 * a);
+    for (Eigen::Index a = 0; a < n_dofs; a += 3) {
+      const Vector3 g = gradients.block<3, 1>(a, p), shear = half_sqrt2 * g;
+      auto block = strain.block<6, 3>(6 * p, a);
       block.diagonal() = g;
       block(3, 0) = block(4, 2) = shear.y();
       block(3, 1) = block(5, 2) = shear.x();
       block(4, 1) = block(5, 0) = shear.z();
     }
-    const double weight = geometry_[e * n_points_ + static_cast<std::size_t>(p)].weight;
-    mean += weight * gradients.col(p).transpose();
-    volume += weight;
   }
-  if (reference_.averages_volumetric_strain())
+  if (basis.cols() > 0) {
+    const Eigen::MatrixXd projected = basis * (basis.transpose() * weight.asDiagonal() * gradients.transpose());
     for (Eigen::Index p = 0; p < n_p; ++p)
-      strain.middleRows<3>(6 * p).rowwise() += (mean / volume - gradients.col(p).transpose()) / 3;
-  Eigen::MatrixXd stress(6 * n_p, 3 * n);
-  for (Eigen::Index p = 0; p < n_p; ++p) {
-    const std::size_t point = e * n_points_ + static_cast<std::size_t>(p);
-    stress.middleRows<6>(6 * p).noalias() =
-        (geometry_[point].weight * moduli[start_.point + point]) * strain.middleRows<6>(6 * p);
+      strain.middleRows<3>(6 * p).rowwise() += (projected.row(p) - gradients.col(p).transpose()) / 3;
   }
-  return strain.transpose() * stress;
+  Eigen::MatrixXd stress(6 * n_p, n_dofs);
+  for (Eigen::Index p = 0; p < n_p; ++p)
+    stress.middleRows<6>(6 * p).noalias() =
+        (weight[p] * moduli[start_.point + e * n_points_ + static_cast<std::size_t>(p)]) * strain.middleRows<6>(6 * p);
+  return condensed(strain.transpose() * stress);
 }
 
 namespace {

@@ -12,7 +12,8 @@ class VolumeIntegral final : public SpatialIntegral {
  public:
   /// @param field  of a point's coordinates
   template <typename Field>
-  VolumeIntegral(const Discretization& body, const Field& field) : body_(body), nodes_(body.n_nodes()) {
+  VolumeIntegral(const Discretization& body, const Field& field)
+      : body_(body), nodes_(body.n_nodes() + body.n_inner()) {
     std::iota(nodes_.begin(), nodes_.end(), 0);
     for (const Vector3& x : body.point_coordinates()) field_.push_back(field(x));
   }

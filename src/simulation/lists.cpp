@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/material/law_reference.hpp"
 #include "creepcontact/material/registry.hpp"
@@ -84,10 +85,13 @@ Table elements() {
     const std::size_t points = element.rule().size();
     std::string remark =
         fmt::format("{} nodes, {} integration point{}", element.n_nodes(), points, points == 1 ? "" : "s");
-    if (element.averages_volumetric_strain()) remark += ", B-bar";
-    if (type == CellType::tet4 || type == CellType::wedge6)
-      remark += fmt::format("; locks under creep (accepted with a warning), use {}",
+    if (element.locks())
+      remark += fmt::format("; locks under creep: use {}, or set mesh.allow_locking = true",
                             type == CellType::tet4 ? "tet10" : "wedge15");
+    else
+      remark += fmt::format("; volumetric strain {} in the element{}",
+                            element.volumetric_strain() == fem::VolumetricStrain::linear ? "linear" : "constant",
+                            fem::has_bubble(type) ? ", one inner displacement" : "");
     table.rows.push_back({std::string(mesh::name(type)), remark});
   }
   return table;

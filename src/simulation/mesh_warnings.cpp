@@ -1,9 +1,23 @@
 #include <fmt/format.h>
 
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/mesh_quality.hpp"
 #include "creepcontact/simulation/model.hpp"
+#include "model_parts.hpp"
 
 namespace creepcontact::simulation {
+namespace {
+
+std::vector<mesh::CellBlock> locking_blocks(const mesh::Mesh& mesh) {
+  std::vector<mesh::CellBlock> result;
+  for (const mesh::CellBlock& block : mesh.blocks)
+    if (mesh::dimension(block.type) == 3 && fem::reference_element(block.type).locks() && block.size() > 0)
+      result.push_back(block);
+  return result;
+}
+
+}  // namespace
 
 std::vector<std::string> mesh_warnings(const mechanics::Body& body) {
   std::vector<std::string> warnings;
@@ -20,14 +34,20 @@ std::vector<std::string> mesh_warnings(const mechanics::Body& body) {
         "the stress there is wrong: refine the mesh, or let Gmsh straighten it (Mesh.HighOrderOptimize = 2)",
         body.name(), folded.size(), folded[0][0], folded[0][1], folded[0][2]));
   if (!body.material().creeps()) return warnings;
-  // Linear tetrahedra, and linear wedges despite B-bar, are too stiff in incompressible deformation.
-  for (const mesh::CellBlock& block : body.mesh().blocks)
-    if ((block.type == mesh::CellType::tet4 || block.type == mesh::CellType::wedge6) && block.size() > 0)
-      warnings.push_back(fmt::format(
-          "body '{}' has {} linear elements {}, which lock under creep: stresses will be wrong; mesh it with quadratic "
-          "ones (mesh.order = 2) or hexahedra",
-          body.name(), block.size(), mesh::name(block.type)));
+  for (const mesh::CellBlock& block : locking_blocks(body.mesh()))
+    warnings.push_back(
+        fmt::format("body '{}' has {} {} elements, which are too stiff under creep (mesh.allow_locking = true): its "
+                    "stresses will be wrong",
+                    body.name(), block.size(), mesh::name(block.type)));
   return warnings;
+}
+
+void refuse_locking(const std::string& body, const mesh::Mesh& mesh) {
+  for (const mesh::CellBlock& block : locking_blocks(mesh))
+    throw ModelError(fmt::format(
+        "body '{}' has {} {} elements, which are too stiff under creep (volumetric locking); use quadratic elements "
+        "(mesh.order = 2, or 'gmsh -order 2') or hexahedra, or accept wrong stresses with mesh.allow_locking = true",
+        body, block.size(), mesh::name(block.type)));
 }
 
 }  // namespace creepcontact::simulation

@@ -70,6 +70,7 @@ Model build_model(const config::Config& config) {
       std::vector<std::string> regions;
       for (const config::Reference& region : config.bodies[b].region) regions.push_back(region.name);
       meshes[b] = mesh::extract(whole, regions).mesh;
+      if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, meshes[b]);
     });
   mistakes.raise();  // what follows looks for groups on the bodies
 

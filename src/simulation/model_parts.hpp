@@ -38,6 +38,9 @@ std::size_t body_index(const config::Config& config, const std::string& name);
 /// Looks for the surfaces of all loads and contacts, so that a name mistyped there shows with all other mistakes.
 void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, Mistakes& mistakes);
 
+/// @throws ModelError if the mesh of a body has elements that lock
+void refuse_locking(const std::string& body, const mesh::Mesh& mesh);
+
 /// Conditions that one [[supports]] entry puts on a body.
 std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body);
 

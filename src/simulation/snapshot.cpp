@@ -16,12 +16,17 @@ BodyFields::BodyFields(mechanics::Body& body, const BodyState& state, mechanics:
     : body_(body), state_(state) {
   const mechanics::Discretization& discretization = body.discretization();
   points_[stress] = state.stress;
-  points_[strain].resize(6 * n_points());
-  discretization.strain(state.displacement, points_[strain]);
   points_[creep_strain].assign(6 * n_points(), 0.0);
   if (creep.data != nullptr)
     for (std::size_t p = 0; p < n_points(); ++p)
       std::copy_n(creep.data + p * creep.stride, 6, points_[creep_strain].data() + 6 * p);
+  const mechanics::ElasticState elastic = body.elastic();
+  points_[strain] = points_[creep_strain];
+  for (std::size_t p = 0; p < n_points(); ++p) {
+    Eigen::Map<Tensor6> total(points_[strain].data() + 6 * p);
+    total += material::elastic_strain(elastic.at(p), tensor_at(points_[stress], p));
+    if (!elastic.thermal_strain.empty()) total.head<3>().array() += elastic.thermal_strain[p];
+  }
   const std::span<const double> at_points = body.temperature(time);
   points_[temperature].assign(at_points.begin(), at_points.end());
   points_[temperature].resize(n_points(), body.material().reference_temperature);
@@ -31,7 +36,10 @@ BodyFields::BodyFields(mechanics::Body& body, const BodyState& state, mechanics:
     const int width = field >= temperature ? 1 : 6;
     nodes_[field].assign(static_cast<std::size_t>(width) * n_nodes(), 0.0);
     points_[field].resize(static_cast<std::size_t>(width) * n_points(), 0.0);
-    discretization.to_nodes(points_[field], width, nodes_[field]);
+    if (width == 6)
+      discretization.tensors_to_nodes(points_[field], nodes_[field]);
+    else
+      discretization.to_nodes(points_[field], width, nodes_[field]);
   }
   // Extrapolation must not leave the interval that these have.
   for (const int field : {damage, life_fraction})

@@ -18,6 +18,7 @@ TangentSystem::TangentSystem(const ContactElasticity& elasticity, const std::vec
     Side& side = sides_[b];
     side.material.emplace(points[b]);
     side.stress.resize(6 * body.discretization().n_points());
+    side.strain.resize(side.stress.size());
     side.displacement.resize(static_cast<std::size_t>(body.constraints().n_full()));
     side.no_displacement.resize(side.displacement.size());
     side.free.resize(static_cast<std::size_t>(body.constraints().n_free()));
@@ -75,7 +76,7 @@ Eigen::VectorXd TangentSystem::forward(std::span<const double> r) {
     for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
       side.material->initial_stress(r.data() + layout_.offset(b), side.stress);
       std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
-      body.discretization().add_internal_force(side.stress, side.displacement);
+      body.discretization().add_initial_stress_force(side.material->moduli(), side.stress, side.displacement);
       body.constraints().restrict_to_free(side.displacement, side.free);
       // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
       for (const std::int64_t pin : body.pins()) side.free[static_cast<std::size_t>(pin)] = 0;
@@ -115,8 +116,8 @@ void TangentSystem::solve(std::span<const double> r, std::span<double> z) {
   for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
     body.constraints().expand(side.free, side.no_displacement, side.displacement);
     elasticity_.interface().add_rigid_motion(b, change.rigid, side.displacement);
-    body.discretization().strain(side.displacement, side.stress);
-    side.material->solution(r.data() + layout_.offset(b), side.stress, z.data() + layout_.offset(b));
+    body.discretization().tangent_strain(side.displacement, side.material->moduli(), side.stress, side.strain);
+    side.material->solution(r.data() + layout_.offset(b), side.strain, z.data() + layout_.offset(b));
   });
   ++solves_;
 }

@@ -19,6 +19,7 @@ struct Mesh {
   std::filesystem::path file;                ///< .geo or .msh; already relative to the working directory
   int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
   std::map<std::string, double> parameters;  ///< .geo only: constants made with DefineConstant
+  bool allow_locking = false;                ///< accept linear tetrahedra and wedges
   Location location;                         ///< of `file`
 };
 

@@ -12,7 +12,15 @@ namespace creepcontact::fem {
 
 using mesh::CellType;
 
-/// Immutable; one instance a type, got by reference_element(). Node numbering is Gmsh's.
+/// What the volumetric strain at the integration points of an element is replaced by: its projection on these functions
+/// of the place. Otherwise elements lock in incompressible deformation, as creep is.
+enum class VolumetricStrain {
+  pointwise,  ///< none: tet4
+  constant,   ///< hex8, wedge6 (B-bar)
+  linear      ///< all quadratic elements, in physical coordinates
+};
+
+/// Immutable; one instance per type, got by reference_element(). Node numbering is Gmsh's.
 /// Reference domains: line, quad, hex [-1,1]^d; triangle, tetrahedron unit simplex; wedge = unit triangle x [-1,1].
 class ReferenceElement {
  public:
@@ -27,11 +35,16 @@ class ReferenceElement {
   const Eigen::MatrixX3d& nodes() const { return nodes_; }
   /// Faces of volume cells; empty for others.
   const std::vector<Face>& faces() const { return faces_; }
-  /// Rule for stiffness, stress and creep state: tet4 1, tet10 4, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 9
+  /// Rule for stiffness, stress and creep state: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 12
   /// points; surfaces: a rule exact for a pressure that varies like the shape functions, on curved faces too.
   const QuadratureRule& rule() const { return rule_; }
-  /// True where the volumetric strain is averaged over the element (B-bar): hex8, wedge6.
-  bool averages_volumetric_strain() const { return type_ == CellType::hex8 || type_ == CellType::wedge6; }
+  /// Precondition: a volume
+  VolumetricStrain volumetric_strain() const {
+    if (mesh::order(type_) == 2) return VolumetricStrain::linear;
+    return type_ == CellType::tet4 ? VolumetricStrain::pointwise : VolumetricStrain::constant;
+  }
+  /// Linear tetrahedra and wedges: too stiff in incompressible deformation whatever is projected.
+  bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6; }
 
   /// Shape functions at xi. @param shape size n_nodes
   virtual void shape(const Vector3& xi, Eigen::Ref<Eigen::VectorXd> shape) const = 0;

@@ -23,6 +23,13 @@ inline Tensor6 stress(const Moduli& h, const Tensor6& elastic_strain) {
   return s;
 }
 
+/// The elastic strain of a stress, the inverse of stress().
+inline Tensor6 elastic_strain(const Moduli& h, const Tensor6& stress) {
+  Tensor6 e = stress / (2.0 * h.mu);
+  e.head<3>().array() -= h.lambda / (2.0 * h.mu * (3.0 * h.lambda + 2.0 * h.mu)) * tensor::trace(stress);
+  return e;
+}
+
 struct Material {
   std::string name;
   Function young_modulus;            ///< of T

@@ -23,14 +23,22 @@ struct CreepStrainView {
   std::size_t stride = 6;
 };
 
-/// Isotropic elastic constants: one for all points, or one a point.
-/// Thermal strain (isotropic, a number a point) may be empty.
+/// Isotropic elastic constants: one for all points, or one per point.
+/// Thermal strain (isotropic, one number per point) may be empty, and so may the forces on the inner displacements
+/// (3 n_inner), which are zero then.
 struct ElasticState {
   std::span<const Moduli> moduli;
-  std::span<const double> thermal_strain;
+  std::span<const double> thermal_strain = {};
+  std::span<const double> inner_force = {};
   const Moduli& at(std::size_t point) const { return moduli[moduli.size() == 1 ? 0 : point]; }
 };
 
+/// Where creep is large, strain is almost incompressible. So that elements follow it (no locking), the volumetric part
+/// of the elastic strain, total less creep and thermal strain, is projected on the constant in hex8 and wedge6 (B-bar,
+/// Hughes 1980), on the linear functions of the place in quadratic elements. tet10 and wedge15 have an inner
+/// displacement besides (fem/bubble.hpp), which is eliminated element by element: a displacement u stands for the nodal
+/// one, and stress and strain contain the inner one in equilibrium with it.
+///
 /// The loops run on all cores; results are bitwise the same for any number of threads. The functions that add nodal
 /// forces share a buffer: not safe for two threads on one object.
 class Discretization {
@@ -42,6 +50,8 @@ class Discretization {
   std::size_t n_nodes() const;
   std::size_t n_elements() const;
   std::size_t n_points() const;
+  /// Inner displacements, one per tet10 and wedge15.
+  std::size_t n_inner() const;
   std::span<const Vector3> point_coordinates() const;
   /// Volume that belongs to a point.
   std::span<const double> weights() const;
@@ -50,16 +60,23 @@ class Discretization {
   std::span<const std::int64_t> element_nodes(std::size_t element) const;
   mesh::CellType element_type(std::size_t element) const;
 
-  /// Total strain of a displacement. @param strain n_points x 6
-  void strain(std::span<const double> u, std::span<double> strain) const;
-  /// sigma = H (B u - creep strain - thermal strain). @param stress n_points x 6
+  /// sigma = H (B u - creep strain - thermal strain). @param u  empty: zero @param stress n_points x 6
   void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
               std::span<double> stress) const;
-  /// forces += integral B^T stress
+  /// forces += integral B^T stress, for stress in equilibrium with the forces on the inner displacements
   void add_internal_force(std::span<const double> stress, std::span<double> forces) const;
   /// forces += integral B^T H (creep strain + thermal strain)
   void add_initial_strain_force(const ElasticState& elastic, CreepStrainView creep, std::span<double> forces) const;
-  /// forces += integral N^T b, b a force per volume at every point (n_points)
+  /// Strain B u where stress is D strain - initial stress: the inner displacement is in equilibrium with that.
+  /// @param u  empty: zero @param moduli  D, symmetric, one per point @param strain  n_points x 6
+  void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
+                      std::span<const double> initial_stress, std::span<double> strain) const;
+  /// forces += those that the initial stress exerts on fixed nodes, integral B^T initial stress but for what the inner
+  /// displacements take
+  void add_initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
+                                std::span<double> forces) const;
+  /// forces += integral N^T b, b a force per volume at every point (n_points). @param forces  3 (n_nodes + n_inner):
+  /// those on the inner displacements come last, ElasticState takes them
   void add_body_force(std::span<const Vector3> force_density, std::span<double> forces) const;
 
   /// Stiffness over all 3 n_nodes dofs, lower triangle.
@@ -70,6 +87,9 @@ class Discretization {
   /// Point values (n_points x width) to nodes by element-wise least squares/extrapolation and averaging (n_nodes x
   /// width).
   void to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const;
+  /// The same for tensors (n_points x 6 to n_nodes x 6): the trace by the functions that it is projected on, the
+  /// deviator as to_nodes() does.
+  void tensors_to_nodes(std::span<const double> point_values, std::span<double> node_values) const;
   /// Values at points as means over each element (n_elements x width), volume weighted.
   void to_elements(std::span<const double> point_values, int width, std::span<double> element_values) const;
 
@@ -78,10 +98,14 @@ class Discretization {
   template <typename Moduli>
   linalg::SparseMatrix assemble(const Moduli& moduli) const;
   void gather(std::span<double> forces) const;
+  /// Means at the nodes of what the elements say. @param values  of (block, element) gives n_nodes x width
+  template <typename Values>
+  void average_at_nodes(std::size_t width, std::span<double> node_values, const Values& values) const;
 
   std::vector<std::shared_ptr<const ElementBlock>> blocks_;
   std::shared_ptr<const NodeEntries> entries_;
-  std::size_t n_nodes_ = 0, n_elements_ = 0, n_points_ = 0;
+  std::size_t n_nodes_ = 0, n_elements_ = 0, n_points_ = 0, n_inner_ = 0;
+  std::vector<Vector3> nodes_;
   std::vector<Vector3> coordinates_;
   std::vector<double> weights_;
   mutable std::vector<double> element_forces_;  // of every (element, local node), before they are summed at the nodes

@@ -16,7 +16,7 @@ namespace creepcontact::mechanics {
 class Load {
  public:
   virtual ~Load() = default;
-  /// forces += F(t), 3 n_nodes
+  /// forces += F(t), 3 (n_nodes + n_inner) of the discretization: only loads on the volume act on inner displacements
   virtual void add(double t, std::span<double> forces) = 0;
 };
 

@@ -41,7 +41,7 @@ class TangentSystem {
   struct Side {
     std::optional<MaterialTangent> material;  // of a body that creeps; an elastic one has nothing here
     std::optional<linalg::SupernodalCholesky> factor;
-    std::vector<double> stress;                         // n_points x 6: D e, then the strain B du
+    std::vector<double> stress, strain;                 // n_points x 6: D e, B du
     std::vector<double> displacement, no_displacement;  // 3 n_nodes
     std::vector<double> free;                           // n_free
   };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "creepcontact/fem/bubble.hpp"
 #include "elements.hpp"
 
 namespace creepcontact::fem {
@@ -97,9 +98,9 @@ TEST_P(Element, rule_lies_inside_and_measures_the_domain) {
 }
 
 TEST(StiffnessRule, has_the_number_of_points_that_carry_the_creep_state) {
-  const std::map<CellType, int> expected{{CellType::tet4, 1},   {CellType::tet10, 4},  {CellType::hex8, 8},
+  const std::map<CellType, int> expected{{CellType::tet4, 1},   {CellType::tet10, 8},  {CellType::hex8, 8},
                                          {CellType::hex20, 8},  {CellType::hex27, 27}, {CellType::wedge6, 6},
-                                         {CellType::wedge15, 9}};
+                                         {CellType::wedge15, 12}};
   for (const auto& [type, n] : expected) EXPECT_EQ(reference_element(type).rule().size(), n) << mesh::name(type);
 }
 
@@ -125,10 +126,28 @@ TEST(SurfaceRule, integrates_products_of_shape_functions_on_a_curved_face_exactl
   }
 }
 
-TEST(ReferenceElement, averages_the_volumetric_strain_of_linear_bricks_and_wedges) {
-  for (const CellType type : testing::all_types) {
-    EXPECT_EQ(reference_element(type).averages_volumetric_strain(), type == CellType::hex8 || type == CellType::wedge6);
+TEST(ReferenceElement, bubbles_vanish_on_all_faces) {
+  // Then, by the divergence theorem, integral of grad N = 0 and integral of xi_i dN/dxi_j = - delta_ij integral of N.
+  for (const CellType type : {CellType::tet10, CellType::wedge15}) {
+    const QuadratureRule rule = type == CellType::tet10 ? tetrahedron(5) : wedge(6, 4);
+    const double volume = type == CellType::tet10 ? 256 * 1.0 / 5040 : 27 * 2.0 / 120 / 2 * 4 / 3;
+    Vector3 sum = Vector3::Zero();
+    Matrix3 moment = Matrix3::Zero();
+    for (Eigen::Index p = 0; p < rule.size(); ++p) {
+      const Vector3 xi = rule.points.row(p), gradient = bubble_gradient(type, xi);
+      sum += rule.weights[p] * gradient;
+      moment += rule.weights[p] * xi * gradient.transpose();
+    }
+    EXPECT_LT(sum.norm(), 1e-14);
+    EXPECT_LT((moment + volume * Matrix3::Identity()).norm(), 1e-14) << moment;
   }
+  EXPECT_THROW(bubble_gradient(CellType::hex8, Vector3::Zero()), std::invalid_argument);
+}
+
+TEST(ReferenceElement, only_linear_tetrahedra_and_wedges_lock) {
+  for (const CellType type : {CellType::tet4, CellType::wedge6}) EXPECT_TRUE(reference_element(type).locks());
+  for (const CellType type : {CellType::tet10, CellType::hex8, CellType::hex20, CellType::hex27, CellType::wedge15})
+    EXPECT_FALSE(reference_element(type).locks());
 }
 
 TEST(ReferenceElement, does_not_exist_for_a_point) {

@@ -14,9 +14,11 @@ using mechanics::Load;
 
 constexpr std::array surfaces{"x0", "x1", "y0", "y1", "z0", "z1"};
 
+/// On the nodes.
 std::vector<double> forces_of(Load& load, const mesh::Mesh& mesh, double t = 0.0) {
-  std::vector<double> forces(3 * mesh.nodes.size(), 0.0);
+  std::vector<double> forces(3 * (mesh.nodes.size() + mechanics::Discretization(mesh).n_inner()), 0.0);
   load.add(t, forces);
+  forces.resize(3 * mesh.nodes.size());
   return forces;
 }
 

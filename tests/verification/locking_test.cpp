@@ -1,0 +1,208 @@
+/// No element locks in (almost) incompressible deformation: nearly incompressible elasticity, and creep strain far
+/// beyond the elastic strain, on thick cylinders and spheres under internal pressure.
+
+#include <fmt/format.h>
+
+#include "creepcontact/material/registry.hpp"
+#include "creepcontact/simulation/model.hpp"
+#include "creepcontact/simulation/snapshot.hpp"
+#include "unit/mechanics/meshes.hpp"
+#include "unit/mechanics/solve.hpp"
+#include "verification/reference/thick_cylinder.hpp"
+#include "verification/stress_runs.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+constexpr double inner = 100, outer = 200, pressure = 200, young = 200e3, A = 3.125e-14, n = 5;
+
+/// Principal stresses (radial, hoop, third) of a state that depends on the radius alone.
+using Exact = std::function<Vector3(double radius)>;
+
+/// Steady state of a hollow sphere of Norton's law under internal pressure.
+Vector3 sphere(double r) {
+  const double shape = std::pow(outer / r, 3 / n), wall = std::pow(outer / inner, 3 / n) - 1;
+  const double radial = -pressure * (shape - 1) / wall, q = pressure * 1.5 / n * shape / wall;
+  return {radial, radial + q, radial + q};
+}
+
+Vector3 cylinder(double r) {
+  constexpr reference::ThickCylinder exact{inner, outer, pressure};
+  return {exact.steady_sigma_r(r, n), exact.steady_sigma_theta(r, n), exact.steady_sigma_z(r, n)};
+}
+
+/// Of the largest stress.
+struct Errors {
+  double mean_at_points = 0;  ///< mean stress at an integration point
+  double at_nodes = 0;        ///< any component at a node
+  double mean_at_nodes = 0;
+};
+
+struct Shape {
+  mesh::Mesh mesh;
+  std::vector<mechanics::Support> supports;
+  bool round;  ///< a sphere; otherwise a cylinder about z
+};
+
+/// A wedge of a slice of a cylinder, held in z.
+Shape cylinder_mesh(CellType type, std::array<int, 3> divisions, double distortion) {
+  constexpr double angle = std::numbers::pi / 6;
+  mesh::Mesh mesh = mapped(box_mesh(type, divisions, {outer - inner, angle, 20.0}, Vector3::Zero(), distortion),
+                           [&](const Vector3& x) {
+                             return Vector3((inner + x[0]) * std::cos(x[1]), (inner + x[0]) * std::sin(x[1]), x[2]);
+                           });
+  std::vector<mechanics::Support> supports{
+      support(mesh, "y0", Vector3::UnitY()), support(mesh, "y1", {-std::sin(angle), std::cos(angle), 0}),
+      support(mesh, "z0", Vector3::UnitZ()), support(mesh, "z1", Vector3::UnitZ())};
+  return {std::move(mesh), std::move(supports), false};
+}
+
+/// The part of a spherical shell within a square pyramid with its tip at the centre.
+Shape sphere_mesh(CellType type, std::array<int, 3> divisions, double distortion) {
+  constexpr double half = std::numbers::pi / 12;
+  mesh::Mesh mesh =
+      mapped(box_mesh(type, divisions, {2 * half, 2 * half, outer - inner}, {-half, -half, 0}, distortion),
+             [](const Vector3& x) {
+               return Vector3((inner + x[2]) * Vector3(std::tan(x[0]), std::tan(x[1]), 1).normalized());
+             });
+  std::vector<mechanics::Support> supports;
+  const double c = std::cos(half), s = std::sin(half);
+  supports.push_back(support(mesh, "x0", {c, 0, s}));
+  supports.push_back(support(mesh, "x1", {c, 0, -s}));
+  supports.push_back(support(mesh, "y0", {0, c, s}));
+  supports.push_back(support(mesh, "y1", {0, c, -s}));
+  return {std::move(mesh), std::move(supports), true};
+}
+
+Tensor6 exact_tensor(const Vector3& x, bool round, const Exact& exact) {
+  const Vector3 arm = round ? x : Vector3(x[0], x[1], 0);
+  const Vector3 e = arm.normalized(), stress = exact(arm.norm());
+  Matrix3 s = stress[1] * Matrix3::Identity() + (stress[0] - stress[1]) * e * e.transpose();
+  if (!round) s(2, 2) = stress[2];
+  return tensor::from_matrix(s);
+}
+
+Errors errors(const simulation::Snapshot& snapshot, const mechanics::Body& body, bool round, const Exact& exact) {
+  const simulation::BodyFields& fields = snapshot.fields(0);
+  Errors result;
+  double largest = 0;
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
+    const Tensor6 reference = exact_tensor(body.mesh().nodes[i], round, exact);
+    largest = std::max(largest, reference.head<3>().cwiseAbs().maxCoeff());
+    result.mean_at_nodes = std::max(result.mean_at_nodes, std::abs(tensor::trace(fields.at_node(i).stress - reference))/3);
+    result.at_nodes = std::max(result.at_nodes, (fields.at_node(i).stress - reference).cwiseAbs().maxCoeff());
+  }
+  for (std::size_t p = 0; p < fields.n_points(); ++p) {
+    const simulation::Sample at = fields.at_point(p);
+    const Tensor6 difference = at.stress - exact_tensor(at.place, round, exact);
+    result.mean_at_points = std::max(result.mean_at_points, std::abs(tensor::trace(difference)) / 3);
+  }
+  result.at_nodes /= largest;
+  result.mean_at_nodes /= largest;
+  result.mean_at_points /= largest;
+  return result;
+}
+
+/// At the times when the creep strain at the bore is as given.
+std::vector<Errors> creep(simulation::Model& model, bool round, const Exact& exact,
+                          const std::vector<double>& creep_strains) {
+  const Vector3 bore = exact(inner);
+  const double q = round ? bore[1] - bore[0] : std::sqrt(3.0) / 2 * (bore[1] - bore[0]);
+  std::vector<double> times{0.0};
+  for (const double strain : creep_strains) times.push_back(strain / (A * std::pow(q, n)));
+  Stopwatch watch;
+  simulation::ContactElasticity elasticity(model, watch);
+  simulation::CreepRate system(elasticity, watch, times, 1e-3);
+  ode::IntegratorOptions options{.tolerance = 1e-3};
+  options.end_time = times.back();
+  const auto integrator = ode::make_integrator("cvode_bdf", system, options);
+  std::vector<double> state(system.size(), 0.0);
+  integrator->initialize(0, state);
+  std::vector<Errors> result;
+  for (auto next = times.begin() + 1; next != times.end();) {
+    integrator->step(times.back());
+    for (; next != times.end() && *next <= integrator->time(); ++next) {
+      integrator->interpolate(*next, state);
+      system.equilibrium(*next, state);
+      result.push_back(errors(simulation::Snapshot(system, *next, state), *model.bodies[0], round, exact));
+    }
+  }
+  return result;
+}
+
+simulation::Model model_of(const Shape& shape, const material::Material& material) {
+  simulation::Model model;
+  model.bodies.push_back(std::make_unique<mechanics::Body>("wall", shape.mesh, material, shape.supports, std::nullopt));
+  model.bodies[0]->add_load(
+      mechanics::pressure_load(shape.mesh, mesh::boundary_faces(shape.mesh, shape.round ? "z0" : "x0"), pressure));
+  return model;
+}
+
+material::Material norton() {
+  material::Material material = elastic_material(young, 0.3);
+  const material::LawInfo* law = material::find_creep_law("norton");
+  material::ParameterValues values{{A}, {n}};
+  for (std::size_t i = values.size(); i < law->parameters.size(); ++i)
+    values.push_back(law->parameters[i].fallback.value());
+  material.creep.push_back(law->make(values));
+  return material;
+}
+
+struct Case {
+  CellType type;
+  std::array<int, 3> divisions;  ///< of the cylinder: radial, around, axial
+  double distortion;
+};
+
+std::string name_of(const testing::TestParamInfo<Case>& info) {
+  return fmt::format("{}_{}", mesh::name(info.param.type), info.param.distortion > 0 ? "distorted" : "structured");
+}
+
+class NoLocking : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Types, NoLocking,
+                         testing::Values(Case{CellType::hex8, {40, 8, 2}, 0}, Case{CellType::hex20, {8, 3, 2}, 0},
+                                         Case{CellType::hex27, {8, 3, 2}, 0}, Case{CellType::wedge15, {8, 3, 2}, 0},
+                                         Case{CellType::tet10, {12, 4, 2}, 0}, Case{CellType::hex8, {40, 8, 2}, 0.25},
+                                         Case{CellType::hex20, {8, 3, 2}, 0.25}, Case{CellType::hex27, {8, 3, 2}, 0.25},
+                                         Case{CellType::wedge15, {8, 3, 2}, 0.25},
+                                         Case{CellType::tet10, {12, 4, 2}, 0.25}),
+                         name_of);
+
+void expect_small(const std::vector<Errors>& all) {
+  for (const Errors& error : all) {
+    fmt::print("   points {:.4f}  nodes {:.4f} mean {:.4f}\n", error.mean_at_points, error.at_nodes, error.mean_at_nodes);
+    EXPECT_LT(error.mean_at_points, 0.05);
+    EXPECT_LT(error.at_nodes, 0.02);
+  }
+}
+
+TEST_P(NoLocking, CylinderThatCreeps) {
+  const Shape shape = cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion);
+  simulation::Model model = model_of(shape, norton());
+  expect_small(creep(model, shape.round, cylinder, {0.05, 0.2, 1.0}));
+}
+
+TEST_P(NoLocking, SphereThatCreeps) {
+  const auto [radial, around, axial] = GetParam().divisions;
+  const Shape shape = sphere_mesh(GetParam().type, {around, around, radial}, GetParam().distortion);
+  simulation::Model model = model_of(shape, norton());
+  expect_small(creep(model, shape.round, sphere, {0.01, 0.1, 1.0}));
+}
+
+TEST_P(NoLocking, NearlyIncompressibleCylinder) {
+  constexpr double nu = 0.4999;
+  constexpr reference::ThickCylinder lame{inner, outer, pressure};
+  const Shape shape = cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion);
+  simulation::Model model = model_of(shape, elastic_material(young, nu));
+  Stopwatch watch;
+  simulation::ContactElasticity elasticity(model, watch);
+  elasticity.solve(0, {{}});
+  const simulation::StateLayout layout(model);
+  const simulation::Snapshot snapshot(elasticity, layout, 0, {});
+  expect_small({errors(snapshot, *model.bodies[0], false, [&](double r) {
+    return Vector3(lame.elastic_sigma_r(r), lame.elastic_sigma_theta(r), lame.elastic_sigma_z(nu));
+  })});
+}
+
+}  // namespace
+}  // namespace creepcontact::test
