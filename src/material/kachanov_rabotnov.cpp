@@ -19,6 +19,10 @@ KachanovRabotnov::KachanovRabotnov(Function A, Function n, Function B, Function 
   power_ = exponent.is_constant() ? exponent({}) + 1.0 : 1.0;
 }
 
+bool KachanovRabotnov::uses_mean_stress() const {
+  return !parameters()[Parameter::alpha].is_zero();
+}
+
 KachanovRabotnov::Integrity KachanovRabotnov::integrity(const Point& at) const {
   const double rest = 1.0 - at.internal[0];
   const bool ruptured = rest < least_rest;

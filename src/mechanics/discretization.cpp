@@ -146,6 +146,14 @@ void Discretization::average_at_nodes(std::size_t width, std::span<double> node_
   }
 }
 
+bool Discretization::fits_mean_stress() const {
+  return std::ranges::any_of(blocks_, [](const auto& block) { return block->fits_mean_stress(); });
+}
+
+void Discretization::fit_mean_stress(std::span<double> stress) const {
+  for (const auto& block : blocks_) block->fit_mean_stress(stress);
+}
+
 void Discretization::to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const {
   average_at_nodes(static_cast<std::size_t>(width), node_values, [&](const ElementBlock& block, std::size_t e) -> Rows {
     return block.extrapolation() * rows_of(block, e, point_values, width);
@@ -158,7 +166,7 @@ void Discretization::tensors_to_nodes(std::span<const double> point_values, std:
     Rows at_nodes = block.extrapolation() * at_points;
     const Eigen::VectorXd trace = at_points.leftCols<3>().rowwise().sum();
     const Eigen::VectorXd shift =
-        (block.volumetric_extrapolation(e, nodes_) * trace - at_nodes.leftCols<3>().rowwise().sum()) / 3;
+        (block.mean_stress_extrapolation(e, nodes_) * trace - at_nodes.leftCols<3>().rowwise().sum()) / 3;
     at_nodes.leftCols<3>().colwise() += shift;
     return at_nodes;
   });

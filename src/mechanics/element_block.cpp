@@ -10,7 +10,7 @@ namespace creepcontact::mechanics {
 
 namespace {
 
-using fem::VolumetricStrain;
+using fem::Projection;
 using mesh::CellType;
 
 CellType linear_type(CellType type) {
@@ -47,19 +47,19 @@ std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& ce
                                                        BlockStart start) {
   switch (cells.type) {
     case CellType::tet4:
-      return std::make_unique<ElementLoops<4, 1, VolumetricStrain::pointwise, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<4, 1, Projection::none, false>>(cells, nodes, start);
     case CellType::tet10:
-      return std::make_unique<ElementLoops<10, 8, VolumetricStrain::linear, true>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<10, 8, Projection::linear, true>>(cells, nodes, start);
     case CellType::hex8:
-      return std::make_unique<ElementLoops<8, 8, VolumetricStrain::constant, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<8, 8, Projection::constant, false>>(cells, nodes, start);
     case CellType::hex20:
-      return std::make_unique<ElementLoops<20, 8, VolumetricStrain::linear, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<20, 8, Projection::none, false>>(cells, nodes, start);
     case CellType::hex27:
-      return std::make_unique<ElementLoops<27, 27, VolumetricStrain::linear, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<27, 27, Projection::linear, false>>(cells, nodes, start);
     case CellType::wedge6:
-      return std::make_unique<ElementLoops<6, 6, VolumetricStrain::constant, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<6, 6, Projection::constant, false>>(cells, nodes, start);
     case CellType::wedge15:
-      return std::make_unique<ElementLoops<15, 12, VolumetricStrain::linear, true>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<15, 12, Projection::linear, true>>(cells, nodes, start);
     default:
       throw ModelError(fmt::format("cells of type {} are no volume elements", mesh::name(cells.type)));
   }
@@ -120,7 +120,7 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       at.weight = determinant * reference_.rule().weights[static_cast<Eigen::Index>(p)];
     }
   }
-  if (reference_.volumetric_strain() == VolumetricStrain::linear) find_linear_functions(nodes);
+  if (reference_.mean_stress() == Projection::linear) find_linear_functions(nodes);
 }
 
 void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
@@ -149,11 +149,11 @@ Eigen::VectorXd ElementBlock::weights(std::size_t e) const {
   return result;
 }
 
-Eigen::MatrixXd ElementBlock::volumetric_basis(std::size_t e) const {
+Eigen::MatrixXd ElementBlock::basis(std::size_t e, fem::Projection projection) const {
   const auto n_p = static_cast<Eigen::Index>(n_points_);
-  if (reference_.volumetric_strain() == VolumetricStrain::pointwise) return Eigen::MatrixXd(n_p, 0);
+  if (projection == Projection::none) return Eigen::MatrixXd(n_p, 0);
   const double constant = 1 / std::sqrt(weights(e).sum());
-  if (reference_.volumetric_strain() == VolumetricStrain::constant) return Eigen::MatrixXd::Constant(n_p, 1, constant);
+  if (projection == Projection::constant) return Eigen::MatrixXd::Constant(n_p, 1, constant);
   Eigen::MatrixXd basis(n_p, 4);
   basis.col(0).setConstant(constant);
   for (std::size_t p = 0; p < n_points_; ++p)
@@ -161,8 +161,35 @@ Eigen::MatrixXd ElementBlock::volumetric_basis(std::size_t e) const {
   return basis;
 }
 
-Eigen::MatrixXd ElementBlock::volumetric_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
-  const Eigen::MatrixXd basis = volumetric_basis(e);
+bool ElementBlock::fits_mean_stress() const {
+  return reference_.volumetric_strain() != reference_.mean_stress();
+}
+
+void ElementBlock::fit_mean_stress(std::span<double> stress) const {
+  if (!fits_mean_stress()) return;
+#pragma omp parallel for schedule(static) if (n_elements() >= parallel_threshold)
+  for (std::size_t e = 0; e < n_elements(); ++e) {
+    const std::size_t first = e * n_points_;
+    double sum = 0, volume = 0;
+    Vector3 slope = Vector3::Zero();
+    for (std::size_t p = first; p < first + n_points_; ++p) {
+      const double* s = &stress[6 * (start_.point + p)];
+      const double trace = geometry_[p].weight * (s[0] + s[1] + s[2]);
+      sum += trace;
+      volume += geometry_[p].weight;
+      slope += trace * Vector3::Map(linear_functions_[p].data());
+    }
+    for (std::size_t p = first; p < first + n_points_; ++p) {
+      double* s = &stress[6 * (start_.point + p)];
+      const double fit = sum / volume + slope.dot(Vector3::Map(linear_functions_[p].data()));
+      const double shift = (fit - (s[0] + s[1] + s[2])) / 3;
+      for (std::size_t i = 0; i < 3; ++i) s[i] += shift;
+    }
+  }
+}
+
+Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
+  const Eigen::MatrixXd basis = this->basis(e, reference_.mean_stress());
   if (basis.cols() == 0) return extrapolation_;
   const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points
   const auto n = static_cast<Eigen::Index>(n_nodes_);

@@ -54,12 +54,14 @@ class ElementBlock {
   /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
   /// corners, or onto all shape functions where there are as many points.
   const Eigen::MatrixXd& extrapolation() const { return extrapolation_; }
-  /// Functions on which the volumetric strain of an element is projected, orthonormal with respect to the weights:
-  /// n_points x 0 (no projection), 1 or 4.
-  Eigen::MatrixXd volumetric_basis(std::size_t e) const;
-  /// Values of a field at the points to the nodes, n_nodes x n_points: the fit by those functions, evaluated at the
-  /// nodes; without projection the extrapolation. @param nodes  coordinates of all nodes of the body
-  Eigen::MatrixXd volumetric_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
+  /// Values of the mean stress at the points to the nodes, n_nodes x n_points: the fit by the functions it is projected
+  /// on, evaluated at the nodes; without projection the extrapolation. @param nodes  coordinates of all nodes of the
+  /// body
+  Eigen::MatrixXd mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
+  /// True if the mean stress is projected where it is evaluated, but not in the stiffness.
+  bool fits_mean_stress() const;
+  /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
+  void fit_mean_stress(std::span<double> stress) const;
   /// Coordinates of a point of an element.
   Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;
 
@@ -87,12 +89,14 @@ class ElementBlock {
   const fem::ReferenceElement& reference() const { return reference_; }
   /// Reference derivatives, n_points x n_nodes x 3.
   const std::vector<double>& derivatives() const { return derivatives_; }
-  /// n_elements x n_points; empty where the volumetric strain is not projected on linear functions.
+  /// n_elements x n_points; empty where nothing is projected on linear functions.
   const std::vector<LinearFunctions>& linear_functions() const { return linear_functions_; }
   /// Reference derivatives of the bubble, n_points x 3; empty without one.
   const std::vector<double>& bubble_derivatives() const { return bubble_derivatives_; }
 
  private:
+  /// Functions of the place, orthonormal with respect to the weights of an element: n_points x 0, 1 or 4.
+  Eigen::MatrixXd basis(std::size_t e, fem::Projection projection) const;
   bool has_bubble() const { return !bubble_derivatives_.empty(); }
   /// Gradients of the shape functions at the points of an element, one column per point, three numbers per node; those
   /// of the bubble, less their mean, come last.

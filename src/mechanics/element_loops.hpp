@@ -5,7 +5,7 @@
 /// components (padded to four) are the vector lanes, so no reduction has to be reassociated.
 ///
 /// Elastic strain e = P (B u + B_b a - eps_0), where P replaces the volumetric strain at the points by its projection
-/// on few functions (VolumetricStrain) and a is the inner displacement of elements with a bubble. a follows from its
+/// on few functions (fem::Projection) and a is the inner displacement of elements with a bubble. a follows from its
 /// own equilibrium, sum of w (P B_b)^T H e = f_b, with the force f_b on the bubble. P is its own transpose with respect
 /// to the weights, so nodal forces need P on the stress.
 
@@ -17,7 +17,7 @@
 
 namespace creepcontact::mechanics {
 
-template <int n_nodes_v, int n_points_v, fem::VolumetricStrain volumetric, bool with_bubble>
+template <int n_nodes_v, int n_points_v, fem::Projection volumetric, bool with_bubble>
 class ElementLoops final : public ElementBlock {
  public:
   ElementLoops(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
@@ -95,7 +95,7 @@ class ElementLoops final : public ElementBlock {
 
   /// Replaces the trace (of strain, of stress) at the points by its projection.
   void project_trace(std::size_t e, double* values) const {
-    if constexpr (volumetric == fem::VolumetricStrain::pointwise) return;
+    if constexpr (volumetric == fem::Projection::none) return;
     const PointGeometry* at = geometry().data() + e * P;
     double sum = 0, volume = 0;
     for (std::size_t p = 0; p < P; ++p) {
@@ -106,7 +106,7 @@ class ElementLoops final : public ElementBlock {
     const double mean = sum / volume;
     std::array<double, 3> slope{};
     [[maybe_unused]] const LinearFunctions* linear = nullptr;
-    if constexpr (volumetric == fem::VolumetricStrain::linear) {
+    if constexpr (volumetric == fem::Projection::linear) {
       linear = linear_functions().data() + e * P;
       for (std::size_t p = 0; p < P; ++p) {
         const double* v = values + 6 * p;
@@ -117,7 +117,7 @@ class ElementLoops final : public ElementBlock {
     for (std::size_t p = 0; p < P; ++p) {
       double* v = values + 6 * p;
       double projected = mean;
-      if constexpr (volumetric == fem::VolumetricStrain::linear)
+      if constexpr (volumetric == fem::Projection::linear)
         projected += slope[0] * linear[p][0] + slope[1] * linear[p][1] + slope[2] * linear[p][2];
       const double shift = (projected - (v[0] + v[1] + v[2])) / 3.0;
       for (std::size_t i = 0; i < 3; ++i) v[i] += shift;

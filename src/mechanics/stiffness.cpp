@@ -36,7 +36,7 @@ Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const 
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
   const auto n_p = static_cast<Eigen::Index>(n_points_);
-  const Eigen::MatrixXd gradients = this->gradients(e), basis = volumetric_basis(e);
+  const Eigen::MatrixXd gradients = this->gradients(e), basis = this->basis(e, reference_.volumetric_strain());
   const Eigen::VectorXd weight = weights(e);
   // Weights of 2 mu e:e, of the product of the traces, and of that of the projected traces.
   Eigen::VectorXd mu(n_p), lambda(n_p), bulk(n_p);
@@ -64,7 +64,7 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
   const auto n_p = static_cast<Eigen::Index>(n_points_);
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-  const Eigen::MatrixXd gradients = this->gradients(e), basis = volumetric_basis(e);
+  const Eigen::MatrixXd gradients = this->gradients(e), basis = this->basis(e, reference_.volumetric_strain());
   const Eigen::VectorXd weight = weights(e);
   const Eigen::Index n_dofs = gradients.rows();
   // B of all points on top of each other: strain in Mandel order, one column per unknown.

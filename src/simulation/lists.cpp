@@ -89,8 +89,8 @@ Table elements() {
       remark += fmt::format("; locks under creep: use {}, or set mesh.allow_locking = true",
                             type == CellType::tet4 ? "tet10" : "wedge15");
     else
-      remark += fmt::format("; volumetric strain {} in the element{}",
-                            element.volumetric_strain() == fem::VolumetricStrain::linear ? "linear" : "constant",
+      remark += fmt::format("; mean stress {} in the element{}",
+                            element.mean_stress() == fem::Projection::linear ? "linear" : "constant",
                             fem::has_bubble(type) ? ", one inner displacement" : "");
     table.rows.push_back({std::string(mesh::name(type)), remark});
   }

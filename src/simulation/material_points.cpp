@@ -33,9 +33,11 @@ MaterialPoints::MaterialPoints(mechanics::Body& body)
       n_points_(body.discretization().n_points()),
       stride_(static_cast<std::size_t>(body.material().n_state())) {
   for (const auto& law : body.material().creep) {
+    fits_mean_stress_ = fits_mean_stress_ || law->uses_mean_stress();
     n_parameters_ += static_cast<std::size_t>(law->n_parameters());
     for (const Function& parameter : law->parameters()) uniform_ = uniform_ && !parameter.depends_on_temperature();
   }
+  fits_mean_stress_ = fits_mean_stress_ && body.discretization().fits_mean_stress();
   if (empty()) return;
   locals_.resize(n_points_);
   time_ = std::nan("");
@@ -83,7 +85,14 @@ material::Point MaterialPoints::point(std::size_t p, std::span<const double> str
   return at;
 }
 
-void MaterialPoints::rate(std::span<const double> stress, const double* state, double* rate) const {
+MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<const double> stress) : given_(stress) {
+  if (!points.fits_mean_stress_) return;
+  fitted_.assign(stress.begin(), stress.end());
+  points.body_.discretization().fit_mean_stress(fitted_);
+}
+
+void MaterialPoints::rate(std::span<const double> given_stress, const double* state, double* rate) const {
+  const LawStress stress(*this, given_stress);
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
@@ -95,8 +104,10 @@ void MaterialPoints::rate(std::span<const double> stress, const double* state, d
   }
 }
 
-void MaterialPoints::derivative(std::span<const double> stress, const double* state, std::span<const double> d_stress,
-                                const double* d_state, double* d_rate) const {
+void MaterialPoints::derivative(std::span<const double> given_stress, const double* state,
+                                std::span<const double> given_change, const double* d_state, double* d_rate) const {
+  const LawStress stress(*this, given_stress), change(*this, given_change);
+  const std::span<const double> d_stress = change;
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
@@ -124,8 +135,9 @@ double MaterialPoints::start_exponent(double t, std::span<const double> stress, 
   return smallest;
 }
 
-void MaterialPoints::add_increment(double t, double duration, std::span<const double> stress, const double* state,
+void MaterialPoints::add_increment(double t, double duration, std::span<const double> given_stress, const double* state,
                                    double* change) const {
+  const LawStress stress(*this, given_stress);
 #pragma omp parallel for schedule(static) if (n_points_ > 2000)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);

@@ -16,6 +16,7 @@ BodyFields::BodyFields(mechanics::Body& body, const BodyState& state, mechanics:
     : body_(body), state_(state) {
   const mechanics::Discretization& discretization = body.discretization();
   points_[stress] = state.stress;
+  discretization.fit_mean_stress(points_[stress]);
   points_[creep_strain].assign(6 * n_points(), 0.0);
   if (creep.data != nullptr)
     for (std::size_t p = 0; p < n_points(); ++p)

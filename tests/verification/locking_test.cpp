@@ -89,7 +89,8 @@ Errors errors(const simulation::Snapshot& snapshot, const mechanics::Body& body,
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
     const Tensor6 reference = exact_tensor(body.mesh().nodes[i], round, exact);
     largest = std::max(largest, reference.head<3>().cwiseAbs().maxCoeff());
-    result.mean_at_nodes = std::max(result.mean_at_nodes, std::abs(tensor::trace(fields.at_node(i).stress - reference))/3);
+    result.mean_at_nodes =
+        std::max(result.mean_at_nodes, std::abs(tensor::trace(fields.at_node(i).stress - reference)) / 3);
     result.at_nodes = std::max(result.at_nodes, (fields.at_node(i).stress - reference).cwiseAbs().maxCoeff());
   }
   for (std::size_t p = 0; p < fields.n_points(); ++p) {
@@ -170,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(Types, NoLocking,
 
 void expect_small(const std::vector<Errors>& all) {
   for (const Errors& error : all) {
-    fmt::print("   points {:.4f}  nodes {:.4f} mean {:.4f}\n", error.mean_at_points, error.at_nodes, error.mean_at_nodes);
+    fmt::print("   points {:.4f}  nodes {:.4f} mean {:.4f}\n", error.mean_at_points, error.at_nodes,
+               error.mean_at_nodes);
     EXPECT_LT(error.mean_at_points, 0.05);
     EXPECT_LT(error.at_nodes, 0.02);
   }

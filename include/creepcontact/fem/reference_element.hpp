@@ -12,12 +12,11 @@ namespace creepcontact::fem {
 
 using mesh::CellType;
 
-/// What the volumetric strain at the integration points of an element is replaced by: its projection on these functions
-/// of the place. Otherwise elements lock in incompressible deformation, as creep is.
-enum class VolumetricStrain {
-  pointwise,  ///< none: tet4
-  constant,   ///< hex8, wedge6 (B-bar)
-  linear      ///< all quadratic elements, in physical coordinates
+/// Functions of the place on which a field within an element is projected.
+enum class Projection {
+  none,
+  constant,
+  linear  ///< in physical coordinates
 };
 
 /// Immutable; one instance per type, got by reference_element(). Node numbering is Gmsh's.
@@ -38,10 +37,15 @@ class ReferenceElement {
   /// Rule for stiffness, stress and creep state: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 12
   /// points; surfaces: a rule exact for a pressure that varies like the shape functions, on curved faces too.
   const QuadratureRule& rule() const { return rule_; }
-  /// Precondition: a volume
-  VolumetricStrain volumetric_strain() const {
-    if (mesh::order(type_) == 2) return VolumetricStrain::linear;
-    return type_ == CellType::tet4 ? VolumetricStrain::pointwise : VolumetricStrain::constant;
+  /// Of the volumetric strain in the stiffness and the stress, so that elements do not lock in incompressible
+  /// deformation, as creep is: constant in hex8 and wedge6 (B-bar), linear in quadratic elements. hex20 does not lock
+  /// with 2 x 2 x 2 points, and would be too soft with more. Precondition: a volume
+  Projection volumetric_strain() const { return type_ == CellType::hex20 ? Projection::none : mean_stress(); }
+  /// Of the mean stress where it is evaluated: in hex20 what varies from point to point in other ways than linearly is
+  /// of no meaning (checkerboards).
+  Projection mean_stress() const {
+    if (mesh::order(type_) == 2) return Projection::linear;
+    return type_ == CellType::tet4 ? Projection::none : Projection::constant;
   }
   /// Linear tetrahedra and wedges: too stiff in incompressible deformation whatever is projected.
   bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6; }

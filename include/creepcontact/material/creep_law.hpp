@@ -66,6 +66,9 @@ class CreepLaw {
   /// (ageing theory).
   virtual bool is_isochronous() const { return false; }
 
+  /// True if a rate depends on principal stresses or otherwise on the mean stress, but for a volumetric creep strain.
+  virtual bool uses_mean_stress() const { return false; }
+
   /// Where loading that begins, or jumps, at at.time makes the rate infinite, strain grows from there as
   /// (t - at.time)^exponent; 1 where the rate is finite. In (0, 1].
   virtual double start_exponent(const Point& /*at*/) const { return 1; }

@@ -45,6 +45,7 @@ class LifeFraction final : public CreepLaw {
   std::string name() const override { return "life_fraction"; }
   int n_internal() const override { return 1; }
   InternalKind internal_kind(int) const override { return InternalKind::fraction; }
+  bool uses_mean_stress() const override { return alpha_ > 0; }
 
   void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
   void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,

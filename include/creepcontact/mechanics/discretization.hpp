@@ -35,7 +35,7 @@ struct ElasticState {
 
 /// Where creep is large, strain is almost incompressible. So that elements follow it (no locking), the volumetric part
 /// of the elastic strain, total less creep and thermal strain, is projected on the constant in hex8 and wedge6 (B-bar,
-/// Hughes 1980), on the linear functions of the place in quadratic elements. tet10 and wedge15 have an inner
+/// Hughes 1980), on the linear functions of the place in hex27, wedge15 and tet10. tet10 and wedge15 have an inner
 /// displacement besides (fem/bubble.hpp), which is eliminated element by element: a displacement u stands for the nodal
 /// one, and stress and strain contain the inner one in equilibrium with it.
 ///
@@ -78,6 +78,13 @@ class Discretization {
   /// forces += integral N^T b, b a force per volume at every point (n_points). @param forces  3 (n_nodes + n_inner):
   /// those on the inner displacements come last, ElasticState takes them
   void add_body_force(std::span<const Vector3> force_density, std::span<double> forces) const;
+
+  /// True if fit_mean_stress() changes anything: the body has hex20 elements.
+  bool fits_mean_stress() const;
+  /// Replaces the mean stress at the points of hex20 elements by its fit by a linear function of the place, element by
+  /// element. What this takes away (checkerboards of distorted meshes) balances nodal forces, but is no approximation
+  /// of the mean stress: fit it where the mean or a principal stress is evaluated, not for add_internal_force().
+  void fit_mean_stress(std::span<double> stress) const;
 
   /// Stiffness over all 3 n_nodes dofs, lower triangle.
   linalg::SparseMatrix stiffness(const ElasticState& elastic) const;

@@ -56,6 +56,17 @@ class MaterialPoints {
     double direction[6];                    // of the stress deviator, unit length
     double deviatoric, radial, volumetric;  // parts of C H
   };
+  /// The stress as the laws see it: with its mean fitted (Discretization::fit_mean_stress) if a law uses that.
+  class LawStress {
+   public:
+    LawStress(const MaterialPoints& points, std::span<const double> stress);
+    operator std::span<const double>() const { return fitted_.empty() ? given_ : fitted_; }
+
+   private:
+    std::span<const double> given_;
+    std::vector<double> fitted_;
+  };
+
   /// call(law, point, offset of its internal variables in the state of the point) for every mechanism at point p
   template <typename Call>
   void for_each_law(std::size_t p, std::span<const double> stress, const double* state, Call call) const;
@@ -69,6 +80,7 @@ class MaterialPoints {
   std::size_t n_points_, stride_;
   std::size_t n_parameters_ = 0;    // of all mechanisms
   bool known_[2] = {false, false};  // by Measure
+  bool fits_mean_stress_ = false;   // a law needs it and elements have it
   bool uniform_ = true;             // one set of parameters serves all points
   double time_ = 0;
   double least_strain_ = material::Point{}.least_strain;

@@ -48,9 +48,9 @@ class ElementLoops : public testing::TestWithParam<CellType> {
   }
   /// Fit of the volumetric strains of an element by the functions that its type says, weighted by volume.
   Eigen::VectorXd projected(std::size_t element, const Eigen::VectorXd& traces) const {
-    const fem::VolumetricStrain kind = fem::reference_element(GetParam()).volumetric_strain();
-    if (kind == fem::VolumetricStrain::pointwise) return traces;
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Ones(traces.size(), kind == fem::VolumetricStrain::linear ? 4 : 1);
+    const fem::Projection kind = fem::reference_element(GetParam()).volumetric_strain();
+    if (kind == fem::Projection::none) return traces;
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Ones(traces.size(), kind == fem::Projection::linear ? 4 : 1);
     Eigen::VectorXd root(traces.size());
     for (Eigen::Index p = 0; p < traces.size(); ++p) {
       const std::size_t point = body_.first_point(element) + static_cast<std::size_t>(p);
