@@ -53,7 +53,7 @@ std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& ce
     case CellType::hex8:
       return std::make_unique<ElementLoops<8, 8, Projection::constant, false>>(cells, nodes, start);
     case CellType::hex20:
-      return std::make_unique<ElementLoops<20, 8, Projection::none, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<20, 8, Projection::linear, false>>(cells, nodes, start);
     case CellType::hex27:
       return std::make_unique<ElementLoops<27, 27, Projection::linear, false>>(cells, nodes, start);
     case CellType::wedge6:
@@ -120,7 +120,23 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       at.weight = determinant * reference_.rule().weights[static_cast<Eigen::Index>(p)];
     }
   }
-  if (reference_.mean_stress() == Projection::linear) find_linear_functions(nodes);
+  if (reference_.volumetric_strain() == Projection::linear) find_linear_functions(nodes);
+  if (fits_mean_stress()) measure_distortion();
+}
+
+void ElementBlock::measure_distortion() {
+  using Inverse = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+  constexpr double least = 0.2, most = 0.3;  // relative change of the inverse Jacobian: no projection, all of it
+  for (std::size_t e = 0; e < n_elements(); ++e) {
+    const PointGeometry* at = &geometry_[e * n_points_];
+    Matrix3 mean = Matrix3::Zero();
+    for (std::size_t p = 0; p < n_points_; ++p) mean += Inverse(at[p].inverse) / static_cast<double>(n_points_);
+    const Matrix3 jacobian = mean.inverse();
+    double change = 0;
+    for (std::size_t p = 0; p < n_points_; ++p)
+      change = std::max(change, (Inverse(at[p].inverse) * jacobian - Matrix3::Identity()).norm());
+    unprojected_part_.push_back(std::clamp((most - change) / (most - least), 0.0, 1.0));
+  }
 }
 
 void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
@@ -149,7 +165,8 @@ Eigen::VectorXd ElementBlock::weights(std::size_t e) const {
   return result;
 }
 
-Eigen::MatrixXd ElementBlock::basis(std::size_t e, fem::Projection projection) const {
+Eigen::MatrixXd ElementBlock::basis(std::size_t e) const {
+  const Projection projection = reference_.volumetric_strain();
   const auto n_p = static_cast<Eigen::Index>(n_points_);
   if (projection == Projection::none) return Eigen::MatrixXd(n_p, 0);
   const double constant = 1 / std::sqrt(weights(e).sum());
@@ -162,7 +179,7 @@ Eigen::MatrixXd ElementBlock::basis(std::size_t e, fem::Projection projection) c
 }
 
 bool ElementBlock::fits_mean_stress() const {
-  return reference_.volumetric_strain() != reference_.mean_stress();
+  return reference_.projects_distorted_elements_only();
 }
 
 void ElementBlock::fit_mean_stress(std::span<double> stress) const {
@@ -189,7 +206,7 @@ void ElementBlock::fit_mean_stress(std::span<double> stress) const {
 }
 
 Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
-  const Eigen::MatrixXd basis = this->basis(e, reference_.mean_stress());
+  const Eigen::MatrixXd basis = this->basis(e);
   if (basis.cols() == 0) return extrapolation_;
   const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points
   const auto n = static_cast<Eigen::Index>(n_nodes_);

@@ -58,7 +58,7 @@ class ElementBlock {
   /// on, evaluated at the nodes; without projection the extrapolation. @param nodes  coordinates of all nodes of the
   /// body
   Eigen::MatrixXd mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
-  /// True if the mean stress is projected where it is evaluated, but not in the stiffness.
+  /// True if the mean stress is projected where it is evaluated, but not in the stiffness of all elements.
   bool fits_mean_stress() const;
   /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
   void fit_mean_stress(std::span<double> stress) const;
@@ -91,21 +91,27 @@ class ElementBlock {
   const std::vector<double>& derivatives() const { return derivatives_; }
   /// n_elements x n_points; empty where nothing is projected on linear functions.
   const std::vector<LinearFunctions>& linear_functions() const { return linear_functions_; }
+  /// Share of the volumetric strain of an element that stays as it is, the rest being projected; see
+  /// ReferenceElement::projects_distorted_elements_only(). Precondition: fits_mean_stress()
+  double unprojected_part(std::size_t e) const { return unprojected_part_[e]; }
   /// Reference derivatives of the bubble, n_points x 3; empty without one.
   const std::vector<double>& bubble_derivatives() const { return bubble_derivatives_; }
 
  private:
   /// Functions of the place, orthonormal with respect to the weights of an element: n_points x 0, 1 or 4.
-  Eigen::MatrixXd basis(std::size_t e, fem::Projection projection) const;
+  Eigen::MatrixXd basis(std::size_t e) const;
   bool has_bubble() const { return !bubble_derivatives_.empty(); }
   /// Gradients of the shape functions at the points of an element, one column per point, three numbers per node; those
   /// of the bubble, less their mean, come last.
   Eigen::MatrixXd gradients(std::size_t e) const;
+  /// Volumetric strain of unit displacements at the points, after the projection: as gradients().
+  Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& gradients) const;
   /// Eliminates the bubble from a stiffness.
   Eigen::MatrixXd condensed(const Eigen::MatrixXd& stiffness) const;
   Eigen::VectorXd weights(std::size_t e) const;
   void tabulate();
   void measure(const std::vector<Vector3>& nodes);
+  void measure_distortion();
   void find_linear_functions(const std::vector<Vector3>& nodes);
 
   const fem::ReferenceElement& reference_;
@@ -114,6 +120,7 @@ class ElementBlock {
   std::vector<std::int64_t> connectivity_;
   std::vector<PointGeometry> geometry_;
   std::vector<LinearFunctions> linear_functions_;
+  std::vector<double> unprojected_part_;
   std::vector<double> derivatives_;
   std::vector<double> bubble_derivatives_, bubble_values_;  // at the points; values for integrals of body forces
   Eigen::MatrixXd shape_;                                   // n_nodes x n_points

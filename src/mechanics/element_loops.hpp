@@ -96,6 +96,8 @@ class ElementLoops final : public ElementBlock {
   /// Replaces the trace (of strain, of stress) at the points by its projection.
   void project_trace(std::size_t e, double* values) const {
     if constexpr (volumetric == fem::Projection::none) return;
+    const double kept = n_nodes_v == 20 ? unprojected_part(e) : 0.0;
+    if (kept == 1) return;
     const PointGeometry* at = geometry().data() + e * P;
     double sum = 0, volume = 0;
     for (std::size_t p = 0; p < P; ++p) {
@@ -119,7 +121,7 @@ class ElementLoops final : public ElementBlock {
       double projected = mean;
       if constexpr (volumetric == fem::Projection::linear)
         projected += slope[0] * linear[p][0] + slope[1] * linear[p][1] + slope[2] * linear[p][2];
-      const double shift = (projected - (v[0] + v[1] + v[2])) / 3.0;
+      const double shift = (1 - kept) * (projected - (v[0] + v[1] + v[2])) / 3.0;
       for (std::size_t i = 0; i < 3; ++i) v[i] += shift;
     }
   }

@@ -26,6 +26,14 @@ Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
   return result;
 }
 
+Eigen::MatrixXd ElementBlock::volumetric_gradients(std::size_t e, const Eigen::MatrixXd& gradients) const {
+  const Eigen::MatrixXd basis = this->basis(e);
+  const double kept = fits_mean_stress() ? unprojected_part(e) : basis.cols() == 0 ? 1.0 : 0.0;
+  Eigen::MatrixXd result = kept * gradients;
+  if (kept < 1) result += (1 - kept) * (gradients * weights(e).asDiagonal() * basis) * basis.transpose();
+  return result;
+}
+
 Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const {
   if (!has_bubble()) return stiffness;
   const Eigen::Index n = stiffness.rows() - 3;
@@ -36,22 +44,16 @@ Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const 
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
   const auto n_p = static_cast<Eigen::Index>(n_points_);
-  const Eigen::MatrixXd gradients = this->gradients(e), basis = this->basis(e, reference_.volumetric_strain());
+  const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
   const Eigen::VectorXd weight = weights(e);
-  // Weights of 2 mu e:e, of the product of the traces, and of that of the projected traces.
-  Eigen::VectorXd mu(n_p), lambda(n_p), bulk(n_p);
+  Eigen::VectorXd mu(n_p), bulk(n_p);
   for (Eigen::Index p = 0; p < n_p; ++p) {
     const Moduli& h = elastic.at(start_.point + e * n_points_ + static_cast<std::size_t>(p));
     mu[p] = weight[p] * h.mu;
-    lambda[p] = weight[p] * (basis.cols() == 0 ? h.lambda : -2.0 / 3.0 * h.mu);
     bulk[p] = weight[p] * (h.lambda + 2.0 / 3.0 * h.mu);
   }
   const Eigen::MatrixXd shear = gradients * mu.asDiagonal() * gradients.transpose();
-  Eigen::MatrixXd stiffness = gradients * lambda.asDiagonal() * gradients.transpose();
-  if (basis.cols() > 0) {
-    const Eigen::MatrixXd moments = gradients * weight.asDiagonal() * basis;
-    stiffness += moments * (basis.transpose() * bulk.asDiagonal() * basis) * moments.transpose();
-  }
+  Eigen::MatrixXd stiffness = volumetric * bulk.asDiagonal() * volumetric.transpose() - 2.0 / 3.0 * shear;
   for (Eigen::Index b = 0; b < gradients.rows(); b += 3) {
     for (Eigen::Index a = 0; a < gradients.rows(); a += 3) {
       const auto from = shear.block<3, 3>(a, b);
@@ -64,7 +66,7 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
   const auto n_p = static_cast<Eigen::Index>(n_points_);
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-  const Eigen::MatrixXd gradients = this->gradients(e), basis = this->basis(e, reference_.volumetric_strain());
+  const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
   const Eigen::VectorXd weight = weights(e);
   const Eigen::Index n_dofs = gradients.rows();
   // B of all points on top of each other: strain in Mandel order, one column per unknown.
@@ -79,11 +81,8 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const M
       block(4, 1) = block(5, 0) = shear.z();
     }
   }
-  if (basis.cols() > 0) {
-    const Eigen::MatrixXd projected = basis * (basis.transpose() * weight.asDiagonal() * gradients.transpose());
-    for (Eigen::Index p = 0; p < n_p; ++p)
-      strain.middleRows<3>(6 * p).rowwise() += (projected.row(p) - gradients.col(p).transpose()) / 3;
-  }
+  for (Eigen::Index p = 0; p < n_p; ++p)
+    strain.middleRows<3>(6 * p).rowwise() += (volumetric.col(p) - gradients.col(p)).transpose() / 3;
   Eigen::MatrixXd stress(6 * n_p, n_dofs);
   for (Eigen::Index p = 0; p < n_p; ++p)
     stress.middleRows<6>(6 * p).noalias() =

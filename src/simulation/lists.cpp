@@ -90,7 +90,7 @@ Table elements() {
                             type == CellType::tet4 ? "tet10" : "wedge15");
     else
       remark += fmt::format("; mean stress {} in the element{}",
-                            element.mean_stress() == fem::Projection::linear ? "linear" : "constant",
+                            element.volumetric_strain() == fem::Projection::linear ? "linear" : "constant",
                             fem::has_bubble(type) ? ", one inner displacement" : "");
     table.rows.push_back({std::string(mesh::name(type)), remark});
   }

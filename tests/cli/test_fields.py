@@ -12,6 +12,7 @@ SYMMETRY = "".join(f'[[supports]]\non = "{{0}}_{axis}0"\ndisplacement = {{{{ {ax
 ONE_BODY = """
 [mesh]
 file = "mesh.msh"
+allow_locking = true
 [bodies.bar]
 region = "bar"
 material = "steel"

@@ -37,16 +37,15 @@ class ReferenceElement {
   /// Rule for stiffness, stress and creep state: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 12
   /// points; surfaces: a rule exact for a pressure that varies like the shape functions, on curved faces too.
   const QuadratureRule& rule() const { return rule_; }
-  /// Of the volumetric strain in the stiffness and the stress, so that elements do not lock in incompressible
-  /// deformation, as creep is: constant in hex8 and wedge6 (B-bar), linear in quadratic elements. hex20 does not lock
-  /// with 2 x 2 x 2 points, and would be too soft with more. Precondition: a volume
-  Projection volumetric_strain() const { return type_ == CellType::hex20 ? Projection::none : mean_stress(); }
-  /// Of the mean stress where it is evaluated: in hex20 what varies from point to point in other ways than linearly is
-  /// of no meaning (checkerboards).
-  Projection mean_stress() const {
+  /// Of the volumetric strain in stiffness and stress, so that elements do not lock in incompressible deformation, as
+  /// creep is: constant in hex8 and wedge6 (B-bar), linear in quadratic elements. Precondition: a volume
+  Projection volumetric_strain() const {
     if (mesh::order(type_) == 2) return Projection::linear;
     return type_ == CellType::tet4 ? Projection::none : Projection::constant;
   }
+  /// True if elements close to a parallelepiped need no projection: reduced integration lets hex20 follow there, and is
+  /// stiffer against hourglass modes without it.
+  bool projects_distorted_elements_only() const { return type_ == CellType::hex20; }
   /// Linear tetrahedra and wedges: too stiff in incompressible deformation whatever is projected.
   bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6; }
 

@@ -35,9 +35,9 @@ struct ElasticState {
 
 /// Where creep is large, strain is almost incompressible. So that elements follow it (no locking), the volumetric part
 /// of the elastic strain, total less creep and thermal strain, is projected on the constant in hex8 and wedge6 (B-bar,
-/// Hughes 1980), on the linear functions of the place in hex27, wedge15 and tet10. tet10 and wedge15 have an inner
-/// displacement besides (fem/bubble.hpp), which is eliminated element by element: a displacement u stands for the nodal
-/// one, and stress and strain contain the inner one in equilibrium with it.
+/// Hughes 1980), on the linear functions of the place in quadratic elements (in hex20 as far as they are distorted).
+/// tet10 and wedge15 have an inner displacement besides (fem/bubble.hpp), which is eliminated element by element: a
+/// displacement u stands for the nodal one, and stress and strain contain the inner one in equilibrium with it.
 ///
 /// The loops run on all cores; results are bitwise the same for any number of threads. The functions that add nodal
 /// forces share a buffer: not safe for two threads on one object.

@@ -1,72 +1,12 @@
 /// Element loops and stiffness, for every element type.
-#include "creepcontact/mechanics/discretization.hpp"
-
-#include <gtest/gtest.h>
 #include <omp.h>
 
-#include <random>
-
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/fem/bubble.hpp"
-#include "creepcontact/fem/reference_element.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "element_loops.hpp"
 
 namespace creepcontact::test {
 namespace {
 
-using mechanics::CreepStrainView;
-using mechanics::Discretization;
-using mechanics::ElasticState;
-using mechanics::Moduli;
-
-std::vector<double> noise(std::size_t n, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<double> values(n);
-  for (double& value : values) value = uniform(generator);
-  return values;
-}
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  return Eigen::VectorXd::Map(a.data(), static_cast<Eigen::Index>(a.size()))
-      .dot(Eigen::VectorXd::Map(b.data(), static_cast<Eigen::Index>(b.size())));
-}
-
-class ElementLoops : public testing::TestWithParam<CellType> {
- protected:
-  mesh::Mesh mesh_ = box_mesh(GetParam(), {2, 3, 2}, {1.0, 1.5, 0.8}, {0.1, 0.2, 0.3}, 0.2);
-  Discretization body_{mesh_};
-  std::size_t n_dofs_ = 3 * body_.n_nodes(), n_values_ = 6 * body_.n_points();
-
-  /// With moduli for which stress is strain.
-  std::vector<double> strain(const std::vector<double>& u) const {
-    const std::array unit{Moduli{.lambda = 0, .mu = 0.5}};
-    std::vector<double> result(n_values_);
-    body_.stress(u, {unit}, {}, result);
-    return result;
-  }
-  /// Fit of the volumetric strains of an element by the functions that its type says, weighted by volume.
-  Eigen::VectorXd projected(std::size_t element, const Eigen::VectorXd& traces) const {
-    const fem::Projection kind = fem::reference_element(GetParam()).volumetric_strain();
-    if (kind == fem::Projection::none) return traces;
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Ones(traces.size(), kind == fem::Projection::linear ? 4 : 1);
-    Eigen::VectorXd root(traces.size());
-    for (Eigen::Index p = 0; p < traces.size(); ++p) {
-      const std::size_t point = body_.first_point(element) + static_cast<std::size_t>(p);
-      root[p] = std::sqrt(body_.weights()[point]);
-      if (basis.cols() == 4) basis.row(p).tail<3>() = body_.point_coordinates()[point];
-    }
-    return basis * (root.asDiagonal() * basis).colPivHouseholderQr().solve(root.cwiseProduct(traces));
-  }
-  /// Elastic constants that differ from point to point.
-  std::vector<Moduli> varied_moduli() const {
-    std::vector<Moduli> moduli;
-    for (std::size_t p = 0; p < body_.n_points(); ++p)
-      moduli.push_back(material::lame(100.0 + static_cast<double>(p % 7), 0.2 + 0.01 * static_cast<double>(p % 5)));
-    return moduli;
-  }
-};
 INSTANTIATE_TEST_SUITE_P(Types, ElementLoops, testing::ValuesIn(volume_types),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
@@ -105,59 +45,6 @@ TEST_P(ElementLoops, InternalForceDoesTheWorkOfTheStress) {
     size += body_.weights()[p] * strain.norm() * Tensor6::Map(&of_v[6 * p]).norm();
   }
   EXPECT_NEAR(dot(forces, u), work, 1e-12 * size);
-}
-
-TEST_P(ElementLoops, MeanStressIsThatOfTheProjectedVolumetricStrain) {
-  if (fem::has_bubble(GetParam())) GTEST_SKIP() << "the inner displacement adds to the strain of the nodes";
-  const std::vector<double> u = noise(n_dofs_, 3), creep = noise(9 * body_.n_points(), 4);
-  const std::vector<double> thermal = noise(body_.n_points(), 5);
-  const std::vector<Moduli> moduli = varied_moduli();
-  std::vector<double> stress(n_values_);
-  body_.stress(u, {moduli, thermal}, {creep.data(), 9}, stress);
-  const auto strains = as_tensors(strain(u)), stresses = as_tensors(stress);
-  for (std::size_t e = 0; e < body_.n_elements(); ++e) {
-    const std::size_t first = body_.first_point(e), n = body_.first_point(e + 1) - first;
-    Eigen::VectorXd traces(n);
-    std::vector<Tensor6> elastic;
-    for (std::size_t p = 0; p < n; ++p) {
-      elastic.emplace_back(strains[first + p] - Tensor6::Map(&creep[9 * (first + p)]) -
-                           thermal[first + p] * tensor::identity());
-      traces[static_cast<Eigen::Index>(p)] = tensor::trace(elastic.back());
-    }
-    const Eigen::VectorXd fit = projected(e, traces);
-    for (std::size_t p = 0; p < n; ++p) {
-      elastic[p].head<3>().array() += (fit - traces)[static_cast<Eigen::Index>(p)] / 3;
-      EXPECT_LT((stresses[first + p] - material::stress(moduli[first + p], elastic[p])).norm(), 1e-9);
-    }
-  }
-}
-
-TEST_P(ElementLoops, TangentStrainOfElasticModuliIsTheElasticOne) {
-  const std::vector<double> u = noise(n_dofs_, 3);
-  std::vector<double> creep = noise(n_values_, 4);
-  for (std::size_t i = 0; i < n_values_; i += 6) {  // creep keeps the volume
-    Eigen::Map<Tensor6> at(&creep[i]);
-    at = tensor::deviator(at).eval();
-  }
-  const std::vector<Moduli> moduli = varied_moduli();
-  std::vector<Matrix6> matrices;
-  std::vector<double> stress(n_values_), initial_stress(n_values_), strain(n_values_);
-  for (std::size_t p = 0; p < body_.n_points(); ++p) {
-    Matrix6 h = 2 * moduli[p].mu * Matrix6::Identity();
-    h.topLeftCorner<3, 3>().array() += moduli[p].lambda;
-    matrices.push_back(h);
-    Tensor6::Map(&initial_stress[6 * p]) = h * Tensor6::Map(&creep[6 * p]);
-  }
-  body_.stress(u, {moduli}, {creep.data(), 6}, stress);
-  body_.tangent_strain(u, matrices, initial_stress, strain);
-  for (std::size_t p = 0; p < body_.n_points(); ++p) {
-    const Tensor6 elastic = Tensor6::Map(&strain[6 * p]) - Tensor6::Map(&creep[6 * p]);
-    EXPECT_LT((matrices[p] * elastic - Tensor6::Map(&stress[6 * p])).norm(), 1e-9);
-  }
-  std::vector<double> forces(n_dofs_, 0.0), expected(n_dofs_, 0.0);
-  body_.add_initial_stress_force(matrices, initial_stress, forces);
-  body_.add_initial_strain_force({moduli}, {creep.data(), 6}, expected);
-  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(forces[i], expected[i], 1e-10);
 }
 
 TEST_P(ElementLoops, InitialStrainForceIsThatOfItsStress) {
@@ -255,37 +142,6 @@ TEST_P(ElementLoops, LinearPointValuesReachTheNodesExactly) {
     // Distorted linear shape functions reproduce a linear field; the middle nodes lie in the middle of corners.
     EXPECT_NEAR(nodal[2 * i], field(mesh_.nodes[i])[0], 1e-12);
     EXPECT_NEAR(nodal[2 * i + 1], 5.0, 1e-12);
-  }
-}
-
-TEST_P(ElementLoops, LinearTensorsReachTheNodesExactly) {
-  if (mesh::order(GetParam()) == 1) GTEST_SKIP() << "the mean stress is constant in a linear element";
-  const auto field = [](const Vector3& x) {
-    return Tensor6((Tensor6() << 1 + x[0], 2 - x[1], x[2], 3, x[0] - x[2], x[1]).finished());
-  };
-  std::vector<double> values, nodal(6 * body_.n_nodes(), 7.0);
-  for (const Vector3& x : body_.point_coordinates()) {
-    const Tensor6 at = field(x);
-    values.insert(values.end(), at.begin(), at.end());
-  }
-  body_.tensors_to_nodes(values, nodal);
-  for (std::size_t i = 0; i < body_.n_nodes(); ++i)
-    EXPECT_LT((Tensor6::Map(&nodal[6 * i]) - field(mesh_.nodes[i])).norm(), 1e-11);
-}
-
-TEST_P(ElementLoops, BodyForceOnInnerDisplacementsIsThatOfTheirFunctions) {
-  if (!fem::has_bubble(GetParam())) {
-    EXPECT_EQ(body_.n_inner(), 0u);
-    return;
-  }
-  ASSERT_EQ(body_.n_inner(), body_.n_elements());
-  const std::vector<Vector3> density(body_.n_points(), {2, 0, -1});
-  std::vector<double> forces(3 * (body_.n_nodes() + body_.n_inner()), 0.0);
-  body_.add_body_force(density, forces);
-  for (std::size_t e = 0; e < body_.n_elements(); ++e) {
-    const Eigen::Map<const Vector3> force(&forces[3 * (body_.n_nodes() + e)]);
-    EXPECT_GT(force[0], 0);
-    EXPECT_NEAR(force[2], -force[0] / 2, 1e-15);
   }
 }
 
