@@ -7,19 +7,6 @@
 #include "node_entries.hpp"
 
 namespace creepcontact::mechanics {
-namespace {
-
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// The values at the points of an element, n_points x width.
-Eigen::Map<const Rows> rows_of(const ElementBlock& block, std::size_t e, std::span<const double> point_values,
-                               int width) {
-  const std::size_t first = block.start().point + e * block.n_points();
-  return {&point_values[first * static_cast<std::size_t>(width)], static_cast<Eigen::Index>(block.n_points()), width};
-}
-
-}  // namespace
-
 Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.size()), nodes_(mesh.nodes) {
   std::vector<std::int64_t> node_of_entry;
   for (const mesh::CellBlock& cells : mesh.blocks) {
@@ -62,6 +49,13 @@ const ElementBlock& Discretization::block_of(std::size_t element) const {
   const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), element,
                                       [](std::size_t e, const auto& block) { return e < block->start().element; });
   return **(after - 1);
+}
+
+std::size_t Discretization::element_of_entry(std::size_t entry) const {
+  const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), entry,
+                                      [](std::size_t i, const auto& block) { return i < block->start().entry; });
+  const ElementBlock& block = **(after - 1);
+  return block.start().element + (entry - block.start().entry) / block.n_nodes();
 }
 
 std::size_t Discretization::first_point(std::size_t element) const {
@@ -128,64 +122,12 @@ void Discretization::gather(std::span<double> forces) const {
   }
 }
 
-template <typename Values>
-void Discretization::average_at_nodes(std::size_t width, std::span<double> node_values, const Values& values) const {
-  std::fill(node_values.begin(), node_values.end(), 0.0);
-  for (const auto& block : blocks_) {
-    for (std::size_t e = 0; e < block->n_elements(); ++e) {
-      const Rows at_nodes = values(*block, e);
-      const auto cell = block->nodes(e);
-      for (std::size_t a = 0; a < cell.size(); ++a)
-        for (std::size_t i = 0; i < width; ++i)
-          node_values[static_cast<std::size_t>(cell[a]) * width + i] += at_nodes.data()[a * width + i];
-    }
-  }
-  for (std::size_t node = 0; node < n_nodes_; ++node) {
-    const auto count = static_cast<double>(std::max<std::size_t>(1, entries_->of(node).size()));
-    for (std::size_t i = 0; i < width; ++i) node_values[node * width + i] /= count;
-  }
-}
-
 bool Discretization::fits_mean_stress() const {
   return std::ranges::any_of(blocks_, [](const auto& block) { return block->fits_mean_stress(); });
 }
 
 void Discretization::fit_mean_stress(std::span<double> stress) const {
   for (const auto& block : blocks_) block->fit_mean_stress(stress);
-}
-
-void Discretization::to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const {
-  average_at_nodes(static_cast<std::size_t>(width), node_values, [&](const ElementBlock& block, std::size_t e) -> Rows {
-    return block.extrapolation() * rows_of(block, e, point_values, width);
-  });
-}
-
-void Discretization::tensors_to_nodes(std::span<const double> point_values, std::span<double> node_values) const {
-  average_at_nodes(6, node_values, [&](const ElementBlock& block, std::size_t e) {
-    const auto at_points = rows_of(block, e, point_values, 6);
-    Rows at_nodes = block.extrapolation() * at_points;
-    const Eigen::VectorXd trace = at_points.leftCols<3>().rowwise().sum();
-    const Eigen::VectorXd shift =
-        (block.mean_stress_extrapolation(e, nodes_) * trace - at_nodes.leftCols<3>().rowwise().sum()) / 3;
-    at_nodes.leftCols<3>().colwise() += shift;
-    return at_nodes;
-  });
-}
-
-void Discretization::to_elements(std::span<const double> point_values, int width,
-                                 std::span<double> element_values) const {
-  const auto w = static_cast<std::size_t>(width);
-  std::fill(element_values.begin(), element_values.end(), 0.0);
-  std::size_t point = 0;
-  for (std::size_t e = 0; e < n_elements_; ++e) {
-    const std::size_t end = first_point(e + 1);
-    double volume = 0;
-    for (; point < end; ++point) {
-      volume += weights_[point];
-      for (std::size_t i = 0; i < w; ++i) element_values[e * w + i] += weights_[point] * point_values[point * w + i];
-    }
-    for (std::size_t i = 0; i < w; ++i) element_values[e * w + i] /= volume;
-  }
 }
 
 }  // namespace creepcontact::mechanics

@@ -207,10 +207,8 @@ void ElementBlock::fit_mean_stress(std::span<double> stress) const {
 
 Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
   const Eigen::MatrixXd basis = this->basis(e);
-  if (basis.cols() == 0) return extrapolation_;
   const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points
   const auto n = static_cast<Eigen::Index>(n_nodes_);
-  if (basis.cols() == 1) return Eigen::VectorXd::Constant(n, basis(0, 0)) * fit;
   // The functions are linear in the place: their values at the points give those at the nodes.
   Eigen::MatrixX4d at_points(n_points_, 4), at_nodes(n, 4);
   const Vector3 origin = point(e, 0, nodes);

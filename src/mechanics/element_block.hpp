@@ -54,9 +54,8 @@ class ElementBlock {
   /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
   /// corners, or onto all shape functions where there are as many points.
   const Eigen::MatrixXd& extrapolation() const { return extrapolation_; }
-  /// Values of the mean stress at the points to the nodes, n_nodes x n_points: the fit by the functions it is projected
-  /// on, evaluated at the nodes; without projection the extrapolation. @param nodes  coordinates of all nodes of the
-  /// body
+  /// Values of the mean stress at the points to the nodes, n_nodes x n_points: the fit by linear functions, evaluated
+  /// at the nodes. @param nodes  coordinates of all nodes of the body. Precondition: a quadratic element
   Eigen::MatrixXd mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
   /// True if the mean stress is projected where it is evaluated, but not in the stiffness of all elements.
   bool fits_mean_stress() const;

@@ -143,18 +143,11 @@ void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes
 template <typename Moduli>
 linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
   Neighbours neighbours(n_nodes_);
-  // Entries are numbered block by block, so the element of an entry follows by division.
-  const auto element_of_entry = [&](std::size_t entry) {
-    const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), entry,
-                                        [](std::size_t i, const auto& block) { return i < block->start().entry; });
-    const ElementBlock& block = **(after - 1);
-    return block.nodes((entry - block.start().entry) / block.n_nodes());
-  };
 #pragma omp parallel for schedule(dynamic, 256) if (n_nodes_ >= parallel_threshold)
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     auto& list = neighbours[node];
     for (const std::size_t entry : entries_->of(node))
-      for (const std::int64_t other : element_of_entry(entry))
+      for (const std::int64_t other : element_nodes(element_of_entry(entry)))
         if (other >= static_cast<std::int64_t>(node)) list.push_back(other);
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());

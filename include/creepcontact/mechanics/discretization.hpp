@@ -91,17 +91,24 @@ class Discretization {
   /// integral B^T D B for symmetric moduli D of any kind, one a point; the same pattern.
   linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
 
-  /// Point values (n_points x width) to nodes by element-wise least squares/extrapolation and averaging (n_nodes x
-  /// width).
+  /// Point values (n_points x width) to nodes (n_nodes x width): the mean of what the elements of a node say there.
+  /// Quadratic elements extrapolate from their points by least squares; linear ones take their mean, and the gradient
+  /// of the means of their neighbours. Linear fields are exact. Cost: linear elements some 100 operations per
+  /// neighbour.
   void to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const;
-  /// The same for tensors (n_points x 6 to n_nodes x 6): the trace by the functions that it is projected on, the
-  /// deviator as to_nodes() does.
+  /// The same for tensors (n_points x 6 to n_nodes x 6): the mean stress of quadratic elements by the
+  /// linear functions that it is projected on, all else as to_nodes() does.
   void tensors_to_nodes(std::span<const double> point_values, std::span<double> node_values) const;
   /// Values at points as means over each element (n_elements x width), volume weighted.
   void to_elements(std::span<const double> point_values, int width, std::span<double> element_values) const;
 
  private:
+  class LinearReconstruction;
+  /// Null without linear elements.
+  std::unique_ptr<const LinearReconstruction> reconstruction(std::span<const double> point_values, int width) const;
   const ElementBlock& block_of(std::size_t element) const;
+  /// Entries are numbered block by block, element by element.
+  std::size_t element_of_entry(std::size_t entry) const;
   template <typename Moduli>
   linalg::SparseMatrix assemble(const Moduli& moduli) const;
   void gather(std::span<double> forces) const;
