@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "element_block.hpp"
+#include "linear_reconstruction.hpp"
 #include "node_entries.hpp"
 
 namespace creepcontact::mechanics {
@@ -24,6 +25,9 @@ Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.siz
   if (blocks_.empty()) throw ModelError("the mesh has no volume elements");
   element_forces_.resize(3 * node_of_entry.size());
   entries_ = std::make_shared<NodeEntries>(n_nodes_, node_of_entry);
+  if (std::ranges::any_of(blocks_, [](const auto& block) { return LinearReconstruction::serves(block->type()); }))
+    reconstruction_ = std::make_shared<LinearReconstruction>(
+        blocks_, *entries_, coordinates_, weights_, [this](std::size_t entry) { return element_of_entry(entry); });
 }
 
 std::size_t Discretization::n_nodes() const {
@@ -120,14 +124,6 @@ void Discretization::gather(std::span<double> forces) const {
     forces[3 * node + 1] += y;
     forces[3 * node + 2] += z;
   }
-}
-
-bool Discretization::fits_mean_stress() const {
-  return std::ranges::any_of(blocks_, [](const auto& block) { return block->fits_mean_stress(); });
-}
-
-void Discretization::fit_mean_stress(std::span<double> stress) const {
-  for (const auto& block : blocks_) block->fit_mean_stress(stress);
 }
 
 }  // namespace creepcontact::mechanics

@@ -61,6 +61,8 @@ class ElementBlock {
   bool fits_mean_stress() const;
   /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
   void fit_mean_stress(std::span<double> stress) const;
+  /// Volumes that belong to the points of an element.
+  Eigen::VectorXd weights(std::size_t e) const;
   /// Coordinates of a point of an element.
   Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;
 
@@ -107,7 +109,6 @@ class ElementBlock {
   Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& gradients) const;
   /// Eliminates the bubble from a stiffness.
   Eigen::MatrixXd condensed(const Eigen::MatrixXd& stiffness) const;
-  Eigen::VectorXd weights(std::size_t e) const;
   void tabulate();
   void measure(const std::vector<Vector3>& nodes);
   void measure_distortion();

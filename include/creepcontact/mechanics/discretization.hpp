@@ -14,8 +14,9 @@ namespace creepcontact::mechanics {
 
 using material::Moduli;
 
-class ElementBlock;  // the elements of one type (implementation)
-class NodeEntries;   // which element forces belong to a node (implementation)
+class ElementBlock;          // the elements of one type (implementation)
+class LinearReconstruction;  // gradients of element means (implementation)
+class NodeEntries;           // which element forces belong to a node (implementation)
 
 /// Creep strain inside a state vector: point p's six components start at data[p * stride]. Empty data: no creep strain.
 struct CreepStrainView {
@@ -79,11 +80,13 @@ class Discretization {
   /// those on the inner displacements come last, ElasticState takes them
   void add_body_force(std::span<const Vector3> force_density, std::span<double> forces) const;
 
-  /// True if fit_mean_stress() changes anything: the body has hex20 elements.
+  /// True if fit_mean_stress() changes anything: the body has linear, hex20 or tet10 elements.
   bool fits_mean_stress() const;
   /// Replaces the mean stress at the points of hex20 elements by its fit by a linear function of the place, element by
-  /// element. What this takes away (checkerboards of distorted meshes) balances nodal forces, but is no approximation
-  /// of the mean stress: fit it where the mean or a principal stress is evaluated, not for add_internal_force().
+  /// element, and that of linear elements and tet10 by the mean of its values at their corners, with the gradient of
+  /// the element means around. What this takes away (checkerboards of distorted meshes, gradients in flat tetrahedra)
+  /// balances nodal forces, but does not approximate the mean stress: fit it where the mean or a principal stress is
+  /// evaluated, not for add_internal_force(). Linear fields do not change. @param stress  n_points x 6
   void fit_mean_stress(std::span<double> stress) const;
 
   /// Stiffness over all 3 n_nodes dofs, lower triangle.
@@ -91,21 +94,23 @@ class Discretization {
   /// integral B^T D B for symmetric moduli D of any kind, one a point; the same pattern.
   linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
 
-  /// Point values (n_points x width) to nodes (n_nodes x width): the mean of what the elements of a node say there.
-  /// Quadratic elements extrapolate from their points by least squares; linear ones take their mean, and the gradient
-  /// of the means of their neighbours. Linear fields are exact. Cost: linear elements some 100 operations per
+  /// Point values (n_points x width) to nodes (n_nodes x width): the mean, weighted by volume, of what the elements of
+  /// a node say there. Quadratic elements extrapolate from their points by least squares, linear ones take their mean
+  /// and the gradient of the means of their neighbours. Linear fields are exact. Cost: some 100 operations per
   /// neighbour.
   void to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const;
-  /// The same for tensors (n_points x 6 to n_nodes x 6): the mean stress of quadratic elements by the
-  /// linear functions that it is projected on, all else as to_nodes() does.
+  /// The same for tensors (n_points x 6 to n_nodes x 6), the mean stress of quadratic elements by its linear function
+  /// in the element (see fit_mean_stress).
   void tensors_to_nodes(std::span<const double> point_values, std::span<double> node_values) const;
   /// Values at points as means over each element (n_elements x width), volume weighted.
   void to_elements(std::span<const double> point_values, int width, std::span<double> element_values) const;
 
  private:
-  class LinearReconstruction;
-  /// Null without linear elements.
-  std::unique_ptr<const LinearReconstruction> reconstruction(std::span<const double> point_values, int width) const;
+  /// Of the elements, n_elements x width; empty where nothing is reconstructed.
+  std::vector<double> reconstruction_means(std::span<const double> point_values, int width) const;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::MatrixXd reconstructed(const ElementBlock& block, std::size_t e, std::span<const double> means,
+                                const Eigen::Ref<const Rows>& at_points) const;
   const ElementBlock& block_of(std::size_t element) const;
   /// Entries are numbered block by block, element by element.
   std::size_t element_of_entry(std::size_t entry) const;
@@ -118,6 +123,7 @@ class Discretization {
 
   std::vector<std::shared_ptr<const ElementBlock>> blocks_;
   std::shared_ptr<const NodeEntries> entries_;
+  std::shared_ptr<const LinearReconstruction> reconstruction_;
   std::size_t n_nodes_ = 0, n_elements_ = 0, n_points_ = 0, n_inner_ = 0;
   std::vector<Vector3> nodes_;
   std::vector<Vector3> coordinates_;

@@ -1,0 +1,84 @@
+#include "linear_reconstruction.hpp"
+
+#include <algorithm>
+
+namespace creepcontact::mechanics {
+namespace {
+
+constexpr double own_weight = 1e-3;
+
+/// Inverse on the directions that the arms span.
+Matrix3 pseudo_inverse(const Matrix3& normal) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(normal);
+  const double least = 1e-12 * eigen.eigenvalues()[2];
+  Vector3 inverse = Vector3::Zero();
+  for (int i = 0; i < 3; ++i)
+    if (eigen.eigenvalues()[i] > least) inverse[i] = 1 / eigen.eigenvalues()[i];
+  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntries& entries,
+                                           std::span<const Vector3> point_coordinates, std::span<const double> weights,
+                                           const std::function<std::size_t(std::size_t)>& element_of)
+    : places_(point_coordinates.begin(), point_coordinates.end()), offsets_{0} {
+  for (const auto& block : blocks)
+    for (std::size_t e = 0; e < block->n_elements(); ++e) {
+      Vector3 moment = Vector3::Zero();
+      double volume = 0;
+      const std::size_t first = block->start().point + e * block->n_points();
+      for (std::size_t p = first; p < first + block->n_points(); ++p) {
+        moment += weights[p] * places_[p];
+        volume += weights[p];
+      }
+      centres_.push_back(moment / volume);
+      volumes_.push_back(volume);
+    }
+  std::vector<std::uint32_t> around;
+  for (const auto& block : blocks)
+    for (std::size_t e = 0; e < block->n_elements(); ++e) {
+      around.clear();
+      Matrix3 normal = Matrix3::Zero();
+      if (serves(block->type())) {
+        const std::size_t element = block->start().element + e;
+        for (const std::int64_t node : block->nodes(e).first(static_cast<std::size_t>(mesh::n_corners(block->type()))))
+          for (const std::size_t entry : entries.of(static_cast<std::size_t>(node)))
+            around.push_back(static_cast<std::uint32_t>(element_of(entry)));
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+        std::erase(around, static_cast<std::uint32_t>(element));
+        const auto add = [&](const Vector3& place, double weight) {
+          const Vector3 arm = place - centres_[element];
+          normal += weight * arm * arm.transpose();
+        };
+        for (const std::uint32_t other : around) add(centres_[other], volumes_[other]);
+        const std::size_t first = block->start().point + e * block->n_points();
+        for (std::size_t p = first; p < first + block->n_points(); ++p) add(places_[p], own_weight * volumes_[element]);
+      }
+      neighbours_.insert(neighbours_.end(), around.begin(), around.end());
+      offsets_.push_back(neighbours_.size());
+      inverse_.push_back(pseudo_inverse(normal));
+    }
+}
+
+LinearReconstruction::Rows LinearReconstruction::gradient(const ElementBlock& block, std::size_t e,
+                                                          std::span<const double> means,
+                                                          const Eigen::Ref<const Rows>& own) const {
+  const std::size_t element = block.start().element + e;
+  const Eigen::Index width = own.cols();
+  const auto mean = [&](std::size_t i) {
+    return Eigen::Map<const Eigen::RowVectorXd>(&means[i * static_cast<std::size_t>(width)], width);
+  };
+  Rows right = Rows::Zero(3, width);
+  for (std::size_t k = offsets_[element]; k < offsets_[element + 1]; ++k)
+    right += volumes_[neighbours_[k]] * (centres_[neighbours_[k]] - centres_[element]) *
+             (mean(neighbours_[k]) - mean(element));
+  for (std::size_t p = 0; p < block.n_points(); ++p)
+    right += own_weight * volumes_[element] *
+             (places_[block.start().point + e * block.n_points() + p] - centres_[element]) *
+             (own.row(static_cast<Eigen::Index>(p)) - mean(element));
+  return inverse_[element] * right;
+}
+
+}  // namespace creepcontact::mechanics
