@@ -3,9 +3,9 @@
 
 #include "creepcontact/io/msh_content.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::mesher {
 
 /// All nodes and elements, and the physical groups of the entities.
-MshContent gmsh_content();
+io::MshContent gmsh_content();
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::mesher

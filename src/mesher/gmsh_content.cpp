@@ -4,10 +4,10 @@
 
 #include <cstdlib>
 
-namespace creepcontact::io {
+namespace creepcontact::mesher {
 namespace {
 
-void add_physicals(MshContent& content) {
+void add_physicals(io::MshContent& content) {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups);
   for (const auto& [dimension, tag] : groups) {
@@ -21,7 +21,7 @@ void add_physicals(MshContent& content) {
   }
 }
 
-void add_nodes(MshContent& content) {
+void add_nodes(io::MshContent& content) {
   std::vector<std::size_t> tags;
   std::vector<double> coordinates, parametric;
   gmsh::model::mesh::getNodes(tags, coordinates, parametric, -1, -1, false, false);
@@ -29,7 +29,7 @@ void add_nodes(MshContent& content) {
   for (std::size_t i = 0; i < tags.size(); ++i) content.nodes.emplace_back(&coordinates[3 * i]);
 }
 
-void add_elements(MshContent& content) {
+void add_elements(io::MshContent& content) {
   gmsh::vectorpair entities;
   gmsh::model::getEntities(entities);
   for (const auto& [dimension, tag] : entities) {
@@ -45,12 +45,12 @@ void add_elements(MshContent& content) {
 
 }  // namespace
 
-MshContent gmsh_content() {
-  MshContent content;
+io::MshContent gmsh_content() {
+  io::MshContent content;
   add_physicals(content);
   add_nodes(content);
   add_elements(content);
   return content;
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::mesher
