@@ -93,6 +93,8 @@ ChildProcess::ChildProcess(const ChildSetup& setup) {
   const Copies copies(setup);
   if (!copies.are_made() || ::access(setup.program.c_str(), X_OK) != 0)
     throw SolverError(fmt::format("cannot start '{}': {}", setup.program.string(), std::strerror(errno)));
+  sigset_t no_signals;
+  sigemptyset(&no_signals);
   const pid_t parent = ::getpid();
   process_ = ::fork();
   if (process_ == 0) {
@@ -101,6 +103,8 @@ ChildProcess::ChildProcess(const ChildSetup& setup) {
     ::prctl(PR_SET_PDEATHSIG, setup.signal_at_death);
     if (::getppid() != parent) ::_exit(0);  // it died before it could be watched
     copies.hand_over();
+    ::sigprocmask(SIG_SETMASK, &no_signals,
+                  nullptr);  // what this process blocks just now must end the child all the same
     ::execv(setup.program.c_str(), pointers.data());
     ::_exit(127);
   }

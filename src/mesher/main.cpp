@@ -52,13 +52,28 @@ void set_order(int order) {
   gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 1);
 }
 
+double option(const char* name) {
+  double value = 0;
+  gmsh::option::getNumber(name, value);
+  return value;
+}
+
+/// Errors are on the terminal already, unless the file has turned it off.
 bool gmsh_has_failed() {
+  if (option("General.Verbosity") < 1) {
+    std::cerr << "Error   : the file sets General.Verbosity below 1, which hides errors; leave that out" << std::endl;
+    return true;
+  }
+  const bool is_told = option("General.Terminal") != 0;
   std::vector<std::string> lines;
   gmsh::logger::get(lines);
+  bool failed = false;
   for (const std::string& line : lines) {
-    if (line.starts_with("Error")) return true;
+    if (!line.starts_with("Error")) continue;
+    failed = true;
+    if (!is_told) std::cerr << line << '\n';
   }
-  return false;
+  return failed;
 }
 
 void send(const std::string& bytes) {

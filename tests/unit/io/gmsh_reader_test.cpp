@@ -263,6 +263,14 @@ TEST_F(GmshReader, MoreMemoryThanAllowedIsAnError) {
   EXPECT_TRUE(contains(message, "meshing needs more memory than mesh.memory_limit_mb = 50")) << message;
 }
 
+TEST_F(GmshReader, AFileCannotHideItsErrors) {
+  for (const char* quiet : {"General.Terminal = 0;\n", "General.Verbosity = 0;\n"}) {
+    const auto file = geo(quiet + test::cube_geo("hex") + "Point(77) = {0, 0 0};\n");
+    const std::string message = message_of<ModelError>([&] { read_mesh(file); });
+    EXPECT_TRUE(contains(message, "syntax error") || contains(message, "General.Verbosity")) << message;
+  }
+}
+
 TEST_F(GmshReader, FilesThatAreNoMeshAreErrors) {
   EXPECT_TRUE(contains(message_of<ModelError>([&] { read_mesh(directory_ / "none.msh"); }), "no such file"));
   EXPECT_TRUE(contains(message_of<ModelError>([&] { read_mesh("mesh.step"); }), "unknown kind of mesh"));
