@@ -12,7 +12,7 @@ find_package(OpenMP REQUIRED)
 find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
 find_package(BLAS REQUIRED)
 
-# SuiteSparse, Gmsh and HDF5 of Debian 12 bring no usable CMake package.
+# SuiteSparse of Debian 12 brings no usable CMake package.
 function(creepcontact_find_library target header library)
   if(TARGET ${target}::${target})
     return()
@@ -26,5 +26,3 @@ function(creepcontact_find_library target header library)
 endfunction()
 creepcontact_find_library(CHOLMOD cholmod.h cholmod SUFFIXES suitesparse)
 target_link_libraries(CHOLMOD::CHOLMOD INTERFACE ${BLAS_LIBRARIES})
-creepcontact_find_library(Gmsh gmsh.h gmsh)
-creepcontact_find_library(HDF5 hdf5.h hdf5 SUFFIXES hdf5/serial)

@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 
 if(TARGET creepcontact)
   install(TARGETS creepcontact RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS creepcontact_mesher RUNTIME DESTINATION ${mesher_directory})
   install(FILES docs/creepcontact.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   install(FILES completions/creepcontact DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 endif()

@@ -10,8 +10,11 @@ namespace creepcontact::cli {
 int check(const Command& self, const Arguments& arguments) {
   CommandLine line(self);
   add_overrides(line);
+  add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
-  simulation::check(config::read(line.positional(), simulation::vocabulary(), overrides(line)), std::cout);
+  config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
+  config.mesh.trust_geometry = line.has(trust_option);
+  simulation::check(config, std::cout);
   return 0;
 }
 

@@ -60,4 +60,8 @@ class CommandLine {
 void add_overrides(CommandLine& line);
 std::vector<std::string> overrides(const CommandLine& line);
 
+inline constexpr const char* trust_option = "trust-geometry";
+/// Adds it.
+void add_trust(CommandLine& line);
+
 }  // namespace creepcontact::cli

@@ -64,4 +64,8 @@ std::vector<std::string> overrides(const CommandLine& line) {
   return line.has("set") ? line.get<std::vector<std::string>>("set") : std::vector<std::string>();
 }
 
+void add_trust(CommandLine& line) {
+  line.add_options()(trust_option, "let the .geo file run programs and write files");
+}
+
 }  // namespace creepcontact::cli

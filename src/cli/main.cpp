@@ -85,6 +85,7 @@ int guarded(const Arguments& arguments) {
 }  // namespace creepcontact::cli
 
 int main(int argc, char** argv) {
-  creepcontact::cli::let_waiting_threads_sleep(argv);
+  // what needs no threads does not start twice
+  if (argc > 1 && argv[1][0] != '-') creepcontact::cli::let_waiting_threads_sleep(argv);
   return creepcontact::cli::guarded(creepcontact::cli::Arguments(argv + 1, argv + argc));
 }

@@ -22,10 +22,12 @@ int run(const Command& self, const Arguments& arguments) {
   line.add_options()("log-contact", po::value(&options.log_contact)->value_name("FILE.csv"),
                      "write a row of every iteration of the contact solver");
   line.add_options()("quiet,q", po::bool_switch(&options.quiet), "warnings and errors only");
+  add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
   if (line.has("threads") && options.threads < 1) throw ConfigError("--threads: expected a number > 0");
 
-  const config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
+  config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
+  config.mesh.trust_geometry = line.has(trust_option);
   const simulation::RunResult result = simulation::run(config, options);
   if (!result.message.empty()) {
     if (result.exit_status != 0) {

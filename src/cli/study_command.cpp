@@ -17,9 +17,11 @@ int study(const Command& self, const Arguments& arguments) {
                      "runs at a time; not given: as many as there are cores");
   line.add_options()("output,o", po::value(&output)->value_name("DIR"),
                      "where results go; not given: results/<name of the study> beside its file");
+  add_trust(line);
   if (!line.parse(arguments, "STUDY.toml")) return 0;
   if (line.has("jobs") && options.jobs < 1) throw ConfigError("--jobs: expected a number > 0");
   options.output = output;
+  options.trust_geometry = line.has(trust_option);
   options.program = std::filesystem::read_symlink("/proc/self/exe");
 
   const simulation::StudyResult result = simulation::run_study(config::read_study(line.positional()), options);

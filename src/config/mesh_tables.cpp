@@ -40,7 +40,7 @@ std::vector<std::string> given_keys(const Item& item, const std::vector<std::str
 Value<Mesh> mesh_table() {
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
-                  "`.geo` (meshed in process by the Gmsh library) or `.msh` (2.2, 4.1; ASCII, binary)",
+                  "`.geo` (meshed by the Gmsh library, in a process of its own) or `.msh` (2.2, 4.1; ASCII, binary)",
                   Presence::required),
       field<Mesh>("order", &Mesh::order, integer(1, 2),
                   "`.geo` only: order of the elements; 2 gives tet10, hex20, wedge15"),
@@ -48,6 +48,10 @@ Value<Mesh> mesh_table() {
                   "`.geo` only: new values for constants made with `DefineConstant`"),
       field<Mesh>("allow_locking", &Mesh::allow_locking, boolean(),
                   "accept `tet4` and `wedge6`, which are too stiff under creep; otherwise they are an error"),
+      field<Mesh>("time_limit", &Mesh::time_limit, number(greater(0)),
+                  "`.geo` only: seconds that meshing may take before it is ended with an error"),
+      field<Mesh>("memory_limit_mb", &Mesh::memory_limit_mb, integer(1, 1 << 24),
+                  "`.geo` only: memory that meshing may take, in MB"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;
@@ -56,7 +60,7 @@ Value<Mesh> mesh_table() {
       context.errors.add(mesh.location, fmt::format("'{}'", mesh.file.filename().string()), "a .geo or .msh file");
     }
     if (extension == ".msh") {
-      for (const std::string& key : given_keys(item, {"order", "parameters"})) {
+      for (const std::string& key : given_keys(item, {"order", "parameters", "time_limit", "memory_limit_mb"})) {
         context.errors.add(item.child(key).location, "has no effect on a finished mesh", "with a .geo file only");
       }
     }

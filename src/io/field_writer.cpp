@@ -53,6 +53,17 @@ std::vector<EncodedArray> encode_fields(const std::vector<FieldData>& fields, st
   return result;
 }
 
+/// The parts between commas, without blanks around them.
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');) {
+    const std::size_t begin = part.find_first_not_of(' '), end = part.find_last_not_of(' ');
+    if (begin != std::string::npos) parts.push_back(part.substr(begin, end - begin + 1));
+  }
+  return parts;
+}
+
 }  // namespace
 
 void FieldMesh::append(const mesh::Mesh& body) {
@@ -80,7 +91,7 @@ FieldWriter::FieldWriter(std::filesystem::path directory, std::string name, cons
       n_cells_(mesh.n_cells()),
       points_(encode_points(mesh.points)),
       cells_(encode_cells(mesh)) {
-  if (!units.empty()) texts_.insert(texts_.begin(), {"units", {units}});
+  if (!units.empty()) texts_.insert(texts_.begin(), {"units", words(units)});
   std::error_code error;
   std::filesystem::create_directories(directory_ / name_, error);
   if (error)

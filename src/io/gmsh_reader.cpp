@@ -1,15 +1,15 @@
 #include "creepcontact/io/gmsh_reader.hpp"
 
 #include <fmt/ranges.h>
-#include <gmsh.h>
 
-#include <future>
-#include <set>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 
 #include "creepcontact/base/error.hpp"
-#include "geo_constants.hpp"
-#include "gmsh_import.hpp"
-#include "gmsh_session.hpp"
+#include "creepcontact/io/msh_reader.hpp"
+#include "geo_scan.hpp"
+#include "mesher_process.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -17,36 +17,48 @@ namespace {
 void check_options(const std::filesystem::path& file, const GmshOptions& options, bool is_geo) {
   if (options.order != 1 && options.order != 2)
     throw ConfigError(fmt::format("mesh order is {}; it may be 1 or 2", options.order));
-  if (options.parameters.empty()) return;
-  if (!is_geo) throw ConfigError(fmt::format("{}: parameters are for .geo files only", file.string()));
-  const std::set<std::string> constants = geo_constants(file);
+  if (!options.parameters.empty() && !is_geo)
+    throw ConfigError(fmt::format("{}: parameters are for .geo files only", file.string()));
+}
+
+void check_parameters(const std::filesystem::path& file, const GmshOptions& options, const GeoScan& scan) {
   for (const auto& [name, value] : options.parameters) {
-    if (constants.count(name) > 0) continue;
-    throw ConfigError(fmt::format("{}: DefineConstant makes no number '{}'; it makes: {}", file.string(), name,
-                                  constants.empty() ? "none" : fmt::format("{}", fmt::join(constants, ", "))));
+    if (scan.constants.count(name) > 0) continue;
+    throw ConfigError(
+        fmt::format("{}: DefineConstant makes no number '{}'; it makes: {}", file.string(), name,
+                    scan.constants.empty() ? "none" : fmt::format("{}", fmt::join(scan.constants, ", "))));
   }
 }
 
-mesh::Mesh read(const std::filesystem::path& file, const GmshOptions& options, bool is_geo) {
-  const GmshSession session(file.string());
-  const auto set_order = [&] {
-    gmsh::option::setNumber("Mesh.ElementOrder", options.order);
-    gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 1);
-  };
-  session.set_variables(options.parameters);
-  session.run([&] {
-    set_order();
-    gmsh::merge(file.string());
-  });
-  if (is_geo) {
-    session.run([&] {
-      set_order();  // the file may have had its own idea
-      gmsh::model::mesh::generate(3);
-    });
+void refuse_reaching_out(const GeoScan& scan) {
+  std::string lines;
+  for (const GeoStatement& statement : scan.reaching_out) {
+    lines += fmt::format("{}{}:{}: '{}' runs a program, writes a file or ends Gmsh", lines.empty() ? "" : "\n",
+                         statement.file, statement.line, statement.word);
   }
-  mesh::Mesh mesh;
-  session.run([&] { mesh = import_model(file.string(), !is_geo); });
-  return mesh;
+  if (lines.empty()) return;
+  throw ModelError(lines +
+                   "\nThe mesh needs no such statement: leave it out, or add --trust-geometry if you trust the file");
+}
+
+mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& options) {
+  const GeoScan scan = scan_geo(file);
+  check_parameters(file, options, scan);
+  if (!options.trusted) refuse_reaching_out(scan);
+  const MesherRequest request{.file = file,
+                              .order = options.order,
+                              .parameters = options.parameters,
+                              .memory_limit_mb = options.memory_limit_mb,
+                              .trusted = options.trusted,
+                              .needs_confinement = !scan.computed_files.empty()};
+  return read_msh(run_mesher(request, options.time_limit), file.string());
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw ModelError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+  return bytes;
 }
 
 }  // namespace
@@ -57,8 +69,7 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
     throw ModelError(fmt::format("{}: unknown kind of mesh; .geo and .msh are read", file.string()));
   if (!std::filesystem::is_regular_file(file)) throw ModelError(fmt::format("{}: no such file", file.string()));
   check_options(file, options, is_geo);
-  // Gmsh sets the number of OpenMP threads of the thread that calls it; the program's own must keep its.
-  return std::async(std::launch::async, [&] { return read(file, options, is_geo); }).get();
+  return is_geo ? mesh_geo(file, options) : read_msh(bytes_of(file), file.string());
 }
 
 }  // namespace creepcontact::io

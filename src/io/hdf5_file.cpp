@@ -4,23 +4,23 @@ namespace creepcontact::io {
 namespace {
 
 hid_t native(double) {
-  return H5T_NATIVE_DOUBLE;
+  return hdf5().native_double;
 }
 hid_t native(std::int64_t) {
-  return H5T_NATIVE_INT64;
+  return hdf5().native_int64;
 }
 hid_t native(char) {
-  return H5T_NATIVE_CHAR;
+  return hdf5().native_char;
 }
 
 template <typename T>
 void write_values(hid_t parent, const std::string& name, std::span<const T> values) {
   const std::string action = "write '" + name + "'";
   const hsize_t size = values.size();
-  const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose, action);
-  Hdf5Handle set(H5Dcreate2(parent, name.c_str(), native(T{}), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
-                 action);
-  if (!values.empty() && H5Dwrite(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  const Hdf5Handle space(hdf5().H5Screate_simple(1, &size, nullptr), hdf5().H5Sclose, action);
+  Hdf5Handle set(hdf5().H5Dcreate2(parent, name.c_str(), native(T{}), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                 hdf5().H5Dclose, action);
+  if (!values.empty() && hdf5().H5Dwrite(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     throw Hdf5Error("cannot " + action);
   set.finish(action);
 }
@@ -28,30 +28,32 @@ void write_values(hid_t parent, const std::string& name, std::span<const T> valu
 }  // namespace
 
 Hdf5Handle create_hdf5(const std::filesystem::path& path, hsize_t user_block) {
-  const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "create the file");
-  H5Pset_userblock(properties, user_block);
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, H5P_DEFAULT), H5Fclose, "create the file"};
+  const Hdf5Handle properties(hdf5().H5Pcreate(hdf5().file_create_class), hdf5().H5Pclose, "create the file");
+  hdf5().H5Pset_userblock(properties, user_block);
+  return {hdf5().H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, H5P_DEFAULT), hdf5().H5Fclose, "create the file"};
 }
 
 Hdf5Handle open_hdf5(const std::filesystem::path& path) {
-  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "open the file"};
+  return {hdf5().H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), hdf5().H5Fclose, "open the file"};
 }
 
 Hdf5Handle create_group(hid_t parent, const std::string& name) {
-  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "write '" + name + "'"};
+  return {hdf5().H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), hdf5().H5Gclose,
+          "write '" + name + "'"};
 }
 
 Hdf5Handle open_group(hid_t parent, const std::string& name) {
-  return {H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "read '" + name + "'"};
+  return {hdf5().H5Gopen2(parent, name.c_str(), H5P_DEFAULT), hdf5().H5Gclose, "read '" + name + "'"};
 }
 
 std::vector<std::string> member_names(hid_t group) {
   H5G_info_t info{};
-  if (H5Gget_info(group, &info) < 0) throw Hdf5Error("cannot list a group");
+  if (hdf5().H5Gget_info(group, &info) < 0) throw Hdf5Error("cannot list a group");
   std::vector<std::string> names;
   for (hsize_t i = 0; i < info.nlinks; ++i) {
     const auto get = [&](char* text, std::size_t size) {
-      const ssize_t length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT);
+      const ssize_t length =
+          hdf5().H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT);
       if (length < 0) throw Hdf5Error("cannot list a group");
       return static_cast<std::size_t>(length);
     };
@@ -64,12 +66,12 @@ std::vector<std::string> member_names(hid_t group) {
 
 std::vector<std::size_t> extents(hid_t parent, const std::string& name) {
   const std::string action = "read '" + name + "'";
-  const Hdf5Handle set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, action);
-  const Hdf5Handle space(H5Dget_space(set), H5Sclose, action);
-  const int rank = H5Sget_simple_extent_ndims(space);
+  const Hdf5Handle set(hdf5().H5Dopen2(parent, name.c_str(), H5P_DEFAULT), hdf5().H5Dclose, action);
+  const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose, action);
+  const int rank = hdf5().H5Sget_simple_extent_ndims(space);
   if (rank < 0) throw Hdf5Error("cannot " + action);
   std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
-  H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  hdf5().H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
   return {sizes.begin(), sizes.end()};
 }
 
@@ -86,12 +88,12 @@ void write_array(hid_t parent, const std::string& name, std::span<const char> va
 template <typename T>
 std::vector<T> read_array(hid_t parent, const std::string& name) {
   const std::string action = "read '" + name + "'";
-  const Hdf5Handle set(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, action);
-  const Hdf5Handle space(H5Dget_space(set), H5Sclose, action);
-  const hssize_t size = H5Sget_simple_extent_npoints(space);
+  const Hdf5Handle set(hdf5().H5Dopen2(parent, name.c_str(), H5P_DEFAULT), hdf5().H5Dclose, action);
+  const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose, action);
+  const hssize_t size = hdf5().H5Sget_simple_extent_npoints(space);
   if (size < 0) throw Hdf5Error("cannot " + action);
   std::vector<T> values(static_cast<std::size_t>(size));
-  if (!values.empty() && H5Dread(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+  if (!values.empty() && hdf5().H5Dread(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     throw Hdf5Error("cannot " + action);
   return values;
 }

@@ -2,22 +2,16 @@
 /// The few HDF5 operations that checkpoints and temperatures need, with handles that close themselves and failures as
 /// exceptions.
 
-#include <hdf5.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace creepcontact::io {
+#include "hdf5_library.hpp"
 
-/// What the library could not do.
-struct Hdf5Error : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace creepcontact::io {
 
 class Hdf5Handle {
  public:
@@ -47,11 +41,11 @@ class Hdf5Silence {
  public:
   Hdf5Silence() {
     // A file that a full disk has kept from being closed would crash the library's own clean-up at exit.
-    H5dont_atexit();
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    hdf5().H5dont_atexit();
+    hdf5().H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    hdf5().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Hdf5Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  ~Hdf5Silence() { hdf5().H5Eset_auto2(H5E_DEFAULT, function_, data_); }
   Hdf5Silence(const Hdf5Silence&) = delete;
   Hdf5Silence& operator=(const Hdf5Silence&) = delete;
 

@@ -3,11 +3,17 @@
 #include <fmt/ranges.h>
 
 #include <bit>
+#include <numeric>
 #include <pugixml.hpp>
 #include <sstream>
 
 namespace creepcontact::io {
 namespace {
+
+void add_component_names(pugi::xml_node array, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    array.append_attribute(fmt::format("ComponentName{}", i).c_str()) = names[i].c_str();
+}
 
 /// Adds the arrays to the document and gathers their bytes for its end.
 class Appender {
@@ -17,8 +23,7 @@ class Appender {
     node.append_attribute("type") = array.type.c_str();
     node.append_attribute("Name") = array.name.c_str();
     node.append_attribute("NumberOfComponents") = array.components;
-    for (std::size_t i = 0; i < array.component_names.size(); ++i)
-      node.append_attribute(fmt::format("ComponentName{}", i).c_str()) = array.component_names[i].c_str();
+    add_component_names(node, array.component_names);
     node.append_attribute("format") = "appended";
     node.append_attribute("offset") = static_cast<unsigned long long>(data_.size() - 1);
     data_ += array.data;
@@ -29,27 +34,28 @@ class Appender {
   std::string data_ = "_";  // VTK's mark of the beginning; offsets count from behind it
 };
 
-/// Shown by ParaView's information panel. Strings are the numbers of their characters, ending in 0.
+pugi::xml_node add_ascii_array(pugi::xml_node parent, const char* type, const std::string& name,
+                               const std::string& data) {
+  pugi::xml_node node = parent.append_child("DataArray");
+  node.append_attribute("type") = type;
+  node.append_attribute("Name") = name.c_str();
+  node.append_attribute("NumberOfTuples") = 1;
+  node.append_attribute("format") = "ascii";
+  node.text() = data.c_str();
+  return node;
+}
+
+/// Shown by ParaView's information panel and spreadsheet. Words are the names of components, whose values are their
+/// numbers: arrays of strings, which VTK has, make other readers (meshio 5) refuse the whole file.
 void add_field_data(pugi::xml_node grid, const VtuContent& content) {
   pugi::xml_node fields = grid.append_child("FieldData");
-  pugi::xml_node time = fields.append_child("DataArray");
-  time.append_attribute("type") = "Float64";
-  time.append_attribute("Name") = "TimeValue";
-  time.append_attribute("NumberOfTuples") = 1;
-  time.append_attribute("format") = "ascii";
-  time.text() = fmt::format("{}", content.time).c_str();
+  add_ascii_array(fields, "Float64", "TimeValue", fmt::format("{}", content.time));
   for (const TextArray& text : content.texts) {
-    pugi::xml_node node = fields.append_child("Array");
-    node.append_attribute("type") = "String";
-    node.append_attribute("Name") = text.name.c_str();
-    node.append_attribute("NumberOfTuples") = static_cast<unsigned long long>(text.values.size());
-    node.append_attribute("format") = "ascii";
-    std::vector<int> codes;
-    for (const std::string& value : text.values) {
-      for (char c : value) codes.push_back(static_cast<unsigned char>(c));
-      codes.push_back(0);
-    }
-    node.text() = fmt::format("{}", fmt::join(codes, " ")).c_str();
+    std::vector<std::size_t> numbers(text.values.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    pugi::xml_node node = add_ascii_array(fields, "Int32", text.name, fmt::format("{}", fmt::join(numbers, " ")));
+    node.append_attribute("NumberOfComponents") = static_cast<unsigned long long>(text.values.size());
+    add_component_names(node, text.values);
   }
 }
 

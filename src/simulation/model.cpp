@@ -6,7 +6,6 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/io/gmsh_reader.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
 #include "temperature.hpp"
@@ -60,8 +59,7 @@ void let_slide(const config::Config& config, Model& model) {
 }
 
 Model build_model(const config::Config& config) {
-  const mesh::Mesh whole =
-      io::read_mesh(config.mesh.file, {.order = config.mesh.order, .parameters = config.mesh.parameters});
+  const mesh::Mesh whole = read_mesh(config.mesh);
 
   Mistakes mistakes;
   BodyMeshes meshes(config.bodies.size());

@@ -12,6 +12,9 @@
 
 namespace creepcontact::simulation {
 
+/// Reads or makes the mesh. @throws ModelError, with the place in the configuration if there is no such file
+mesh::Mesh read_mesh(const config::Mesh& mesh);
+
 /// Collects the mistakes of all entries, so that the user sees them in one go.
 class Mistakes {
  public:

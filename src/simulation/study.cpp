@@ -127,7 +127,8 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   std::optional<StudyRow> reference;
   {
     StudyProgress progress(runs.size() + (reference_run ? 1 : 0));
-    StudyExecution execution(study, options.program, directory, jobs, cores, interrupt, progress);
+    StudyExecution execution(study, options.program, directory, jobs, cores, options.trust_geometry, interrupt,
+                             progress);
     if (reference_run) {
       const config::PlannedRun run{"reference", study.reference->settings, 0, {}};
       reference = execution.run({run}).front();

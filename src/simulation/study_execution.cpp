@@ -1,16 +1,20 @@
 #include "study_execution.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <list>
 #include <thread>
 
-#include "child_process.hpp"
 #include "creepcontact/base/checksum.hpp"
+#include "creepcontact/base/child_process.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/io/csv_table.hpp"
@@ -105,6 +109,19 @@ StudyRow ended_row(const fs::path& directory, int exit_status) {
   return row;
 }
 
+/// @param log  file for what the program prints, replaced
+ChildProcess start_logged(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log) {
+  struct File {
+    int descriptor;
+    ~File() { ::close(descriptor); }
+  };
+  const File file{::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
+  if (file.descriptor < 0)
+    throw SolverError(fmt::format("cannot write the log '{}' of a run: {}", log.string(), std::strerror(errno)));
+  return ChildProcess(
+      {program, arguments, {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}}, SIGTERM});
+}
+
 /// Whether the interrupted run of this directory can go on.
 bool resumable(const fs::path& directory) {
   const auto summary = io::read_summary(directory / "summary.json");
@@ -129,7 +146,7 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
     std::size_t index;
     ChildProcess process;
     UnderWay(std::size_t i, const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log)
-        : index(i), process(program, arguments, log) {}
+        : index(i), process(start_logged(program, arguments, log)) {}
   };
   StudyRow not_started;
   not_started.status = "not started";
@@ -152,6 +169,7 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
       arguments.emplace_back("--set");
       arguments.push_back(one);
     }
+    if (trust_geometry_) arguments.emplace_back("--trust-geometry");
     if (same && resumable(directory)) {
       arguments.emplace_back("--resume");
     } else {

@@ -17,14 +17,16 @@ class StudyExecution {
  public:
   /// @param jobs  runs at a time, among which the cores are divided
   /// @param directory  of the study; all are referred to and must outlive this
+  /// @param trust_geometry  passed on to the runs
   StudyExecution(const config::Study& study, const std::filesystem::path& program,
-                 const std::filesystem::path& directory, int jobs, int cores, const Interrupt& interrupt,
-                 StudyProgress& progress)
+                 const std::filesystem::path& directory, int jobs, int cores, bool trust_geometry,
+                 const Interrupt& interrupt, StudyProgress& progress)
       : study_(study),
         program_(program),
         directory_(directory),
         jobs_(static_cast<std::size_t>(jobs)),
         threads_of_run_(std::to_string(std::max(1, cores / jobs))),
+        trust_geometry_(trust_geometry),
         interrupt_(interrupt),
         progress_(progress) {}
 
@@ -41,6 +43,7 @@ class StudyExecution {
   const std::filesystem::path& directory_;
   std::size_t jobs_;
   std::string threads_of_run_;
+  bool trust_geometry_;
   const Interrupt& interrupt_;
   StudyProgress& progress_;
 };

@@ -53,9 +53,15 @@ class Grid:
         tuples = [array.GetTuple(i) for i in range(array.GetNumberOfTuples())]
         return [t[0] for t in tuples] if array.GetNumberOfComponents() == 1 else tuples
 
-    def texts(self, name):
-        array = self.data.GetFieldData().GetAbstractArray(name)
+    def field(self, name):
+        """The values of an array of the field data."""
+        array = self.data.GetFieldData().GetArray(name)
         return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+
+    def texts(self, name):
+        """The names of the components of an array of the field data."""
+        array = self.data.GetFieldData().GetArray(name)
+        return [array.GetComponentName(i) for i in range(array.GetNumberOfComponents())]
 
     def points(self):
         return [self.data.GetPoint(i) for i in range(self.data.GetNumberOfPoints())]

@@ -25,11 +25,13 @@ MODULE_USES = {
     "io": ["mesh", "base"],
     "simulation": ["mechanics", "contact", "ode", "config", "io"],
     "cli": ["simulation", "config"],
+    "mesher": ["io"],
 }
 # Libraries that one module alone may see, by how their headers begin.
 LIBRARY_HOME = {
     "toml++/": "config",
     "toml.hpp": "config",
+    "gmsh.h": "mesher",
     **{f"{part}/": "ode" for part in ("arkode", "cvode", "cvodes", "ida", "kinsol", "nvector", "sundials", "sunlinsol",
                                       "sunmatrix", "sunnonlinsol")},
 }

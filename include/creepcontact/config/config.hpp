@@ -20,6 +20,9 @@ struct Mesh {
   int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
   std::map<std::string, double> parameters;  ///< .geo only: constants made with DefineConstant
   bool allow_locking = false;                ///< accept linear tetrahedra and wedges
+  double time_limit = 3600;                  ///< .geo only: seconds that meshing may take
+  int memory_limit_mb = 8192;                ///< .geo only: memory that meshing may take
+  bool trust_geometry = false;               ///< .geo only: may run programs and write files; the command line says so
   Location location;                         ///< of `file`
 };
 

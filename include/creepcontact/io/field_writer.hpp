@@ -10,7 +10,7 @@
 
 namespace creepcontact::io {
 
-/// Words that stand in the field data of every file, as the names of the bodies do.
+/// Words in the field data of every file, as the names of the bodies: the component names of an array of their numbers.
 struct TextArray {
   std::string name;
   std::vector<std::string> values;

@@ -12,6 +12,7 @@ struct StudyOptions {
   std::filesystem::path program;  ///< that makes a run: `program run CONFIG.toml ...`
   std::filesystem::path output;   ///< directory; empty: results/<name of the study> beside its file
   int jobs = 0;                   ///< runs at a time; 0: as many as there are cores
+  bool trust_geometry = false;    ///< let .geo files run programs and write files
 };
 
 struct StudyResult {

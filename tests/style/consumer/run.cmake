@@ -4,12 +4,15 @@ function(run)
 endfunction()
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-foreach(file bin/creepcontact share/creepcontact/configs share/man/man1/creepcontact.1
+foreach(file bin/creepcontact libexec/creepcontact/creepcontact-mesher share/creepcontact/configs share/man/man1/creepcontact.1
              share/bash-completion/completions/creepcontact share/doc/creepcontact/docs/configuration.md)
   if(NOT EXISTS ${WORK_DIR}/prefix/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()
 endforeach()
+# The installed program finds the installed mesher.
+run(${CMAKE_COMMAND} -E env --unset=CREEPCONTACT_MESHER
+    ${WORK_DIR}/prefix/bin/creepcontact check ${WORK_DIR}/prefix/share/creepcontact/configs/pressed_blocks.toml)
 if(EXISTS ${WORK_DIR}/prefix/share/creepcontact/configs/results)
   message(FATAL_ERROR "results of earlier runs were installed with the configurations")
 endif()

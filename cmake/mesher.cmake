@@ -1,0 +1,19 @@
+# creepcontact-mesher, the process that meshes .geo files: alone in being linked to Gmsh, which brings 120 libraries.
+creepcontact_find_library(Gmsh gmsh.h gmsh)
+creepcontact_find_library(Seccomp seccomp.h seccomp)
+file(GLOB mesher_sources CONFIGURE_DEPENDS src/mesher/*.cpp)
+add_executable(creepcontact_mesher ${mesher_sources})
+set_target_properties(creepcontact_mesher PROPERTIES OUTPUT_NAME creepcontact-mesher)
+target_link_libraries(creepcontact_mesher PRIVATE creepcontact_io creepcontact_options Gmsh::Gmsh Seccomp::Seccomp)
+# Of what comes with creepcontact_io it needs next to nothing.
+target_link_options(creepcontact_mesher PRIVATE -Wl,--as-needed)
+
+# Where the program looks for it: in its own directory (that of the build), else where it is installed.
+set(mesher_directory ${CMAKE_INSTALL_LIBEXECDIR}/creepcontact)
+file(RELATIVE_PATH mesher_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/creepcontact)
+target_compile_definitions(creepcontact_io PRIVATE
+    CREEPCONTACT_MESHER_FROM_BIN="${mesher_from_bin}/creepcontact-mesher"
+    CREEPCONTACT_MESHER_INSTALLED="${CMAKE_INSTALL_FULL_LIBEXECDIR}/creepcontact/creepcontact-mesher")
+if(TARGET creepcontact)
+  add_dependencies(creepcontact creepcontact_mesher)
+endif()

@@ -1,0 +1,152 @@
+#include "geo_scan.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace creepcontact::io {
+namespace {
+
+/// A word, a sign, or a string without the quotation mark at its end, so that it cannot be mistaken for a word.
+struct Token {
+  std::string text;
+  int line = 0;
+  bool is_string() const { return text.front() == '"'; }
+  bool is_word() const { return std::isalpha(static_cast<unsigned char>(text.front())) || text.front() == '_'; }
+};
+
+std::vector<Token> tokens(std::string_view text) {
+  const auto is_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+  std::vector<Token> result;
+  std::size_t i = 0;
+  int line = 1;
+  while (i < text.size()) {
+    const std::string_view rest = text.substr(i);
+    std::size_t length = 1;
+    if (rest.starts_with("//")) {
+      length = std::min(rest.find('\n'), rest.size());
+    } else if (rest.starts_with("/*")) {
+      const auto end = rest.find("*/", 2);
+      length = end == std::string_view::npos ? rest.size() : end + 2;
+    } else if (rest[0] == '"' || rest[0] == '\'') {
+      const auto end = std::min(rest.find(rest[0], 1), rest.size());
+      result.push_back({'"' + std::string(rest.substr(1, end - 1)), line});
+      length = std::min(end + 1, rest.size());
+    } else if (is_word(rest[0])) {
+      while (length < rest.size() && is_word(rest[length])) ++length;
+      result.push_back({std::string(rest.substr(0, length)), line});
+    } else if (!std::isspace(static_cast<unsigned char>(rest[0]))) {
+      result.push_back({std::string(rest.substr(0, 1)), line});
+    }
+    line += static_cast<int>(std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(length), '\n'));
+    i += length;
+  }
+  return result;
+}
+
+/// Gmsh knows these by their extensions; they hold no statements.
+bool is_cad(const std::filesystem::path& file) {
+  static const std::set<std::string> extensions{".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".stl", ".sat",
+                                                ".STEP", ".STP", ".IGES", ".IGS", ".BREP", ".BRP", ".STL", ".SAT"};
+  return extensions.count(file.extension().string()) > 0;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  constexpr std::uintmax_t largest = 1u << 24;
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure) || std::filesystem::file_size(file, failure) > largest ||
+      failure)
+    return "";
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class Scanner {
+ public:
+  GeoScan scan(const std::filesystem::path& file) {
+    std::vector<std::filesystem::path> pending{file};
+    std::set<std::filesystem::path> visited;
+    while (!pending.empty()) {
+      file_ = pending.back();
+      pending.pop_back();
+      std::error_code ignored;
+      if (!visited.insert(std::filesystem::weakly_canonical(file_, ignored)).second) continue;
+      tokens_ = tokens(text_of(file_));
+      for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) look_at(i, pending);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void look_at(std::size_t i, std::vector<std::filesystem::path>& pending) {
+    const std::string& word = tokens_[i].text;
+    const Token& next = tokens_[i + 1];
+    if (word == "Include" || word == "Merge" || word == "Open") {
+      if (next.is_string()) {
+        const std::filesystem::path other = file_.parent_path() / next.text.substr(1);
+        if (!is_cad(other)) pending.push_back(other);
+      } else if (next.is_word()) {
+        found_.computed_files.push_back(statement(i));
+      }
+    } else if (word == "DefineConstant" && (next.text == "[" || next.text == "(")) {
+      scan_list(i + 2);
+    } else if (reaches_out(i)) {
+      found_.reaching_out.push_back(statement(i));
+    }
+  }
+
+  /// Whether the word is a statement rather than a name: `Save "a.msh";` but not `Save = 1;`.
+  bool reaches_out(std::size_t i) const {
+    static const std::set<std::string> with_argument{
+        "SystemCall", "NonBlockingSystemCall", "System", "CreateDir", "Save", "Print"};
+    const std::string& word = tokens_[i].text;
+    const Token& next = tokens_[i + 1];
+    if (with_argument.count(word) > 0) return next.is_string() || next.is_word();
+    if (word == "Exit" || word == "Abort") return next.text == ";";
+    if (word == "OnelabRun") return next.text == "(";
+    return word == "Printf" && next.text == "(" && behind_brackets(i + 1) == ">";
+  }
+
+  std::string behind_brackets(std::size_t i) const {
+    int depth = 0;
+    for (; i + 1 < tokens_.size(); ++i) {
+      if (tokens_[i].text == "(") ++depth;
+      if (tokens_[i].text == ")" && --depth == 0) return tokens_[i + 1].text;
+    }
+    return "";
+  }
+
+  GeoStatement statement(std::size_t i) const { return {file_.string(), tokens_[i].line, tokens_[i].text}; }
+
+  /// Items "name", "name = number" and "name = {number, options}"; lists and strings are not for overriding.
+  void scan_list(std::size_t i) {
+    const auto text = [&](std::size_t k) -> const std::string& { return tokens_[k].text; };
+    bool begins = true;
+    for (int depth = 1; i + 1 < tokens_.size(); ++i) {
+      if (begins && (text(i + 1) == "," || text(i + 1) == "]" || text(i + 1) == ")")) found_.constants.insert(text(i));
+      if (begins && text(i + 1) == "=" && i + 3 < tokens_.size()) {
+        const Token& value = tokens_[text(i + 2) == "{" ? i + 3 : i + 2];
+        if (!value.is_string()) found_.constants.insert(text(i));
+      }
+      begins = false;
+      if (text(i) == "[" || text(i) == "(" || text(i) == "{") ++depth;
+      if (text(i) == "]" || text(i) == ")" || text(i) == "}") --depth;
+      if (depth == 0) return;
+      if (depth == 1 && text(i) == ",") begins = true;
+    }
+  }
+
+  std::filesystem::path file_;
+  std::vector<Token> tokens_;
+  GeoScan found_;
+};
+
+}  // namespace
+
+GeoScan scan_geo(const std::filesystem::path& file) {
+  return Scanner().scan(file);
+}
+
+}  // namespace creepcontact::io

@@ -1,0 +1,137 @@
+/// creepcontact-mesher: meshes one .geo for creepcontact, in a process of its own, so that whatever the file does to
+/// Gmsh ends here.
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gmsh.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+
+#include "confinement.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/io/mesher_protocol.hpp"
+#include "creepcontact/io/msh_writer.hpp"
+#include "death.hpp"
+#include "gmsh_content.hpp"
+
+namespace creepcontact::mesher {
+namespace {
+
+using io::MesherRequest;
+namespace status = io::mesher;
+
+void start_gmsh() {
+  gmsh::initialize(0, nullptr, false);  // false: no settings of the user's own
+  gmsh::option::setNumber("General.Terminal", 1);
+  gmsh::option::setNumber("General.NumThreads", 1);  // the mesh must not depend on the machine
+  // An exception out of the parser would hide all errors but the first.
+  gmsh::option::setNumber("General.AbortOnError", 0);
+  gmsh::logger::start();
+}
+
+/// Gives variables their values, which DefineConstant then leaves alone. Only Gmsh's own language can, from a file.
+void set_variables(const std::map<std::string, double>& values) {
+  if (values.empty()) return;
+  std::string text;
+  for (const auto& [name, value] : values) text += fmt::format("{} = {};\n", name, value);
+  const int file = ::memfd_create("parameters", 0);
+  if (file < 0 || ::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
+    throw ModelError("cannot hand the parameters to Gmsh: the system gives no memory file");
+  gmsh::merge(fmt::format("/proc/self/fd/{}", file));
+  ::close(file);
+}
+
+void set_order(int order) {
+  gmsh::option::setNumber("General.Verbosity", 5);
+  gmsh::option::setNumber("Mesh.ElementOrder", order);
+  gmsh::option::setNumber("Mesh.SecondOrderIncomplete", 1);
+}
+
+double option(const char* name) {
+  double value = 0;
+  gmsh::option::getNumber(name, value);
+  return value;
+}
+
+/// Errors are on the terminal already, unless the file has turned it off.
+bool gmsh_has_failed() {
+  if (option("General.Verbosity") < 1) {
+    std::cerr << "Error   : the file sets General.Verbosity below 1, which hides errors; leave that out" << std::endl;
+    return true;
+  }
+  const bool is_told = option("General.Terminal") != 0;
+  std::vector<std::string> lines;
+  gmsh::logger::get(lines);
+  bool failed = false;
+  for (const std::string& line : lines) {
+    if (!line.starts_with("Error")) continue;
+    failed = true;
+    if (!is_told) std::cerr << line << '\n';
+  }
+  return failed;
+}
+
+void send(const std::string& bytes) {
+  for (std::size_t sent = 0; sent < bytes.size();) {
+    const ssize_t written = ::write(status::mesh_descriptor, bytes.data() + sent, bytes.size() - sent);
+    if (written < 0) leave(status::gmsh_failed);  // nobody listens any more
+    sent += static_cast<std::size_t>(written);
+  }
+}
+
+int mesh(const MesherRequest& request) {
+  be_expendable();
+  start_gmsh();
+  set_variables(request.parameters);
+  limit_memory(request.memory_limit_mb);
+  if (!request.trusted && !confine() && request.needs_confinement) return status::not_confined;
+
+  set_order(request.order);
+  watch();
+  gmsh::merge(request.file.string());
+  stop_reading();
+  if (gmsh_has_failed()) return status::gmsh_failed;
+  set_order(request.order);  // the file may have had its own idea
+  gmsh::model::mesh::generate(3);
+  if (gmsh_has_failed()) return status::gmsh_failed;
+  send(io::write_msh(gmsh_content()));
+  return status::done;
+}
+
+/// Gmsh throws texts.
+int guarded(const MesherRequest& request) {
+  std::string reason;
+  try {
+    return mesh(request);
+  } catch (const std::string& text) {
+    reason = text;
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+    reason = "unknown reason";
+  }
+  std::cerr << "Error   : " << reason << std::endl;
+  return status::gmsh_failed;
+}
+
+}  // namespace
+}  // namespace creepcontact::mesher
+
+int main(int argc, char** argv) {
+  using namespace creepcontact;
+  try {
+    const auto request = io::MesherRequest::from(std::vector<std::string>(argv + 1, argv + argc));
+    if (::fcntl(io::mesher::mesh_descriptor, F_SETFD, FD_CLOEXEC) != 0) return 2;
+    const int status = mesher::guarded(request);
+    std::fflush(nullptr);
+    mesher::leave(status);
+  } catch (const Error& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return error.exit_status();
+  }
+}

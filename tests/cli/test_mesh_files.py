@@ -1,0 +1,234 @@
+"""Mesh files that attack, break or disappoint: whatever they hold, the program ends with a sentence and status 3."""
+
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from study_case import BASE, GEOMETRY, PROGRAM
+from without_seccomp import forbid_seccomp
+
+SQUARE = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+1
+1 3 2 1 1 1 2 3 4
+$EndElements
+"""
+
+
+class MeshTest(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.directory = pathlib.Path(scratch.name)
+        self.write("cube.geo", GEOMETRY)
+        self.write("cube.toml", BASE)
+        self.write("msh.toml", BASE.replace("cube.geo", "cube.msh").replace("order = 1\n", ""))
+
+    def write(self, name, text):
+        (self.directory / name).write_text(text)
+
+    def call(self, command, *options, **settings):
+        return subprocess.run([PROGRAM, command, "cube.toml", *options], cwd=self.directory, capture_output=True,
+                              text=True, timeout=60, **settings)
+
+    def check(self, *options, **settings):
+        return self.call("check", *options, **settings)
+
+    def check_msh(self):
+        return subprocess.run([PROGRAM, "check", "msh.toml"], cwd=self.directory, capture_output=True, text=True,
+                              timeout=60)
+
+    def made(self, name="made"):
+        return (self.directory / name).exists()
+
+    def expect_error(self, done, *texts):
+        self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
+        for line in done.stderr.splitlines():
+            self.assertRegex(line, "^(error|warning): ")
+        for text in texts:
+            self.assertIn(text, done.stderr)
+
+
+class Attacks(MeshTest):
+    def test_a_geometry_runs_no_program(self):
+        self.write("cube.geo", 'SystemCall "touch made";\n' + GEOMETRY)
+        self.expect_error(self.check(), "cube.geo:1: 'SystemCall' runs a program", "--trust-geometry")
+        self.assertFalse(self.made())
+        self.assertEqual(self.check("--trust-geometry").returncode, 0)
+        self.assertTrue(self.made())
+
+    def test_nor_does_a_statement_that_hides(self):
+        self.write("part.geo", '\nSystemCall "touch made";\n')
+        self.write("cube.geo", GEOMETRY + 'Include Sprintf("part.geo");\n')
+        self.expect_error(self.check(), "the geometry tried to reach beyond its mesh", "--trust-geometry")
+        self.assertFalse(self.made())
+
+    def test_nor_where_there_is_no_seccomp(self):
+        self.assertEqual(self.check(preexec_fn=forbid_seccomp).returncode, 0)
+        self.write("part.geo", 'SystemCall "touch made";\n')
+        self.write("cube.geo", GEOMETRY + 'Include Sprintf("part.geo");\n')
+        self.expect_error(self.check(preexec_fn=forbid_seccomp), "this system has no seccomp", "--trust-geometry")
+        self.write("cube.geo", GEOMETRY + 'Include "part.geo";\n')
+        self.expect_error(self.check(preexec_fn=forbid_seccomp), "part.geo:1: 'SystemCall' runs a program")
+        self.assertFalse(self.made())
+
+    def test_trust_reaches_the_runs_of_a_study(self):
+        self.write("cube.geo", 'SystemCall "touch made";\n' + GEOMETRY)
+        self.write("study.toml", 'base = "cube.toml"\n[[runs]]\nset = { time.end = 0.2, time.output = [0.2] }\n')
+        command = [PROGRAM, "study", "study.toml"]
+        done = subprocess.run(command, cwd=self.directory, capture_output=True, text=True, timeout=60)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("SystemCall", done.stdout + done.stderr)
+        done = subprocess.run([*command, "--trust-geometry"], cwd=self.directory, capture_output=True, text=True,
+                              timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_mesh_runs_no_program(self):
+        self.write("cube.msh", 'SystemCall "touch made";\n' + SQUARE)
+        self.write("cube.msh.opt", 'SystemCall "touch made";\n')
+        self.write("cube.geo.opt", 'SystemCall "touch made";\n')
+        self.expect_error(self.check_msh(), "does not begin with $MeshFormat")
+        self.write("cube.msh", SQUARE)
+        self.expect_error(self.check_msh(), "cube.msh")
+        self.assertEqual(self.check().returncode, 0)
+        self.assertFalse(self.made())
+
+    def test_settings_of_the_user_are_not_read(self):
+        for name in (".gmshrc", ".gmsh-options"):
+            self.write(name, 'SystemCall "touch made";\n')
+        self.assertEqual(self.check(env={**os.environ, "HOME": str(self.directory)}).returncode, 0)
+        self.assertFalse(self.made())
+
+    def test_exit_is_no_success(self):
+        self.write("cube.geo", GEOMETRY + "Exit;\n")
+        self.expect_error(self.call("run"), "'Exit' runs a program, writes a file or ends Gmsh")
+        self.expect_error(self.call("run", "--trust-geometry"), "the file ended Gmsh by Exit")
+
+
+class Ends(MeshTest):
+    def test_endless_loop(self):
+        self.write("cube.geo", "For i In {1 : 2}\n  i = 1;\nEndFor\n")
+        self.expect_error(self.check("--set", "mesh.time_limit=0.5"), "longer than mesh.time_limit = 0.5 s")
+
+    def test_endless_words(self):
+        self.write("cube.geo", 'For i In {1 : 2}\n  i = 1; Printf("Warning : all is well");\nEndFor\n')
+        done = self.check("--set", "mesh.time_limit=0.5")
+        self.expect_error(done, "longer than mesh.time_limit", "warns of more, which is not shown")
+        self.assertLess(len(done.stderr), 5000)
+
+    def test_memory(self):
+        if subprocess.run(["grep", "-q", "__asan_init", PROGRAM]).returncode == 0:
+            self.skipTest("the address sanitizer takes more than any bound")
+        self.write("cube.geo", "a[] = {1:1e9};\n" + GEOMETRY)
+        self.expect_error(self.check("--set", "mesh.memory_limit_mb=50"), "more memory than mesh.memory_limit_mb = 50")
+
+    def test_a_file_that_includes_itself(self):
+        self.write("cube.geo", 'Include "cube.geo";\n')
+        self.expect_error(self.check("--set", "mesh.time_limit=50"), "cube.geo: Gmsh failed", "a file that includes itself")
+
+    def test_damaged_meshes(self):
+        self.write("cube.geo", GEOMETRY + 'Mesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh 3;\nSave "cube.msh";\n')
+        self.assertEqual(self.check("--trust-geometry").returncode, 0)
+        whole = (self.directory / "cube.msh").read_bytes()
+        self.assertEqual(self.check_msh().returncode, 0)
+        for size in range(0, whole.rindex(b"$EndElements"), 331):
+            (self.directory / "cube.msh").write_bytes(whole[:size])
+            self.expect_error(self.check_msh(), "cube.msh")
+
+    def test_the_mesher_ends_with_the_program(self):
+        self.write("cube.geo", "For i In {1 : 2}\n  i = 1;\nEndFor\n")
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
+            process = subprocess.Popen([PROGRAM, "check", "cube.toml"], cwd=self.directory, stderr=subprocess.DEVNULL)
+            mesher = self.child_of(process.pid)
+            process.send_signal(number)
+            process.wait(timeout=30)
+            for _ in range(200):
+                if not pathlib.Path(f"/proc/{mesher}").exists():
+                    break
+                time.sleep(0.05)
+            self.assertFalse(pathlib.Path(f"/proc/{mesher}").exists(), number)
+
+    def child_of(self, process):
+        children = pathlib.Path(f"/proc/{process}/task/{process}/children")
+        for _ in range(400):
+            for child in children.read_text().split():
+                # between fork and exec it still has the name of its parent
+                if pathlib.Path(f"/proc/{child}/cmdline").read_bytes().startswith(b"/") and \
+                        b"creepcontact-mesher" in pathlib.Path(f"/proc/{child}/cmdline").read_bytes():
+                    return child
+            time.sleep(0.05)
+        self.fail("no mesher was started")
+
+
+class Surroundings(MeshTest):
+    def test_closed_descriptors(self):
+        for closed in ((0,), (0, 1), (0, 1, 2)):
+            done = self.check(preexec_fn=lambda: [os.close(number) for number in closed])
+            if 1 not in closed:
+                self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotEqual(done.returncode, 3, done.stderr)
+
+    def test_no_temporary_directory(self):
+        done = self.check(env={**os.environ, "TMPDIR": "/nowhere"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_mesher_that_is_not_there(self):
+        done = self.check(env={**os.environ, "CREEPCONTACT_MESHER": "/nowhere/mesher"})
+        self.expect_error(done, "'/nowhere/mesher'", "No such file or directory")
+
+    def test_side_by_side(self):
+        processes = [subprocess.Popen([PROGRAM, "check", "cube.toml"], cwd=self.directory, stdout=subprocess.PIPE,
+                                      stderr=subprocess.STDOUT) for _ in range(3)]
+        outputs = [process.communicate(timeout=60)[0] for process in processes]
+        self.assertEqual([process.returncode for process in processes], [0, 0, 0])
+        self.assertEqual(len(set(outputs)), 1)
+
+    def test_libraries_at_the_start(self):
+        """Gmsh and what comes with it (OpenCASCADE, FLTK, VTK) are the mesher's alone."""
+        loaded = subprocess.run([PROGRAM, "--version"], env={**os.environ, "LD_TRACE_LOADED_OBJECTS": "1"},
+                                capture_output=True, text=True).stdout.split("\n\t")
+        self.assertEqual([name for name in loaded if re.search("gmsh|libTK|fltk|vtk|libX11|libGL", name)], [])
+        self.assertLess(len(loaded), 32)
+
+
+class Disappointments(MeshTest):
+    def test_a_mesh_of_surfaces(self):
+        self.write("cube.msh", SQUARE)
+        self.expect_error(self.check_msh(), "the mesh has only surface cells",
+                          "bodies are physical volumes")
+        self.write("cube.geo", 'SetFactory("OpenCASCADE");\nRectangle(1) = {0, 0, 0, 1, 1};\n'
+                   'Physical Surface("cube") = {1};\n')
+        self.expect_error(self.check(), "the mesh has only surface cells")
+
+    def test_pyramids(self):
+        self.write("cube.geo", GEOMETRY.split("Physical")[0] +
+                   "Transfinite Surface{out[0]}; Recombine Surface{out[0]};\nMesh.Algorithm3D = 1;\n"
+                   "p[] = Extrude {0, 0, 100} { Surface{out[0]}; };\nPhysical Volume(\"cube\") = {p[1]};\n")
+        done = self.check()
+        self.expect_error(done, "physical volume 'cube' has cells of the kind 'Pyramid", "Gmsh puts pyramids between")
+
+    def test_a_missing_file(self):
+        self.write("cube.toml", BASE.replace("cube.geo", "cubee.geo"))
+        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: no such file 'cubee.geo'; did you mean 'cube.geo'?")
+        self.write("cube.toml", BASE.replace("cube.geo", "turbine.geo"))
+        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: no such file 'turbine.geo'; '.' has cube.geo")
+        self.write("cube.toml", BASE.replace("cube.geo", "none/cube.geo"))
+        self.expect_error(self.check(), "there is no directory 'none'")
+
+
+if __name__ == "__main__":
+    unittest.main()
