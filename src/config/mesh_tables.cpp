@@ -38,6 +38,8 @@ std::vector<std::string> given_keys(const Item& item, const std::vector<std::str
 }
 
 Value<Mesh> mesh_table() {
+  const auto shared =
+      choice<SharedNodes>("treatment of shared nodes", {{"error", SharedNodes::error}, {"tie", SharedNodes::tie}});
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
                   "`.geo` (meshed in process by the Gmsh library) or `.msh` (2.2, 4.1; ASCII, binary)",
@@ -46,6 +48,10 @@ Value<Mesh> mesh_table() {
                   "`.geo` only: order of the elements; 2 gives tet10, hex20, wedge15"),
       field<Mesh>("parameters", &Mesh::parameters, numbers_by_name(),
                   "`.geo` only: new values for constants made with `DefineConstant`"),
+      field<Mesh>(
+          "share_nodes", &Mesh::share_nodes, shared,
+          "nodes that several bodies share and no contact covers: an error, or the bodies are glued there, node "
+          "to node"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;

@@ -15,11 +15,15 @@
 
 namespace creepcontact::config {
 
+/// What becomes of nodes that several bodies share and no contact covers.
+enum class SharedNodes { error, tie };
+
 struct Mesh {
   std::filesystem::path file;                ///< .geo or .msh; already relative to the working directory
   int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
   std::map<std::string, double> parameters;  ///< .geo only: constants made with DefineConstant
-  Location location;                         ///< of `file`
+  SharedNodes share_nodes = SharedNodes::error;
+  Location location;  ///< of `file`
 };
 
 struct Body {
@@ -193,6 +197,8 @@ struct Probe {
   std::optional<std::array<double, 3>> at;  ///< ... a point, or ...
   Reference body;                           ///< ... a whole body; beside `on` and `at`: only in this body
   Reduce reduce = Reduce::mean;             ///< over a surface or body; sum for areas, forces and reactions
+  std::array<double, 3> axis{0, 0, 1};      ///< of cylindrical components ...
+  std::array<double, 3> origin{};           ///< ... and a point of it
   Location location;
 };
 
