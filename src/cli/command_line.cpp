@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "command.hpp"
@@ -32,8 +33,12 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
     po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), values_);
     po::notify(values_);
   } catch (const po::unknown_option& error) {
-    throw ConfigError(fmt::format("unknown option '{}'; did you mean '{}'?{}", error.get_option_name(),
-                                  config::nearest(error.get_option_name(), option_names()), help));
+    const std::string name = error.get_option_name();
+    const std::vector<std::string> known = option_names();
+    const bool restart = name == "--restart" && std::ranges::count(known, "--resume") > 0;
+    const std::string question =
+        restart ? "; '--resume' goes on from the last checkpoint" : config::did_you_mean(name, known);
+    throw ConfigError(fmt::format("unknown option '{}'{}{}", name, question, help));
   } catch (const po::too_many_positional_options_error&) {
     const std::string further = optional.empty() ? "" : fmt::format(", and perhaps {}", optional);
     throw ConfigError(fmt::format("{} takes {}, {}{}{}", command_.name,

@@ -44,8 +44,8 @@ void check(const std::string& what, const CommandLine& line, const Output& outpu
   if (!contains(key_lists, what) && !contains(name_lists, what)) {
     std::vector<std::string> lists = key_lists;
     lists.insert(lists.end(), name_lists.begin(), name_lists.end());
-    throw ConfigError(fmt::format("list: unknown list '{}'; did you mean '{}'? (allowed: {})", what,
-                                  config::nearest(what, lists), all_lists()));
+    throw ConfigError(
+        fmt::format("list: unknown list '{}'{} (allowed: {})", what, config::did_you_mean(what, lists), all_lists()));
   }
   if (contains(name_lists, what) && (line.optional() || output.names || output.values))
     throw ConfigError(

@@ -55,8 +55,9 @@ int dispatch(const Arguments& arguments) {
   }
   const bool is_option = first.front() == '-';
   if (is_option) names = {"--help", "--version"};
-  throw ConfigError(fmt::format("unknown {} '{}'; did you mean '{}'? See creepcontact --help",
-                                is_option ? "option" : "command", first, config::nearest(first, names)));
+  const std::string question = config::did_you_mean(first, names);
+  throw ConfigError(fmt::format("unknown {} '{}'{} See creepcontact --help", is_option ? "option" : "command", first,
+                                question.empty() ? "." : question));
 }
 
 /// Every line is an error of its own (a configuration may have many).

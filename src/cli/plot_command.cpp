@@ -14,8 +14,8 @@ namespace {
 std::optional<bool> log_time(const std::string& word) {
   if (word == "auto") return std::nullopt;
   if (word == "yes" || word == "no") return word == "yes";
-  throw ConfigError(fmt::format("--log-time: unknown choice '{}'; did you mean '{}'? (allowed: auto, yes, no)", word,
-                                config::nearest(word, {"auto", "yes", "no"})));
+  throw ConfigError(fmt::format("--log-time: unknown choice '{}'{} (allowed: auto, yes, no)", word,
+                                config::did_you_mean(word, {"auto", "yes", "no"})));
 }
 
 std::vector<std::string> names(const std::string& list) {

@@ -80,6 +80,11 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
   keys.location = item.location;
   keys.geometric_gap = keys.initial_gap.geometric;
   keys.gap = keys.initial_gap.function;
+  const bool has_gap = keys.geometric_gap || !keys.gap.is_zero();
+  if (keys.type == ContactType::tied && has_gap)
+    context.errors.add(item.child("gap").location,
+                       "has no effect on a tied contact, which joins the surfaces as the mesh has them",
+                       "no gap, or type = \"unilateral\"");
   if (!keys.between[0].given()) return std::nullopt;  // reported
   const std::string& first = keys.between[0].name;
   const std::string& second = keys.between[1].name;
@@ -108,7 +113,8 @@ Value<Contact> contact_table() {
       field<ContactKeys>("type", &ContactKeys::type, type, "`\"unilateral\"`: may open and slide; `\"tied\"`: neither"),
       field<ContactKeys>("slave", &ContactKeys::slave_name, slave, "the surface that the multipliers live on"),
       field<ContactKeys>("gap", &ContactKeys::initial_gap, gap_value(),
-                         "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh"),
+                         "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh; "
+                         "unilateral contacts only"),
   });
   return converted<Contact>(keys, make_contact);
 }

@@ -83,6 +83,18 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
   }
 }
 
+/// Thermal strain is counted from the reference temperature, which has no natural value.
+void check_reference_temperature(const Config& config, const Item& root, Diagnostics& errors) {
+  if (!root.has("temperature")) return;
+  for (const Material& material : config.materials) {
+    const Item table = root.child("materials").child(material.name);
+    if (material.thermal_expansion.is_zero() || table.has("reference_temperature")) continue;
+    errors.add(table.child("thermal_expansion").location,
+               "without 'reference_temperature': the temperature at which the thermal strain is zero is not known",
+               "with reference_temperature, often the temperature of assembly");
+  }
+}
+
 /// Two pairs of the same surfaces would press twice.
 void check_pairs(const std::vector<Contact>& contacts, Diagnostics& errors) {
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -113,6 +125,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_unique(config.probes, errors);
   check_regions(config.bodies, errors);
   check_temperature(config, root, errors);
+  check_reference_temperature(config, root, errors);
 }
 
 }  // namespace creepcontact::config

@@ -8,6 +8,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/suggestion.hpp"
+#include "known_words.hpp"
 
 namespace creepcontact::config {
 
@@ -25,9 +26,23 @@ void Diagnostics::add(const Location& where, const std::string& found, const std
 
 void Diagnostics::add_unknown(const Location& where, const std::string& found, const std::string& name,
                               const std::vector<std::string>& names, const std::string& allowed) {
+  if (const std::string familiar = said_of_value(where.key, name); !familiar.empty()) {
+    problems_.push_back({where, fmt::format("{}: {}", found, familiar)});
+    return;
+  }
   const std::string all = allowed.empty() ? fmt::format("{}", fmt::join(names, ", ")) : allowed;
-  if (names.empty()) return add(where, found, all);
-  problems_.push_back({where, fmt::format("{}; did you mean '{}'? (allowed: {})", found, nearest(name, names), all)});
+  const std::string question = did_you_mean(name, names);
+  if (question.empty()) return add(where, found, all);
+  problems_.push_back({where, fmt::format("{}{} (allowed: {})", found, question, all)});
+}
+
+void Diagnostics::add_unknown_key(const Location& where, const std::string& name,
+                                  const std::vector<std::string>& names) {
+  const std::string familiar = said_of_key(where.key, name);
+  if (familiar.empty())
+    add_unknown(where, "unknown key", name, names);
+  else
+    problems_.push_back({where, familiar.starts_with(absent_feature) ? familiar : "unknown key: " + familiar});
 }
 
 void Diagnostics::throw_if_any() const {

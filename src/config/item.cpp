@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace creepcontact::config {
 
 Location locate(const toml::source_region& source, const std::string& key, const Location& fallback) {
@@ -17,6 +19,31 @@ Location locate(const toml::source_region& source, const std::string& key, const
 
 std::string join_key(const std::string& parent, std::string_view key) {
   return parent.empty() ? std::string(key) : fmt::format("{}.{}", parent, key);
+}
+
+std::string schema_path(const std::string& key) {
+  std::string path;
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    path += key[i];
+    if (key[i] == '[') i = std::min(key.find(']', i), key.size()) - 1;
+  }
+  for (const std::string_view tables : {"materials.", "bodies."})
+    if (path.starts_with(tables)) {
+      const std::size_t end = std::min(path.find('.', tables.size()), path.size());
+      path.replace(tables.size(), end - tables.size(), "<name>");
+    }
+  return path;
+}
+
+std::string without_indices(const std::string& key) {
+  std::string text;
+  bool inside = false;
+  for (const char letter : key) {
+    if (letter == '[') inside = true;
+    if (!inside) text += letter;
+    if (letter == ']') inside = false;
+  }
+  return text;
 }
 
 Item Item::child(std::string_view key) const {

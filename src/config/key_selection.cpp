@@ -7,6 +7,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/key_reference.hpp"
 #include "creepcontact/config/suggestion.hpp"
+#include "known_words.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -62,7 +63,7 @@ bool may_be(const KeyInfo& key, const std::string& text) {
   return std::any_of(key.words.begin(), key.words.end(), [&](const Word& word) { return word.text == text; });
 }
 
-std::string nearest_key(const std::vector<KeySection>& sections, const std::string& wanted) {
+std::string question_for(const std::vector<KeySection>& sections, const std::string& wanted) {
   std::vector<std::string> names;
   for (const KeySection& section : sections) {
     for (const KeyInfo& key : section.keys) {
@@ -70,7 +71,7 @@ std::string nearest_key(const std::vector<KeySection>& sections, const std::stri
       names.push_back(section.name(key));
     }
   }
-  return nearest(wanted, names);
+  return did_you_mean(wanted, names);
 }
 
 }  // namespace
@@ -96,8 +97,9 @@ std::vector<KeySection> select_keys(const std::vector<KeySection>& sections, con
     std::vector<KeySection> kept = keep(sections, test);
     if (!kept.empty() && !wanted.empty()) return kept;
   }
-  throw ConfigError(fmt::format("list: no key has '{}' in its name or description; did you mean '{}'?", wanted,
-                                nearest_key(sections, wanted)));
+  const std::string familiar = said_of_word(wanted);
+  throw ConfigError(fmt::format("list: no key has '{}' in its name or description{}", wanted,
+                                familiar.empty() ? question_for(sections, wanted) : "; " + familiar));
 }
 
 }  // namespace creepcontact::config

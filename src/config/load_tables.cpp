@@ -73,8 +73,11 @@ Value<Rotation> rotation_table() {
   const auto keys = written_inline(table<Rotation>({
       field<Rotation>("axis", &Rotation::axis, triple(number()), "direction of the axis, of any length"),
       field<Rotation>("origin", &Rotation::origin, triple(number()), "a point of the axis"),
-      field<Rotation>("angular_velocity", &Rotation::angular_velocity, function({"t"}), "radians per time",
-                      Presence::required),
+      field<Rotation>(
+          "angular_velocity", &Rotation::angular_velocity, function({"t"}),
+          "radians per unit of time, the one in which mass x length / time^2 is a force: rad/s with tonne, mm, "
+          "N, whatever the unit of `t`",
+          Presence::required),
       field<Rotation>("density", &Rotation::density, function(place_and_time, at_least(0)), "mass per volume",
                       Presence::required),
   }));

@@ -141,7 +141,8 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
                       "secant coefficient: strain = alpha(T) (T - `reference_temperature`)"),
       field<Material>("reference_temperature", &Material::reference_temperature, number(),
-                      "temperature without thermal strain"),
+                      "temperature without thermal strain")
+          .otherwise("required with `thermal_expansion` and `[temperature]`"),
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep mechanisms; their rates add")
           .otherwise("elastic"),

@@ -38,6 +38,8 @@ std::vector<std::string> given_keys(const Item& item, const std::vector<std::str
 }
 
 Value<Mesh> mesh_table() {
+  const auto shared =
+      choice<SharedNodes>("treatment of shared nodes", {{"error", SharedNodes::error}, {"tie", SharedNodes::tie}});
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
                   "`.geo` (meshed by the Gmsh library, in a process of its own) or `.msh` (2.2, 4.1; ASCII, binary)",
@@ -52,6 +54,10 @@ Value<Mesh> mesh_table() {
                   "`.geo` only: seconds that meshing may take before it is ended with an error"),
       field<Mesh>("memory_limit_mb", &Mesh::memory_limit_mb, integer(1, 1 << 24),
                   "`.geo` only: memory that meshing may take, in MB"),
+      field<Mesh>(
+          "share_nodes", &Mesh::share_nodes, shared,
+          "nodes that several bodies share and no contact covers: an error, or the bodies are glued there, node "
+          "to node"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;

@@ -1,5 +1,7 @@
 /// [output] and [[probes]]
 
+#include <fmt/ranges.h>
+
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -45,6 +47,20 @@ void check_place(const Item& item, Context& context) {
   }
 }
 
+void check_axis(const Probe& probe, const Quantity& quantity, const std::vector<Quantity>& all, const Item& item,
+                Context& context) {
+  if (item.has("axis") && probe.axis == std::array<double, 3>{})
+    context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
+  if (quantity.cylindrical) return;
+  std::vector<std::string> names;
+  for (const Quantity& one : all)
+    if (one.cylindrical) names.push_back(one.name);
+  for (const std::string& key : given_keys(item, {"axis", "origin"}))
+    context.errors.add(item.child(key).location,
+                       fmt::format("has no meaning for '{}', which is no cylindrical component", quantity.name),
+                       fmt::format("with {}", fmt::join(names, ", ")));
+}
+
 void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Context& context) {
   if (quantity.surface_only && (item.has("at") || !item.has("on"))) {
     context.errors.add(item.child("quantity").location, fmt::format("'{}' at a point or in a body", quantity.name),
@@ -86,12 +102,19 @@ Value<Probe> probe_table(const Vocabulary& vocabulary) {
           "reduce", &Probe::reduce, reduce,
           "over a group or body; `\"mean\"` is weighted by area or volume, `\"sum\"` integrates; areas and forces have "
           "`\"sum\"` alone"),
+      field<Probe>(
+          "axis", &Probe::axis, triple(number()),
+          "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "
+          "length"),
+      field<Probe>("origin", &Probe::origin, triple(number()), "a point of that axis"),
   });
   return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {
     probe.location = item.location;
     check_place(item, context);
     for (const Quantity& quantity : vocabulary.quantities) {
-      if (quantity.name == probe.quantity) check_quantity(probe, quantity, item, context);
+      if (quantity.name != probe.quantity) continue;
+      check_quantity(probe, quantity, item, context);
+      check_axis(probe, quantity, vocabulary.quantities, item, context);
     }
     return probe;
   });

@@ -26,13 +26,19 @@ Value<OutputSeries> series_table() {
       });
 }
 
+/// Series have times like 0.1 + 0.2 that are not the number meant: 12 digits are.
+double rounded(double time) {
+  return std::stod(fmt::format("{:.12g}", time));
+}
+
 std::vector<double> points(const OutputSeries& series, double end) {
   const double first = series.first.value_or(end / series.count);
   std::vector<double> times;
   for (int i = 0; i + 1 < series.count; ++i) {
     const double fraction = static_cast<double>(i) / (series.count - 1);
-    times.push_back(series.spacing == Spacing::logarithmic ? first * std::pow(end / first, fraction)
-                                                           : first + (end - first) * i / (series.count - 1));
+    const double time = series.spacing == Spacing::logarithmic ? first * std::pow(end / first, fraction)
+                                                               : first + (end - first) * i / (series.count - 1);
+    times.push_back(std::min(rounded(time), end));
   }
   return times;
 }

@@ -1,5 +1,8 @@
 #include "creepcontact/config/reader.hpp"
 
+#include <fmt/format.h>
+
+#include "creepcontact/base/error.hpp"
 #include "cross_checks.hpp"
 #include "overrides.hpp"
 #include "tables.hpp"
@@ -7,9 +10,23 @@
 
 namespace creepcontact::config {
 
+namespace {
+
+/// Before dozens of keys are reported that are unknown or missing.
+void require_no_study(const toml::table& document, const std::filesystem::path& file) {
+  if (!document.contains("base") || document.contains("mesh") || document.contains("bodies")) return;
+  throw ConfigError(
+      fmt::format("{0}: this file describes a study, many runs of one configuration ('base'); compute it with: "
+                  "creepcontact study {0}",
+                  file.string()));
+}
+
+}  // namespace
+
 Config parse(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
              const std::vector<std::string>& overrides) {
-  toml::table document = parse_toml(text, file);
+  toml::table document = parse_toml(text, file, [&] { return schema(vocabulary); });
+  require_no_study(document, file);
   Context context{file.parent_path(), {}};
   for (const std::string& one : overrides) apply_override(one, document, context.errors);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};

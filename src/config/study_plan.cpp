@@ -9,6 +9,7 @@
 #include "creepcontact/config/study.hpp"
 #include "diagnostics.hpp"
 #include "item.hpp"
+#include "known_words.hpp"
 #include "toml_document.hpp"
 
 namespace creepcontact::config {
@@ -61,7 +62,7 @@ class RunMistakes {
         if (!line.starts_with(begin)) continue;
         line.erase(0, begin.size());
         // A wrong key is wrong with all its values: it is named once, and itself.
-        where = line.find("unknown key") == std::string::npos ? setting.value.location : setting.key_location;
+        where = is_about_the_key(line) ? setting.key_location : setting.value.location;
         of_setting = true;
         break;
       }
@@ -70,6 +71,11 @@ class RunMistakes {
   }
 
  private:
+  static bool is_about_the_key(const std::string& line) {
+    const auto has = [&](std::string_view text) { return line.find(text) != std::string::npos; };
+    return has("unknown key") || (has(absent_feature) && !has("unknown "));
+  }
+
   Diagnostics& errors_;
   std::set<std::string> seen_;
 };

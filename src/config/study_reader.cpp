@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/config/study.hpp"
 #include "study_tables.hpp"
 #include "toml_document.hpp"
@@ -71,10 +72,17 @@ std::string what_is_run(toml::table document) {
   return text.str();
 }
 
+void require_no_run(const toml::table& document, const std::filesystem::path& file) {
+  if (document.contains("base") || !(document.contains("mesh") || document.contains("bodies"))) return;
+  throw ConfigError(fmt::format(
+      "{0}: this file describes a single run, not a study; compute it with: creepcontact run {0}", file.string()));
+}
+
 }  // namespace
 
 Study parse_study(const std::string& text, const std::filesystem::path& file) {
-  const toml::table document = parse_toml(text, file);
+  const toml::table document = parse_toml(text, file, study_schema);
+  require_no_run(document, file);
   Context context{file.parent_path(), {}};
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Study study = study_table().read(root, context).value();

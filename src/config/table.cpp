@@ -7,7 +7,7 @@ bool known_keys_only(const Item& table, const std::vector<std::string>& keys, Co
   for (const auto& [key, node] : *table.node->as_table()) {
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
     const Location where = locate(key.source(), join_key(table.location.key, key.str()), table.location);
-    context.errors.add_unknown(where, "unknown key", std::string(key.str()), keys);
+    context.errors.add_unknown_key(where, std::string(key.str()), keys);
     all_known = false;
   }
   return all_known;
@@ -20,6 +20,26 @@ void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& 
     where.key = join_key(where.key, key.path);
     context.errors.add(where, "missing", key.type);
   }
+}
+
+bool has_wrong_brackets(const Item& item, Form form, Context& context) {
+  if (item.location.line == 0) return false;  // an override has no headings
+  const std::string heading = without_indices(item.location.key);
+  const toml::table* table = item.node->as_table();
+  if (form == Form::tables && table && !table->is_inline()) {
+    context.errors.add(
+        item.location, fmt::format("written [{}]", heading),
+        fmt::format("[[{}]], with two brackets: there may be several, each with a heading of its own", heading));
+    return true;
+  }
+  if (form != Form::tables && item.node->is_array_of_tables()) {
+    const bool named = form == Form::named;
+    context.errors.add(item.location, fmt::format("written [[{}]]", heading),
+                       named ? fmt::format("[{}.<name>], with single brackets and a name of yours", heading)
+                             : fmt::format("[{}], with single brackets: there is only one", heading));
+    return true;
+  }
+  return false;
 }
 
 std::string brief_type(const std::string& type, const std::string& brief) {

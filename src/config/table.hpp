@@ -35,6 +35,10 @@ void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& 
 /// `keys` below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
 void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all);
 
+/// A table written with one bracket too few or too many, [supports] or [[time]]: reports it.
+/// @returns true if it is one. @param form  how the key is written
+bool has_wrong_brackets(const Item& item, Form form, Context& context);
+
 /// KeyInfo::brief
 std::string brief_type(const std::string& type, const std::string& brief);
 
@@ -75,6 +79,7 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
     append_below(entry.info.path, entry.keys, value.keys);
   }
   value.read = [=](const Item& item, Context& context) -> std::optional<S> {
+    if (has_wrong_brackets(item, Form::table, context)) return std::nullopt;
     if (!item.node->is_table()) {
       context.errors.add(item.location, describe(*item.node), type);
       return std::nullopt;
@@ -153,6 +158,10 @@ template <class T>
 Value<std::vector<T>> tables(const Value<T>& entry) {
   Value<std::vector<T>> value = list(entry, Partial::kept);
   value.form = Form::tables;
+  value.read = [read = value.read](const Item& item, Context& context) -> std::optional<std::vector<T>> {
+    if (has_wrong_brackets(item, Form::tables, context)) return std::nullopt;
+    return read(item, context);
+  };
   value.show = [](const std::vector<T>&) { return std::string(); };
   return value;
 }
@@ -183,6 +192,7 @@ Value<std::vector<T>> named(const Value<T>& entry) {
   Value<std::vector<T>> value{.type = "tables by name", .read = {}, .form = Form::named};
   append_below("<name>", entry.keys, value.keys);
   value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
+    if (has_wrong_brackets(item, Form::named, context)) return std::nullopt;
     const toml::table* tables = item.node->as_table();
     if (!tables || tables->empty()) {
       context.errors.add(item.location, tables ? "an empty table" : describe(*item.node), type);

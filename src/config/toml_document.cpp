@@ -7,6 +7,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "item.hpp"
+#include "syntax_mistakes.hpp"
 
 namespace creepcontact::config {
 
@@ -17,11 +18,13 @@ std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-toml::table parse_toml(const std::string& text, const std::filesystem::path& file) {
+toml::table parse_toml(const std::string& text, const std::filesystem::path& file,
+                       const std::function<std::vector<KeyInfo>()>& schema) {
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
-    throw ConfigError(locate(error.source(), "", {.file = file.string()}).prefix() + std::string(error.description()));
+    const Location where = locate(error.source(), "", {.file = file.string()});
+    throw ConfigError(where.prefix() + explain_syntax(text, where, error.description(), schema()));
   }
 }
 

@@ -31,12 +31,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
-/// "; did you mean 'bore'?" if one of the names is less than half rewritten, else nothing.
+/// "; did you mean 'bore'?" if one of the names differs by a third of the letters at most, else nothing.
 std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
   const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
     return edit_distance(name, a) < edit_distance(name, b);
   });
-  if (nearest == names.end() || 2 * edit_distance(name, *nearest) > nearest->size()) return "";
+  if (nearest == names.end() || 3 * edit_distance(name, *nearest) > name.size()) return "";
   return fmt::format("; did you mean '{}'?", *nearest);
 }
 

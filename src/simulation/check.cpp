@@ -28,6 +28,12 @@ std::string gap_text(const config::Contact& contact) {
   return fmt::format("gap {}{}", contact.gap.text(), overlaps ? " (interference)" : "");
 }
 
+std::string contact_text(const contact::Pair& pair, const config::Contact& contact, const Model& model) {
+  return fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
+                     pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
+                     model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(), gap_text(contact));
+}
+
 }  // namespace
 
 void check(const config::Config& config, std::ostream& report) {
@@ -59,10 +65,8 @@ void check(const config::Config& config, std::ostream& report) {
   for (std::size_t p = 0; p < model.pairs.size(); ++p) {
     const contact::Pair& pair = model.pairs[p];
     const double n = pair.coupling.n_rows();
-    text +=
-        fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
-                    pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
-                    model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(), gap_text(config.contacts[p]));
+    text += pair.ties_nodes() ? fmt::format("{}: tied, {} multipliers\n", pair.name, pair.coupling.nodes.size())
+                              : contact_text(pair, config.contacts[p], model);
     bytes += 8 * n * n * 12;
   }
   const contact::FloatingMotions floating(model.bodies, model.pairs);

@@ -23,6 +23,7 @@ void fill_between_corners(const mesh::Face& face, std::vector<double>& values) {
 ContactSurfaces::ContactSurfaces(const ContactElasticity& elasticity) : elasticity_(elasticity) {
   const std::vector<contact::Pair>& pairs = elasticity.interface().pairs();
   for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (pairs[p].ties_nodes()) continue;
     Surface surface{p, {}, {}};
     surface.faces = mesh::boundary_faces(body(surface), pairs[p].slave_surface);
     for (const mesh::Face& face : surface.faces)

@@ -56,7 +56,7 @@ std::span<const double> CreepRate::scale() const {
   return scale_->values();
 }
 
-std::vector<double> CreepRate::elastic_stresses(const std::vector<double>& times) {
+std::vector<double> CreepRate::elastic_stresses(const std::vector<double>& times, double end) {
   std::vector<double> stress(points_.size(), 0.0);
   layout_.views(state_, views_);  // no creep strain yet
   for (const double t : times) {
@@ -66,6 +66,7 @@ std::vector<double> CreepRate::elastic_stresses(const std::vector<double>& times
       if (t == times.front()) throw;
       continue;  // a load that lifts a body off later: the run goes on up to there
     }
+    require_relaxation_in_the_run(t, end);
     for (std::size_t b = 0; b < stress.size(); ++b)
       stress[b] = std::max(stress[b], StressScale::typical(elasticity_.states()[b]));
   }
@@ -77,9 +78,9 @@ void CreepRate::set_scale(const std::vector<double>& output_times) {
   std::vector<double> times{0.0, end};
   for (const double t : elasticity_.model().breakpoints)
     if (t > 0 && t < end) times.insert(times.end(), {just_before(t), just_after(t)});
-  std::vector<double> stress = elastic_stresses(times);
+  std::vector<double> stress = elastic_stresses(times, end);
   // Loads that vanish at all these times may still act in between.
-  if (*std::max_element(stress.begin(), stress.end()) == 0) stress = elastic_stresses(output_times);
+  if (*std::max_element(stress.begin(), stress.end()) == 0) stress = elastic_stresses(output_times, end);
   if (!(*std::max_element(stress.begin(), stress.end()) > 0))
     throw ModelError(
         "nothing loads the bodies: at no output time does any load, support, temperature or gap give stress");

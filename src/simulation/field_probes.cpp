@@ -7,6 +7,7 @@
 #include "local_fit.hpp"
 #include "point_location.hpp"
 #include "probe_kinds.hpp"
+#include "probe_quantity.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -14,11 +15,11 @@ namespace {
 /// Displacement interpolated in the element, the other fields fitted to the integration points around.
 class PointProbe final : public Probe {
  public:
-  PointProbe(std::size_t body, PointLocation location, const mechanics::Body& owner, const QuantityInfo& info)
+  PointProbe(std::size_t body, PointLocation location, const mechanics::Body& owner, ProbeQuantity quantity)
       : body_(body),
         location_(std::move(location)),
         points_(local_fit(owner.discretization(), owner.mesh(), location_.element, location_.place)),
-        info_(info) {}
+        quantity_(std::move(quantity)) {}
 
   double value(const Snapshot& snapshot) const override {
     Sample sample;
@@ -36,14 +37,14 @@ class PointProbe final : public Probe {
       sample.life_fraction += weight * at_point.life_fraction;
     }
     sample.place = location_.place;
-    return info_.value(sample);
+    return quantity_(sample);
   }
 
  private:
   std::size_t body_;
   PointLocation location_;
   std::vector<std::pair<std::size_t, double>> points_;
-  const QuantityInfo& info_;
+  ProbeQuantity quantity_;
 };
 
 /// Nodes with weights: areas on a surface, 1 on curves and points.
@@ -53,43 +54,43 @@ class NodesProbe final : public Probe {
     std::size_t body;
     std::vector<std::pair<std::size_t, double>> nodes;
   };
-  NodesProbe(std::vector<Part> parts, const QuantityInfo& info, config::Reduce reduce)
-      : parts_(std::move(parts)), info_(info), reduce_(reduce) {}
+  NodesProbe(std::vector<Part> parts, ProbeQuantity quantity, config::Reduce reduce)
+      : parts_(std::move(parts)), quantity_(std::move(quantity)), reduce_(reduce) {}
 
   double value(const Snapshot& snapshot) const override {
     Reduction reduction(reduce_);
     for (const Part& part : parts_)
       for (const auto& [node, weight] : part.nodes)
-        reduction.add(info_.value(snapshot.fields(part.body).at_node(node)), weight);
+        reduction.add(quantity_(snapshot.fields(part.body).at_node(node)), weight);
     return reduction.result();
   }
 
  private:
   std::vector<Part> parts_;
-  const QuantityInfo& info_;
+  ProbeQuantity quantity_;
   config::Reduce reduce_;
 };
 
 class VolumeProbe final : public Probe {
  public:
-  VolumeProbe(std::size_t body, const QuantityInfo& info, config::Reduce reduce)
-      : body_(body), info_(info), reduce_(reduce) {}
+  VolumeProbe(std::size_t body, ProbeQuantity quantity, config::Reduce reduce)
+      : body_(body), quantity_(std::move(quantity)), reduce_(reduce) {}
 
   double value(const Snapshot& snapshot) const override {
     const BodyFields& fields = snapshot.fields(body_);
     Reduction reduction(reduce_);
-    if (info_.name.starts_with("displacement")) {
-      for (std::size_t i = 0; i < fields.n_nodes(); ++i) reduction.add(info_.value(fields.at_node(i)), 1.0);
+    if (quantity_.info().name.starts_with("displacement")) {
+      for (std::size_t i = 0; i < fields.n_nodes(); ++i) reduction.add(quantity_(fields.at_node(i)), 1.0);
     } else {
       const std::span<const double> weights = fields.body().discretization().weights();
-      for (std::size_t p = 0; p < fields.n_points(); ++p) reduction.add(info_.value(fields.at_point(p)), weights[p]);
+      for (std::size_t p = 0; p < fields.n_points(); ++p) reduction.add(quantity_(fields.at_point(p)), weights[p]);
     }
     return reduction.result();
   }
 
  private:
   std::size_t body_;
-  const QuantityInfo& info_;
+  ProbeQuantity quantity_;
   config::Reduce reduce_;
 };
 
@@ -119,24 +120,39 @@ std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, 
   return {areas.begin(), areas.end()};
 }
 
+constexpr double beside = 1e-3;  // of an element's size: a point on a curved surface, which the mesh only approximates
+
+bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const std::int64_t node : location.nodes) box.extend(mesh.nodes[static_cast<std::size_t>(node)]);
+  return location.distance <= beside * box.diagonal().norm();
+}
+
 }  // namespace
 
 std::unique_ptr<Probe> point_probe(const config::Probe& probe, const Model& model) {
   const Vector3 at((*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
   std::optional<PointLocation> best;
   std::size_t best_body = 0;
+  std::vector<std::size_t> holders;  // bodies that the point lies in
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (probe.body.given() && model.find_body(probe.body.name) != b) continue;
     const std::optional<PointLocation> found = locate(model.bodies[b]->mesh(), at);
-    if (found && (!best || found->distance < best->distance)) {
-      best = found;
-      best_body = b;
-    }
+    if (!found) continue;
+    if (lies_in(*found, model.bodies[b]->mesh())) holders.push_back(b);
+    if (best && found->distance >= best->distance) continue;
+    best = found;
+    best_body = b;
   }
+  if (holders.size() > 1)
+    throw ModelError(
+        fmt::format("the point ({}, {}, {}) lies in body '{}' and in body '{}'; say which one is meant: body = \"{}\"",
+                    at.x(), at.y(), at.z(), model.bodies[holders[0]]->name(), model.bodies[holders[1]]->name(),
+                    model.bodies[holders[0]]->name()));
   if (!best)
     throw ModelError(fmt::format("the point ({}, {}, {}) lies outside {}", at.x(), at.y(), at.z(),
                                  probe.body.given() ? "body '" + probe.body.name + "'" : "all bodies"));
-  return std::make_unique<PointProbe>(best_body, *best, *model.bodies[best_body], quantity(probe.quantity));
+  return std::make_unique<PointProbe>(best_body, *best, *model.bodies[best_body], ProbeQuantity(probe));
 }
 
 std::unique_ptr<Probe> group_probe(const config::Probe& probe, const Model& model) {
@@ -151,11 +167,11 @@ std::unique_ptr<Probe> group_probe(const config::Probe& probe, const Model& mode
         part.nodes.emplace_back(static_cast<std::size_t>(node), 1.0);
     parts.push_back(std::move(part));
   }
-  return std::make_unique<NodesProbe>(std::move(parts), quantity(probe.quantity), probe.reduce);
+  return std::make_unique<NodesProbe>(std::move(parts), ProbeQuantity(probe), probe.reduce);
 }
 
 std::unique_ptr<Probe> body_probe(const config::Probe& probe, const Model& model) {
-  return std::make_unique<VolumeProbe>(model.find_body(probe.body.name), quantity(probe.quantity), probe.reduce);
+  return std::make_unique<VolumeProbe>(model.find_body(probe.body.name), ProbeQuantity(probe), probe.reduce);
 }
 
 }  // namespace creepcontact::simulation

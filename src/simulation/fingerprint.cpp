@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "creepcontact/base/checksum.hpp"
+#include "creepcontact/simulation/quantities.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -137,6 +138,9 @@ void add_probe(const config::Probe& probe, Lines& lines) {
   if (probe.on.given()) value += fmt::format(" on '{}'", probe.on.name);
   if (probe.at) value += fmt::format(" at [{}, {}, {}]", (*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
   if (probe.body.given()) value += fmt::format(" of '{}'", probe.body.name);
+  if (quantity(probe.quantity).cylindrical)
+    value += fmt::format(" about the axis [{}, {}, {}] through [{}, {}, {}]", probe.axis[0], probe.axis[1],
+                         probe.axis[2], probe.origin[0], probe.origin[1], probe.origin[2]);
   if (!probe.at) value += fmt::format(", {}", reductions[static_cast<std::size_t>(probe.reduce)]);
   lines.add("probes", fmt::format("'{}'", probe.name), value);
 }
@@ -180,6 +184,7 @@ std::string fingerprint(const config::Config& config, const Model& model) {
     lines.add("mesh", fmt::format("that of body '{}'", body.name), describe(model.bodies[b]->mesh()));
     lines.add("bodies", fmt::format("material of '{}'", body.name), body.material.name);
   }
+  if (config.mesh.share_nodes == config::SharedNodes::tie) lines.add("mesh", "share_nodes", "tie");
   for (const config::Material& material : config.materials)
     if (std::any_of(config.bodies.begin(), config.bodies.end(),
                     [&](const config::Body& body) { return body.material.name == material.name; }))

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
+#include "shared_nodes.hpp"
 #include "temperature.hpp"
 
 namespace creepcontact::simulation {
@@ -53,24 +56,37 @@ bool Model::creeps() const {
 void let_slide(const config::Config& config, Model& model) {
   const contact::FloatingMotions floating(model.bodies, model.pairs);
   const auto sliding = floating.sliding(model.pairs);
-  for (std::size_t p = 0; p < model.pairs.size(); ++p)
+  for (std::size_t p = 0; p < config.contacts.size(); ++p)
     if (!sliding[p].empty()) model.pairs[p] = make_pair(config.contacts[p], config, model, sliding[p]);
   contact::number_rows(model.pairs);
+}
+
+void tie_shared_nodes(const config::Config& config, const SharedNodes& shared, Model& model) {
+  std::vector<contact::Pair> ties = shared.ties(config, model);
+  if (ties.empty() && config.mesh.share_nodes == config::SharedNodes::tie)
+    log::warning(
+        "mesh.share_nodes = \"tie\" glues nothing: no bodies share nodes that no contact covers; bodies that only "
+        "touch "
+        "are joined by a contact with type = \"tied\"");
+  std::move(ties.begin(), ties.end(), std::back_inserter(model.pairs));
 }
 
 Model build_model(const config::Config& config) {
   const mesh::Mesh whole = read_mesh(config.mesh);
 
   Mistakes mistakes;
-  BodyMeshes meshes(config.bodies.size());
+  std::vector<mesh::BodyMesh> cut(config.bodies.size());
   for (std::size_t b = 0; b < config.bodies.size(); ++b)
     mistakes.collect(config.bodies[b].location, [&] {
       std::vector<std::string> regions;
       for (const config::Reference& region : config.bodies[b].region) regions.push_back(region.name);
-      meshes[b] = mesh::extract(whole, regions).mesh;
-      if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, meshes[b]);
+      cut[b] = mesh::extract(whole, regions);
+      if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, cut[b].mesh);
     });
   mistakes.raise();  // what follows looks for groups on the bodies
+  BodyMeshes meshes;
+  mesh::SharedMesh shared_mesh = mesh::shared_mesh(cut);
+  for (mesh::BodyMesh& body : cut) meshes.push_back(std::move(body.mesh));
 
   std::vector<std::vector<mechanics::Support>> supports(meshes.size());
   for (const config::Support& support : config.supports)
@@ -80,6 +96,13 @@ Model build_model(const config::Config& config) {
     });
 
   check_groups(config, whole, meshes, mistakes);
+  std::optional<SharedNodes> shared;
+  try {
+    shared.emplace(config, whole, meshes, std::move(shared_mesh));
+    shared->check(config, mistakes);
+  } catch (const ModelError&) {
+    // What a contact covers is not known; its mistake is among the others, or is found when the contact is made.
+  }
 
   Model model;
   if (config.temperature)
@@ -101,6 +124,7 @@ Model build_model(const config::Config& config) {
   for (const config::Contact& contact : config.contacts)
     mistakes.collect(contact.location, [&] { model.pairs.push_back(make_pair(contact, config, model, {})); });
   mistakes.raise();
+  tie_shared_nodes(config, shared.value(), model);
   contact::number_rows(model.pairs);
   let_slide(config, model);
 

@@ -7,6 +7,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "shared_nodes.hpp"
 
 namespace creepcontact::simulation {
 
@@ -115,20 +116,8 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
 
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Model& model,
                         std::span<const mechanics::RigidMotion> sliding) {
-  const std::array owners{model.bodies_with(contact.between[0].name), model.bodies_with(contact.between[1].name)};
-  // A surface meshed once between two bodies is on both: each side of the pair takes another of them.
-  std::array<std::size_t, 2> body{owners[0].front(), owners[1].front()};
-  if (body[0] == body[1]) {
-    if (owners[1].size() > 1)
-      body[1] = owners[1].back();
-    else if (owners[0].size() > 1)
-      body[0] = owners[0].back();
-    else
-      throw ModelError(
-          fmt::format("surfaces '{}' and '{}' belong to one and the same body '{}'; contact is between two "
-                      "bodies",
-                      contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
-  }
+  const std::array<std::size_t, 2> body = contact_bodies(
+      contact, config, {model.bodies_with(contact.between[0].name), model.bodies_with(contact.between[1].name)});
   std::array<contact::Surface, 2> surfaces;
   for (std::size_t side = 0; side < 2; ++side) {
     const mechanics::Body& owner = *model.bodies[body[side]];

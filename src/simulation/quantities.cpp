@@ -61,9 +61,13 @@ std::vector<QuantityInfo> make_quantities() {
   field("displacement_magnitude", "length of the displacement",
         [](const Sample& sample) { return sample.displacement.norm(); });
   add_components<&Sample::stress>(list, "stress", "stress");
-  field("stress_r", "stress in cylindrical components about the z axis", cylindrical<0, 0>);
-  field("stress_theta", "stress in cylindrical components about the z axis", cylindrical<1, 1>);
-  field("stress_rtheta", "stress in cylindrical components about the z axis", cylindrical<0, 1>);
+  const auto cylinder = [&](const char* name, double (*value)(const Sample&)) {
+    list.push_back(
+        {name, "stress in cylindrical components about the probe's `axis`, by default z", Kind::field, value, 0, true});
+  };
+  cylinder("stress_r", cylindrical<0, 0>);
+  cylinder("stress_theta", cylindrical<1, 1>);
+  cylinder("stress_rtheta", cylindrical<0, 1>);
   field("von_mises", "equivalent stress of von Mises",
         [](const Sample& sample) { return tensor::von_mises(sample.stress); });
   field("principal_1", "largest principal stress", principal<0>);

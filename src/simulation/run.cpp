@@ -109,7 +109,10 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   ContactElasticity elasticity(model, watch);
   if (contact_log) elasticity.log_contact(*contact_log);
   for (const contact::Pair& pair : elasticity.interface().pairs())
-    log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
+    if (pair.ties_nodes())
+      log::info("{}: tied, {} multipliers", pair.name, pair.coupling.nodes.size());
+    else
+      log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
   if (!elasticity.interface().is_dense())
     log::info("contact: matrix-free, its matrices would take {:.0f} MB", elasticity.interface().dense_bytes() / 1e6);
   for (const std::string& motion : elasticity.interface().floating().describe_idle())

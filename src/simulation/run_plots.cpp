@@ -66,8 +66,8 @@ io::CsvTable chosen(const io::CsvTable& history, const std::vector<std::string>&
   io::CsvTable result{{history.names[0]}, {history.columns[0]}};
   for (const std::string& name : probes) {
     if (std::ranges::count(known, name) == 0)
-      throw ConfigError(fmt::format("--probes: no probe '{}' in '{}'; did you mean '{}'? (there are: {})", name, path,
-                                    config::nearest(name, known), fmt::join(known, ", ")));
+      throw ConfigError(fmt::format("--probes: no probe '{}' in '{}'{} (there are: {})", name, path,
+                                    config::did_you_mean(name, known), fmt::join(known, ", ")));
     if (std::ranges::count(result.names, name) > 0) continue;
     result.names.push_back(name);
     result.columns.push_back(*history.column(name));

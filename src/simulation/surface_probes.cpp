@@ -116,6 +116,7 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const Model& mo
   std::set<std::string> surfaces;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const contact::Pair& pair = pairs[p];
+    if (pair.ties_nodes()) continue;
     surfaces.insert({pair.slave_surface, pair.master_surface});
     const auto wanted = [&](std::size_t body) {
       return !probe.body.given() || model.bodies[body]->name() == probe.body.name;

@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "creepcontact/base/log.hpp"
 
 namespace creepcontact::simulation {
+namespace {
+
+constexpr double rounding = 1e-9;  // of temperatures that are interpolated
+
+}  // namespace
 
 TemperatureWatch::TemperatureWatch(const config::Config& config) {
   for (const config::Material& material : config.materials) {
@@ -39,8 +45,9 @@ void TemperatureWatch::see(double t, mechanics::Body& body) {
       given.empty() ? std::span<const double>(&body.material().reference_temperature, 1) : given;
   const auto [coldest, hottest] = std::minmax_element(temperature.begin(), temperature.end());
   std::erase_if(found->second, [&](const Table& table) {
-    const bool above = *hottest > table.range.high;
-    if (!above && !(*coldest < table.range.low)) return false;
+    const double margin = rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
+    const bool above = *hottest > table.range.high + margin;
+    if (!above && !(*coldest < table.range.low - margin)) return false;
     const auto worst = above ? hottest : coldest;
     std::string where = "the reference temperature";
     if (!given.empty()) {

@@ -66,6 +66,7 @@ config::Vocabulary vocabulary() {
     entry.surface_only = info.kind != QuantityInfo::Kind::field;
     entry.sum_only = info.kind == QuantityInfo::Kind::area || info.kind == QuantityInfo::Kind::force ||
                      info.kind == QuantityInfo::Kind::reaction;
+    entry.cylindrical = info.cylindrical;
     result.quantities.push_back(entry);
   }
   return result;

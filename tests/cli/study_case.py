@@ -85,8 +85,10 @@ class StudyTest(unittest.TestCase):
 
     def study(self, text=STUDY + REFERENCE + COMPARE, *more):
         self.write("study.toml", text)
-        return subprocess.run([PROGRAM, "study", "study.toml", *more], cwd=self.directory, capture_output=True,
-                              text=True, timeout=100)
+        return self.call("study", "study.toml", *more)
+
+    def call(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], cwd=self.directory, capture_output=True, text=True, timeout=100)
 
     def rows(self):
         with open(self.output / "study.csv", newline="") as file:

@@ -83,6 +83,13 @@ class CommandErrors(CliTest):
     def test_abbreviated_option(self):
         self.expect_error(call("run", "a.toml", "--out", "x"), "unknown option '--out'; did you mean '--output'?")
 
+    def test_option_of_another_name(self):
+        self.expect_error(call("run", "a.toml", "--restart"), "unknown option '--restart'; '--resume' goes on")
+        self.expect_error(call("list", "keys", "--colour"), "unknown option '--colour'; see creepcontact list --help")
+
+    def test_nothing_near(self):
+        self.expect_error(call("compute"), "unknown command 'compute'. See creepcontact --help")
+
     def test_missing_argument(self):
         self.expect_error(call("run"), "run needs CONFIG.toml")
         self.expect_error(call("run", "a.toml", "--output"), "--output")
@@ -157,7 +164,7 @@ class ConfigErrors(CliTest):
             "wrong.toml:5:12: bodies.block.material: unknown material 'stel'; did you mean 'steel'?",
             "wrong.toml:7:17: materials.steel.young_modulus: number -1; allowed: a number > 0",
             "wrong.toml:9:1: materials.steel.creep[0].n: missing",
-            "wrong.toml:12:3: materials.steel.creep[0].exponent: unknown key; did you mean 'n'?",
+            "wrong.toml:12:3: materials.steel.creep[0].exponent: unknown key: the exponent of the stress is 'n'",
             "wrong.toml:15:14: time.output[1]: number 20 is beyond time.end",
         ])
 

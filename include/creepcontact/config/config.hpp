@@ -15,6 +15,9 @@
 
 namespace creepcontact::config {
 
+/// What becomes of nodes that several bodies share and no contact covers.
+enum class SharedNodes { error, tie };
+
 struct Mesh {
   std::filesystem::path file;                ///< .geo or .msh; already relative to the working directory
   int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
@@ -23,6 +26,7 @@ struct Mesh {
   double time_limit = 3600;                  ///< .geo only: seconds that meshing may take
   int memory_limit_mb = 8192;                ///< .geo only: memory that meshing may take
   bool trust_geometry = false;               ///< .geo only: may run programs and write files; the command line says so
+  SharedNodes share_nodes = SharedNodes::error;
   Location location;                         ///< of `file`
 };
 
@@ -197,6 +201,8 @@ struct Probe {
   std::optional<std::array<double, 3>> at;  ///< ... a point, or ...
   Reference body;                           ///< ... a whole body; beside `on` and `at`: only in this body
   Reduce reduce = Reduce::mean;             ///< over a surface or body; sum for areas, forces and reactions
+  std::array<double, 3> axis{0, 0, 1};      ///< of cylindrical components ...
+  std::array<double, 3> origin{};           ///< ... and a point of it
   Location location;
 };
 

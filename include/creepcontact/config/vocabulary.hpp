@@ -46,6 +46,7 @@ struct Quantity {
   std::string name;
   bool surface_only = false;  ///< has no meaning at a point or over a body
   bool sum_only = false;      ///< area, force: only reduce = "sum" has a meaning
+  bool cylindrical = false;   ///< a component about an axis, which the probe may name
 };
 
 struct Vocabulary {

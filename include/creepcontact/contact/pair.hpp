@@ -10,12 +10,14 @@ namespace creepcontact::contact {
 
 struct Pair {
   std::string name;
-  std::string slave_surface, master_surface;
+  std::string slave_surface, master_surface;  ///< empty: ties of nodes (node_ties.hpp)
   std::size_t slave_body = 0, master_body = 0;
   MortarCoupling coupling;
   Function gap;                ///< given initial gap ...
   bool geometric_gap = false;  ///< ... or the one measured from the meshes
   int first_row = 0;           ///< in the multipliers of all pairs
+
+  bool ties_nodes() const { return slave_surface.empty(); }
 };
 
 /// Numbers the rows of all pairs. @returns how many there are

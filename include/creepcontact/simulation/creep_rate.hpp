@@ -24,7 +24,9 @@ class CreepRate final : public ode::System {
   /// Solves for the elastic stress at the times that matter, to set the error scale.
   /// @param output_times  ascending, the last is the end of the run. @param elasticity, watch must outlive the object
   /// @param tolerance  that the integrator will keep: hardening below it is not resolved
-  /// @throws ModelError if nothing gives any stress at any of these times
+  /// @throws ModelError if nothing gives any stress at any of these times, or if a body relaxes in 1e-12 of the run,
+  /// which
+  ///         units that do not fit together make
   CreepRate(ContactElasticity& elasticity, Stopwatch& watch, const std::vector<double>& output_times, double tolerance);
 
   ~CreepRate() override;
@@ -82,6 +84,8 @@ class CreepRate final : public ode::System {
   const StateLayout& layout() const { return layout_; }
 
  private:
+  /// @throws ModelError if the elastic state of this time, which `state_` and the elasticity hold, relaxes in no time
+  void require_relaxation_in_the_run(double t, double end);
   /// Stress at (t, y): solved, or kept from the last call if that was at the same point. @returns whether it was solved
   void require_finite_stress(double t) const;
   bool evaluate(double t, std::span<const double> y);
@@ -91,7 +95,7 @@ class CreepRate final : public ode::System {
   double smallest_start_exponent(double t, std::span<const double> y) const;
   void set_scale(const std::vector<double>& output_times);
   /// Typical stress of every body without creep, the largest over these times.
-  std::vector<double> elastic_stresses(const std::vector<double>& times);
+  std::vector<double> elastic_stresses(const std::vector<double>& times, double end);
 
   ContactElasticity& elasticity_;
   Stopwatch& watch_;

@@ -22,6 +22,7 @@ struct QuantityInfo {
   Kind kind = Kind::field;
   double (*value)(const Sample&) = nullptr;
   int component = 0;
+  bool cylindrical = false;  ///< `value` takes the z axis for the one of the cylinder
 };
 
 const std::vector<QuantityInfo>& quantities();

@@ -37,6 +37,7 @@ inline Vocabulary test_vocabulary() {
   };
   words.quantities = {{"von_mises"},
                       {"stress_xx"},
+                      {.name = "stress_theta", .cylindrical = true},
                       {.name = "contact_pressure", .surface_only = true},
                       {.name = "contact_area", .surface_only = true, .sum_only = true}};
   return words;

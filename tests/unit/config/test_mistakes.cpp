@@ -11,10 +11,6 @@ TEST(ConfigMistakes, Syntax) {
   EXPECT_EQ(lines[0].rfind(at_12, 0), 0u) << lines[0];
 }
 
-TEST(ConfigMistakes, SameTableTwice) {
-  expect_mistake(minimal + "[bodies.block]\nregion = \"b\"\n", at_12);
-}
-
 TEST(ConfigMistakes, OddDocuments) {
   EXPECT_EQ(mistakes("").size(), 4u);
   EXPECT_EQ(mistakes("mesh = 1979-05-27\nbodies = 1\nmaterials = []\ntime = {}\n").size(), 4u);
@@ -27,8 +23,8 @@ TEST(ConfigMistakes, UnknownKeyNamesTheNearest) {
                  at_12 + "3: time.integrater: unknown key; did you mean 'integrator'? (allowed: end, integrator, ");
   expect_mistake(minimal + "[contact]\n", at_12 + "2: contact: unknown key; did you mean 'contacts'?");
   expect_mistake(minimal + "[[materials.steel.creep]]\n  exponent = 7\n  law = \"norton\"\n  A = 1e-20\n  n = 7\n",
-                 "cases/block.toml:13:3: materials.steel.creep[0].exponent: unknown key; did you mean 'n'? "
-                 "(allowed: law, A, n)");
+                 "cases/block.toml:13:3: materials.steel.creep[0].exponent: unknown key: the exponent of the stress is "
+                 "'n'");
 }
 
 TEST(ConfigMistakes, MissingKey) {
@@ -47,7 +43,8 @@ TEST(ConfigMistakes, WrongType) {
   expect_mistake(minimal + "[output]\nfields = 1\n", "cases/block.toml:13:10: output.fields: number 1; allowed: true");
   expect_mistake(minimal + "[contact_solver]\nmax_iterations = 1.5\n",
                  "cases/block.toml:13:18: contact_solver.max_iterations: number 1.5; allowed: an integer >= 1");
-  expect_mistake(minimal + "[loads]\non = \"a\"\n", at_12 + "1: loads: a table; allowed: a list, each a table");
+  expect_mistake(minimal + "[loads]\non = \"a\"\n",
+                 at_12 + "1: loads: written [loads]; allowed: [[loads]], with two brackets");
   expect_mistake(minimal + "tolerance = nan\n",
                  at_12 + "13: time.tolerance: number nan; allowed: a number in (0, 0.5]");
 }
@@ -175,9 +172,8 @@ TEST(ConfigMistakes, Mesh) {
 }
 
 TEST(ConfigMistakes, Contacts) {
-  expect_mistake(
-      minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\nslave = \"c\"\n",
-      "cases/block.toml:14:9: contacts[0].slave: unknown surface 'c'; did you mean 'a'? (allowed: auto, a, b)");
+  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\nslave = \"c\"\n",
+                 "cases/block.toml:14:9: contacts[0].slave: unknown surface 'c'; allowed: auto, a, b");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\"]\n",
                  "cases/block.toml:13:11: contacts[0].between: a list of 1; allowed: two physical surfaces");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"a\"]\n",

@@ -57,6 +57,7 @@ TEST(ConfigOverrides, Mistakes) {
   expect("materials.stel.young_modulus=1", "materials.stel: unknown name; did you mean 'steel'? (allowed: steel)");
   expect("contacts.1.gap=0", "contacts.1: there is no entry '1'; allowed: an index from 0 to 0");
   expect("contacts.gap=0", "contacts.gap: there is no entry 'gap'");
+  expect_mistake(minimal, "--set contacts.0.gap=1: contacts: a table; allowed: a list", {"contacts.0.gap=1"});
   expect("time.end", "no '='; allowed: key.path=value");
   expect("=1", "no valid key before the '='; allowed: key.path=value");
   expect("time..end=1", "no valid key");

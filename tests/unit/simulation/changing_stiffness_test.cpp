@@ -15,6 +15,8 @@ const std::vector<std::string> hot{"materials.soft.young_modulus='100-0.08*T'",
                                    "materials.hard.young_modulus='200-0.3*T'",
                                    "materials.soft.thermal_expansion='1e-5+2e-8*T'",
                                    "materials.hard.thermal_expansion=1.5e-5",
+                                   "materials.soft.reference_temperature=0",
+                                   "materials.hard.reference_temperature=0",
                                    "temperature.value='100*t*(1+0.3*x+0.2*z)'",
                                    "contact_solver.tolerance=1e-13"};
 

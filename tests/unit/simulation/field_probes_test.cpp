@@ -148,6 +148,54 @@ TEST(FieldProbes, CylindricalStress) {
                 1e-10);
 }
 
+TEST(FieldProbes, CylindricalStressAboutAnyAxis) {
+  // As before, stress_xx = -2 alone; now about axes along y, along x, and inclined.
+  const std::string pressed = "[[loads]]\non = 'side_x'\npressure = 2\n";
+  std::vector<ProbeTable> probes;
+  const auto add = [&](const std::string& name, const std::string& place) {
+    for (const char* component : {"r", "theta", "rtheta"})
+      probes.push_back({std::string(component) + '_' + name, std::string("stress_") + component, place});
+  };
+  add("y", "at = [1, 0.5, 0.5], axis = [0, 3, 0], origin = [0, -7, -0.5]");   // r along (1, 0, 1), theta (1, 0, -1)
+  add("x", "at = [1, 0.5, 0.5], axis = [1, 0, 0]");                           // no part along r and theta
+  add("45", "at = [1, 0.5, 0.5], axis = [1, 1, 0], origin = [0, 0.5, 0.5]");  // r along (1, -1, 0), theta along -z
+  add("top", "on = 'corner', axis = [0, 0, -1], origin = [1, 0, 5]");         // r along (1, 1, 0), theta (1, -1, 0)
+  add("body", "body = 'lower', axis = [0, 0, 1], origin = [0, 1e9, 0]");      // r along -y, theta along x
+  const auto found = probe(Case(), probes, {"contacts.0.gap=1", "supports.3.displacement.z=0"}, pressed);
+  expect_values(found,
+                {{"r_y", -1},
+                 {"theta_y", -1},
+                 {"rtheta_y", -1},
+                 {"r_x", 0},
+                 {"theta_x", 0},
+                 {"rtheta_x", 0},
+                 {"r_45", -1},
+                 {"theta_45", 0},
+                 {"rtheta_45", 0},
+                 {"r_top", -1},
+                 {"theta_top", -1},
+                 {"rtheta_top", -1},
+                 {"r_body", 0},
+                 {"theta_body", -2},
+                 {"rtheta_body", 0}},
+                1e-8);
+}
+
+TEST(FieldProbes, APointInTwoBodies) {
+  const Case blocks;
+  const auto message = [&](const std::string& place) {
+    const config::Config config = blocks.parse(probe_tables({{"p", "von_mises", place}}) + case_text);
+    const Model model = build_model(config);
+    return message_of<ModelError>([&] { make_probes(config, model, model.pairs); });
+  };
+  EXPECT_TRUE(contains(message("at = [0.7, 0.2, 0]"),
+                       "probes[0]: the point (0.7, 0.2, 0) lies in body 'lower' and in body 'upper'; say which one is "
+                       "meant: body = \"lower\""));
+  EXPECT_TRUE(contains(message("at = [0.7, 0.2, 1e-5]"), "lies in body 'lower' and in body 'upper'"));
+  EXPECT_EQ(message("at = [0.7, 0.2, 0], body = 'upper'"), "nothing was thrown");
+  EXPECT_EQ(message("at = [0.7, 0.2, 0.01]"), "nothing was thrown");  // near the lower one, but in the upper one alone
+}
+
 TEST(FieldProbes, CreepStrainsOfTheState) {
   const Case blocks;
   const config::Config config = blocks.parse(probe_tables({{"exy", "creep_strain_xy", "body = 'lower'"},

@@ -84,5 +84,17 @@ TEST_F(Temperatures, OutsideATableAreWarnedOfOnceATable) {
   EXPECT_EQ(said.find("outside"), said.rfind("outside")) << said;
 }
 
+/// Interpolation leaves 20 - 4e-15 of a field that is 20.
+TEST_F(Temperatures, RoundingIsNotOutsideATable) {
+  const std::string table = "materials.soft.creep[0].A={ T = [20, 540], values = [1e-3, 2e-3] }";
+  const auto said = [&](const std::string& temperature) {
+    return warnings(blocks_.config("[temperature]\nvalue = \"" + temperature + "\"\n", {table}), {0, 4});
+  };
+  EXPECT_FALSE(contains(said("20*(1 - 2e-16)"), "outside"));
+  EXPECT_FALSE(contains(said("t > 1 ? 540*(1 + 2e-16) : 20"), "outside"));
+  EXPECT_TRUE(contains(said("19.999"), "outside its table (20 .. 540)"));
+  EXPECT_TRUE(contains(said("540.001"), "outside its table (20 .. 540)"));
+}
+
 }  // namespace
 }  // namespace creepcontact::simulation::test

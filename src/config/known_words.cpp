@@ -1,0 +1,218 @@
+#include "known_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "item.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+constexpr std::array words{
+    // the whole file
+    KnownWord{
+        "", "analysis axisymmetric plane_strain plane_stress",
+        "not in this version, which computes solids in three dimensions; a sector of 5 degrees or less does for an "
+        "axisymmetric part, a slice one element thick for plane strain"},
+    KnownWord{"", "generalized_plane_strain generalised_plane_strain",
+              "not in this version; a slice one element thick between two supports does for plane strain"},
+    KnownWord{
+        "", "cyclic cyclic_symmetry",
+        "not in this version; where the part and its loads have planes of symmetry, 'supports' with displacement = { "
+        "normal = 0 } on both cuts do"},
+    KnownWord{"", "rigid rigid_bodies", "not in this version; a stiff body with a material of its own does"},
+    KnownWord{"", "events event", "not in this version; history.csv has the probes at every output time"},
+    KnownWord{"", "restart resume", "the option --resume of creepcontact run goes on from the last checkpoint"},
+    KnownWord{"", "boundary_conditions boundary bc bcs constraints constraint fixed",
+              "prescribed displacements are entries of 'supports', forces are entries of 'loads'"},
+    KnownWord{"", "forces force pressure pressures", "external forces are entries of 'loads'"},
+    KnownWord{"", "parts part", "parts are bodies: 'bodies'"},
+    KnownWord{"", "geometry", "the geometry is the 'file' in [mesh]"},
+    KnownWord{"", "solver integrator integration step steps",
+              "time integration is chosen in 'time', the contact solver in 'contact_solver'"},
+    KnownWord{"", "interactions interfaces ties", "pairs of surfaces are entries of 'contacts'"},
+    KnownWord{"", "results history", "what is written is chosen in 'output' and 'probes'"},
+
+    KnownWord{"mesh", "thickness", "not in this version, which computes solids in three dimensions"},
+    KnownWord{"mesh", "element_order degree", "the order of the elements is 'order'"},
+    KnownWord{"mesh", "size h element_size lc", "sizes are constants of the .geo file, set by 'parameters'"},
+    KnownWord{"bodies.<name>", "volume volumes physical elements group",
+              "the physical volume of a body is its 'region'"},
+
+    // materials
+    KnownWord{"materials.<name>",
+              "e young youngs_modulus young's_modulus elastic_modulus modulus_of_elasticity modulus",
+              "Young's modulus is 'young_modulus'"},
+    KnownWord{"materials.<name>", "nu poisson poissons_ratio poisson's_ratio pr", "Poisson's ratio is 'poisson_ratio'"},
+    KnownWord{"materials.<name>", "alpha cte expansion thermal_expansion_coefficient alpha_t",
+              "the secant coefficient of thermal expansion is 'thermal_expansion'"},
+    KnownWord{"materials.<name>", "t_ref tref t0 reference_temp",
+              "the temperature without thermal strain is 'reference_temperature'"},
+    KnownWord{
+        "materials.<name>", "density rho",
+        "density belongs to the loads that need it: 'loads[].rotation.density', or 'loads[].body_force' per volume"},
+    KnownWord{"materials.<name>", "law a n m norton",
+              "a creep law has a table of its own, [[materials.<name>.creep]] with 'law' and its constants"},
+    KnownWord{"materials.<name>", "yield yield_stress plastic plasticity",
+              "not in this version: materials are elastic and creep"},
+    KnownWord{"materials.<name>", "conductivity specific_heat",
+              "not in this version: temperatures are given, not computed"},
+    KnownWord{"materials.<name>.creep[]", "type model name", "the name of the creep law is 'law'"},
+    KnownWord{"materials.<name>.creep[]", "exponent stress_exponent power", "the exponent of the stress is 'n'"},
+    KnownWord{"materials.<name>.creep[]", "coefficient factor constant k c", "the factor of the rate is 'A'"},
+    KnownWord{"materials.<name>.creep[]", "time_exponent", "the exponent of the time is 'm'"},
+    KnownWord{"materials.<name>.creep[]", "q", "the activation energy is 'activation_energy'"},
+    KnownWord{"materials.<name>.creep[]", "r", "the gas constant is 'gas_constant'"},
+    KnownWord{
+        "materials.<name>.creep[].law=", "norton_bailey nortonbailey bailey bailey_norton power_law_hardening",
+        "Norton and Bailey's creep, strain A q^n t^m, is 'strain_hardening' or 'time_hardening', which differ where "
+        "the stress changes"},
+    KnownWord{"materials.<name>.creep[].law=", "power power_law norton_hoff odqvist glen",
+              "the power law, rate A q^n, is 'norton'"},
+    KnownWord{"materials.<name>.creep[].law=", "sinh hyperbolic_sine hyperbolic", "the law with sinh is 'garofalo'"},
+    KnownWord{"materials.<name>.creep[].law=", "prony viscoelastic generalized_maxwell generalised_maxwell",
+              "linear viscoelasticity is 'hereditary', with a list of compliances and times"},
+    KnownWord{"materials.<name>.creep[].law=", "damage kachanov rabotnov", "creep with damage is 'kachanov_rabotnov'"},
+    KnownWord{"materials.<name>.creep[].law=", "arrhenius",
+              "the temperature enters 'norton' and 'garofalo' by their key 'activation_energy'"},
+    KnownWord{"materials.<name>.creep[].law=", "user umat creep_subroutine", "a rate of your own is 'expression'"},
+    KnownWord{"materials.<name>.creep[].law=", "omega mpc_omega chaboche plastic", "not in this version"},
+
+    // supports, loads, temperature
+    KnownWord{"supports[]", "surface group set nodes face", "the surface, curve or point that is held is 'on'"},
+    KnownWord{"supports[]", "x y z ux uy uz normal fix fixed value",
+              "components are written 'displacement' = { x = 0 }, with x, y, z or normal"},
+    KnownWord{
+        "loads[]", "rpm speed omega angular_velocity centrifugal rotational_velocity",
+        "centrifugal force is 'rotation' = { angular_velocity = ..., density = ... }, in radians per unit of time: one "
+        "revolution a minute is 2 pi/60 = 0.10472 rad/s"},
+    KnownWord{"loads[]", "gravity acceleration", "weight is 'body_force', density times acceleration"},
+    KnownWord{"loads[]", "preload pretension bolt_preload bolt",
+              "not in this version; a contact with a negative 'gap' (an interference) tightens a bolt"},
+    KnownWord{"loads[]", "moment torque",
+              "not in this version; a 'traction' that varies over the surface gives a moment"},
+    KnownWord{"loads[]", "surface group set face", "the surface of a load is 'on'"},
+    KnownWord{"loads[]", "node point", "the place of a force is 'at'"},
+    KnownWord{"loads[]", "temperature", "temperatures are given by the table [temperature], with 'value' or 'file'"},
+    KnownWord{
+        "loads[].rotation", "rpm speed omega",
+        "the speed is 'angular_velocity', in radians per unit of time: one revolution a minute is 2 pi/60 = 0.10472 "
+        "rad/s"},
+    KnownWord{"loads[].rotation", "rho", "mass per volume is 'density'"},
+    KnownWord{"loads[].rotation", "center centre point", "a point of the axis is 'origin'"},
+    KnownWord{"temperature", "t constant uniform", "the temperature is 'value'"},
+
+    // contact
+    KnownWord{"contacts[]", "friction mu friction_coefficient coefficient_of_friction",
+              "not in this version: contact is without friction"},
+    KnownWord{"contacts[]", "preload pretension",
+              "not in this version; a negative 'gap' (an interference) presses the surfaces together"},
+    KnownWord{"contacts[]", "interference overlap press_fit", "an interference is a negative 'gap'"},
+    KnownWord{"contacts[]", "clearance distance offset", "the initial normal distance is 'gap'"},
+    KnownWord{"contacts[]", "surfaces pair surface", "the two surfaces are 'between'"},
+    KnownWord{"contacts[]", "master",
+              "the surface with the multipliers is 'slave'; the other one of the two is the master"},
+    KnownWord{"contacts[]", "tied tie bonded glued", "surfaces are joined by 'type' = \"tied\""},
+    KnownWord{"contacts[]", "penalty stiffness normal_stiffness",
+              "contact needs no stiffness: surfaces do not penetrate each other; leave it out of 'contacts'"},
+    KnownWord{"contacts[].type=", "bonded glued glue tie no_separation", "surfaces that stay together are 'tied'"},
+    KnownWord{"contacts[].type=", "frictionless contact standard sliding",
+              "contact that may open and slide is 'unilateral'"},
+    KnownWord{"contacts[].type=", "friction frictional rough", "not in this version: contact is without friction"},
+    KnownWord{"contact_solver", "maxiter max_iter iterations", "the bound on the iterations is 'max_iterations'"},
+    KnownWord{"contact_solver", "penalty stiffness", "contact needs no stiffness: leave it out of 'contact_solver'"},
+
+    // time, output, probes
+    KnownWord{"time", "dt step_size timestep time_step delta_t initial_step",
+              "the step of the Euler schemes is 'step'; other integrators choose their steps by 'tolerance'"},
+    KnownWord{"time", "min_step max_step dt_min dt_max", "steps are chosen by the error that 'tolerance' allows"},
+    KnownWord{"time", "t_end tend final_time end_time duration stop total_time", "the end of the run is 'end'"},
+    KnownWord{"time", "start t_start begin", "runs begin at t = 0 and go to 'end'"},
+    KnownWord{"time", "method solver scheme", "the method of time integration is 'integrator'"},
+    KnownWord{"time", "rtol atol accuracy reltol abstol", "the accuracy of the stress is 'tolerance'"},
+    KnownWord{"time", "steps n_steps num_steps number_of_steps",
+              "the number of steps follows from 'step' or 'tolerance'; results are written at the times of 'output'"},
+    KnownWord{"time", "outputs output_times times save save_at print", "the times of results are 'output'"},
+    KnownWord{"time", "restart resume", "the option --resume of creepcontact run goes on from the last checkpoint"},
+    KnownWord{"time.integrator=", "bdf", "backward differences are 'cvode_bdf'"},
+    KnownWord{"time.integrator=", "adams", "Adams' method is 'cvode_adams'"},
+    KnownWord{"time.integrator=", "euler forward_euler explicit", "Euler's explicit method is 'explicit_euler'"},
+    KnownWord{"time.integrator=", "backward_euler implicit_euler implicit", "Euler's implicit method is 'beta_euler'"},
+    KnownWord{"time.integrator=", "rk rk4 rk45 runge_kutta erk", "explicit Runge-Kutta methods are 'arkode_erk'"},
+    KnownWord{"time.integrator=", "dirk sdirk radau", "implicit Runge-Kutta methods are 'arkode_dirk'"},
+    KnownWord{"output", "folder path", "the place of the results is 'directory'"},
+    KnownWord{"output", "vtk vtu paraview format", "files for ParaView are written unless 'fields' = false"},
+    KnownWord{"output", "interval frequency times every", "the times of results are 'time.output'"},
+    KnownWord{"output", "restart resume", "the option --resume of creepcontact run goes on from the last checkpoint"},
+    KnownWord{"probes[]", "where section expression unit when", "not in this version"},
+    KnownWord{"probes[]", "point location position coordinates place", "the point of a probe is 'at'"},
+    KnownWord{"probes[]", "surface group set face", "the surface, curve or point of a probe is 'on'"},
+    KnownWord{"probes[]", "variable type field component", "what a probe records is 'quantity'"},
+    KnownWord{"probes[]", "reduction operation average", "how values over a surface become one is 'reduce'"},
+    KnownWord{"probes[].quantity=", "hoop hoop_stress stress_hoop tangential_stress circumferential_stress",
+              "the hoop stress is 'stress_theta', about the 'axis' of the probe"},
+    KnownWord{"probes[].quantity=", "radial_stress stress_radial",
+              "the radial stress is 'stress_r', about the 'axis' of the probe"},
+    KnownWord{"probes[].quantity=", "seqv equivalent_stress mises_stress stress_mises",
+              "von Mises' stress is 'von_mises'"},
+    KnownWord{"probes[].quantity=", "ux uy uz u displacement",
+              "displacements are 'displacement_x', _y, _z and _magnitude"},
+    KnownWord{"probes[].quantity=", "stress s sxx syy szz", "stresses are 'stress_xx' and the like, or 'von_mises'"},
+    KnownWord{"probes[].quantity=", "pressure", "the pressure in a contact is 'contact_pressure'"},
+    KnownWord{"probes[].quantity=", "force reaction reaction_force",
+              "forces of supports are 'reaction_x', those of contacts 'contact_force_x', and y and z alike"},
+    KnownWord{"probes[].quantity=", "ceeq equivalent_creep_strain creep_strain",
+              "the equivalent creep strain is 'creep_strain_equivalent'"},
+    KnownWord{"probes[].quantity=", "s1 max_principal maximum_principal",
+              "the largest principal stress is 'principal_1'"},
+    KnownWord{"probes[].quantity=", "contact_shear slip contact_status axial_strain axial_force section_force",
+              "not in this version"},
+};
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+bool names(const KnownWord& known, std::string_view word) {
+  return fmt::format(" {} ", known.words).find(fmt::format(" {} ", lower_case(word))) != std::string::npos;
+}
+
+std::string said_at(const std::string& place, std::string_view word) {
+  for (const KnownWord& known : words)
+    if (known.place == place && names(known, word)) return std::string(known.says);
+  return {};
+}
+
+}  // namespace
+
+std::span<const KnownWord> known_words() {
+  return words;
+}
+
+std::string said_of_key(const std::string& key, std::string_view word) {
+  const std::string place = schema_path(key);
+  const std::size_t length = place.size() - std::min(place.size(), word.size());
+  return said_at(place.substr(0, length > 0 ? length - 1 : 0), word);
+}
+
+std::string said_of_value(const std::string& key, std::string_view word) {
+  return said_at(schema_path(key) + '=', word);
+}
+
+std::string said_of_word(std::string_view word) {
+  std::string all;
+  for (const KnownWord& known : words) {
+    if (!names(known, word)) continue;
+    const std::string_view place = known.place.substr(0, known.place.find('='));
+    all += fmt::format("{}{}{}{}", all.empty() ? "" : "; ", place, place.empty() ? "" : ": ", known.says);
+  }
+  return all;
+}
+
+}  // namespace creepcontact::config

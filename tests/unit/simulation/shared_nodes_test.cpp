@@ -1,0 +1,171 @@
+#include "creepcontact/base/error.hpp"
+#include "probing.hpp"
+#include "running.hpp"
+
+namespace creepcontact::simulation::test {
+namespace {
+
+/// Four blocks around the z axis, cut from one mesh: "a", "b", "c", "d" against the clock, from z = 0 to 1.
+const std::string quarters = R"(SetFactory("OpenCASCADE");
+e = 1e-3;
+Box(1) = {0, 0, 0, 1, 1, 1};
+Box(2) = {-1.5, 0, 0, 1.5, 1, 1};
+Box(3) = {-1.5, -1, 0, 1.5, 1, 1};
+Box(4) = {0, -1, 0, 1, 1, 1};
+BooleanFragments{ Volume{1:4}; Delete; }{}
+Transfinite Curve{:} = 3;
+Transfinite Surface{:};
+Recombine Surface{:};
+Transfinite Volume{:};
+Physical Volume("a") = Volume In BoundingBox{-e, -e, -e, 1 + e, 1 + e, 1 + e};
+Physical Volume("b") = Volume In BoundingBox{-2, -e, -e, e, 1 + e, 1 + e};
+Physical Volume("c") = Volume In BoundingBox{-2, -2, -e, e, e, 1 + e};
+Physical Volume("d") = Volume In BoundingBox{-e, -2, -e, 2, e, 1 + e};
+Physical Surface("bottom") = Surface In BoundingBox{-9, -9, -e, 9, 9, e};
+Physical Surface("top") = Surface In BoundingBox{-9, -9, 1 - e, 9, 9, 1 + e};
+Physical Surface("end") = Surface In BoundingBox{-9, -9, -e, -1.5 + e, 9, 9};
+Physical Surface("face") = Surface In BoundingBox{1 - e, -9, -e, 9, 9, 9};
+ab() = Surface In BoundingBox{-e, -e, -e, e, 1 + e, 1 + e};
+Physical Surface("a_b") = {ab()};
+Physical Surface("b_a") = {ab()};
+)";
+
+const std::string common = R"(
+[mesh]
+file = "blocks.geo"
+order = 2
+[materials.steel]
+young_modulus = 100
+poisson_ratio = 0.3
+creep = [{ law = "norton", A = 1e-3, n = 3 }]
+[materials.brass]
+young_modulus = 100
+poisson_ratio = 0.3
+creep = [{ law = "norton", A = 1e-3, n = 3 }]
+[[supports]]
+on = "end"
+displacement = { normal = 0 }
+[[supports]]
+on = "bottom"
+displacement = { x = 0, y = "0.01*x", z = 0 }
+[[loads]]
+on = "face"
+traction = ["1+y", 0.5, "0.3*z"]
+[time]
+end = 2
+integrator = "explicit_euler"
+step = 0.25
+[output]
+fields = false
+directory = "results"
+)";
+
+std::string body(const std::string& name, const std::string& regions, const std::string& material = "steel") {
+  return "[bodies." + name + "]\nregion = " + regions + "\nmaterial = '" + material + "'\n";
+}
+const std::string four = body("a", "'a'") + body("b", "'b'", "brass") + body("c", "'c'") + body("d", "'d'", "brass");
+const std::string tie = "mesh.share_nodes=tie";
+
+std::string mistakes(const Case& blocks, const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const config::Config config = blocks.parse(text, overrides);
+  return message_of<ModelError>([&] { build_model(config); });
+}
+
+TEST(SharedNodes, BodiesThatWouldComeApart) {
+  const Case blocks(quarters);
+  const std::string said = mistakes(blocks, common + four);
+  const std::string place = (blocks / "case.toml").string() + ":3:8: mesh.file: ";
+  for (const char* pair : {"'a' and 'b'", "'b' and 'c'", "'c' and 'd'", "'a' and 'd'"})
+    EXPECT_TRUE(contains(said, place + "bodies " + pair +
+                                   " share 21 nodes of the mesh, and no contact covers them: the "
+                                   "bodies would come apart there. Add a contact"))
+        << said;
+  EXPECT_TRUE(contains(said, "mesh.share_nodes = \"tie\"")) << said;
+  EXPECT_FALSE(contains(said, "along an edge")) << said;  // which is held as soon as the faces are
+}
+
+TEST(SharedNodes, WithTheOtherMistakes) {
+  const Case blocks(quarters);
+  const std::string said = mistakes(blocks, common + four, {"supports.0.on=ende"});
+  EXPECT_TRUE(contains(said, "no physical group 'ende'; did you mean 'end'?")) << said;
+  EXPECT_TRUE(contains(said, "bodies 'a' and 'b' share")) << said;
+}
+
+TEST(SharedNodes, AContactCoversThem) {
+  const Case blocks(quarters);
+  const std::string two = body("a", "'a'") + body("b", "'b'");
+  const std::string contact = "[[contacts]]\nbetween = ['a_b', 'b_a']\n";
+  EXPECT_TRUE(contains(mistakes(blocks, common + two), "share 21 nodes"));
+  for (const char* type : {"type = 'tied'\n", ""}) {
+    const Model model = build_model(blocks.parse(common + two + contact + type));
+    EXPECT_EQ(model.pairs.size(), 1u);
+  }
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(build_model(blocks.parse(common + two + contact, {tie})).pairs.size(), 1u);
+  EXPECT_TRUE(contains(testing::internal::GetCapturedStderr(), "mesh.share_nodes = \"tie\" glues nothing"));
+}
+
+TEST(SharedNodes, AContactCoversAPart) {
+  const Case blocks(quarters);
+  // the joint of the two halves is two surfaces, and the contact is on one of them
+  const std::string halves = body("right", "['a', 'd']") + body("left", "['b', 'c']");
+  const std::string contact = "[[contacts]]\nbetween = ['a_b', 'b_a']\n";
+  const std::string said = mistakes(blocks, common + halves + contact);
+  EXPECT_TRUE(contains(said, "bodies 'right' and 'left' share 37 nodes of the mesh, and no contact covers 16 of these"))
+      << said;
+  EXPECT_EQ(build_model(blocks.parse(common + halves + contact, {tie})).pairs.size(), 2u);
+}
+
+TEST(SharedNodes, AnEdgeHoldsNothing) {
+  const Case blocks(quarters);
+  for (const std::vector<std::string>& overrides : {std::vector<std::string>{}, {tie}}) {
+    const std::string said = mistakes(blocks, common + body("a", "'a'") + body("c", "'c'"), overrides);
+    EXPECT_TRUE(contains(said, "bodies 'a' and 'c' share 5 nodes along an edge or at a point, and no face")) << said;
+    EXPECT_FALSE(contains(said, "come apart")) << said;
+  }
+}
+
+TEST(SharedNodes, SupportsMustNotMoveThemApart) {
+  const Case blocks(quarters);
+  const std::string moved =
+      "[[supports]]\non = 'top'\nbody = 'a'\ndisplacement = { z = 0.1 }\n"
+      "[[supports]]\non = 'top'\nbody = 'b'\ndisplacement = { z = 0.2 }\n";
+  const std::string said = mistakes(blocks, common + body("a", "'a'") + body("b", "'b'") + moved, {tie});
+  EXPECT_TRUE(contains(said, "supports move the node (")) << said;
+  EXPECT_TRUE(contains(said, "which bodies 'a' and 'b' share, by (0, ")) << said;
+}
+
+/// History of a run with fixed steps. @param joint  the body at a place of the joint
+Csv history(const Case& blocks, const std::string& bodies, const std::string& joint,
+            const std::vector<std::string>& overrides) {
+  const std::string probes = probe_tables({{"u_end", "displacement_y", "at = [1, 1, 1]"},
+                                           {"u_top", "displacement_x", "on = 'top'"},
+                                           {"u_joint", "displacement_z", "at = [0, 0.5, 0.7], body = '" + joint + "'"},
+                                           {"s_a", "stress_xx", "at = [0.9, 0.9, 0.4]"},
+                                           {"s_c", "stress_zx", "at = [-1.4, -0.9, 0.6]"},
+                                           {"creep", "creep_strain_equivalent", "at = [-1.4, 0.9, 0.1]"},
+                                           {"reaction", "reaction_x", "on = 'end'"}});
+  RunOptions options;
+  options.quiet = true;
+  const RunResult result = run(blocks.parse(probes + common + bodies, overrides), options);
+  EXPECT_EQ(result.exit_status, 0) << result.message;
+  return Csv(blocks / "results" / "history.csv");
+}
+
+/// Supports on the shared nodes, an edge that four bodies share, stresses that vary over the joints.
+TEST(SharedNodes, TiedBodiesMoveAsOne) {
+  const Case blocks(quarters);
+  const Csv one = history(blocks, body("all", "['a', 'b', 'c', 'd']"), "all", {});
+  ASSERT_EQ(one.rows.size(), 2u);
+  EXPECT_GT(std::abs(one.rows[1][1] / one.rows[0][1] - 1), 0.01) << "creep matters";
+  for (const char* method : {"contact_solver.method=schwarz", "contact_solver.method=active_set"}) {
+    const Csv tied = history(blocks, four, "b", {tie, method});
+    ASSERT_EQ(tied.rows.size(), one.rows.size());
+    for (std::size_t i = 0; i < one.rows.size(); ++i)
+      for (std::size_t k = 0; k < one.columns.size(); ++k)
+        EXPECT_NEAR(tied.rows[i][k], one.rows[i][k], 1e-8 * std::abs(one.rows[i][k]) + 1e-12) << one.columns[k];
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::simulation::test
