@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "command.hpp"
-#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/cores.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/simulation/run.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
@@ -23,7 +23,7 @@ int run(const Command& self, const Arguments& arguments) {
                      "write a row of every iteration of the contact solver");
   line.add_options()("quiet,q", po::bool_switch(&options.quiet), "warnings and errors only");
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
-  if (line.has("threads") && options.threads < 1) throw ConfigError("--threads: expected a number > 0");
+  if (line.has("threads")) line.require_within("threads", options.threads, cores());
 
   const config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
   const simulation::RunResult result = simulation::run(config, options);

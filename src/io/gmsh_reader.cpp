@@ -7,6 +7,7 @@
 #include <set>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "geo_constants.hpp"
 #include "gmsh_import.hpp"
 #include "gmsh_session.hpp"
@@ -55,7 +56,8 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
   const bool is_geo = file.extension() == ".geo";
   if (!is_geo && file.extension() != ".msh")
     throw ModelError(fmt::format("{}: unknown kind of mesh; .geo and .msh are read", file.string()));
-  if (!std::filesystem::is_regular_file(file)) throw ModelError(fmt::format("{}: no such file", file.string()));
+  if (const std::string reason = why_unreadable(file); !reason.empty())
+    throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);
   // Gmsh sets the number of OpenMP threads of the thread that calls it; the program's own must keep its.
   return std::async(std::launch::async, [&] { return read(file, options, is_geo); }).get();

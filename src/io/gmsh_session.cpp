@@ -4,6 +4,7 @@
 #include <gmsh.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <exception>
 #include <vector>
 
@@ -29,8 +30,14 @@ void forget_macros() {
 /// Text that is a file for the life of the object.
 class TemporaryGeo {
  public:
-  explicit TemporaryGeo(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() / "creepcontact_XXXXXX.geo") {
+  explicit TemporaryGeo(const std::string& text) {
+    std::error_code error;
+    path_ = std::filesystem::temp_directory_path(error) / "creepcontact_XXXXXX.geo";
+    if (error) {
+      const char* const given = std::getenv("TMPDIR");
+      throw ConfigError(fmt::format("no directory for temporary files{}: {}; set TMPDIR to one that exists",
+                                    given ? fmt::format(" '{}' (TMPDIR)", given) : "", error.message()));
+    }
     std::string pattern = path_.string();
     const int file = ::mkstemps(pattern.data(), 4);
     if (file < 0) throw ModelError(fmt::format("cannot write '{}'", path_.string()));

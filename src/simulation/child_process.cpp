@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/interrupt.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -39,6 +40,8 @@ ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vect
         fmt::format("cannot start '{}' with its log in '{}': {}", program.string(), log.string(), reason));
   }
   const pid_t parent = ::getpid();
+  // Handlers of this process must not take what is meant for the program that replaces it.
+  const BlockedSignals until_handled_again;
   process_ = ::fork();
   if (process_ == 0) {
     // Between fork and exec nothing that takes memory or locks.
