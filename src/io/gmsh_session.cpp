@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
@@ -107,6 +108,8 @@ void GmshSession::run(const std::function<void()>& calls) const {
     calls();
     failed = false;
   } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::string& text) {
     reason = text;

@@ -1,6 +1,7 @@
 #include "creepcontact/simulation/check.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <ostream>
 
@@ -31,6 +32,7 @@ std::string gap_text(const config::Contact& contact) {
 }  // namespace
 
 void check(const config::Config& config, std::ostream& report) {
+  omp_set_num_threads(affordable_threads(omp_get_max_threads()));
   const Model model = build_model(config);
   make_probes(config, model, model.pairs);
   const StateLayout layout(model);

@@ -115,6 +115,7 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   Comparison comparison(study);
   const fs::path directory =
       options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
+  const Interrupt interrupt;  // from here on there is something to save
   std::error_code failure;
   fs::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
@@ -123,7 +124,6 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
 
   const int jobs = options.jobs > 0 ? options.jobs : cores();
   const bool reference_run = study.reference && study.reference->is_run();
-  const Interrupt interrupt;
   std::vector<StudyRow> rows;
   std::optional<StudyRow> reference;
   {

@@ -77,7 +77,7 @@ class StudyResume(StudyTest):
         """Signals that the runs get before they have handlers for them are not lost."""
         self.write("study.toml", 'base = "cube.toml"\nset = { time.integrator = "explicit_euler" }\n'
                                  '[[axes]]\nkey = "time.step"\nvalues = [1e-6, 2e-6]\n')
-        for _ in range(5):
+        for _ in range(3):
             process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
                                        stderr=subprocess.PIPE, text=True)
             log = self.output / "runs" / "run_001" / "run.log"  # made just before its run
