@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/interrupt.hpp"
 
 namespace creepcontact {
 namespace {
@@ -96,6 +97,8 @@ ChildProcess::ChildProcess(const ChildSetup& setup) {
   sigset_t no_signals;
   sigemptyset(&no_signals);
   const pid_t parent = ::getpid();
+  // Handlers of this process must not take what is meant for the program that replaces it.
+  const BlockedSignals until_handled_again;
   process_ = ::fork();
   if (process_ == 0) {
     // Between fork and exec nothing that takes memory or locks.
@@ -103,8 +106,8 @@ ChildProcess::ChildProcess(const ChildSetup& setup) {
     ::prctl(PR_SET_PDEATHSIG, setup.signal_at_death);
     if (::getppid() != parent) ::_exit(0);  // it died before it could be watched
     copies.hand_over();
-    ::sigprocmask(SIG_SETMASK, &no_signals,
-                  nullptr);  // what this process blocks just now must end the child all the same
+    // What this process blocks just now must end the child all the same.
+    if (!setup.lets_signals_through) ::sigprocmask(SIG_SETMASK, &no_signals, nullptr);
     ::execv(setup.program.c_str(), pointers.data());
     ::_exit(127);
   }

@@ -41,6 +41,8 @@ class CommandLine {
   const std::string& positional() const { return positionals_.front(); }
   const std::optional<std::string>& optional() const { return optional_; }
   bool has(const std::string& option) const { return values_.count(option) > 0; }
+  /// @throws ConfigError if the number given with an option is none from 1 to `most`
+  void require_within(const std::string& option, int number, int most) const;
   template <class T>
   const T& get(const std::string& option) const {
     return values_[option].as<T>();

@@ -60,6 +60,10 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
   return true;
 }
 
+void CommandLine::require_within(const std::string& option, int number, int most) const {
+  if (number < 1 || number > most) throw ConfigError(fmt::format("--{}: {}; allowed: 1 to {}", option, number, most));
+}
+
 void add_overrides(CommandLine& line) {
   line.add_options()("set", po::value<std::vector<std::string>>()->value_name("key.path=value"),
                      "override a value of the configuration; may be repeated");

@@ -1,16 +1,24 @@
 /// creepcontact: creep of bodies in contact.
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdlib>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <sstream>
+#include <system_error>
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/config/suggestion.hpp"
-#include "thread_waiting.hpp"
+#include "standard_output.hpp"
+#include "thread_settings.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -68,25 +76,54 @@ void report(const std::string& message) {
 
 /// Errors have their exit status; anything unforeseen counts as a failure of the solver.
 int guarded(const Arguments& arguments) {
-  constexpr int solver_failure = 4;
   try {
     return dispatch(arguments);
   } catch (const Error& error) {
     report(error.what());
     return error.exit_status();
   } catch (const std::bad_alloc&) {
-    report("out of memory; a coarser mesh needs less: creepcontact check CONFIG.toml estimates how much");
+    report(out_of_memory);
+  } catch (const std::filesystem::filesystem_error& error) {
+    report(fmt::format("'{}': {}", error.path1().string(), error.code().message()));
+    return ConfigError::status;
+  } catch (const std::system_error& error) {
+    report(
+        fmt::format("the system refuses a resource: {}; limits (ulimit -a) on memory, threads or open files may be "
+                    "too low",
+                    error.code().message()));
   } catch (const std::exception& error) {
     report(error.what());
   }
-  return solver_failure;
+  return SolverError::status;
+}
+
+/// Where an exception cannot be caught: in threads, and in functions that libraries call.
+[[noreturn]] void give_up() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    report(out_of_memory);
+  } catch (const std::exception& error) {
+    report(error.what());
+  } catch (...) {
+    report("the program failed for an unknown reason");
+  }
+  ::_exit(SolverError::status);
 }
 
 }  // namespace
 }  // namespace creepcontact::cli
 
 int main(int argc, char** argv) {
-  // what needs no threads does not start twice
-  if (argc > 1 && argv[1][0] != '-') creepcontact::cli::let_waiting_threads_sleep(argv);
-  return creepcontact::cli::guarded(creepcontact::cli::Arguments(argv + 1, argv + argc));
+  using namespace creepcontact;
+  end_at_signals();
+  if (argc > 1 && argv[1][0] != '-') cli::set_threads(argv);  // what needs no threads does not start twice
+  std::set_terminate(cli::give_up);
+  cli::StandardOutput output;
+  const int status = cli::guarded(cli::Arguments(argv + 1, argv + argc));
+  const int lost = output.finish();
+  if (lost == 0) return status;
+  cli::report(
+      fmt::format("cannot write to standard output: {}; files of results do not depend on it", std::strerror(lost)));
+  return status != 0 ? status : SolverError::status;
 }

@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "command.hpp"
-#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/cores.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/simulation/run.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
@@ -24,7 +24,7 @@ int run(const Command& self, const Arguments& arguments) {
   line.add_options()("quiet,q", po::bool_switch(&options.quiet), "warnings and errors only");
   add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
-  if (line.has("threads") && options.threads < 1) throw ConfigError("--threads: expected a number > 0");
+  if (line.has("threads")) line.require_within("threads", options.threads, cores());
 
   config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);

@@ -19,10 +19,13 @@ int study(const Command& self, const Arguments& arguments) {
                      "where results go; not given: results/<name of the study> beside its file");
   add_trust(line);
   if (!line.parse(arguments, "STUDY.toml")) return 0;
-  if (line.has("jobs") && options.jobs < 1) throw ConfigError("--jobs: expected a number > 0");
+  constexpr int most_jobs = 1000;
+  if (line.has("jobs")) line.require_within("jobs", options.jobs, most_jobs);
   options.output = output;
   options.trust_geometry = line.has(trust_option);
-  options.program = std::filesystem::read_symlink("/proc/self/exe");
+  std::error_code error;
+  options.program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) throw SolverError("the program does not find its own file: /proc/self/exe: " + error.message());
 
   const simulation::StudyResult result = simulation::run_study(config::read_study(line.positional()), options);
   (result.exit_status == 0 ? std::cout : std::cerr << "error: ") << result.message << '\n';

@@ -140,7 +140,7 @@ Value<ContactSolver> contact_solver_table() {
                            "Schwarz: plain sweeps, accelerated ones, or conjugate gradients"),
       field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)),
                            "relative error of the multipliers"),
-      field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1),
+      field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1, 1'000'000),
                            "bound on the iterations on one active set"),
       field<ContactSolver>("dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
                            "memory [MB] for the matrices of the contact zones; beyond it contact is iterated by passes "

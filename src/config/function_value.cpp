@@ -13,6 +13,8 @@
 namespace creepcontact::config {
 namespace {
 
+constexpr double most_repeated = 1e6;  // times at which steps end
+
 /// What one key allows.
 struct Allowed {
   std::vector<std::string> variables;
@@ -104,6 +106,14 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
     if (!period) return std::nullopt;
     if (const std::string mistake = Function::period_mistake(*given, *abscissae, *period); !mistake.empty()) {
       context.errors.add(item_period.location, mistake);
+      return std::nullopt;
+    }
+    const auto n_points = static_cast<double>(abscissae->size());
+    if (const double periods = context.end / *period; !(periods * n_points <= most_repeated)) {
+      context.errors.add(
+          item_period.location,
+          fmt::format("{} points repeat {:.6g} times up to time.end = {}", n_points, periods, context.end),
+          fmt::format("{} points in all; is the period in the unit of time.end?", most_repeated));
       return std::nullopt;
     }
   }

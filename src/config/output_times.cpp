@@ -8,12 +8,15 @@
 namespace creepcontact::config {
 namespace {
 
+constexpr int most_outputs = 100'000;  // each is a row, and a file of fields
+
 Value<OutputSeries> series_table() {
   const auto spacing = choice<Spacing>("spacing", {{"log", Spacing::logarithmic}, {"linear", Spacing::linear}});
   const auto keys = table<OutputSeries>({
       field<OutputSeries>("first", &OutputSeries::first, number(greater(0)), "first time after 0")
           .otherwise("linear: `end` / `count`; log: required"),
-      field<OutputSeries>("count", &OutputSeries::count, integer(2), "number of times after 0", Presence::required),
+      field<OutputSeries>("count", &OutputSeries::count, integer(2, most_outputs), "number of times after 0",
+                          Presence::required),
       field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "of the times from `first` to `end`"),
   });
   return converted<OutputSeries>(

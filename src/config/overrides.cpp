@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "item.hpp"
+#include "key_length.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -24,6 +25,10 @@ class Override {
       return;
     }
     const std::string key = indices_as_keys(text.substr(0, equals));
+    if (find_long_key(key + '=' + text.substr(equals + 1))) {
+      errors_.add(where_, long_key_mistake);
+      return;
+    }
     if (!is_key(key)) {
       errors_.add(where_, "no valid key before the '='", "key.path=value");
       return;

@@ -29,6 +29,7 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
   require_no_study(document, file);
   Context context{file.parent_path(), {}};
   for (const std::string& one : overrides) apply_override(one, document, context.errors);
+  context.end = document["time"]["end"].value<double>().value_or(0.0);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Config config = config_table(vocabulary).read(root, context).value();
   cross_check(config, root, context.errors);

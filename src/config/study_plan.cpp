@@ -82,6 +82,13 @@ class RunMistakes {
 
 }  // namespace
 
+double n_runs(const Product& product) {
+  double runs = 1;
+  for (const std::vector<std::size_t>& group : independent(product.axes))
+    runs *= static_cast<double>(product.axes[group.front()].values.size());
+  return runs;
+}
+
 std::vector<PlannedRun> plan(const Study& study) {
   std::vector<PlannedRun> runs;
   const std::vector<Product> all = products(study);

@@ -28,6 +28,18 @@ void check_axes(const Product& product, Diagnostics& errors) {
   }
 }
 
+void check_size(const Study& study, Diagnostics& errors) {
+  constexpr double most = 10'000;
+  double runs = 0;
+  for (const Product& product : products(study)) {
+    runs += n_runs(product);
+    if (runs <= most) continue;
+    errors.add(product.location, fmt::format("{:.6g} runs with the product of these axes", runs),
+               fmt::format("{:.0f} runs in a study; axes of the same zip run together", most));
+    return;
+  }
+}
+
 void check_plot(const Study& study, Diagnostics& errors) {
   std::vector<std::string> keys, numeric;
   for (const Product& product : products(study))
@@ -87,6 +99,7 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Study study = study_table().read(root, context).value();
   for (const Product& product : products(study)) check_axes(product, context.errors);
+  check_size(study, context.errors);
   check_plot(study, context.errors);
   check_comparison(study, root, context.errors);
   if (!root.has("axes") && !root.has("runs")) context.errors.add(root.location, "no runs", "[[axes]] or [[runs]]");

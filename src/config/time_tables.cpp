@@ -13,6 +13,8 @@
 namespace creepcontact::config {
 namespace {
 
+constexpr double most_steps = 1e9;  // of a fixed length
+
 struct TimeKeys : Time {
   OutputTimes wanted;
 };
@@ -65,6 +67,10 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
   std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
   if (keys.end > 0) keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
   check_table(keys, vocabulary, item.child("table").location, context);
+  if (const double steps = keys.end / keys.step.length; keys.step.mode == StepMode::fixed && steps > most_steps)
+    context.errors.add(item.child("step").location,
+                       fmt::format("{:.6g} steps of {} up to time.end = {}", steps, keys.step.length, keys.end),
+                       fmt::format("up to {:.0e} steps; is the step in the unit of time.end?", most_steps));
   return Time(std::move(keys));
 }
 
@@ -88,7 +94,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "Euler schemes: fixed step, the stable step times `step_factor` (with fixed-point iterations at "
                       "most 0.8 of the "
                       "bound up to which these contract), or chosen to meet `tolerance`"),
-      field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(greater(0)),
+      field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(at_least(1e-6)),
                       "Euler schemes with `step = \"stable\"`"),
       field<TimeKeys>("beta", &TimeKeys::beta, number({.min = 0.5, .max = 1}),
                       "`beta_euler`: 0.5 trapezoidal rule, 1 implicit Euler"),
@@ -101,7 +107,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "adds up over many short steps "
                       "unless `residual_correction` = 1"),
       field<TimeKeys>(
-          "inner_anderson", &TimeKeys::inner_anderson, integer(0),
+          "inner_anderson", &TimeKeys::inner_anderson, integer(0, 100),
           "`beta_euler`: depth of Anderson acceleration of the fixed-point iterations (3 to 5 is enough); 0: the "
           "article's plain ones"),
       field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number({.min = 0, .max = 1}),

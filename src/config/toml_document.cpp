@@ -1,25 +1,52 @@
 #include "toml_document.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "item.hpp"
+#include "key_length.hpp"
 #include "syntax_mistakes.hpp"
 
 namespace creepcontact::config {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 26;
+
+}  // namespace
 
 std::string read_text(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) throw ConfigError(file.string() + ": is a directory; expected a file");
+  std::string reason = why_unreadable(file);
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw ConfigError(file.string() + ": cannot be read: " + std::generic_category().message(errno));
-  return {std::istreambuf_iterator<char>(stream), {}};
+  if (reason.empty() && !stream) reason = std::generic_category().message(errno);
+  if (!reason.empty()) throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(), reason));
+  std::string text;
+  std::string part(std::size_t{1} << 16, '\0');
+  while (stream.read(part.data(), static_cast<std::streamsize>(part.size())), stream.gcount() > 0) {
+    text.append(part, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most_bytes)
+      throw ConfigError(
+          fmt::format("{}: longer than {} MB; is that a configuration?", file.string(), most_bytes >> 20));
+  }
+  return text;
 }
 
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file,
                        const std::function<std::vector<KeyInfo>()>& schema) {
+  if (const auto long_key = find_long_key(text)) {
+    const auto before = text.begin() + static_cast<std::ptrdiff_t>(*long_key);
+    const auto line = std::count(text.begin(), before, '\n');
+    const auto column = before - std::find(std::make_reverse_iterator(before), text.rend(), '\n').base();
+    const Location where{
+        .file = file.string(), .line = static_cast<int>(line) + 1, .column = static_cast<int>(column) + 1};
+    throw ConfigError(where.prefix() + long_key_mistake);
+  }
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

@@ -20,6 +20,7 @@ namespace creepcontact::config {
 struct Context {
   std::filesystem::path directory;  ///< of the configuration file
   Diagnostics errors;
+  double end = 0;  ///< time.end, as far as it is a number: what repeats is bounded by it
 };
 
 template <class T>

@@ -37,19 +37,20 @@ std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
 }
 
 CondensedInterface::CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies,
-                                       std::vector<Pair> pairs, double dense_bytes)
+                                       std::vector<Pair> pairs, double dense_bytes, const Admission& admit)
     : bodies_(bodies), pairs_(numbered(std::move(pairs))), floating_(bodies, pairs_), sides_(bodies.size()) {
   floating_.require_contact(pairs_);
   make_problem();
   make_rows();
-  if (dense_bytes_ <= dense_bytes) {
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      bodies[b]->factorize(sides_[b].trailing);
-      condense(b);
-    }
+  const bool dense = dense_bytes_ <= dense_bytes;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    bodies[b]->analyze(dense ? sides_[b].trailing : std::vector<std::int64_t>());
+  if (admit) admit(dense ? dense_bytes_ : 0.0);
+  for (const auto& body : bodies) body->factorize();
+  if (dense) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
     sum_flexibilities();
   } else {
-    for (const auto& body : bodies) body->factorize({});
     large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
     problem_.large = large_.get();
   }

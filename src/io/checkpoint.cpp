@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "hdf5_file.hpp"
@@ -95,7 +96,7 @@ void check_seal(const std::filesystem::path& path) {
 
 /// A second name for the old file, so that its own stays until the new one takes it.
 void keep_previous(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) return;
+  if (!path_exists(path)) return;
   const std::filesystem::path previous = previous_checkpoint(path);
   std::error_code error;
   std::filesystem::remove(aside(previous), error);
@@ -139,7 +140,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
 
 Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
   const std::filesystem::path previous = previous_checkpoint(path);
-  if (!std::filesystem::exists(path) && !std::filesystem::exists(previous))
+  if (!path_exists(path) && !path_exists(previous))
     throw ConfigError(
         fmt::format("there is no checkpoint '{}' to go on from; run without --resume to begin", path.string()));
   std::string damage;
@@ -151,7 +152,11 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
   try {
     Checkpoint checkpoint = read_checkpoint(previous);
     log::warning("{}; the run goes on from the previous one, of t = {:.6g}", damage, checkpoint.time);
-    std::filesystem::rename(previous, path);
+    std::error_code error;
+    std::filesystem::rename(previous, path, error);
+    if (error)
+      throw ConfigError(
+          fmt::format("cannot rename '{}' to '{}': {}", previous.string(), path.string(), error.message()));
     return checkpoint;
   } catch (const ConfigError& error) {
     throw ConfigError(fmt::format("{}, and {}; run without --resume to begin anew", damage, error.what()));

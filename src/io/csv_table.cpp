@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -57,6 +58,8 @@ const std::vector<double>* CsvTable::column(const std::string& name) const {
 }
 
 CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended) {
+  if (const std::string reason = why_unreadable(path); !reason.empty())
+    throw ConfigError(fmt::format("{}: cannot be read: {}", path.string(), reason));
   std::ifstream stream(path);
   std::string line;
   if (!stream || !std::getline(stream, line))

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "vtk_cells.hpp"
@@ -138,10 +139,10 @@ void FieldWriter::write_collection() const {
 
 void FieldWriter::read_collection(double last_time) {
   const std::filesystem::path path = list_path();
-  if (!std::filesystem::exists(path)) {
+  if (!path_exists(path)) {
     log::warning("'{}' of the interrupted run is missing; its fields up to {:.6g} are in no list", path.string(),
                  last_time);
-    while (std::filesystem::exists(directory_ / file_name(first_))) ++first_;  // they are not written over
+    while (path_exists(directory_ / file_name(first_))) ++first_;  // they are not written over
     return;
   }
   pugi::xml_document document;

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/io/msh_reader.hpp"
 #include "geo_scan.hpp"
 #include "mesher_process.hpp"
@@ -67,7 +68,8 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
   const bool is_geo = file.extension() == ".geo";
   if (!is_geo && file.extension() != ".msh")
     throw ModelError(fmt::format("{}: unknown kind of mesh; .geo and .msh are read", file.string()));
-  if (!std::filesystem::is_regular_file(file)) throw ModelError(fmt::format("{}: no such file", file.string()));
+  if (const std::string reason = why_unreadable(file); !reason.empty())
+    throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);
   return is_geo ? mesh_geo(file, options) : read_msh(bytes_of(file), file.string());
 }

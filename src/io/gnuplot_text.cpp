@@ -33,7 +33,8 @@ std::string gnuplot_quoted(std::string_view text) {
     } else if (c < 0x20 || c == 0x7F) {
       result += ' ';
     } else if (c == '\'') {
-      result += result.ends_with("''") ? "\u2019" : "''";  // gnuplot knows no two in a row
+      // gnuplot knows neither two in a row nor one at the beginning.
+      result += result.size() == 1 || result.ends_with("''") ? "\u2019" : "''";
     } else {
       result += text.substr(i, length);
     }

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/interrupt.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -43,6 +44,7 @@ void move_into_place(const std::filesystem::path& path) {
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
+  const DelayedSignals delayed;  // nothing is left aside
   errno = 0;
   std::ofstream stream(aside(path), std::ios::binary | std::ios::trunc);
   stream.write(content.data(), static_cast<std::streamsize>(content.size()));

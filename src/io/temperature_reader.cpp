@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "hdf5_file.hpp"
 #include "temperature_rows.hpp"
 
@@ -66,8 +67,7 @@ Columns find_columns(const std::string& file, std::string_view header) {
 PointTemperatures read_csv(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::ifstream stream(path);
-  if (!stream || std::filesystem::is_directory(path))
-    throw ModelError(fmt::format("cannot read '{}': {}", file, stream ? "it is a directory" : std::strerror(errno)));
+  if (!stream) throw ModelError(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
   std::string line;
   std::getline(stream, line);
   const Columns columns = find_columns(file, line);
@@ -130,8 +130,6 @@ PointTemperatures read_datasets(const std::string& file, hid_t root) {
 }
 
 PointTemperatures read_hdf5(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path))
-    throw ModelError(fmt::format("cannot read '{}': no such file", path.string()));
   const Hdf5Silence silence;
   try {
     return read_datasets(path.string(), open_hdf5(path));
@@ -143,6 +141,8 @@ PointTemperatures read_hdf5(const std::filesystem::path& path) {
 }  // namespace
 
 PointTemperatures read_temperatures(const std::filesystem::path& file) {
+  if (const std::string reason = why_unreadable(file); !reason.empty())
+    throw ModelError(fmt::format("cannot read '{}': {}", file.string(), reason));
   return file.extension() == ".h5" || file.extension() == ".hdf5" ? read_hdf5(file) : read_csv(file);
 }
 

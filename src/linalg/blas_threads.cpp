@@ -1,7 +1,10 @@
 #include "blas_threads.hpp"
 
+#include <algorithm>
 #include <mutex>
-#include <thread>
+
+#include "creepcontact/base/cores.hpp"
+#include "creepcontact/linalg/blas_address_space.hpp"
 
 // Weak: absent with another BLAS or without an OpenMP runtime.
 extern "C" {
@@ -22,8 +25,7 @@ void set_threads(int n) {
 
 int all_cores() {
   if (omp_get_max_threads) return omp_get_max_threads();  // follows the user's limit on threads
-  const unsigned n = std::thread::hardware_concurrency();
-  return n > 0 ? static_cast<int>(n) : 1;
+  return cores();
 }
 
 }  // namespace
@@ -36,6 +38,12 @@ BlasThreads::BlasThreads() {
 BlasThreads::~BlasThreads() {
   const std::lock_guard lock(mutex);
   if (--running == 0) set_threads(1);
+}
+
+double blas_address_space(int threads) {
+  constexpr double buffer = 128.0 * (1 << 20), stack = 8.0 * (1 << 20);  // of OpenBLAS on x86-64, elsewhere less
+  if (!openblas_set_num_threads) return 0;
+  return buffer + std::max(0, threads - 1) * (2 * buffer + 2 * stack);
 }
 
 void BlasThreads::initialize() {

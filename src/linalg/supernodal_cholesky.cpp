@@ -196,6 +196,12 @@ Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {
 std::int64_t SupernodalCholesky::factor_bytes() const {
   return impl_->factor ? static_cast<std::int64_t>(impl_->factor->xsize * sizeof(double)) : 0;
 }
+std::int64_t SupernodalCholesky::work_bytes() const {
+  if (!impl_->factor) return 0;
+  // Update matrices of supernodes, and the matrix in the order of the factor, twice.
+  return static_cast<std::int64_t>(impl_->factor->maxcsize * sizeof(double)) +
+         2 * impl_->n_entries * static_cast<std::int64_t>(sizeof(double) + sizeof(std::int64_t));
+}
 double SupernodalCholesky::rcond() const {
   return impl_->rcond;
 }

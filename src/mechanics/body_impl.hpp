@@ -52,6 +52,7 @@ struct Body::Impl {
   ThermalState thermal;
   std::vector<std::unique_ptr<Load>> loads;
   std::optional<linalg::SupernodalCholesky> factor;
+  linalg::SparseMatrix analyzed;  // the stiffness, from analyze() to factorize()
   std::vector<Moduli> factored_moduli;
   double factor_time = 0;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "body_impl.hpp"
 #include "creepcontact/base/error.hpp"
@@ -67,9 +68,18 @@ void Body::Impl::report_singular(const linalg::SingularMatrix& error) const {
                   name, place, error.rcond));
 }
 
-void Body::factorize(std::vector<std::int64_t> trailing) {
-  const linalg::SparseMatrix stiffness = impl_->free_stiffness();
-  impl_->factor.emplace(stiffness, impl_->constraints.node_of_free(), trailing);
+void Body::analyze(const std::vector<std::int64_t>& trailing) {
+  impl_->analyzed = impl_->free_stiffness();
+  impl_->factor.emplace(impl_->analyzed, impl_->constraints.node_of_free(), trailing);
+}
+
+void Body::factorize(const std::vector<std::int64_t>& trailing) {
+  analyze(trailing);
+  factorize();
+}
+
+void Body::factorize() {
+  const linalg::SparseMatrix stiffness = std::exchange(impl_->analyzed, {});
   try {
     impl_->factorize(stiffness);
     return;
@@ -121,7 +131,8 @@ std::pair<double, double> Body::stiffness_ratio() const {
 }
 
 std::int64_t Body::estimate_factor_bytes() const {
-  return linalg::SupernodalCholesky(impl_->free_stiffness(), impl_->constraints.node_of_free(), {}).factor_bytes();
+  const linalg::SupernodalCholesky factor(impl_->free_stiffness(), impl_->constraints.node_of_free(), {});
+  return factor.factor_bytes() + factor.work_bytes();
 }
 
 linalg::SparseMatrix Body::stiffness() const {

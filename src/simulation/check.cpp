@@ -1,17 +1,18 @@
 #include "creepcontact/simulation/check.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <ostream>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
+#include "memory_need.hpp"
 #include "temperature.hpp"
 
 namespace creepcontact::simulation {
 namespace {
-
-constexpr double state_vectors = 14;  // of CVODE BDF with its Krylov space
 
 std::string element_names(const mesh::Mesh& mesh) {
   std::string text;
@@ -37,13 +38,14 @@ std::string contact_text(const contact::Pair& pair, const config::Contact& conta
 }  // namespace
 
 void check(const config::Config& config, std::ostream& report) {
+  omp_set_num_threads(affordable_threads(omp_get_max_threads()));
   const Model model = build_model(config);
   make_probes(config, model, model.pairs);
   const StateLayout layout(model);
 
   std::string text;
   for (const std::string& warning : settings_warnings(config)) text += "warning: " + warning + "\n";
-  double bytes = 8 * state_vectors * static_cast<double>(layout.size());
+  double contact_bytes = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const mechanics::Body& body = *model.bodies[b];
     text += fmt::format("body '{}': {}, {} nodes, {} unknowns, {} integration points, material '{}'{}\n", body.name(),
@@ -55,19 +57,13 @@ void check(const config::Config& config, std::ostream& report) {
     for (const mechanics::FreeMotion& motion : body.free_motions())
       described += (described.empty() ? "" : ", ") + motion.description;
     text += fmt::format("  rigid-body modes: {}\n", described.empty() ? "none" : described);
-    const bool has_tangent = config.time.linear_solver == config::LinearSolver::tangent && body.material().creeps();
-    bytes += (has_tangent ? 2 : 1) * static_cast<double>(body.estimate_factor_bytes());
-    // gradients, weights and coordinates at the integration points; what a tangent eliminates there
-    const auto stride = static_cast<double>(layout.stride(b));
-    const double numbers = 75 + (has_tangent ? 36 + stride * (stride + 6) : 0);
-    bytes += 8 * numbers * static_cast<double>(body.discretization().n_points());
   }
   for (std::size_t p = 0; p < model.pairs.size(); ++p) {
     const contact::Pair& pair = model.pairs[p];
     const double n = pair.coupling.n_rows();
     text += pair.ties_nodes() ? fmt::format("{}: tied, {} multipliers\n", pair.name, pair.coupling.nodes.size())
                               : contact_text(pair, config.contacts[p], model);
-    bytes += 8 * n * n * 12;
+    contact_bytes += 8 * n * n * 12;
   }
   const contact::FloatingMotions floating(model.bodies, model.pairs);
   if (floating.held().cols() > 0) text += fmt::format("held by contact alone: {} motions\n", floating.held().cols());
@@ -77,7 +73,13 @@ void check(const config::Config& config, std::ostream& report) {
     text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
                                       : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
   text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
-  text += fmt::format("estimated memory: {:.0f} MB\n", bytes / 1e6 + 60);
+  if (contact_bytes > 1e6 * config.contact_solver.dense_limit_mb) contact_bytes = 0;
+  const MemoryNeed need = memory_need(config, model, contact_bytes, [](mechanics::Body& body) {
+    return static_cast<double>(body.estimate_factor_bytes());
+  });
+  text += fmt::format("estimated memory: {}\n", memory_text(need.total() + peak_memory()));
+  if (const std::string shortage = memory_shortage(need); !shortage.empty())
+    text += fmt::format("warning: {}\n", shortage);
   report << text << std::flush;
   floating.require_contact(model.pairs);
   report << "no mistakes found\n" << std::flush;

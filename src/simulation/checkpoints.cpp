@@ -18,7 +18,7 @@ constexpr std::size_t most_differences = 5;  // named
 Checkpoints::Checkpoints(const config::Config& config, const Model& model, const std::filesystem::path& directory)
     : config_(config), path_(directory / "checkpoint.h5"), fingerprint_(fingerprint(config, model)) {}
 
-io::Checkpoint Checkpoints::read(const CreepRate& system) const {
+io::Checkpoint Checkpoints::read(std::size_t state_size) const {
   io::Checkpoint checkpoint = io::read_last_checkpoint(path_);
   std::vector<std::string> changes = differences(checkpoint.fingerprint, fingerprint_);
   if (changes.size() > most_differences) {
@@ -26,7 +26,7 @@ io::Checkpoint Checkpoints::read(const CreepRate& system) const {
     changes.resize(most_differences);
     changes.push_back(fmt::format("and {} more", more));
   }
-  if (!changes.empty() || checkpoint.state.size() != system.size())
+  if (!changes.empty() || checkpoint.state.size() != state_size)
     throw ConfigError(
         fmt::format("{}: the checkpoint is of another model than '{}': {}; give the configuration it was written "
                     "with, or run without --resume",

@@ -16,8 +16,9 @@ class Checkpoints {
  public:
   Checkpoints(const config::Config& config, const Model& model, const std::filesystem::path& directory);
 
-  /// The last one on disk. @throws ConfigError if there is none, or it is of another model: what differs
-  io::Checkpoint read(const CreepRate& system) const;
+  /// The last one on disk. @param state_size  of the model
+  /// @throws ConfigError if there is none, or it is of another model: what differs
+  io::Checkpoint read(std::size_t state_size) const;
   /// Of an earlier run in the same directory.
   void remove() const { io::remove_checkpoints(path_); }
 

@@ -17,17 +17,19 @@ std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) 
   return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
 }
 
-contact::CondensedInterface factorize(Model& model, Stopwatch& watch) {
+contact::CondensedInterface factorize(Model& model, Stopwatch& watch,
+                                      const contact::CondensedInterface::Admission& admit) {
   const auto lap = watch.lap(Part::factorize);
-  return {model.bodies, std::move(model.pairs), 1e6 * model.dense_limit_mb};
+  return {model.bodies, std::move(model.pairs), 1e6 * model.dense_limit_mb, admit};
 }
 
 }  // namespace
 
-ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch)
+ContactElasticity::ContactElasticity(Model& model, Stopwatch& watch,
+                                     const contact::CondensedInterface::Admission& admit)
     : model_(model),
       watch_(watch),
-      interface_(factorize(model, watch)),
+      interface_(factorize(model, watch, admit)),
       solver_(make_contact_solver(model, interface_.problem())),
       frozen_(interface_.problem(), std::max(model.schwarz.tolerance, jacobian_tolerance)) {
   set_changes_.assign(interface_.pairs().size(), 0);

@@ -58,14 +58,16 @@ void Progress::step(double time, std::int64_t steps, std::int64_t elastic_solves
   const int full = static_cast<int>(share * bar_width);
   const std::string bar =
       std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(bar_width - full), '.');
-  fmt::print(stderr, "\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time, end, steps,
-             elastic_solves, clock_text(left));
+  // fmt::print throws where the terminal is gone.
+  const std::string line = fmt::format("\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time,
+                                       end, steps, elastic_solves, clock_text(left));
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;
 }
 
 void Progress::clear() {
-  if (drawn_) fmt::print(stderr, "\r\033[K");
+  if (drawn_) std::fputs("\r\033[K", stderr);
   drawn_ = false;
 }
 

@@ -2,29 +2,29 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <sys/resource.h>
 
 #include <filesystem>
+#include <iostream>
+#include <new>
 #include <optional>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/simulation/check.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "directory_lock.hpp"
+#include "finished_run.hpp"
+#include "memory_need.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
 #include "useful_threads.hpp"
 
 namespace creepcontact::simulation {
 namespace {
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 io::Summary make_summary(const config::Config& config, const Model& model, const TimeLoop& loop,
                          const Stopwatch& watch) {
@@ -61,7 +61,7 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
                           watch.seconds(Part::material),
                           watch.seconds(Part::contact),
                           watch.seconds(Part::output)};
-  summary.peak_memory_mb = peak_memory_mb();
+  summary.peak_memory_mb = peak_memory() / (1 << 20);
   return summary;
 }
 
@@ -78,26 +78,33 @@ Suspects suspects(CreepRate& system) {
 
 void print_report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop, CreepRate& system) {
   if (loop.step_statistics().empty()) return;
-  fmt::print("{}", run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method()));
-  if (loop.resumed()) fmt::print("  (lengths, orders and errors of steps, and the time: since the resume)\n");
+  std::cout << run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
+  if (loop.resumed()) std::cout << "  (lengths, orders and errors of steps, and the time: since the resume)\n";
   for (const std::string& line : advice(summary, loop.step_statistics(), suspects(system))) log::warning("{}", line);
 }
 
 }  // namespace
 
 RunResult run(const config::Config& config, const RunOptions& options) {
-  omp_set_num_threads(options.threads > 0 ? options.threads : useful_threads());
+  omp_set_num_threads(affordable_threads(options.threads > 0 ? options.threads : omp_get_max_threads()));
+  if (options.threads == 0) omp_set_num_threads(useful_threads());
   if (options.quiet) log::set_level(log::Level::warning);
   Stopwatch watch;
   const std::filesystem::path directory =
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
 
+  std::optional<Interrupt> interrupt;  // outlives all that takes time to be freed
   std::optional<DirectoryLock> lock;
-  if (std::filesystem::is_directory(directory)) lock.emplace(directory);
+  if (path_is_directory(directory))
+    lock.emplace(directory);
+  else if (path_exists(directory))
+    throw ConfigError(fmt::format("output directory {}: is a file; choose another with --output", directory.string()));
   std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
   if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
   Model model = build_model(config);
   make_probes(config, model, model.pairs);  // mistakes in them show before anything is factored
+  if (options.resume)
+    if (std::string reason = nothing_left(config, model, directory); !reason.empty()) return {0, std::move(reason)};
   for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
   for (const auto& body : model.bodies)
     for (const std::string& warning : mesh_warnings(*body)) log::warning("{}", warning);
@@ -106,7 +113,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
               body->constraints().n_free());
   std::optional<ContactLog> contact_log;
   if (!options.log_contact.empty()) contact_log.emplace(options.log_contact);
-  ContactElasticity elasticity(model, watch);
+  ContactElasticity elasticity(model, watch,
+                               [&](double contact_bytes) { require_memory(config, model, contact_bytes); });
   if (contact_log) elasticity.log_contact(*contact_log);
   for (const contact::Pair& pair : elasticity.interface().pairs())
     if (pair.ties_nodes())
@@ -119,6 +127,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     log::info("held by nothing, must not be loaded: {}", motion);
   CreepRate system(elasticity, watch, config.time.output, config.time.tolerance);
 
+  interrupt.emplace();  // from here on there is something to save
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
@@ -136,6 +145,17 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   // Should the run be killed, its last summary says how far it came.
   loop.after_output = [&] { write_summary(io::Summary::Status::interrupted, "killed after the last output time"); };
 
+  const auto failed = [&](int status, const std::string& cause) {
+    try {
+      write_summary(io::Summary::Status::failed, cause);
+    } catch (const Error& second) {
+      log::error("{}", second.what());  // the first cause is what the user must see
+    }
+    return RunResult{status, !loop.has_output() ? cause
+                                                : fmt::format("{}; results up to t = {:.6g} are in {}", cause,
+                                                              loop.time(), directory.string())};
+  };
+
   RunResult result;
   io::Summary summary;
   try {
@@ -145,30 +165,21 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
-      result = {130, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
+      result = {interrupted_status, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {
-    result = {error.exit_status(), error.what()};
-    if (loop.has_output())
-      result.message += fmt::format("; results up to t = {:.6g} are in {}", loop.time(), directory.string());
-    try {
-      write_summary(io::Summary::Status::failed, error.what());
-    } catch (const Error& second) {
-      log::error("{}", second.what());  // the first cause is what the user must see
-    }
-    return result;
+    return failed(error.exit_status(), error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(SolverError::status, out_of_memory);
   }
-  if (loop.was_complete())
-    result.message =
-        fmt::format("the run was complete already, up to t = {:.6g}; a later time.end prolongs it", loop.time());
-  else if (!options.quiet) {
-    fmt::print("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
-               result.exit_status != 0 ? "interrupted"
-               : summary.rupture       ? "ruptured"
-                                       : "done",
-               summary.steps, summary.elastic_solves, summary.schwarz_iterations, summary.wall_seconds.total,
-               directory.string());
+  if (!options.quiet) {
+    std::cout << fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
+                             result.exit_status != 0 ? "interrupted"
+                             : summary.rupture       ? "ruptured"
+                                                     : "done",
+                             summary.steps, summary.elastic_solves, summary.schwarz_iterations,
+                             summary.wall_seconds.total, directory.string());
     print_report(config, summary, loop, system);
   }
   return result;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/config/suggestion.hpp"
 #include "units.hpp"
@@ -35,10 +36,10 @@ io::Axis time_axis(const io::SummaryHeading& heading, bool logarithmic) {
 }
 
 io::CsvTable read_history(const std::filesystem::path& run) {
-  if (!std::filesystem::is_directory(run))
+  if (!path_is_directory(run))
     throw ConfigError(fmt::format("no directory '{}'; plot takes the output directory of a run", run.string()));
   const std::filesystem::path path = run / "history.csv";
-  if (!std::filesystem::exists(path))
+  if (!path_exists(path))
     throw ConfigError(fmt::format("no history.csv in '{}'; plot takes the output directory of a run", run.string()));
   return io::read_csv_table(path, io::UnendedRow::is_left_out);
 }
@@ -56,7 +57,7 @@ std::string why_no_curves(const io::CsvTable& history, const std::filesystem::pa
 
 /// Without rows if nothing creeps.
 io::CsvTable read_steps(const std::filesystem::path& run) {
-  if (!std::filesystem::exists(run / "steps.csv")) return {};
+  if (!path_exists(run / "steps.csv")) return {};
   return io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
 }
 

@@ -7,14 +7,15 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <thread>
 
+#include "creepcontact/base/cores.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
 #include "directory_lock.hpp"
-#include "interrupt.hpp"
 #include "study_errors.hpp"
 #include "study_execution.hpp"
 #include "study_plots.hpp"
@@ -30,7 +31,7 @@ const char* const stored_study = "study_input.toml";
 /// One study a directory: the results of another one would stand beside those of this one.
 void claim(const fs::path& directory, const config::Study& study) {
   const fs::path file = directory / stored_study;
-  if (fs::exists(file)) {
+  if (path_exists(file)) {
     std::ifstream stream(file, std::ios::binary);
     if (std::string(std::istreambuf_iterator<char>(stream), {}) == study.normalized) return;
     throw ConfigError(
@@ -39,7 +40,7 @@ void claim(const fs::path& directory, const config::Study& study) {
                     directory.string(), study.file.string(), file.string()));
   }
   // Runs are made in directories that are emptied before.
-  if (fs::exists(directory / "runs"))
+  if (path_exists(directory / "runs"))
     throw ConfigError(
         fmt::format("output directory {} holds '{}', which no study has made; choose another directory "
                     "with --output",
@@ -88,7 +89,8 @@ StudyResult result_of(const std::vector<StudyRow>& rows, const Interrupt& interr
   const auto succeeded = std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.succeeded(); });
   const std::string results =
       fmt::format("{} of {} runs succeeded; results in {}", succeeded, rows.size(), directory.string());
-  if (interrupt.requested()) return {130, fmt::format("interrupted: {}; the same command goes on", results)};
+  if (interrupt.requested())
+    return {interrupted_status, fmt::format("interrupted: {}; the same command goes on", results)};
   if (succeeded > 0) return {0, results};
   const auto told = std::find_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.message.empty(); });
   return {4, fmt::format("{}{}", results, told != rows.end() ? "; the first one: " + told->message : "")};
@@ -113,21 +115,20 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   Comparison comparison(study);
   const fs::path directory =
       options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
+  const Interrupt interrupt;  // from here on there is something to save
   std::error_code failure;
   fs::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
   const DirectoryLock lock(directory);
   claim(directory, study);
 
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int jobs = options.jobs > 0 ? options.jobs : cores;
+  const int jobs = options.jobs > 0 ? options.jobs : cores();
   const bool reference_run = study.reference && study.reference->is_run();
-  const Interrupt interrupt;
   std::vector<StudyRow> rows;
   std::optional<StudyRow> reference;
   {
     StudyProgress progress(runs.size() + (reference_run ? 1 : 0));
-    StudyExecution execution(study, options.program, directory, jobs, cores, options.trust_geometry, interrupt,
+    StudyExecution execution(study, options.program, directory, jobs, cores(), options.trust_geometry, interrupt,
                              progress);
     if (reference_run) {
       const config::PlannedRun run{"reference", study.reference->settings, 0, {}};

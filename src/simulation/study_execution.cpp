@@ -16,6 +16,7 @@
 #include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/child_process.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/io/replace_file.hpp"
@@ -29,7 +30,6 @@ namespace fs = std::filesystem;
 using Status = io::Summary::Status;
 
 constexpr auto between_looks = std::chrono::milliseconds(10);
-constexpr int interrupted_status = 130;
 const char* const log_file = "run.log";
 
 std::string text_of(const fs::path& file) {
@@ -119,13 +119,21 @@ ChildProcess start_logged(const fs::path& program, const std::vector<std::string
   if (file.descriptor < 0)
     throw SolverError(fmt::format("cannot write the log '{}' of a run: {}", log.string(), std::strerror(errno)));
   return ChildProcess(
-      {program, arguments, {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}}, SIGTERM});
+      {program, arguments, {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}}, SIGTERM,
+       /*lets_signals_through=*/true});
+}
+
+void make_empty(const fs::path& directory) {
+  std::error_code error;
+  fs::remove_all(directory, error);
+  if (!error) fs::create_directories(directory, error);
+  if (error) throw ConfigError(fmt::format("directory of a run '{}': {}", directory.string(), error.message()));
 }
 
 /// Whether the interrupted run of this directory can go on.
 bool resumable(const fs::path& directory) {
   const auto summary = io::read_summary(directory / "summary.json");
-  return summary && summary->status == Status::interrupted && fs::exists(directory / "checkpoint.h5");
+  return summary && summary->status == Status::interrupted && path_exists(directory / "checkpoint.h5");
 }
 
 }  // namespace
@@ -174,8 +182,7 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
       arguments.emplace_back("--resume");
     } else {
       // The summary of other settings must not speak for these, should the run be killed at once.
-      fs::remove_all(directory);
-      fs::create_directories(directory);
+      make_empty(directory);
       io::replace_file(directory / "settings.txt", record);
     }
     under_way.emplace_back(i, program_, arguments, directory / log_file);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/simulation/study_results.hpp"
-#include "interrupt.hpp"
 #include "study_progress.hpp"
 
 namespace creepcontact::simulation {

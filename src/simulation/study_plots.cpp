@@ -14,6 +14,8 @@ namespace creepcontact::simulation {
 namespace {
 
 std::string file_part(std::string text) {
+  constexpr std::size_t longest = 80;  // names of files are bounded
+  text.resize(std::min(text.size(), longest));
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   return text;

@@ -17,7 +17,7 @@ constexpr std::size_t bar_width = 24;
 StudyProgress::StudyProgress(std::size_t runs) : runs_(runs), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 StudyProgress::~StudyProgress() {
-  if (!drawn_.empty()) fmt::print(stderr, "\r\033[K");
+  if (!drawn_.empty()) std::fputs("\r\033[K", stderr);
 }
 
 void StudyProgress::count(const StudyRow& row) {
@@ -44,7 +44,7 @@ void StudyProgress::draw(std::size_t running) {
       fmt::format("[{}{}] {} of {} runs, {} under way{}", std::string(full, '#'), std::string(bar_width - full, '.'),
                   done_, runs_, running, failed_ > 0 ? fmt::format(", {} failed", failed_) : "");
   if (line == drawn_) return;
-  fmt::print(stderr, "\r{}\033[K", line);
+  std::fputs(("\r" + line + "\033[K").c_str(), stderr);
   std::fflush(stderr);
   drawn_ = line;
 }

@@ -69,9 +69,8 @@ TimeLoop::TimeLoop(const config::Config& config, CreepRate& system, Stopwatch& w
   require_condensed_contact(config, system.elasticity().interface());
   io::Continuation continuation;
   if (resume) {
-    resumed_ = checkpoints_.read(system);
+    resumed_ = checkpoints_.read(system.size());
     time_ = resumed_->time;
-    was_complete_ = time_ >= config.time.end;
     has_output_ = true;
     earlier_ = resumed_->counters;
     system.restore(resumed_->arrays);
@@ -160,10 +159,14 @@ void TimeLoop::output(double t, std::span<const double> y) {
 }
 
 TimeLoop::End TimeLoop::run() {
-  if (was_complete_) return End::completed;
   const Interrupt interrupt;
   try {
     begin_segment();
+    if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
+      system_.equilibrium(time_, resumed_->state);
+      life_.output(resumed_->state);
+      return End::completed;
+    }
     if (!resumed_) output(0, state_);
     settled_ = !integrator_;
     if (integrator_)

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "checkpoints.hpp"
+#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/simulation/creep_rate.hpp"
-#include "interrupt.hpp"
 #include "life_record.hpp"
 #include "progress.hpp"
 #include "results.hpp"
@@ -30,8 +30,6 @@ class TimeLoop {
   End run();
 
   double time() const { return time_; }
-  /// True if the checkpoint was that of the end: there was nothing to do.
-  bool was_complete() const { return was_complete_; }
   /// False if the run failed before its first output.
   bool has_output() const { return has_output_; }
   ode::Integrator::Counters integrator_counters() const;
@@ -75,7 +73,6 @@ class TimeLoop {
   StepStatistics step_statistics_;
   double time_ = 0;
   bool has_output_ = false;
-  bool was_complete_ = false;
   bool ruptured_ = false;
   bool settled_ = false;                         // integrated up to time_, and all results up to there are on disk
   std::optional<io::Checkpoint> resumed_;        // until the integration has begun

@@ -128,7 +128,7 @@ class StudyMistakes(StudyTest):
         self.expect_error(self.study(text), 2, "known.csv: there is no column 'stress' (found: time, strain)")
 
     def test_command_line(self):
-        self.expect_error(self.study(STUDY, "--jobs", "0"), 2, "--jobs: expected a number > 0")
+        self.expect_error(self.study(STUDY, "--jobs", "0"), 2, "--jobs: 0; allowed: 1 to 1000")
         done = subprocess.run([PROGRAM, "study", "none.toml"], cwd=self.directory, capture_output=True, text=True)
         self.expect_error(done, 2, "none.toml: cannot be read: No such file or directory")
 

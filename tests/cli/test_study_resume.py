@@ -1,6 +1,7 @@
 """`creepcontact study` over and over: what is kept, what is made anew, interruption, two at once."""
 
 import json
+import shutil
 import signal
 import subprocess
 import time
@@ -60,14 +61,35 @@ class StudyResume(StudyTest):
         # The same command goes on from there: what lies in the directory of a run that begins anew is removed.
         sentinel = steps[0].parent / "sentinel"
         sentinel.touch()
+        lengths = [path.stat().st_size for path in steps]
         process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
                                    stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-        time.sleep(1)
+        give_up = time.monotonic() + 50
+        while any(path.stat().st_size <= length + 1000 for path, length in zip(steps, lengths)):
+            self.assertLess(time.monotonic(), give_up)
+            time.sleep(0.02)
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(timeout=50), 130)
         self.assertTrue(sentinel.exists())
-        self.assertGreaterEqual(json.loads((steps[0].parent / "summary.json").read_text())["time_reached"], reached)
+        self.assertGreater(json.loads((steps[0].parent / "summary.json").read_text())["time_reached"], reached)
 
+    def test_interruption_as_early_as_can_be(self):
+        """Signals that the runs get before they have handlers for them are not lost."""
+        self.write("study.toml", 'base = "cube.toml"\nset = { time.integrator = "explicit_euler" }\n'
+                                 '[[axes]]\nkey = "time.step"\nvalues = [1e-6, 2e-6]\n')
+        for _ in range(3):
+            process = subprocess.Popen([PROGRAM, "study", "study.toml", "--jobs", "2"], cwd=self.directory,
+                                       stderr=subprocess.PIPE, text=True)
+            log = self.output / "runs" / "run_001" / "run.log"  # made just before its run
+            give_up = time.monotonic() + 50
+            while not log.exists():
+                self.assertLess(time.monotonic(), give_up)
+            process.send_signal(signal.SIGINT)
+            errors = process.communicate(timeout=50)[1]
+            self.assertEqual(process.returncode, 130, errors)
+            self.assertIn("interrupted: 0 of 2 runs succeeded", errors)
+            self.assertIn(self.rows()[0]["status"], ("interrupted", "not started"))
+            shutil.rmtree(self.output)
 
     def test_two_at_once_and_death(self):
         text = ('base = "cube.toml"\n[[runs]]\n'

@@ -37,6 +37,8 @@ struct ChildSetup {
   /// Descriptors it gets: (here, there). Standard input, output and error are /dev/null where not named.
   std::vector<std::pair<int, int>> descriptors = {};
   int signal_at_death = SIGTERM;  ///< sent to it should this thread die
+  /// It calls end_at_signals(), and so is started with the signals blocked: it misses none.
+  bool lets_signals_through = false;
 };
 
 class ChildProcess {

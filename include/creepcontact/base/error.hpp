@@ -18,19 +18,22 @@ class Error : public std::runtime_error {
 /// Command line or configuration: exit status 2.
 class ConfigError : public Error {
  public:
-  explicit ConfigError(const std::string& message) : Error(message, 2) {}
+  static constexpr int status = 2;
+  explicit ConfigError(const std::string& message) : Error(message, status) {}
 };
 
 /// Mesh or model (unsupported element, missing group, a body free to move): exit status 3.
 class ModelError : public Error {
  public:
-  explicit ModelError(const std::string& message) : Error(message, 3) {}
+  static constexpr int status = 3;
+  explicit ModelError(const std::string& message) : Error(message, status) {}
 };
 
 /// A numerical method gave up; what was computed before is kept: exit status 4.
 class SolverError : public Error {
  public:
-  explicit SolverError(const std::string& message) : Error(message, 4) {}
+  static constexpr int status = 4;
+  explicit SolverError(const std::string& message) : Error(message, status) {}
 };
 
 }  // namespace creepcontact

@@ -110,6 +110,9 @@ std::vector<double> numbers(const Axis& axis);
 /// Whether the two take their values together: zipped, or one and the same.
 bool run_together(const Axis& a, const Axis& b);
 
+/// Number of its runs; a product may have more than can be planned.
+double n_runs(const Product& product);
+
 /// All runs, product by product, the last axis of each changing fastest.
 std::vector<PlannedRun> plan(const Study& study);
 

@@ -6,6 +6,7 @@
 /// Contact zones whose dense matrices would exceed a bound are left in the factor: any ordering, G = L^-1 P B^T applied
 /// by passes of its own, F by a forward and a backward pass a product.
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -36,8 +37,11 @@ class CondensedInterface {
   /// @throws ModelError as Body::factorize and FloatingMotions::require_contact
   /// Cost: the factorisations, and n_contact^2 x n_rows operations a body.
   /// @param dense_bytes  bound on the dense matrices
+  /// @param admit  called between analysis and factorisation, when the sizes of all factors are known and nothing of
+  ///        them is taken; it may throw. @param dense_bytes of it: those of the dense matrices that will be made
+  using Admission = std::function<void(double dense_bytes)>;
   CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies, std::vector<Pair> pairs,
-                     double dense_bytes = unbounded);
+                     double dense_bytes = unbounded, const Admission& admit = {});
   ~CondensedInterface();
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 

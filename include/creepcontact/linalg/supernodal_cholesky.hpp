@@ -56,6 +56,8 @@ class SupernodalCholesky {
 
   /// Bytes of the numeric factor, known after the analysis.
   std::int64_t factor_bytes() const;
+  /// Bytes that factorize() takes beside the factor and gives back, known after the analysis.
+  std::int64_t work_bytes() const;
   double rcond() const;
 
  private:

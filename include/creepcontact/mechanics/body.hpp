@@ -57,7 +57,10 @@ class Body {
   /// Orders, analyses and factors the stiffness of the free unknowns at the set time, the pins fixed.
   /// @param trailing  free unknowns to be eliminated last (those of the contact surfaces)
   /// @throws ModelError naming the body and the place if the stiffness is singular
-  void factorize(std::vector<std::int64_t> trailing);
+  void factorize(const std::vector<std::int64_t>& trailing);
+  /// The two halves of it. Between them the sizes of factor() are known, and nothing of them is taken.
+  void analyze(const std::vector<std::int64_t>& trailing);
+  void factorize();
   /// The elastic constants follow a temperature that changes in time: those of the factor are then those of
   /// factor_time() alone.
   bool stiffness_changes() const;
@@ -67,14 +70,14 @@ class Body {
   /// Least and largest ratio of the bulk and shear moduli at the set time to those of the factor, over all points: the
   /// eigenvalues of K0^-1 K(t) lie between them. {1, 1} if the stiffness does not change.
   std::pair<double, double> stiffness_ratio() const;
-  /// As factorize, but the analysis only: bytes of the factor for `check`.
+  /// As factorize, but the analysis only: bytes of the factor, and of the work space of a factorisation, for `check`.
   std::int64_t estimate_factor_bytes() const;
   /// That of the set time: lower triangle over the free unknowns, the pins' rows and columns emptied but for the
   /// diagonal. Cost: assembly.
   linalg::SparseMatrix stiffness() const;
   /// The same with symmetric moduli of any kind, one a point, in place of the elastic ones.
   linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
-  /// Valid after factorize().
+  /// Valid after factorize(); its sizes after analyze().
   linalg::SupernodalCholesky& factor();
 
   /// Temperature at the integration points at time t; empty if none is given. Valid until the next call.

@@ -35,7 +35,8 @@ class ContactElasticity {
   using CreepViews = std::vector<mechanics::CreepStrainView>;  // one a body
 
   /// Factorises all bodies. @param model and watch must outlive the object
-  ContactElasticity(Model& model, Stopwatch& watch);
+  /// @param admit  as that of CondensedInterface
+  ContactElasticity(Model& model, Stopwatch& watch, const contact::CondensedInterface::Admission& admit = {});
 
   /// Equilibrium at time t for these creep strains; a pure function of both, warm-started from keep_warm().
   /// Results below are valid until the next call.

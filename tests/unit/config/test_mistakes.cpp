@@ -41,8 +41,9 @@ TEST(ConfigMistakes, WrongType) {
   expect_mistake(minimal + "output = 5\n", at_12 + "10: time.output: number 5; allowed: a list of times, or");
   expect_mistake(minimal + "output = [1, \"x\"]\n", at_12 + "14: time.output[1]: string 'x'; allowed: a number >= 0");
   expect_mistake(minimal + "[output]\nfields = 1\n", "cases/block.toml:13:10: output.fields: number 1; allowed: true");
-  expect_mistake(minimal + "[contact_solver]\nmax_iterations = 1.5\n",
-                 "cases/block.toml:13:18: contact_solver.max_iterations: number 1.5; allowed: an integer >= 1");
+  expect_mistake(
+      minimal + "[contact_solver]\nmax_iterations = 1.5\n",
+      "cases/block.toml:13:18: contact_solver.max_iterations: number 1.5; allowed: an integer in [1, 1000000]");
   expect_mistake(minimal + "[loads]\non = \"a\"\n",
                  at_12 + "1: loads: written [loads]; allowed: [[loads]], with two brackets");
   expect_mistake(minimal + "tolerance = nan\n",

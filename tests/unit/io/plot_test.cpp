@@ -35,6 +35,22 @@ TEST(Plot, HostileNamesRunNothingAndStandInThePicture) {
   EXPECT_EQ(test::read_text(directory / "plot.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
+/// Wherever they are: in a picture's title, at its axes, in its legend.
+TEST(Plot, CharactersOfAnyKindAreDrawn) {
+  const test::TemporaryDirectory directory;
+  for (const std::string text :
+       {"'a",  "'",   "''",  "'''a'''", "a'",   "a''b'", "\n'a", "`a`", "%d %s %%", "{a",  "a}",    "a@b", "a^{b",
+        "a_b", "\"a", "a\"", "$a",      "$(a)", "a\\",   "\\",   "#a",  "a;b",      "&<>", "\xff'", ""}) {
+    Figure figure = one_curve(text);
+    figure.title = text + "2";
+    figure.x.label = text + "3";
+    figure.panels[0].y.label = text + "4";
+    EXPECT_NO_THROW(draw(figure, directory.path(), "plot")) << text;
+    const std::string picture = test::read_text(directory / "plot.svg");
+    for (const char* mark : {"2<", "3<", "4<"}) EXPECT_TRUE(contains(picture, mark)) << text << mark;
+  }
+}
+
 TEST(Plot, EverySeriesHasALookOfItsOwn) {
   Figure figure = one_curve("a");
   for (std::size_t k = 1; k < max_series; ++k) figure.panels[0].series.push_back(figure.panels[0].series[0]);

@@ -1,5 +1,4 @@
 #include <csignal>
-#include <map>
 
 #include "../../../src/simulation/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
@@ -199,21 +198,6 @@ TEST(ResumeChanges, ALaterEndProlongsACompletedRun) {
     EXPECT_EQ(read_text(out / "steps.csv").substr(0, steps.size()), steps);
     EXPECT_TRUE(contains(read_text(out / "summary.json"), "\"time_reached\": 7")) << integrator;
   }
-}
-
-TEST(ResumeChanges, ACompletedRunIsLeftAsItIs) {
-  const Case blocks;
-  const config::Config config = blocks.config(pressure_probe, {"time.integrator=arkode_erk", "time.output=[1, 3]"});
-  const RunOptions options{.output = (blocks / "out").string(), .resume = true};
-  ASSERT_EQ(run(config, {.output = options.output, .quiet = true}).exit_status, 0);
-  std::map<std::string, std::string> before;
-  for (const char* file : {"history.csv", "steps.csv", "fields.pvd", "checkpoint.h5"})
-    before[file] = read_text(blocks / "out" / file);
-  const RunResult result = run(config, options);
-  EXPECT_EQ(result.exit_status, 0);
-  EXPECT_TRUE(contains(result.message, "complete already, up to t = 4")) << result.message;
-  for (const auto& [file, text] : before) EXPECT_EQ(read_text(blocks / "out" / file), text) << file;
-  EXPECT_TRUE(contains(read_text(blocks / "out/summary.json"), "\"status\": \"completed\""));
 }
 
 /// A run that begins anew must not be taken for the continuation of the one before it.

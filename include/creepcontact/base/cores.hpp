@@ -1,0 +1,13 @@
+#pragma once
+/// Processor cores of the machine.
+
+#include <algorithm>
+#include <thread>
+
+namespace creepcontact {
+
+inline int cores() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace creepcontact

@@ -1,0 +1,21 @@
+#include "thread_settings.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "creepcontact/base/interrupt.hpp"
+
+namespace creepcontact::cli {
+
+void set_threads(char** arguments) {
+  const bool waiting_is_set = std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr;
+  const bool blas_is_set = std::getenv("OPENBLAS_NUM_THREADS") != nullptr;
+  if (waiting_is_set && blas_is_set) return;
+  if (!waiting_is_set) setenv("OMP_WAIT_POLICY", "passive", 1);
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  const BlockedSignals until_handled_again;
+  execv("/proc/self/exe", arguments);  // returns only where that cannot be done: then the libraries do as they like
+}
+
+}  // namespace creepcontact::cli

@@ -1,0 +1,59 @@
+#include "creepcontact/base/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public testing::Test {
+ protected:
+  Files() : directory_(fs::path(testing::TempDir()) / "creepcontact_files_test") {
+    fs::remove_all(directory_);
+    fs::create_directory(directory_);
+    std::ofstream(directory_ / "file") << "text";
+    fs::create_symlink("circle", directory_ / "circle");
+  }
+  ~Files() override { fs::remove_all(directory_); }
+  fs::path directory_;
+};
+
+TEST_F(Files, AreThereOrNot) {
+  EXPECT_TRUE(path_exists(directory_ / "file"));
+  EXPECT_FALSE(path_exists(directory_ / "none"));
+  EXPECT_FALSE(path_exists(directory_ / "file" / "below"));
+  EXPECT_TRUE(path_is_directory(directory_));
+  EXPECT_FALSE(path_is_directory(directory_ / "file"));
+  EXPECT_FALSE(path_is_directory(directory_ / "none"));
+}
+
+TEST_F(Files, PathsThatLeadNowhereAreNamedWithTheReason) {
+  for (const fs::path& path : {directory_ / "circle", directory_ / std::string(300, 'n')})
+    for (const auto& question : {path_exists, path_is_directory}) try {
+        question(path);
+        ADD_FAILURE() << path;
+      } catch (const ConfigError& error) {
+        const std::string message = error.what();
+        EXPECT_TRUE(message.starts_with("'" + path.string() + "': ")) << message;
+        EXPECT_TRUE(message.ends_with("Too many levels of symbolic links") || message.ends_with("File name too long"))
+            << message;
+      }
+}
+
+TEST_F(Files, WhyOneCannotBeRead) {
+  EXPECT_EQ(why_unreadable(directory_ / "file"), "");
+  EXPECT_EQ(why_unreadable(directory_ / "none"), "No such file or directory");
+  EXPECT_EQ(why_unreadable(directory_ / "file" / "below"), "Not a directory");
+  EXPECT_EQ(why_unreadable(directory_ / "circle"), "Too many levels of symbolic links");
+  EXPECT_EQ(why_unreadable(directory_ / std::string(300, 'n')), "File name too long");
+  EXPECT_EQ(why_unreadable(directory_), "is a directory; expected a file");
+  EXPECT_EQ(why_unreadable("/dev/zero"), "is a device or a socket; expected a file");
+}
+
+}  // namespace
+}  // namespace creepcontact

@@ -1,0 +1,110 @@
+// A run that has come to its end is resumed: nothing changes, or only what is missing is added.
+
+#include <chrono>
+#include <map>
+
+#include "../../../src/simulation/time_loop.hpp"
+#include "creepcontact/base/error.hpp"
+#include "running.hpp"
+
+namespace creepcontact::simulation::test {
+namespace {
+
+struct FileState {
+  std::string content;
+  std::filesystem::file_time_type written;
+  bool operator==(const FileState&) const = default;
+};
+
+std::map<std::string, FileState> files_in(const std::filesystem::path& directory) {
+  std::map<std::string, FileState> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory))
+    if (entry.is_regular_file()) files[entry.path()] = {read_text(entry.path()), entry.last_write_time()};
+  return files;
+}
+
+void expect_left_alone(const config::Config& config, const std::filesystem::path& out, const std::string& reason) {
+  const auto before = files_in(out);
+  const std::filesystem::path log = out / "contact_log.csv";
+  const RunResult result = run(config, {.output = out.string(), .resume = true, .log_contact = log.string()});
+  EXPECT_EQ(result.exit_status, 0);
+  EXPECT_TRUE(contains(result.message, "nothing is left to do: " + reason)) << result.message;
+  EXPECT_EQ(result.message.find('\n'), std::string::npos);
+  const auto after = files_in(out);
+  EXPECT_EQ(after.size(), before.size());
+  for (const auto& [file, state] : before) EXPECT_TRUE(after.contains(file) && after.at(file) == state) << file;
+}
+
+TEST(ResumeFinished, ACompletedRunIsLeftAsItIs) {
+  const Case blocks;
+  for (const char* integrator : {"arkode_erk", "cvode_bdf"}) {
+    const config::Config config = blocks.config(
+        pressure_probe, {std::string("time.integrator=") + integrator, "time.output=[1, 3]", "time.step=0.5"});
+    const std::filesystem::path out = blocks / integrator;
+    ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+    EXPECT_GT(number_in(read_text(out / "summary.json"), "final_normal_force"), 0);
+    expect_left_alone(config, out, "the run is complete up to t = 4; a later time.end prolongs it");
+    expect_left_alone(blocks.config(pressure_probe, {"time.end=3"}), out, "the run is complete up to t = 4");
+  }
+}
+
+TEST(ResumeFinished, AnElasticRunToo) {
+  const Case blocks;
+  const config::Config config =
+      blocks.config(pressure_probe, {"materials.soft.creep=[]", "materials.hard.creep=[]", "time.output=[1, 3]"});
+  ASSERT_EQ(run(config, {.output = (blocks / "out").string(), .quiet = true}).exit_status, 0);
+  expect_left_alone(config, blocks / "out", "the run is complete up to t = 4");
+}
+
+TEST(ResumeFinished, ARupturedRunIsLeftAsItIs) {
+  const Case blocks;
+  const std::string damage = "[{law='kachanov_rabotnov', A=1e-4, n=3, B=0.1, r=3, phi=3}]";
+  const config::Config config = blocks.config(
+      pressure_probe, {"contacts.0.type=tied", "materials.soft.creep=" + damage, "materials.hard.creep=" + damage,
+                       "supports.3.displacement.z={t=[0, 100], values=[-0.025, -5]}", "time.end=100"});
+  const std::filesystem::path out = blocks / "out";
+  ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+  ASSERT_TRUE(contains(read_text(out / "summary.json"), "\"status\": \"ruptured\"")) << read_text(out / "summary.json");
+  expect_left_alone(config, out, "the run ended by rupture at t = ");
+}
+
+/// Killed between its last checkpoint and its last summary: that is made up for, with the forces of the end.
+TEST(ResumeFinished, AMissingSummaryIsWritten) {
+  const Case blocks;
+  const config::Config config = blocks.config(pressure_probe, {"time.output=[1, 3]"});
+  const std::filesystem::path out = blocks / "out";
+  ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+  const std::string summary = read_text(out / "summary.json");
+  std::string killed = summary;
+  killed.replace(killed.find("completed"), 9, "interrupted");
+  for (const std::string& left : {killed, std::string()}) {
+    if (left.empty())
+      std::filesystem::remove(out / "summary.json");
+    else
+      io::test::write_text(out / "summary.json", left);
+    auto before = files_in(out);
+    ASSERT_EQ(run(config, {.output = out.string(), .resume = true, .quiet = true}).exit_status, 0);
+    const std::string found = read_text(out / "summary.json");
+    EXPECT_TRUE(contains(found, "\"status\": \"completed\"")) << found;
+    for (const char* name : {"time_reached", "steps", "largest_normal_force"})
+      EXPECT_EQ(number_in(found, name), number_in(summary, name)) << name;
+    for (const char* name : {"final_normal_force", "remaining_fraction"})
+      EXPECT_NEAR(number_in(found, name), number_in(summary, name), 1e-6) << name;
+    for (const auto& [file, state] : files_in(out)) {
+      const bool same = state.content == before[file].content;
+      EXPECT_TRUE(same || contains(file, "summary.json")) << file;
+    }
+  }
+}
+
+TEST(ResumeFinished, AnotherModelIsRefused) {
+  const Case blocks;
+  const std::filesystem::path out = blocks / "out";
+  ASSERT_EQ(run(blocks.config(pressure_probe), {.output = out.string(), .quiet = true}).exit_status, 0);
+  const config::Config other = blocks.config(pressure_probe, {"materials.soft.young_modulus=101"});
+  const auto resume = [&] { run(other, {.output = out.string(), .resume = true, .quiet = true}); };
+  EXPECT_TRUE(contains(message_of<ConfigError>(resume), "the checkpoint is of another model"));
+}
+
+}  // namespace
+}  // namespace creepcontact::simulation::test
