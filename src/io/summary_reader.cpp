@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "file_text.hpp"
 
 namespace creepcontact::io {
 
-std::optional<Summary> read_summary(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
+std::optional<Summary> parse_summary(std::string_view text) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   try {
     Summary summary;
@@ -35,20 +34,30 @@ std::optional<Summary> read_summary(const std::filesystem::path& path) {
   }
 }
 
-SummaryHeading read_summary_heading(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw ConfigError(fmt::format("cannot read '{}'", path.string()));
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
-  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is no JSON object", path.string()));
+std::optional<Summary> read_summary(const std::filesystem::path& path) {
+  try {
+    return parse_summary(file_text<ConfigError>(path));
+  } catch (const ConfigError&) {
+    return std::nullopt;
+  }
+}
+
+SummaryHeading parse_summary_heading(std::string_view content, const std::string& name) {
+  const auto json = nlohmann::json::parse(content, nullptr, false);
+  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is no JSON object", name));
   const auto text = [](const nlohmann::json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
   SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}};
   if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
-    for (const auto& [name, probe] : probes->items())
-      if (probe.is_object()) heading.probes[name] = {text(probe, "quantity"), text(probe, "integrated_over")};
+    for (const auto& [key, probe] : probes->items())
+      if (probe.is_object()) heading.probes[key] = {text(probe, "quantity"), text(probe, "integrated_over")};
   return heading;
+}
+
+SummaryHeading read_summary_heading(const std::filesystem::path& path) {
+  return parse_summary_heading(file_text<ConfigError>(path), path.string());
 }
 
 }  // namespace creepcontact::io
