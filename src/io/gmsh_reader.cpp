@@ -3,12 +3,16 @@
 #include <fmt/ranges.h>
 #include <gmsh.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <future>
 #include <set>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/io/msh_reader.hpp"
 #include "geo_constants.hpp"
-#include "gmsh_import.hpp"
+#include "gmsh_content.hpp"
 #include "gmsh_session.hpp"
 
 namespace creepcontact::io {
@@ -27,7 +31,7 @@ void check_options(const std::filesystem::path& file, const GmshOptions& options
   }
 }
 
-mesh::Mesh read(const std::filesystem::path& file, const GmshOptions& options, bool is_geo) {
+mesh::Mesh mesh_geometry(const std::filesystem::path& file, const GmshOptions& options) {
   const GmshSession session(file.string());
   const auto set_order = [&] {
     gmsh::option::setNumber("Mesh.ElementOrder", options.order);
@@ -38,15 +42,20 @@ mesh::Mesh read(const std::filesystem::path& file, const GmshOptions& options, b
     set_order();
     gmsh::merge(file.string());
   });
-  if (is_geo) {
-    session.run([&] {
-      set_order();  // the file may have had its own idea
-      gmsh::model::mesh::generate(3);
-    });
-  }
-  mesh::Mesh mesh;
-  session.run([&] { mesh = import_model(file.string(), !is_geo); });
-  return mesh;
+  session.run([&] {
+    set_order();  // the file may have had its own idea
+    gmsh::model::mesh::generate(3);
+  });
+  MshContent content;
+  session.run([&] { content = gmsh_content(); });
+  return import_msh(content, file.string());
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw ModelError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
+  return bytes;
 }
 
 }  // namespace
@@ -57,8 +66,9 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
     throw ModelError(fmt::format("{}: unknown kind of mesh; .geo and .msh are read", file.string()));
   if (!std::filesystem::is_regular_file(file)) throw ModelError(fmt::format("{}: no such file", file.string()));
   check_options(file, options, is_geo);
+  if (!is_geo) return read_msh(bytes_of(file), file.string());
   // Gmsh sets the number of OpenMP threads of the thread that calls it; the program's own must keep its.
-  return std::async(std::launch::async, [&] { return read(file, options, is_geo); }).get();
+  return std::async(std::launch::async, [&] { return mesh_geometry(file, options); }).get();
 }
 
 }  // namespace creepcontact::io
