@@ -76,6 +76,17 @@ class RunMistakes {
 
 }  // namespace
 
+double n_runs(const Study& study) {
+  double all = 0;
+  for (const Product& product : products(study)) {
+    double runs = 1;
+    for (const std::vector<std::size_t>& group : independent(product.axes))
+      runs *= static_cast<double>(product.axes[group.front()].values.size());
+    all += runs;
+  }
+  return all;
+}
+
 std::vector<PlannedRun> plan(const Study& study) {
   std::vector<PlannedRun> runs;
   const std::vector<Product> all = products(study);

@@ -79,6 +79,10 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   Study study = study_table().read(root, context).value();
   for (const Product& product : products(study)) check_axes(product, context.errors);
+  if (const double runs = n_runs(study); runs > most_runs)
+    context.errors.add(
+        root.location, fmt::format("{:.6g} runs: every value of an axis with every one of the others", runs),
+        fmt::format("at most {} runs; name fewer values, or let axes run together by the key zip", most_runs));
   check_plot(study, context.errors);
   check_comparison(study, root, context.errors);
   if (!root.has("axes") && !root.has("runs")) context.errors.add(root.location, "no runs", "[[axes]] or [[runs]]");

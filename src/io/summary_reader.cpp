@@ -8,6 +8,16 @@
 
 namespace creepcontact::io {
 
+namespace {
+
+/// @throws nlohmann::json::exception if there is no whole number of this name: no other number fits one
+std::int64_t count(const nlohmann::json& json, const char* name) {
+  const nlohmann::json& value = json.at(name);
+  return value.is_number_unsigned() ? value.get<std::int64_t>() : value.get_ref<const std::int64_t&>();
+}
+
+}  // namespace
+
 std::optional<Summary> parse_summary(std::string_view text) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
@@ -22,11 +32,11 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.message = json.value("message", "");
     summary.version = json.at("version");
     summary.time_reached = json.at("time_reached");
-    summary.steps = json.at("steps");
-    summary.elastic_solves = json.at("elastic_solves");
-    summary.schwarz_iterations = json.at("schwarz_iterations");
-    summary.rejected_steps = json.at("rejected_steps");
-    summary.convergence_failures = json.at("convergence_failures");
+    summary.steps = count(json, "steps");
+    summary.elastic_solves = count(json, "elastic_solves");
+    summary.schwarz_iterations = count(json, "schwarz_iterations");
+    summary.rejected_steps = count(json, "rejected_steps");
+    summary.convergence_failures = count(json, "convergence_failures");
     summary.wall_seconds.total = json.at("wall_seconds").at("total");
     return summary;
   } catch (const nlohmann::json::exception&) {

@@ -110,6 +110,11 @@ std::vector<double> numbers(const Axis& axis);
 /// Whether the two take their values together: zipped, or one and the same.
 bool run_together(const Axis& a, const Axis& b);
 
+/// A study that plans more is refused.
+inline constexpr int most_runs = 10000;
+/// How many runs it plans, which may be more than there is memory for.
+double n_runs(const Study& study);
+
 /// All runs, product by product, the last axis of each changing fastest.
 std::vector<PlannedRun> plan(const Study& study);
 
