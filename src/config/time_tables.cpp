@@ -35,7 +35,7 @@ Value<TimeStep> time_step() {
   return value;
 }
 
-std::string lower_case(std::string text) {
+std::string in_lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
@@ -53,7 +53,7 @@ void check_table(const Time& time, const Vocabulary& vocabulary, const Location&
     return;
   }
   const std::string prefix = "arkode_";
-  std::string wanted = lower_case(time.table);
+  std::string wanted = in_lower_case(time.table);
   if (wanted.starts_with(prefix)) wanted.erase(0, prefix.size());
   if (std::find(found->second.begin(), found->second.end(), wanted) == found->second.end())
     context.errors.add_unknown(

@@ -11,7 +11,7 @@ struct Range {
   double from = 0, to = 1;
 };
 
-/// A point that can be drawn: finite, and positive on logarithmic axes (but for zero_at_left).
+/// A point that can be drawn: of at most 1e250, and on logarithmic axes of at least 1e-250 (but for zero_at_left).
 bool is_drawn(double x, double y, const Axis& x_axis, const Axis& y_axis);
 
 /// Vertical. Linear: a little beyond the values; values that are the same but for rounding lie in the middle of a range

@@ -1,13 +1,10 @@
 #include "creepcontact/io/checkpoint.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
+#include "checkpoint_seal.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
@@ -16,30 +13,6 @@
 
 namespace creepcontact::io {
 namespace {
-
-constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
-constexpr std::string_view magic = "creepcontact checkpoint 2\n";
-
-/// The user block: what the bytes behind it must be like. Padded with zeros.
-std::string seal(std::uint64_t n_bytes, std::uint32_t crc) {
-  std::string text = fmt::format("{}bytes {}\ncrc32 {:08x}\n", magic, n_bytes, crc);
-  text.resize(seal_size, '\0');
-  return text;
-}
-
-/// The seal that a file ought to have, from the bytes behind its place.
-std::string computed_seal(std::istream& stream) {
-  stream.seekg(seal_size);
-  std::vector<char> buffer(std::size_t{1} << 16);
-  std::uint64_t n_bytes = 0;
-  uLong crc = ::crc32(0, nullptr, 0);
-  while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), stream.gcount() > 0) {
-    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(buffer.data()), static_cast<uInt>(stream.gcount()));
-    n_bytes += static_cast<std::uint64_t>(stream.gcount());
-  }
-  stream.clear();
-  return seal(n_bytes, static_cast<std::uint32_t>(crc));
-}
 
 void write_content(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const Hdf5Silence silence;
@@ -66,32 +39,15 @@ Checkpoint read_content(const std::filesystem::path& path) {
   checkpoint.fingerprint.assign(fingerprint.begin(), fingerprint.end());
   const std::vector<char> integrator = read_array<char>(file, "integrator");
   checkpoint.integrator.assign(integrator.begin(), integrator.end());
-  checkpoint.time = read_array<double>(file, "time").at(0);
-  checkpoint.next_step = read_array<double>(file, "next_step").at(0);
+  checkpoint.time = read_number<double>(file, "time");
+  checkpoint.next_step = read_number<double>(file, "next_step");
   checkpoint.state = read_array<double>(file, "state");
   const Hdf5Handle counters = open_group(file, "counters");
   for (const std::string& name : member_names(counters))
-    checkpoint.counters[name] = read_array<std::int64_t>(counters, name).at(0);
+    checkpoint.counters[name] = read_number<std::int64_t>(counters, name);
   const Hdf5Handle arrays = open_group(file, "arrays");
   for (const std::string& name : member_names(arrays)) checkpoint.arrays[name] = read_array<double>(arrays, name);
   return checkpoint;
-}
-
-/// The whole file is compared with its seal before HDF5 sees it: the library may crash on damaged structures.
-void check_seal(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw ConfigError(fmt::format("cannot read the checkpoint '{}': {}", path.string(), std::strerror(errno)));
-  std::string found(seal_size, '\0');
-  stream.read(found.data(), seal_size);
-  const bool complete = stream.gcount() == static_cast<std::streamsize>(seal_size);
-  stream.clear();
-  if (!found.starts_with(magic))
-    throw ConfigError(fmt::format("'{}' is no checkpoint of this version of creepcontact", path.string()));
-  if (!complete || found != computed_seal(stream)) {
-    throw ConfigError(
-        fmt::format("the checkpoint '{}' is cut short or damaged (its checksum is wrong)", path.string()));
-  }
 }
 
 /// A second name for the old file, so that its own stays until the new one takes it.
@@ -119,12 +75,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   } catch (const Hdf5Error& error) {
     throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), error.what()), 4);
   }
-  std::fstream stream(part, std::ios::binary | std::ios::in | std::ios::out);
-  const std::string text = computed_seal(stream);
-  stream.seekp(0);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream) throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), std::strerror(errno)), 4);
+  write_seal(part);
   keep_previous(path);
   move_into_place(path);
 }
@@ -133,7 +84,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   check_seal(path);
   try {
     return read_content(path);
-  } catch (const std::exception& error) {
+  } catch (const Hdf5Error& error) {
     throw ConfigError(fmt::format("the checkpoint '{}' lacks a part: {}", path.string(), error.what()));
   }
 }

@@ -1,5 +1,7 @@
 #include "hdf5_file.hpp"
 
+#include <fmt/format.h>
+
 namespace creepcontact::io {
 namespace {
 
@@ -11,6 +13,14 @@ hid_t native(std::int64_t) {
 }
 hid_t native(char) {
   return hdf5().native_char;
+}
+
+/// A damaged file may claim any number of entries; they must not be asked of the memory.
+bool can_hold(hid_t file, hssize_t entries, std::size_t entry_size) {
+  constexpr double most_compression = 1032;  // of deflate, the best of the usual filters
+  hsize_t size = 0;
+  return H5Fget_filesize(file, &size) >= 0 &&
+         static_cast<double>(entries) * static_cast<double>(entry_size) <= most_compression * static_cast<double>(size);
 }
 
 template <typename T>
@@ -92,6 +102,9 @@ std::vector<T> read_array(hid_t parent, const std::string& name) {
   const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose, action);
   const hssize_t size = hdf5().H5Sget_simple_extent_npoints(space);
   if (size < 0) throw Hdf5Error("cannot " + action);
+  const Hdf5Handle file(H5Iget_file_id(set), H5Fclose, action);
+  if (!can_hold(file, size, sizeof(T)))
+    throw Hdf5Error(fmt::format("'{}' claims {} entries, more than the file can hold", name, size));
   std::vector<T> values(static_cast<std::size_t>(size));
   if (!values.empty() && hdf5().H5Dread(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     throw Hdf5Error("cannot " + action);
@@ -100,5 +113,14 @@ std::vector<T> read_array(hid_t parent, const std::string& name) {
 template std::vector<double> read_array(hid_t, const std::string&);
 template std::vector<std::int64_t> read_array(hid_t, const std::string&);
 template std::vector<char> read_array(hid_t, const std::string&);
+
+template <typename T>
+T read_number(hid_t parent, const std::string& name) {
+  const std::vector<T> values = read_array<T>(parent, name);
+  if (values.empty()) throw Hdf5Error("'" + name + "' is empty");
+  return values.front();
+}
+template double read_number(hid_t, const std::string&);
+template std::int64_t read_number(hid_t, const std::string&);
 
 }  // namespace creepcontact::io

@@ -180,7 +180,7 @@ std::string gnuplot_data(const Figure& figure) {
     for (const Series& series : panel.series) {
       text += fmt::format("# {}\n", gnuplot_quoted(series.name));
       for (std::size_t i = 0; i < series.x.size(); ++i)
-        if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
+        if (is_drawn(series.x[i], series.y[i], {}, {}))
           fmt::format_to(std::back_inserter(text), "{} {}\n", series.x[i], series.y[i]);
       text += "# end\n\n\n";
     }

@@ -1,16 +1,25 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "file_text.hpp"
 
 namespace creepcontact::io {
 
-std::optional<Summary> read_summary(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
+namespace {
+
+/// @throws nlohmann::json::exception if there is no whole number of this name: no other number fits one
+std::int64_t count(const nlohmann::json& json, const char* name) {
+  const nlohmann::json& value = json.at(name);
+  return value.is_number_unsigned() ? value.get<std::int64_t>() : value.get_ref<const std::int64_t&>();
+}
+
+}  // namespace
+
+std::optional<Summary> parse_summary(std::string_view text) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return std::nullopt;
   try {
     Summary summary;
@@ -23,11 +32,11 @@ std::optional<Summary> read_summary(const std::filesystem::path& path) {
     summary.message = json.value("message", "");
     summary.version = json.at("version");
     summary.time_reached = json.at("time_reached");
-    summary.steps = json.at("steps");
-    summary.elastic_solves = json.at("elastic_solves");
-    summary.schwarz_iterations = json.at("schwarz_iterations");
-    summary.rejected_steps = json.at("rejected_steps");
-    summary.convergence_failures = json.at("convergence_failures");
+    summary.steps = count(json, "steps");
+    summary.elastic_solves = count(json, "elastic_solves");
+    summary.schwarz_iterations = count(json, "schwarz_iterations");
+    summary.rejected_steps = count(json, "rejected_steps");
+    summary.convergence_failures = count(json, "convergence_failures");
     summary.wall_seconds.total = json.at("wall_seconds").at("total");
     return summary;
   } catch (const nlohmann::json::exception&) {
@@ -35,20 +44,30 @@ std::optional<Summary> read_summary(const std::filesystem::path& path) {
   }
 }
 
-SummaryHeading read_summary_heading(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw ConfigError(fmt::format("cannot read '{}'", path.string()));
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
-  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is no JSON object", path.string()));
+std::optional<Summary> read_summary(const std::filesystem::path& path) {
+  try {
+    return parse_summary(file_text<ConfigError>(path));
+  } catch (const ConfigError&) {
+    return std::nullopt;
+  }
+}
+
+SummaryHeading parse_summary_heading(std::string_view content, const std::string& name) {
+  const auto json = nlohmann::json::parse(content, nullptr, false);
+  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is no JSON object", name));
   const auto text = [](const nlohmann::json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
   SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}};
   if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
-    for (const auto& [name, probe] : probes->items())
-      if (probe.is_object()) heading.probes[name] = {text(probe, "quantity"), text(probe, "integrated_over")};
+    for (const auto& [key, probe] : probes->items())
+      if (probe.is_object()) heading.probes[key] = {text(probe, "quantity"), text(probe, "integrated_over")};
   return heading;
+}
+
+SummaryHeading read_summary_heading(const std::filesystem::path& path) {
+  return parse_summary_heading(file_text<ConfigError>(path), path.string());
 }
 
 }  // namespace creepcontact::io

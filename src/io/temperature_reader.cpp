@@ -5,37 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <fstream>
 #include <optional>
-#include <string_view>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "csv_text.hpp"
+#include "file_text.hpp"
 #include "hdf5_file.hpp"
 #include "temperature_rows.hpp"
 
 namespace creepcontact::io {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\"";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-std::vector<std::string_view> cells(std::string_view line) {
-  std::vector<std::string_view> result;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    result.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return result;
-}
 
 /// Where the columns x, y, z, T and, if there is one, t stand.
 struct Columns {
@@ -43,9 +24,7 @@ struct Columns {
   std::optional<std::size_t> time;
 };
 
-Columns find_columns(const std::string& file, std::string_view header) {
-  if (header.starts_with("\xef\xbb\xbf")) header.remove_prefix(3);  // a mark that spreadsheets write
-  const std::vector<std::string_view> names = cells(header);
+Columns find_columns(const std::string& file, const std::vector<std::string>& names) {
   const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) return std::nullopt;
@@ -62,36 +41,6 @@ Columns find_columns(const std::string& file, std::string_view header) {
     columns.required[k] = *found;
   }
   return columns;
-}
-
-PointTemperatures read_csv(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  std::ifstream stream(path);
-  if (!stream) throw ModelError(fmt::format("cannot read '{}': {}", file, std::strerror(errno)));
-  std::string line;
-  std::getline(stream, line);
-  const Columns columns = find_columns(file, line);
-  TemperatureRows rows(file, [](std::size_t row) { return fmt::format("line {}", row); });
-  for (std::size_t number = 2; std::getline(stream, line); ++number) {
-    if (trimmed(line).empty()) continue;
-    const std::vector<std::string_view> row = cells(line);
-    const auto value = [&](std::size_t column, std::string_view name) {
-      if (column >= row.size())
-        throw ModelError(
-            fmt::format("'{}', line {}: {} cells, none in the column '{}'", file, number, row.size(), name));
-      double result = 0;
-      const char* const end = row[column].data() + row[column].size();
-      const auto [stop, error] = std::from_chars(row[column].data(), end, result);
-      if (error != std::errc() || stop != end)
-        throw ModelError(
-            fmt::format("'{}', line {}: '{}' in the column '{}' is no number", file, number, row[column], name));
-      return result;
-    };
-    const auto& [x, y, z, T] = columns.required;
-    rows.add(number, {value(x, "x"), value(y, "y"), value(z, "z")}, columns.time ? value(*columns.time, "t") : 0.0,
-             value(T, "T"));
-  }
-  return rows.sorted();
 }
 
 std::string shape(const std::vector<std::size_t>& extents) {
@@ -140,10 +89,40 @@ PointTemperatures read_hdf5(const std::filesystem::path& path) {
 
 }  // namespace
 
+PointTemperatures parse_temperatures(std::string_view text, const std::string& name) {
+  CsvLines lines(text);
+  std::string_view line;
+  lines.next(line);
+  const Columns columns = find_columns(name, csv_cells(line));
+  TemperatureRows rows(name, [](std::size_t row) { return fmt::format("line {}", row); });
+  for (std::size_t number = 2; lines.next(line); ++number) {
+    const std::vector<std::string> row = csv_cells(line);
+    if (row.size() == 1 && row[0].empty()) continue;
+    const auto value = [&](std::size_t column, std::string_view of) {
+      if (column >= row.size())
+        throw ModelError(fmt::format("'{}', line {}: {} cells, none in the column '{}'", name, number, row.size(), of));
+      double result = 0;
+      const char* const end = row[column].data() + row[column].size();
+      const auto [stop, error] = std::from_chars(row[column].data(), end, result);
+      if (error != std::errc() || stop != end)
+        throw ModelError(
+            fmt::format("'{}', line {}: '{}' in the column '{}' is no number", name, number, row[column], of));
+      return result;
+    };
+    const auto& [x, y, z, T] = columns.required;
+    rows.add(number, {value(x, "x"), value(y, "y"), value(z, "z")}, columns.time ? value(*columns.time, "t") : 0.0,
+             value(T, "T"));
+  }
+  return rows.sorted();
+}
+
 PointTemperatures read_temperatures(const std::filesystem::path& file) {
-  if (const std::string reason = why_unreadable(file); !reason.empty())
-    throw ModelError(fmt::format("cannot read '{}': {}", file.string(), reason));
-  return file.extension() == ".h5" || file.extension() == ".hdf5" ? read_hdf5(file) : read_csv(file);
+  if (file.extension() == ".h5" || file.extension() == ".hdf5") {
+    if (const std::string reason = why_unreadable(file); !reason.empty())
+      throw ModelError(fmt::format("cannot read '{}': {}", file.string(), reason));
+    return read_hdf5(file);
+  }
+  return parse_temperatures(file_text<ModelError>(file), file.string());
 }
 
 }  // namespace creepcontact::io

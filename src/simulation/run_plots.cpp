@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
@@ -16,17 +17,9 @@ namespace {
 
 constexpr std::size_t most_panels = 5;  // of a picture: what a screen shows
 
-io::SummaryHeading heading_of(const std::filesystem::path& run) {
-  try {
-    return io::read_summary_heading(run / "summary.json");
-  } catch (const ConfigError& error) {
-    log::warning("{}: no title and no units in the pictures", error.what());
-    return {};
-  }
-}
-
-std::string title(const io::SummaryHeading& heading, const std::filesystem::path& run) {
-  const std::string name = heading.title.empty() ? run.lexically_normal().string() : heading.title;
+std::string title(const RunTables& run) {
+  const io::SummaryHeading& heading = run.heading;
+  const std::string name = heading.title.empty() ? run.directory.lexically_normal().string() : heading.title;
   const bool whole = heading.status.empty() || heading.status == "completed";
   return whole ? name : fmt::format("{} ({})", name, heading.status);
 }
@@ -35,30 +28,16 @@ io::Axis time_axis(const io::SummaryHeading& heading, bool logarithmic) {
   return {labelled("time", Dimension::time, heading.units), logarithmic, true};
 }
 
-io::CsvTable read_history(const std::filesystem::path& run) {
-  if (!path_is_directory(run))
-    throw ConfigError(fmt::format("no directory '{}'; plot takes the output directory of a run", run.string()));
-  const std::filesystem::path path = run / "history.csv";
-  if (!path_exists(path))
-    throw ConfigError(fmt::format("no history.csv in '{}'; plot takes the output directory of a run", run.string()));
-  return io::read_csv_table(path, io::UnendedRow::is_left_out);
-}
-
 /// Why there is no picture of the probes; empty if there is one.
-std::string why_no_curves(const io::CsvTable& history, const std::filesystem::path& run) {
-  const std::string path = (run / "history.csv").string();
+std::string why_no_curves(const RunTables& run) {
+  const std::string path = (run.directory / "history.csv").string();
+  const io::CsvTable& history = run.history;
   if (history.names.size() < 2)
     return fmt::format("'{}' has no probes; name some in [[probes]] of the configuration", path);
   if (history.rows() < 2)
     return fmt::format("'{}' has {} row{}; a curve takes at least two output times", path, history.rows(),
                        history.rows() == 1 ? "" : "s");
   return "";
-}
-
-/// Without rows if nothing creeps.
-io::CsvTable read_steps(const std::filesystem::path& run) {
-  if (!path_exists(run / "steps.csv")) return {};
-  return io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
 }
 
 /// The time and these columns, in the order asked for.
@@ -112,38 +91,31 @@ io::Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& hea
   return figure;
 }
 
-std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {
-  io::CsvTable history = read_history(run);
-  const io::CsvTable steps = read_steps(run);
-  const std::string missing = why_no_curves(history, run);
+std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) {
+  const std::string missing = why_no_curves(run);
   if (!missing.empty()) {
-    if (steps.rows() < 2 || !options.probes.empty()) throw ConfigError(missing);
+    if (run.steps.rows() < 2 || !options.probes.empty()) throw ConfigError(missing);
     log::warning("{}; the time steps alone are drawn", missing);
-    history = steps;  // for its times
+    run.history = run.steps;  // for its times
   }
-  if (!options.probes.empty()) history = chosen(history, options.probes, (run / "history.csv").string());
-  const io::SummaryHeading heading = heading_of(run);
-  const bool log_time = options.log_time.value_or(spans_decades(history.columns[0]));
-  const std::filesystem::path directory = options.directory.empty() ? run / "plots" : options.directory;
+  if (!options.probes.empty())
+    run.history = chosen(run.history, options.probes, (run.directory / "history.csv").string());
+  const bool log_time = options.log_time.value_or(spans_decades(run.history.columns[0]));
 
-  std::vector<std::filesystem::path> pictures;
-  const auto draw = [&](const io::Figure& figure, const std::string& name) {
-    io::draw(figure, directory, name);
-    pictures.push_back(directory / (name + ".svg"));
-  };
-  const std::vector<io::Panel> panels = missing.empty() ? history_panels(history, heading) : std::vector<io::Panel>();
+  std::vector<NamedFigure> figures;
+  const std::vector<io::Panel> panels =
+      missing.empty() ? history_panels(run.history, run.heading) : std::vector<io::Panel>();
   auto next = panels.begin();
-  int part = 0;
   for (std::size_t size : io::even_parts(panels.size(), most_panels)) {
-    const io::Figure figure{title(heading, run), time_axis(heading, log_time), {next, next + static_cast<long>(size)}};
-    draw(figure, ++part == 1 ? "history" : fmt::format("history_{}", part));
+    const std::string name = figures.empty() ? "history" : fmt::format("history_{}", figures.size() + 1);
+    figures.push_back({name, {title(run), time_axis(run.heading, log_time), {next, next + static_cast<long>(size)}}});
     next += static_cast<long>(size);
   }
-  if (steps.rows() == 0) return pictures;
-  io::Figure figure = steps_figure(steps, heading, log_time);
-  figure.title = title(heading, run) + ": time steps";
-  draw(figure, "steps");
-  return pictures;
+  if (run.steps.rows() == 0) return figures;
+  io::Figure figure = steps_figure(run.steps, run.heading, log_time);
+  figure.title = title(run) + ": time steps";
+  figures.push_back({"steps", std::move(figure)});
+  return figures;
 }
 
 }  // namespace creepcontact::simulation

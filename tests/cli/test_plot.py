@@ -65,7 +65,7 @@ class Plot(RunTest):
         (self.output / "history.csv").write_text("time,a_b\n0,1\n1,2\n")
         done = self.plot("out")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("warning: cannot read 'out/summary.json'", done.stderr)
+        self.assertIn("warning: out/summary.json: cannot be read", done.stderr)
         self.assertIn("a_b", self.texts(self.output / "plots" / "history.svg"))
 
 

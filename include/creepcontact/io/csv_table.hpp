@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace creepcontact::io {
@@ -23,6 +24,9 @@ enum class UnendedRow { counts, is_left_out };
 /// @throws ConfigError naming the file, and the line and what was found in it: a file that cannot be read, a row with
 /// another number of cells than the header, a cell that is no number
 CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended = UnendedRow::counts);
+
+/// As read_csv_table(), from the text of a file. @param name  of the file, for messages
+CsvTable parse_csv_table(std::string_view text, const std::string& name, UnendedRow unended = UnendedRow::counts);
 
 /// A text as a cell: with signs that mean something in the format it stands in quotes (RFC 4180).
 std::string csv_cell(const std::string& text);

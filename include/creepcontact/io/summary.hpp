@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace creepcontact::io {
 
@@ -67,6 +68,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary);
 /// Schwarz iterations and the total wall time; nothing else is read.
 /// @returns nullopt if the file is not there or is no summary
 std::optional<Summary> read_summary(const std::filesystem::path& path);
+/// As read_summary(), from the text of the file.
+std::optional<Summary> parse_summary(std::string_view text);
 
 /// What names and units a run had. What the file does not tell is empty.
 struct SummaryHeading {
@@ -76,5 +79,7 @@ struct SummaryHeading {
 
 /// @throws ConfigError if the file cannot be read or is no JSON object
 SummaryHeading read_summary_heading(const std::filesystem::path& path);
+/// As read_summary_heading(), from the text of the file. @param name  of the file, for messages
+SummaryHeading parse_summary_heading(std::string_view text, const std::string& name);
 
 }  // namespace creepcontact::io

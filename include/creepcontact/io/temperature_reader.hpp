@@ -3,6 +3,8 @@
 /// datasets coordinates (n x 3), temperature (n, or n_times x n) and times (n_times).
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "creepcontact/mesh/mesh.hpp"
@@ -19,5 +21,8 @@ struct PointTemperatures {
 /// that stands there twice with one temperature counts once.
 /// @throws ModelError naming the file, and the line of a CSV table
 PointTemperatures read_temperatures(const std::filesystem::path& file);
+
+/// As read_temperatures(), from the text of a CSV table. @param name  of the file, for messages
+PointTemperatures parse_temperatures(std::string_view text, const std::string& name);
 
 }  // namespace creepcontact::io

@@ -25,6 +25,22 @@ struct PlotOptions {
 /// io::draw()
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options);
 
+/// What the pictures of a run are drawn from.
+struct RunTables {
+  std::filesystem::path directory;  ///< of the run: its title in the pictures if it has none, and its name in messages
+  io::CsvTable history, steps;      ///< the latter without rows if nothing creeps
+  io::SummaryHeading heading;
+};
+
+struct NamedFigure {
+  std::string name;  ///< of the picture's files, without their endings
+  io::Figure figure;
+};
+
+/// The figures that plot_run() draws.
+/// @throws ConfigError if there are fewer than two rows, or no such probe
+std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options);
+
 /// A panel for each physical dimension, in the order of the probes; probes that would lie on the axis beside others (a
 /// fiftieth of them) and more than a panel takes go into panels of their own. Probes of a quantity that is not known
 /// are grouped by magnitude alone.

@@ -1,4 +1,6 @@
 /// Studies: what is read, which runs come of it, and every mistake at its place.
+#include <fmt/format.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -74,6 +76,13 @@ TEST(StudyReading, ValuesOfAnyTypeAsOverridesTakeThem) {
   EXPECT_EQ(study.axes[0].values[0].toml, "[0.1, 'a\"b']");
   EXPECT_EQ(study.axes[0].values[1].toml, "{ f = true, t = [0, 1.0] }");
   EXPECT_EQ(study.axes[0].values[2].toml, "1e-07");
+}
+
+TEST(StudyReading, ProductsBeyondAllBounds) {
+  std::string text = head;
+  for (int i = 0; i < 30; ++i) text += axis(fmt::format("key_{}", i), "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10]");
+  expect_complaint(text,
+                   "studies/cost.toml:1:1: 1e+30 runs: every value of an axis with every one of the others; allowed:");
 }
 
 TEST(StudyReading, ClosedFormsAsReference) {

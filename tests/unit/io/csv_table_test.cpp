@@ -84,6 +84,14 @@ TEST_F(ReadBack, Summary) {
   EXPECT_EQ(read->wall_seconds.total, 1.5);
 }
 
+TEST_F(ReadBack, CountsOfASummaryAreWholeNumbers) {
+  const std::string rest = R"(, "status": "completed", "version": "0.1.0", "time_reached": 1, "elastic_solves": 1,
+    "schwarz_iterations": 1, "rejected_steps": 0, "convergence_failures": 0, "wall_seconds": {"total": 1}})";
+  EXPECT_TRUE(parse_summary(R"({"steps": 3)" + rest));
+  EXPECT_TRUE(parse_summary(R"({"steps": -3)" + rest));
+  EXPECT_FALSE(parse_summary(R"({"steps": 1e300)" + rest));
+}
+
 TEST_F(ReadBack, NoSummary) {
   EXPECT_FALSE(read_summary(file_));
   write("{\"status\": \"completed\"}");

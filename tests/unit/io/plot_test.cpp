@@ -81,6 +81,18 @@ TEST(Plot, ZeroStandsLeftOfALogarithmicTime) {
   EXPECT_FALSE(contains(gnuplot_script(figure, "plot"), "zero"));
 }
 
+TEST(Plot, NumbersBeyondAllDecadesAreLeftOut) {
+  Figure figure = one_curve("a");
+  figure.x.logarithmic = true;
+  figure.panels[0].series[0].x = {5e-324, 1e-323, 1.5e-323};
+  EXPECT_TRUE(contains(gnuplot_script(figure, "plot"), "set xrange [0.1:1]"));
+  figure.x.zero_at_left = true;
+  figure.panels[0].series[0] = {"a", {0, 1e-250, 1e250, 1.7e308}, {-1e250, 1e250, 1.7e308, -1.7e308}};
+  const std::string script = gnuplot_script(figure, "plot");
+  EXPECT_FALSE(contains(script, "inf")) << script;
+  EXPECT_FALSE(contains(script, "range [0:")) << script;
+}
+
 TEST(Plot, AFigureWithoutAPointIsDrawnAllTheSame) {
   const test::TemporaryDirectory directory;
   Figure figure = one_curve("nothing");

@@ -23,7 +23,7 @@ class TemperatureReader : public testing::Test {
     EXPECT_TRUE(contains(message, (directory_ / "T.csv").string())) << message;
     EXPECT_TRUE(contains(message, part)) << part << "\n--- in\n" << message;
   }
-  /// @param sizes  of the dataset, one a dimension
+  /// A dataset with its extents; without values it is not written.
   struct Dataset {
     std::string name;
     std::vector<hsize_t> sizes;
@@ -36,7 +36,7 @@ class TemperatureReader : public testing::Test {
       const hid_t space = H5Screate_simple(static_cast<int>(set.sizes.size()), set.sizes.data(), nullptr);
       const hid_t data =
           H5Dcreate2(file, set.name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-      H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, set.values.data());
+      if (!set.values.empty()) H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, set.values.data());
       H5Dclose(data);
       H5Sclose(space);
     }
@@ -99,6 +99,9 @@ TEST_F(TemperatureReader, Hdf5Mistakes) {
   EXPECT_TRUE(contains(
       message({{"coordinates", {2, 3}, places}, {"temperature", {2, 2}, {1, 2, 3, 4}}, {"times", {2}, {7, 0}}}),
       "'times' must increase, but 0 follows 7"));
+  constexpr hsize_t n = hsize_t{1} << 40;  // points that are in no file
+  EXPECT_TRUE(contains(message({{"coordinates", {n, 3}, {}}, {"temperature", {n}, {}}}),
+                       "'coordinates' claims 3298534883328 entries, more than the file can hold"));
   const auto text = test::write_text(directory_ / "bad.h5", "x,y,z,T\n");
   EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(text); }), "no HDF5 file"));
 }

@@ -1,0 +1,66 @@
+#include "checkpoint_seal.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+constexpr std::string_view magic = "creepcontact checkpoint 2\n";
+
+/// The user block: what the bytes behind it must be like. Padded with zeros.
+std::string seal(std::uint64_t n_bytes, std::uint32_t crc) {
+  std::string text = fmt::format("{}bytes {}\ncrc32 {:08x}\n", magic, n_bytes, crc);
+  text.resize(seal_size, '\0');
+  return text;
+}
+
+/// The seal that a file ought to have, from the bytes behind its place.
+std::string computed_seal(std::istream& stream) {
+  stream.seekg(seal_size);
+  std::vector<char> buffer(std::size_t{1} << 16);
+  std::uint64_t n_bytes = 0;
+  uLong crc = ::crc32(0, nullptr, 0);
+  while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), stream.gcount() > 0) {
+    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(buffer.data()), static_cast<uInt>(stream.gcount()));
+    n_bytes += static_cast<std::uint64_t>(stream.gcount());
+  }
+  stream.clear();
+  return seal(n_bytes, static_cast<std::uint32_t>(crc));
+}
+
+}  // namespace
+
+void write_seal(const std::filesystem::path& path) {
+  std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
+  const std::string text = computed_seal(stream);
+  stream.seekp(0);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream) throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), std::strerror(errno)), 4);
+}
+
+void check_seal(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw ConfigError(fmt::format("cannot read the checkpoint '{}': {}", path.string(), std::strerror(errno)));
+  std::string found(seal_size, '\0');
+  stream.read(found.data(), seal_size);
+  const bool complete = stream.gcount() == static_cast<std::streamsize>(seal_size);
+  stream.clear();
+  if (!found.starts_with(magic))
+    throw ConfigError(fmt::format("'{}' is no checkpoint of this version of creepcontact", path.string()));
+  if (!complete || found != computed_seal(stream)) {
+    throw ConfigError(
+        fmt::format("the checkpoint '{}' is cut short or damaged (its checksum is wrong)", path.string()));
+  }
+}
+
+}  // namespace creepcontact::io

@@ -1,0 +1,18 @@
+#pragma once
+/// The user block of a checkpoint: length and checksum of the HDF5 part behind it.
+
+#include <cstddef>
+#include <filesystem>
+
+namespace creepcontact::io {
+
+constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
+
+/// Writes the seal of a file whose first seal_size bytes are free for it. @throws Error if the disk does not take it
+void write_seal(const std::filesystem::path& path);
+
+/// Compares the whole file with its seal, before HDF5 sees it: the library may crash on damaged structures.
+/// @throws ConfigError if the file cannot be read, is no checkpoint of this version, or differs from its seal
+void check_seal(const std::filesystem::path& path);
+
+}  // namespace creepcontact::io
