@@ -19,7 +19,7 @@ hid_t native(char) {
 bool can_hold(hid_t file, hssize_t entries, std::size_t entry_size) {
   constexpr double most_compression = 1032;  // of deflate, the best of the usual filters
   hsize_t size = 0;
-  return H5Fget_filesize(file, &size) >= 0 &&
+  return hdf5().H5Fget_filesize(file, &size) >= 0 &&
          static_cast<double>(entries) * static_cast<double>(entry_size) <= most_compression * static_cast<double>(size);
 }
 
@@ -102,7 +102,7 @@ std::vector<T> read_array(hid_t parent, const std::string& name) {
   const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose, action);
   const hssize_t size = hdf5().H5Sget_simple_extent_npoints(space);
   if (size < 0) throw Hdf5Error("cannot " + action);
-  const Hdf5Handle file(H5Iget_file_id(set), H5Fclose, action);
+  const Hdf5Handle file(hdf5().H5Iget_file_id(set), hdf5().H5Fclose, action);
   if (!can_hold(file, size, sizeof(T)))
     throw Hdf5Error(fmt::format("'{}' claims {} entries, more than the file can hold", name, size));
   std::vector<T> values(static_cast<std::size_t>(size));

@@ -32,11 +32,13 @@ struct Hdf5Library {
   decltype(&::H5Eset_auto2) H5Eset_auto2;
   decltype(&::H5Fclose) H5Fclose;
   decltype(&::H5Fcreate) H5Fcreate;
+  decltype(&::H5Fget_filesize) H5Fget_filesize;
   decltype(&::H5Fopen) H5Fopen;
   decltype(&::H5Gclose) H5Gclose;
   decltype(&::H5Gcreate2) H5Gcreate2;
   decltype(&::H5Gget_info) H5Gget_info;
   decltype(&::H5Gopen2) H5Gopen2;
+  decltype(&::H5Iget_file_id) H5Iget_file_id;
   decltype(&::H5Lget_name_by_idx) H5Lget_name_by_idx;
   decltype(&::H5Pclose) H5Pclose;
   decltype(&::H5Pcreate) H5Pcreate;
