@@ -6,6 +6,7 @@
 
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
+#include "gap_report.hpp"
 #include "temperature.hpp"
 
 namespace creepcontact::simulation {
@@ -19,13 +20,6 @@ std::string element_names(const mesh::Mesh& mesh) {
     if (mesh::dimension(block.type) == 3 && block.size() > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", block.size(), mesh::name(block.type));
   return text;
-}
-
-std::string gap_text(const config::Contact& contact) {
-  if (contact.type == config::ContactType::tied) return "tied";
-  if (contact.geometric_gap) return "gap from the mesh";
-  const bool overlaps = contact.gap.is_constant() && contact.gap({}) < 0;
-  return fmt::format("gap {}{}", contact.gap.text(), overlaps ? " (interference)" : "");
 }
 
 }  // namespace
@@ -59,10 +53,11 @@ void check(const config::Config& config, std::ostream& report) {
   for (std::size_t p = 0; p < model.pairs.size(); ++p) {
     const contact::Pair& pair = model.pairs[p];
     const double n = pair.coupling.n_rows();
-    text +=
-        fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
-                    pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
-                    model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(), gap_text(config.contacts[p]));
+    text += fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
+                        pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
+                        model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(),
+                        gap_text(config.contacts[p], pair));
+    if (const auto warning = gap_warning(model, pair)) text += "  warning: " + *warning + "\n";
     bytes += 8 * n * n * 12;
   }
   const contact::FloatingMotions floating(model.bodies, model.pairs);
