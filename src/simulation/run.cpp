@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "contact_width.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/summary.hpp"
@@ -139,6 +140,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     const TimeLoop::End end = loop.run();
     if (end == TimeLoop::End::completed) {
       summary = write_summary(io::Summary::Status::completed, "");
+      if (!loop.was_complete())
+        for (const std::string& warning : narrow_contacts(elasticity)) log::warning("{}", warning);
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
