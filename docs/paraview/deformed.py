@@ -54,8 +54,9 @@ def entry(collection, time):
 
 def unit(grid, dimension):
     """The unit of a dimension, if the configuration named one: "mm, N, MPa, h" has MPa for stress."""
-    units = grid.GetFieldData().GetAbstractArray("units")
-    words = units.GetValue(0).replace(",", " ").replace(";", " ").split() if units else []
+    units = grid.GetFieldData().GetAbstractArray("units")  # its components are named by the units
+    names = [units.GetComponentName(i) or "" for i in range(units.GetNumberOfComponents())] if units else []
+    words = " ".join(names).replace(",", " ").replace(";", " ").split()
     return next((word for word in words if word in UNITS.get(dimension, ())), "")
 
 

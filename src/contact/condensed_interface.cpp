@@ -159,12 +159,11 @@ InterfaceLoad CondensedInterface::initial_load(double t) const {
   return load;
 }
 
-void CondensedInterface::take_resultant(std::size_t body, std::span<double> right_hand_side,
-                                        InterfaceLoad& load) const {
+void CondensedInterface::add_resultant(std::size_t body, InterfaceLoad& load) const {
   const std::size_t n_motions = bodies_[body]->free_motions().size();
   if (n_motions == 0) return;
   const std::size_t first = floating_.first_of_body(body);
-  const double force = bodies_[body]->take_resultant(right_hand_side, {load.work.data() + first, n_motions});
+  const double force = bodies_[body]->external_resultant({load.work.data() + first, n_motions});
   load.force.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(n_motions)).setConstant(force);
 }
 

@@ -86,6 +86,7 @@ class Assembler {
   // Rows are multipliers; columns node components along the normal (unilateral), or nodes (tied).
   Triplets slave_, master_, gap_;
   std::vector<Vector3> gap_points_;
+  std::vector<double> gap_distances_;
   Eigen::VectorXd geometric_;  // weighted gap as measured from the meshes
 };
 
@@ -158,6 +159,7 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
 void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, const ContactPoint& point) {
   const auto column = static_cast<int>(gap_points_.size());
   gap_points_.push_back(point.on_slave);
+  gap_distances_.push_back(point.gap);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double weight = weighted[static_cast<int>(i)];
     covered_[static_cast<std::size_t>(rows[i])] += weight;
@@ -251,6 +253,7 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
     result.area.push_back(areas[static_cast<int>(k)]);
   }
   result.gap_points = gap_points_;
+  result.gap_distances = gap_distances_;
   result.gap_weights = gather * sparse(n, static_cast<int>(gap_points_.size()), gap_);
   const int width = type_ == ContactType::tied ? 1 : 3;
   result.slave_rows = gather * sparse(n, width * n_slave, slave_);

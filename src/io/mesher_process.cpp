@@ -131,8 +131,13 @@ class Mesher {
              status == 128 + SIGKILL ? ", or make the mesh coarser: systems that run out of memory kill like that" : "",
              remedy_by_hand);
     }
-    refuse("Gmsh made no mesh (creepcontact-mesher ended with status {}); its last words:{}{}\n  {}", status,
-           log_.last_words(), log_.own_words(), remedy_by_hand);
+    constexpr int not_started = 127;
+    refuse("Gmsh made no mesh (creepcontact-mesher ended with status {}); its last words:{}{}\n  {}{}", status,
+           log_.last_words(), log_.own_words(),
+           status == not_started ? "Its libraries take some 600 MB of address space: allow the program more memory if "
+                                   "it is limited (ulimit -v). "
+                                 : "",
+           remedy_by_hand);
   }
 
   static std::string signal_text(int signal) { return fmt::format("signal {}, {}", signal, ::strsignal(signal)); }

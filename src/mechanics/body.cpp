@@ -89,16 +89,17 @@ const std::vector<std::int64_t>& Body::pins() const {
   return impl_->pins;
 }
 
-double Body::take_resultant(std::span<double> right_hand_side, std::span<double> resultant) const {
+double Body::external_resultant(std::span<double> resultant) const {
   if (impl_->pins.empty()) return 0;
-  // The motions vanish at held directions, so the forces may be taken back to all unknowns.
-  impl_->constraints.expand(right_hand_side, {}, impl_->forces);
-  const Eigen::Map<const Eigen::VectorXd> forces(impl_->forces.data(), static_cast<Eigen::Index>(impl_->forces.size()));
-  for (std::size_t i = 0; i < impl_->pins.size(); ++i) {
-    resultant[i] += impl_->free_motions[i].displacement.dot(forces);
-    right_hand_side[static_cast<std::size_t>(impl_->pins[i])] = 0;
-  }
-  return forces.cwiseAbs().sum();
+  const std::span<const double> forces = external_forces();
+  const Eigen::Map<const Eigen::VectorXd> external(forces.data(), static_cast<Eigen::Index>(forces.size()));
+  for (std::size_t i = 0; i < impl_->pins.size(); ++i)
+    resultant[i] += impl_->free_motions[i].displacement.dot(external);
+  return external.cwiseAbs().sum();
+}
+
+void Body::clear_pins(std::span<double> right_hand_side) const {
+  for (const std::int64_t pin : impl_->pins) right_hand_side[static_cast<std::size_t>(pin)] = 0;
 }
 
 void Body::add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const {

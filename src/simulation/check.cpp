@@ -8,6 +8,7 @@
 #include "creepcontact/base/memory.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
+#include "gap_report.hpp"
 #include "memory_need.hpp"
 #include "temperature.hpp"
 
@@ -22,17 +23,13 @@ std::string element_names(const mesh::Mesh& mesh) {
   return text;
 }
 
-std::string gap_text(const config::Contact& contact) {
-  if (contact.type == config::ContactType::tied) return "tied";
-  if (contact.geometric_gap) return "gap from the mesh";
-  const bool overlaps = contact.gap.is_constant() && contact.gap({}) < 0;
-  return fmt::format("gap {}{}", contact.gap.text(), overlaps ? " (interference)" : "");
-}
-
 std::string contact_text(const contact::Pair& pair, const config::Contact& contact, const Model& model) {
-  return fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
-                     pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
-                     model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(), gap_text(contact));
+  std::string text =
+      fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
+                  pair.slave_surface, model.bodies[pair.slave_body]->name(), pair.master_surface,
+                  model.bodies[pair.master_body]->name(), pair.coupling.nodes.size(), gap_text(contact, pair));
+  if (const auto warning = gap_warning(model, pair)) text += "  warning: " + *warning + "\n";
+  return text;
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ void ContactElasticity::linearized(const CreepViews& creep_change, std::vector<s
     const auto lap = watch_.lap(Part::material);
     for (std::size_t b = 0; b < n_bodies; ++b) {
       model_.bodies[b]->initial_strain_force(creep_change[b], work_[b].right_hand_side);
-      interface_.take_resultant(b, work_[b].right_hand_side, load);
+      model_.bodies[b]->clear_pins(work_[b].right_hand_side);
     }
   }
   forward();

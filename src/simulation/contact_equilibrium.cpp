@@ -101,7 +101,8 @@ contact::InterfaceLoad ContactElasticity::start(double t, const CreepViews& cree
   contact::InterfaceLoad given = interface_.initial_load(t);
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
     model_.bodies[b]->right_hand_side(creep[b], work_[b].right_hand_side);
-    interface_.take_resultant(b, work_[b].right_hand_side, given);
+    model_.bodies[b]->clear_pins(work_[b].right_hand_side);
+    interface_.add_resultant(b, given);
   }
   given.work /= stiffness_.scale;
   given.force /= stiffness_.scale;
@@ -145,7 +146,7 @@ void ContactElasticity::leave_imbalance() {
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
     const mechanics::Body& body = *model_.bodies[b];
     body.imbalance(states_[b].stress, iterate_[b].free, work_[b].right_hand_side);
-    for (const std::int64_t pin : body.pins()) work_[b].right_hand_side[static_cast<std::size_t>(pin)] = 0;
+    body.clear_pins(work_[b].right_hand_side);
   }
 }
 

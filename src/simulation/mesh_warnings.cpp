@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/mesh_quality.hpp"
@@ -15,6 +17,18 @@ std::vector<mesh::CellBlock> locking_blocks(const mesh::Mesh& mesh) {
     if (mesh::dimension(block.type) == 3 && fem::reference_element(block.type).locks() && block.size() > 0)
       result.push_back(block);
   return result;
+}
+
+constexpr double almost_incompressible = 0.4999;
+
+/// Of all integration points at the set time.
+double largest_poisson_ratio(const mechanics::Body& body) {
+  double largest = 0;
+  for (std::size_t p = 0; p < body.discretization().n_points(); ++p) {
+    const material::Moduli& moduli = body.elastic().at(p);
+    largest = std::max(largest, moduli.lambda / (2 * (moduli.lambda + moduli.mu)));
+  }
+  return largest;
 }
 
 }  // namespace
@@ -33,6 +47,11 @@ std::vector<std::string> mesh_warnings(const mechanics::Body& body) {
         "body '{}': {} quadratic elements are folded at a corner, the first around ({:.6g}, {:.6g}, {:.6g}); "
         "the stress there is wrong: refine the mesh, or let Gmsh straighten it (Mesh.HighOrderOptimize = 2)",
         body.name(), folded.size(), folded[0][0], folded[0][1], folded[0][2]));
+  if (const double ratio = largest_poisson_ratio(body); ratio > almost_incompressible)
+    warnings.push_back(fmt::format(
+        "body '{}': Poisson's ratio is {:.8g}; above {:g} the mean stress loses digits to round-off, and {:g} is "
+        "incompressible enough for any purpose",
+        body.name(), ratio, almost_incompressible, almost_incompressible));
   if (!body.material().creeps()) return warnings;
   for (const mesh::CellBlock& block : locking_blocks(body.mesh()))
     warnings.push_back(

@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "contact_width.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/interrupt.hpp"
@@ -162,6 +163,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     const TimeLoop::End end = loop.run();
     if (end == TimeLoop::End::completed) {
       summary = write_summary(io::Summary::Status::completed, "");
+      for (const std::string& warning : narrow_contacts(elasticity)) log::warning("{}", warning);
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {

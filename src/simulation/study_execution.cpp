@@ -118,9 +118,11 @@ ChildProcess start_logged(const fs::path& program, const std::vector<std::string
   const File file{::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
   if (file.descriptor < 0)
     throw SolverError(fmt::format("cannot write the log '{}' of a run: {}", log.string(), std::strerror(errno)));
-  return ChildProcess(
-      {program, arguments, {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}}, SIGTERM,
-       /*lets_signals_through=*/true});
+  return ChildProcess({program,
+                       arguments,
+                       {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}},
+                       SIGTERM,
+                       /*lets_signals_through=*/true});
 }
 
 void make_empty(const fs::path& directory) {

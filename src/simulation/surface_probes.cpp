@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <deque>
 #include <numeric>
 #include <set>
 
@@ -30,14 +31,15 @@ class AreaProbe final : public Probe {
       if (pair.coupling.type == contact::ContactType::tied)
         sum += std::accumulate(pair.coupling.area.begin(), pair.coupling.area.end(), 0.0);
       else
-        sum += areas_[i].value(snapshot.elasticity().multipliers().segment(pair.first_row, pair.coupling.n_rows()));
+        sum += areas_[i].value(snapshot.elasticity().multipliers().segment(pair.first_row, pair.coupling.n_rows()),
+                               snapshot.elasticity().gaps().segment(pair.first_row, pair.coupling.n_rows()));
     }
     return sum;
   }
 
  private:
   std::vector<Side> sides_;
-  std::vector<ContactArea> areas_;
+  std::deque<ContactArea> areas_;  // which are not to be moved
 };
 
 /// Pressure, gap and force.

@@ -79,7 +79,7 @@ Eigen::VectorXd TangentSystem::forward(std::span<const double> r) {
       body.discretization().add_initial_stress_force(side.material->moduli(), side.stress, side.displacement);
       body.constraints().restrict_to_free(side.displacement, side.free);
       // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
-      for (const std::int64_t pin : body.pins()) side.free[static_cast<std::size_t>(pin)] = 0;
+      body.clear_pins(side.free);
     });
   }
   pass_through_factors([](Side& side) { side.factor->forward(side.free, side.free); });

@@ -121,7 +121,7 @@ between = ["a", "b"]
 end = 10
 [[probes]]
 name = "q"
-quantity = "von_mises"
+quantity = "stress_theta"
 body = "steel"
 """
 

@@ -135,5 +135,35 @@ TEST(BoltedStack, SolversAgree) {
   }
 }
 
+/// A stiff, almost incompressible block between soft ones, heated and held by contact alone. The nodal forces of its
+/// thermal strain are 1e14 times the load, which must reach the foot all the same.
+TEST(HeatedStack, CarriesASmallLoad) {
+  const std::string geo = boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {3, 3, 3}},
+                                     {"middle", {0, 0, 1}, {1, 1, 1}, {3, 3, 3}},
+                                     {"up", {0, 0, 2}, {1, 1, 1}, {3, 3, 3}}});
+  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n[temperature]\nvalue = 20\n[time]\nend = 1\n";
+  for (const std::string name : {"low", "middle", "up"}) {
+    const bool stiff = name == "middle";
+    toml += body(name, stiff ? 7.7e8 : 1e5, stiff ? 0.4999999 : 0.3);
+    // the same strain everywhere: the blocks stay flat
+    toml.insert(toml.rfind("young_modulus"), "thermal_expansion = 1e-5\nreference_temperature = 0\n");
+    toml += support(name + "_x0", "x") + support(name + "_y0", "y");
+  }
+  toml += support("low_z0", "z") + contact("low_z1", "middle_z0") + contact("middle_z1", "up_z0");
+  for (const std::string name : {"low_z1", "up_z0"}) toml += probe(name, "contact_force_z", "on = \"" + name + "\"");
+  toml += probe("foot", "reaction_z", "on = \"low_z0\"");
+  for (const char* loaded : {"up_z1", "middle_z1"}) {
+    SCOPED_TRACE(loaded);
+    testing::internal::CaptureStderr();
+    const History history = run_case(toml + "[[loads]]\non = \"" + loaded + "\"\npressure = 0.2\n", geo).history;
+    const std::string warnings = testing::internal::GetCapturedStderr();
+    EXPECT_NE(warnings.find("body 'middle': Poisson's ratio is 0.4999999; above 0.4999 "), std::string::npos);
+    EXPECT_EQ(warnings.find("body 'low': Poisson's"), std::string::npos);
+    EXPECT_RELATIVE(history.at("foot", 1), 0.2, 1e-6);
+    EXPECT_RELATIVE(history.at("low_z1", 1), -0.2, 1e-6);
+    EXPECT_NEAR(history.at("up_z0", 1), loaded == std::string("up_z1") ? 0.2 : 0, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace creepcontact::test

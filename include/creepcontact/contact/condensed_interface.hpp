@@ -24,8 +24,8 @@ namespace creepcontact::contact {
 /// What the loads ask of contact, gathered body by body.
 struct InterfaceLoad {
   Eigen::VectorXd gap;    ///< weighted gaps, n_rows
-  Eigen::VectorXd work;   ///< on unit free motions of all bodies
-  Eigen::VectorXd force;  ///< sum of absolute forces on the body of each motion, to measure the work by
+  Eigen::VectorXd work;   ///< of external forces on unit free motions of all bodies
+  Eigen::VectorXd force;  ///< sum of absolute external forces on the body of each motion, to measure the work by
   double time = 0;
 };
 
@@ -60,8 +60,8 @@ class CondensedInterface {
   /// Without creep, loads and contact: given gap and prescribed displacements at the bodies' set time.
   InterfaceLoad initial_load(double t) const;
   InterfaceLoad no_load() const;
-  /// Takes the body's work on its free motions out of its right-hand side f, which is then fit for the factor.
-  void take_resultant(std::size_t body, std::span<double> right_hand_side, InterfaceLoad& load) const;
+  /// Adds the work of the body's external forces at its set time on its free motions.
+  void add_resultant(std::size_t body, InterfaceLoad& load) const;
   /// gap += G^T y2. @param y  L^-1 P f of the body, all free unknowns
   void add_trace(std::size_t body, std::span<const double> y, InterfaceLoad& load) const;
   /// The load for the contact solver. Warns once of loads that are out of balance along idle motions by rounding of the

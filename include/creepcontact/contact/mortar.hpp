@@ -42,7 +42,8 @@ struct MortarCoupling {
   Eigen::VectorXd geometric_gap;
   /// Quadrature points of the slave surface and their weights in each multiplier's gap: weighted gap = gap_weights g.
   std::vector<Vector3> gap_points;
-  RowMatrix gap_weights;  ///< n_nodes x n_points
+  std::vector<double> gap_distances;  ///< from each of them to the other surface as meshed; negative: they overlap
+  RowMatrix gap_weights;              ///< n_nodes x n_points
 
   int n_rows() const { return static_cast<int>(slave_rows.rows()); }
   /// Weighted initial gap of a given gap function at time t. @returns n_rows; tied rows have no gap

@@ -48,9 +48,13 @@ class Body {
   /// Free unknowns that are fixed in place of the free motions, one a motion; their displacement is that of the motions
   /// alone (add_free_motions), and they carry no force if all forces on the body are in equilibrium.
   const std::vector<std::int64_t>& pins() const;
-  /// Adds the work of a right-hand side on the free motions, and takes its entries at the pins away.
-  /// @param resultant  one a free motion @returns sum of the absolute forces, to measure the work by
-  double take_resultant(std::span<double> right_hand_side, std::span<double> resultant) const;
+  /// Adds the work of the external forces at the set time on the free motions, one entry per motion. The nodal forces
+  /// of thermal and creep strains and of prescribed displacements are in equilibrium with themselves: their sums would
+  /// be round-off, which may exceed the loads where the material is stiff and almost incompressible.
+  /// @returns sum of the absolute forces, to measure the work by
+  double external_resultant(std::span<double> resultant) const;
+  /// Sets the entries of a right-hand side at the pins to zero.
+  void clear_pins(std::span<double> right_hand_side) const;
   /// u += sum of amplitudes x free motions (3 n_nodes)
   void add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const;
 

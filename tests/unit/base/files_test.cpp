@@ -1,6 +1,8 @@
 #include "creepcontact/base/files.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -13,7 +15,7 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
  protected:
-  Files() : directory_(fs::path(testing::TempDir()) / "creepcontact_files_test") {
+  Files() : directory_(fs::path(testing::TempDir()) / fmt::format("creepcontact_files_test_{}", ::getpid())) {
     fs::remove_all(directory_);
     fs::create_directory(directory_);
     std::ofstream(directory_ / "file") << "text";

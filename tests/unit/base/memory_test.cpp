@@ -1,7 +1,9 @@
 #include "creepcontact/base/memory.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 /// What a system tells about its memory.
 class Machine : public testing::Test {
  protected:
-  Machine() : root_(fs::path(testing::TempDir()) / "creepcontact_memory_test") {
+  Machine() : root_(fs::path(testing::TempDir()) / fmt::format("creepcontact_memory_test_{}", ::getpid())) {
     fs::remove_all(root_);
     write("proc/meminfo", "MemTotal:       24684084 kB\nMemAvailable:    4000000 kB\nSwapFree:         100000 kB\n");
   }

@@ -81,7 +81,9 @@ TEST(StudyReading, ValuesOfAnyTypeAsOverridesTakeThem) {
 TEST(StudyReading, ProductsBeyondAllBounds) {
   std::string text = head;
   for (int i = 0; i < 30; ++i) text += axis(fmt::format("key_{}", i), "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10]");
-  expect_complaint(text, "1e+30 runs with the product of these axes; allowed: 10000 runs in a study");
+  expect_complaint(
+      text,
+      "studies/cost.toml:3:1: axes[0]: 1e+30 runs with the product of these axes; allowed: 10000 runs in a study");
 }
 
 TEST(StudyReading, ClosedFormsAsReference) {

@@ -31,7 +31,8 @@ inline Equilibrium equilibrium(const std::vector<std::unique_ptr<mechanics::Body
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     y[b].resize(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
     bodies[b]->right_hand_side({}, y[b]);
-    interface.take_resultant(b, y[b], load);
+    bodies[b]->clear_pins(y[b]);
+    interface.add_resultant(b, load);
     bodies[b]->factor().forward(y[b], y[b]);
     interface.add_trace(b, y[b], load);
   }

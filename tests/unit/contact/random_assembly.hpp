@@ -40,7 +40,8 @@ class RandomAssembly {
       bodies[b]->set_time(0);
       std::vector<double> y(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
       bodies[b]->right_hand_side({}, y);
-      interface->take_resultant(b, y, load);
+      bodies[b]->clear_pins(y);
+      interface->add_resultant(b, load);
       bodies[b]->factor().forward(y, y);
       interface->add_trace(b, y, load);
     }
