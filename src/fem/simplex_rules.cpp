@@ -1,6 +1,6 @@
 /// Rules on the unit triangle and tetrahedron: symmetric, positive weights, inner points.
-/// Source: Dunavant (1985), the constants refined to double precision; for the tetrahedron Witherden and Vincent (2015),
-/// degree 3, and Keast (1986), degree 5.
+/// Source: Dunavant (1985), the constants refined to double precision; for the tetrahedron Witherden and Vincent
+/// (2015), degree 3, and Keast (1986), degree 5.
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>

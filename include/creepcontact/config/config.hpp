@@ -27,7 +27,7 @@ struct Mesh {
   int memory_limit_mb = 8192;                ///< .geo only: memory that meshing may take
   bool trust_geometry = false;               ///< .geo only: may run programs and write files; the command line says so
   SharedNodes share_nodes = SharedNodes::error;
-  Location location;                         ///< of `file`
+  Location location;  ///< of `file`
 };
 
 struct Body {

@@ -98,8 +98,8 @@ TEST_P(Element, rule_lies_inside_and_measures_the_domain) {
 }
 
 TEST(StiffnessRule, has_the_number_of_points_that_carry_the_creep_state) {
-  const std::map<CellType, int> expected{{CellType::tet4, 1},   {CellType::tet10, 8},  {CellType::hex8, 8},
-                                         {CellType::hex20, 8},  {CellType::hex27, 27}, {CellType::wedge6, 6},
+  const std::map<CellType, int> expected{{CellType::tet4, 1},    {CellType::tet10, 8},  {CellType::hex8, 8},
+                                         {CellType::hex20, 8},   {CellType::hex27, 27}, {CellType::wedge6, 6},
                                          {CellType::wedge15, 12}};
   for (const auto& [type, n] : expected) EXPECT_EQ(reference_element(type).rule().size(), n) << mesh::name(type);
 }
