@@ -8,7 +8,7 @@ DefineConstant[
   block   = {24, Name "Parameters/radius and height of the block"},
   angle   = {10, Name "Parameters/angle of the sector in degrees"},
   n_punch = {12, Name "Parameters/elements over the radius of the punch"},
-  n_block = {34, Name "Parameters/elements over the radius of the block"},
+  n_block = {29, Name "Parameters/elements over the radius of the block"},
   n_depth = {16, Name "Parameters/elements over the height of the block"},
   n_around = {1, Name "Parameters/elements around the sector"}
 ];
