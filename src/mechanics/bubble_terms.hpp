@@ -64,15 +64,15 @@ class BubbleTerms {
   }
 
   /// strain += P B_b a, a in equilibrium with moduli strain - initial stress. @param moduli  P symmetric matrices
-  /// @param initial_stress  P x 6, or null @param strain  P x 6
+  /// @param initial_stress  P x 6 @param strain  P x 6
   void add_strain(const Matrix6* moduli, const double* initial_stress, double* strain) const {
     Matrix3 stiffness = Matrix3::Zero();
     Vector3 residual = Vector3::Zero();
     for (std::size_t p = 0; p < P; ++p) {
       Eigen::Matrix<double, 6, 3> matrix;
       for (Eigen::Index i = 0; i < 3; ++i) matrix.col(i) = strain_at(p, Vector3::Unit(i));
-      Tensor6 stress = moduli[p] * Eigen::Map<const Tensor6>(strain + 6 * p);
-      if (initial_stress != nullptr) stress -= Eigen::Map<const Tensor6>(initial_stress + 6 * p);
+      const Tensor6 stress =
+          moduli[p] * Eigen::Map<const Tensor6>(strain + 6 * p) - Eigen::Map<const Tensor6>(initial_stress + 6 * p);
       stiffness += at_[p].weight * matrix.transpose() * moduli[p] * matrix;
       residual -= at_[p].weight * matrix.transpose() * stress;
     }

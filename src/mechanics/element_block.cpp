@@ -182,29 +182,6 @@ bool ElementBlock::fits_mean_stress() const {
   return reference_.projects_distorted_elements_only();
 }
 
-void ElementBlock::fit_mean_stress(std::span<double> stress) const {
-  if (!fits_mean_stress()) return;
-#pragma omp parallel for schedule(static) if (n_elements() >= parallel_threshold)
-  for (std::size_t e = 0; e < n_elements(); ++e) {
-    const std::size_t first = e * n_points_;
-    double sum = 0, volume = 0;
-    Vector3 slope = Vector3::Zero();
-    for (std::size_t p = first; p < first + n_points_; ++p) {
-      const double* s = &stress[6 * (start_.point + p)];
-      const double trace = geometry_[p].weight * (s[0] + s[1] + s[2]);
-      sum += trace;
-      volume += geometry_[p].weight;
-      slope += trace * Vector3::Map(linear_functions_[p].data());
-    }
-    for (std::size_t p = first; p < first + n_points_; ++p) {
-      double* s = &stress[6 * (start_.point + p)];
-      const double fit = sum / volume + slope.dot(Vector3::Map(linear_functions_[p].data()));
-      const double shift = (fit - (s[0] + s[1] + s[2])) / 3;
-      for (std::size_t i = 0; i < 3; ++i) s[i] += shift;
-    }
-  }
-}
-
 Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
   const Eigen::MatrixXd basis = this->basis(e);
   const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points

@@ -60,7 +60,7 @@ class ElementBlock {
   /// True if the mean stress is projected where it is evaluated, but not in the stiffness of all elements.
   bool fits_mean_stress() const;
   /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
-  void fit_mean_stress(std::span<double> stress) const;
+  virtual void fit_mean_stress(std::span<double> stress) const = 0;
   /// Volumes that belong to the points of an element.
   Eigen::VectorXd weights(std::size_t e) const;
   /// Coordinates of a point of an element.

@@ -52,6 +52,11 @@ class ElementLoops final : public ElementBlock {
     });
   }
 
+  void fit_mean_stress(std::span<double> stress) const override {
+    if (!fits_mean_stress()) return;
+    for_each_element([&](std::size_t e) { project_trace(e, stress.data() + first_component(e), 0.0); });
+  }
+
   void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
                       std::span<const double> initial_stress, std::span<double> strain) const override {
     for_each_element([&](std::size_t e) {
@@ -93,10 +98,14 @@ class ElementLoops final : public ElementBlock {
     return 6 * (start().point + e * P);
   }
 
-  /// Replaces the trace (of strain, of stress) at the points by its projection.
+  /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
   void project_trace(std::size_t e, double* values) const {
+    project_trace(e, values, n_nodes_v == 20 ? unprojected_part(e) : 0.0);
+  }
+
+  /// @param kept  share of the trace that stays as it is
+  void project_trace(std::size_t e, double* values, double kept) const {
     if constexpr (volumetric == fem::Projection::none) return;
-    const double kept = n_nodes_v == 20 ? unprojected_part(e) : 0.0;
     if (kept == 1) return;
     const PointGeometry* at = geometry().data() + e * P;
     double sum = 0, volume = 0;
@@ -126,12 +135,8 @@ class ElementLoops final : public ElementBlock {
     }
   }
 
-  /// B u without projection; zero where no displacement is given.
+  /// B u without projection.
   void element_strain(std::size_t e, const double* u, double* strain) const {
-    if (u == nullptr) {
-      std::fill_n(strain, 6 * P, 0.0);
-      return;
-    }
     std::array<Lanes, N> nodal;
     const std::int64_t* cell = connectivity().data() + e * N;
     for (std::size_t a = 0; a < N; ++a) {
@@ -221,14 +226,13 @@ class ElementLoops final : public ElementBlock {
     }
   }
 
-  /// strain += P B_b a with the a that balances D strain - initial stress (empty: none).
+  /// strain += P B_b a with the a that balances D strain - initial stress.
   void add_bubble_strain([[maybe_unused]] std::size_t e, [[maybe_unused]] std::span<const Matrix6> moduli,
                          [[maybe_unused]] std::span<const double> initial_stress,
                          [[maybe_unused]] double* strain) const {
     if constexpr (with_bubble) {
       const std::size_t first = start().point + e * P;
-      bubble_terms(e).add_strain(moduli.data() + first,
-                                 initial_stress.empty() ? nullptr : initial_stress.data() + 6 * first, strain);
+      bubble_terms(e).add_strain(moduli.data() + first, initial_stress.data() + 6 * first, strain);
     }
   }
 

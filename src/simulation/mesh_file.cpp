@@ -33,9 +33,7 @@ std::string instead_of(const fs::path& file) {
     return fmt::format("there is no directory '{}'; a path is relative to the file that names it", directory.string());
   const std::vector<std::string> names = meshes_in(directory);
   if (names.empty()) return fmt::format("no .geo or .msh is in '{}'", directory.string());
-  const std::string wanted = file.filename().string(), nearest = config::nearest(wanted, names);
-  // halves of letters: within a third of the name
-  if (!nearest.empty() && 3 * config::edit_distance(wanted, nearest) <= 2 * static_cast<int>(wanted.size()))
+  if (const std::string nearest = config::nearest(file.filename().string(), names); !nearest.empty())
     return fmt::format("did you mean '{}'?", nearest);
   constexpr std::size_t told = 5;
   const std::string more = names.size() > told ? fmt::format(" and {} more", names.size() - told) : "";

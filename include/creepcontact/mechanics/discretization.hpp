@@ -61,7 +61,7 @@ class Discretization {
   std::span<const std::int64_t> element_nodes(std::size_t element) const;
   mesh::CellType element_type(std::size_t element) const;
 
-  /// sigma = H (B u - creep strain - thermal strain). @param u  empty: zero @param stress n_points x 6
+  /// sigma = H (B u - creep strain - thermal strain). @param stress n_points x 6
   void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
               std::span<double> stress) const;
   /// forces += integral B^T stress, for stress in equilibrium with the forces on the inner displacements
@@ -69,7 +69,7 @@ class Discretization {
   /// forces += integral B^T H (creep strain + thermal strain)
   void add_initial_strain_force(const ElasticState& elastic, CreepStrainView creep, std::span<double> forces) const;
   /// Strain B u where stress is D strain - initial stress: the inner displacement is in equilibrium with that.
-  /// @param u  empty: zero @param moduli  D, symmetric, one per point @param strain  n_points x 6
+  /// @param moduli  D, symmetric, one per point @param strain  n_points x 6
   void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
                       std::span<const double> initial_stress, std::span<double> strain) const;
   /// forces += those that the initial stress exerts on fixed nodes, integral B^T initial stress but for what the inner
