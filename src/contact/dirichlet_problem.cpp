@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/linalg/dense.hpp"
 #include "rigid_balance.hpp"
 
 namespace creepcontact::contact {
@@ -24,12 +25,7 @@ DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t bo
   flexibility_ = flexibility.diagonal();
   factor_.compute(flexibility);
   regular_ = factor_.info() == Eigen::Success && factor_.rcond() > singular;
-  if (!regular_) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(flexibility);
-    const Eigen::ArrayXd values = eigen.eigenvalues().array();
-    const Eigen::VectorXd inverse = (values > singular * values.maxCoeff()).select(values.inverse(), 0.0);
-    pseudo_inverse_ = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-  }
+  if (!regular_) pseudo_inverse_ = linalg::symmetric_pseudo_inverse(flexibility, singular);
   if (basis.cols() == 0) return;
   carried_.resize(basis.rows(), basis.cols());
   for (Eigen::Index j = 0; j < basis.cols(); ++j) carried_.col(j) = multipliers(basis.col(j));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -46,8 +47,8 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
   }
   if (result.cols() < basis.cols()) {
     rest -= result * (result.transpose() * rest);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rest, Eigen::ComputeThinU);
-    for (Eigen::Index j = 0; j < basis.cols() && result.cols() < basis.cols(); ++j) take(svd.matrixU().col(j));
+    const Eigen::MatrixXd left = linalg::singular_values(rest).left;
+    for (Eigen::Index j = 0; result.cols() < basis.cols(); ++j) take(left.col(j));
   }
   return result;
 }
@@ -78,9 +79,7 @@ FloatingMotions::FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs) 
   for (std::size_t b = 0; b < bodies.size(); ++b)
     rates.middleCols(static_cast<Eigen::Index>(first_[b]),
                      static_cast<Eigen::Index>(bodies[b]->free_motions().size())) = scale.asDiagonal() * gaps(b, pairs);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rates);
-  const Eigen::Index k = std::min<Eigen::Index>(n_rows, n);
-  rates_.topRows(k) = qr.matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  if (n_rows > 0) rates_.topRows(std::min<Eigen::Index>(n_rows, n)) = linalg::triangular_factor(rates);
   idle_ = readable_basis(combinations_below(idle_rate, &held_));
 }
 
@@ -99,10 +98,10 @@ void FloatingMotions::require_contact(const std::vector<Pair>& pairs) const {
 }
 
 Eigen::MatrixXd FloatingMotions::combinations_below(double limit, Eigen::MatrixXd* others) const {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rates_, Eigen::ComputeFullV);
-  const Eigen::Index above = (svd.singularValues().array() >= limit).count();
-  if (others != nullptr) *others = svd.matrixV().leftCols(above);
-  return svd.matrixV().rightCols(rates_.cols() - above);
+  const auto [values, vectors] = linalg::right_singular_vectors(rates_);
+  const Eigen::Index above = (values.array() >= limit).count();
+  if (others != nullptr) *others = vectors.leftCols(above);
+  return vectors.rightCols(rates_.cols() - above);
 }
 
 Eigen::MatrixXd FloatingMotions::gaps(std::size_t body, const std::vector<Pair>& pairs) const {

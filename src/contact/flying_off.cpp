@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "creepcontact/linalg/dense.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr int most_changes = 1000;
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& rigid, const std::vector<int>& set,
                               const Eigen::VectorXd& resultant) {
   const Eigen::MatrixXd columns = rigid(set, Eigen::all).transpose();
-  return columns.completeOrthogonalDecomposition().solve(Eigen::VectorXd(-resultant));
+  return linalg::least_squares(columns, -resultant);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "schwarz_gradients.hpp"
 
 namespace creepcontact::contact {
@@ -22,15 +23,6 @@ constexpr double weakest_hold = 1e-12;  // of the best held motion: below it a m
 constexpr double balance_error = 1e-9;  // of the forces that make up a resultant
 constexpr int most_iterations = 1000;
 
-/// Pseudo-inverse of a symmetric positive semidefinite matrix.
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix);
-  const Eigen::VectorXd& values = eigen.eigenvalues();
-  const double limit = weakest_hold * values.cwiseAbs().maxCoeff();
-  const Eigen::VectorXd inverse = (values.array() > limit).select(values.cwiseInverse(), 0.0);
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-}
-
 }  // namespace
 
 void FrozenSystem::factorize(const std::vector<int>& active) {
@@ -45,7 +37,7 @@ void FrozenSystem::factorize(const std::vector<int>& active) {
     throw SolverError("contact: the conditions of the active set contradict each other");
   if (problem_.n_motions() > 0) {
     factor_.matrixL().solveInPlace(motions_);
-    coarse_inverse_ = pseudo_inverse(motions_.transpose() * motions_);
+    coarse_inverse_ = linalg::symmetric_pseudo_inverse(motions_.transpose() * motions_, weakest_hold);
   }
   active_ = active;
   factored_ = true;

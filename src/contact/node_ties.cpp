@@ -1,7 +1,5 @@
 #include "creepcontact/contact/node_ties.hpp"
 
-#include <Eigen/Eigenvalues>
-
 namespace creepcontact::contact {
 namespace {
 
@@ -24,9 +22,9 @@ Eigen::Matrix3Xd free_directions(const Matrix3& projectors) {
   Eigen::Vector3d values = projectors.diagonal();
   Matrix3 vectors = Matrix3::Identity();
   if (!off_diagonal.isZero(0)) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(projectors);
-    values = eigen.eigenvalues();
-    vectors = eigen.eigenvectors();
+    const tensor::Principal principal(projectors);
+    values = principal.values;
+    vectors = principal.directions;
   }
   Eigen::Matrix3Xd directions(3, 0);
   for (int k = 0; k < 3; ++k)

@@ -1,11 +1,11 @@
 #include "open_edge_normals.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "creepcontact/linalg/dense.hpp"
 #include "symmetry.hpp"
 
 namespace creepcontact::contact {
@@ -134,12 +134,12 @@ class OpenEdges {
         square += c * c.transpose();
         right -= chord.dot(normal + normals_.multipliers[neighbour].normal) * c;
       }
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(square);
+      const linalg::SymmetricEigen modes = linalg::symmetric_eigen(square);
       Eigen::Vector2d step = Eigen::Vector2d::Zero();
       rank = 0;
       for (int k = 0; k < 2; ++k) {
-        if (modes.eigenvalues()[k] < least_seen) continue;
-        step += modes.eigenvectors().col(k) * (modes.eigenvectors().col(k).dot(right) / modes.eigenvalues()[k]);
+        if (modes.values[k] < least_seen) continue;
+        step += modes.vectors.col(k) * (modes.vectors.col(k).dot(right) / modes.values[k]);
         ++rank;
       }
       normal = (normal + step.x() * axis1 + step.y() * axis2).normalized();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "creepcontact/linalg/dense.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -12,19 +14,12 @@ constexpr double balance_error = 1e-9;  // of the forces that make up a resultan
 
 void singular_parts(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& left, Eigen::VectorXd& values,
                     Eigen::MatrixXd& right) {
-  if (matrix.size() == 0) {
-    left.resize(matrix.rows(), 0);
-    values.resize(0);
-    right.resize(matrix.cols(), 0);
-    return;
-  }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const linalg::SingularValues svd = linalg::singular_values(matrix);
   Eigen::Index rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > weakest_hold * svd.singularValues()[0])
-    ++rank;
-  left = svd.matrixU().leftCols(rank);
-  values = svd.singularValues().head(rank);
-  right = svd.matrixV().leftCols(rank);
+  while (rank < svd.values.size() && svd.values[rank] > weakest_hold * svd.values[0]) ++rank;
+  left = svd.left.leftCols(rank);
+  values = svd.values.head(rank);
+  right = svd.right.leftCols(rank);
 }
 
 RigidBalance::RigidBalance(const ContactProblem& problem, const std::vector<int>& rows)

@@ -10,9 +10,9 @@ StressMeasure::StressMeasure(const Tensor6& stress, double alpha) {
     if (q > 0.0) gradient += (1.0 - alpha) * 1.5 / q * s;
   }
   if (alpha > 0.0) {
-    const Eigen::SelfAdjointEigenSolver<Matrix3> principal(tensor::to_matrix(stress));
-    if (const double largest = principal.eigenvalues()[2]; largest > 0.0) {
-      const Vector3 direction = principal.eigenvectors().col(2);
+    const tensor::Principal principal(tensor::to_matrix(stress));
+    if (const double largest = principal.values[2]; largest > 0.0) {
+      const Vector3 direction = principal.directions.col(2);
       value += alpha * largest;
       gradient += alpha * tensor::from_matrix(direction * direction.transpose());
     }

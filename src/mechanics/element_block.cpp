@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/bubble.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "element_loops.hpp"
 
 namespace creepcontact::mechanics {
@@ -38,7 +39,8 @@ Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
     return values;
   };
   // One point alone (tet4): the solution of least norm is the constant.
-  return values_at(reference.nodes()) * values_at(points).completeOrthogonalDecomposition().pseudoInverse();
+  return values_at(reference.nodes()) *
+         linalg::least_squares(values_at(points), Eigen::MatrixXd::Identity(points.rows(), points.rows()));
 }
 
 }  // namespace

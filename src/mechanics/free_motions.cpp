@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <map>
 
+#include "creepcontact/linalg/dense.hpp"
+
 namespace creepcontact::mechanics {
 namespace {
 
 using Nodes = std::vector<std::int64_t>;
+
+constexpr double not_held = 1e-9;  // singular value of the conditions on a motion
 
 Vector3 place(const mesh::Mesh& mesh, std::int64_t node) {
   return mesh.nodes[static_cast<std::size_t>(node)];
@@ -72,7 +76,7 @@ std::vector<FreeMotion> motions_of_hinged_parts(const mesh::Mesh& mesh, const Co
     }
   Eigen::MatrixXd conditions(static_cast<Eigen::Index>(rows.size()), n_unknowns);
   for (std::size_t r = 0; r < rows.size(); ++r) conditions.row(static_cast<Eigen::Index>(r)) = rows[r];
-  const Eigen::MatrixXd free = null_space(conditions);
+  const Eigen::MatrixXd free = linalg::null_space(conditions, not_held);
 
   std::vector<FreeMotion> motions;
   for (Eigen::Index j = 0; j < free.cols(); ++j) {
@@ -149,10 +153,8 @@ std::vector<std::int64_t> determinate_pins(const std::vector<FreeMotion>& motion
     constraints.restrict_to_free({displacement.data(), static_cast<std::size_t>(displacement.size())}, free);
     rows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(free.data(), constraints.n_free());
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
-  std::vector<std::int64_t> pins;
-  for (Eigen::Index i = 0; i < n; ++i) pins.push_back(qr.colsPermutation().indices()[i]);
-  return pins;
+  const Eigen::VectorXi pivots = linalg::column_pivots(rows);
+  return {pivots.begin(), pivots.begin() + n};
 }
 
 }  // namespace creepcontact::mechanics

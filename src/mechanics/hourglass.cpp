@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "creepcontact/linalg/dense.hpp"
+
 namespace creepcontact::mechanics {
 namespace {
 
@@ -22,8 +24,7 @@ Square beside_quadratics(const mesh::Mesh& mesh, std::span<const std::int64_t> c
     polynomials.row(i) << 1, r.x(), r.y(), r.z(), r.x() * r.x(), r.y() * r.y(), r.z() * r.z(), r.x() * r.y(),
         r.y() * r.z(), r.z() * r.x();
   }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(polynomials);
-  const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(n_nodes, 10);
+  const Eigen::MatrixXd basis = linalg::orthonormal_basis(polynomials);
   return Square::Identity() - basis * basis.transpose();
 }
 

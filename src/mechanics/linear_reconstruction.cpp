@@ -2,20 +2,13 @@
 
 #include <algorithm>
 
+#include "creepcontact/linalg/dense.hpp"
+
 namespace creepcontact::mechanics {
 namespace {
 
 constexpr double own_weight = 1e-3;
-
-/// Inverse on the directions that the arms span.
-Matrix3 pseudo_inverse(const Matrix3& normal) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(normal);
-  const double least = 1e-12 * eigen.eigenvalues()[2];
-  Vector3 inverse = Vector3::Zero();
-  for (int i = 0; i < 3; ++i)
-    if (eigen.eigenvalues()[i] > least) inverse[i] = 1 / eigen.eigenvalues()[i];
-  return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
-}
+constexpr double not_spanned = 1e-12;  // of the largest eigenvalue: a direction in which no arm reaches
 
 }  // namespace
 
@@ -58,7 +51,7 @@ LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntri
       }
       neighbours_.insert(neighbours_.end(), around.begin(), around.end());
       offsets_.push_back(neighbours_.size());
-      inverse_.push_back(pseudo_inverse(normal));
+      inverse_.push_back(linalg::symmetric_pseudo_inverse(normal, not_spanned));
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "creepcontact/linalg/dense.hpp"
+
 namespace creepcontact::mechanics {
 
 namespace {
@@ -21,9 +23,9 @@ Vector3 readable(Vector3 v) {
 /// Basis of the space spanned by some columns: first the coordinate directions in it, then what is left.
 std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
   if (columns.cols() == 0) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinU);
-  const Eigen::Index rank = (svd.singularValues().array() > tolerance).count();
-  const Eigen::Matrix3Xd space = svd.matrixU().leftCols(rank);
+  const linalg::SingularValues svd = linalg::singular_values(columns);
+  const Eigen::Index rank = (svd.values.array() > tolerance).count();
+  const Eigen::Matrix3Xd space = svd.left.leftCols(rank);
   std::vector<Vector3> basis;
   const auto without_basis = [&](Vector3 v) {
     v = (space * (space.transpose() * v)).eval();
@@ -59,20 +61,6 @@ std::string along(const Vector3& direction) {
 
 }  // namespace
 
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& a) {
-  if (a.rows() == 0) return Eigen::MatrixXd::Identity(a.cols(), a.cols());
-  // The triangular factor has the same singular values and right vectors as the many rows.
-  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(a.cols(), a.cols());
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
-  const Eigen::Index n = std::min(a.rows(), a.cols());
-  square.topRows(n) = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullV);
-  const auto& values = svd.singularValues();
-  const double limit = tolerance * std::max(1.0, values[0]);
-  const Eigen::Index rank = (values.array() > limit).count();
-  return svd.matrixV().rightCols(a.cols() - rank);
-}
-
 std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset) {
   const auto place = [&](std::int64_t node) { return nodes[static_cast<std::size_t>(node)]; };
@@ -93,20 +81,18 @@ std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, c
   }
   Eigen::MatrixXd rows(held.size(), 6);
   for (std::size_t i = 0; i < held.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = held[i].transpose();
-  const Eigen::MatrixXd free = null_space(rows);
+  const Eigen::MatrixXd free = linalg::null_space(rows, tolerance);
   if (free.cols() == 0) return {};
 
   std::vector<RigidMotion> motions;
   // Pure translations: the combinations of free motions that do not rotate.
-  const std::vector<Vector3> translations = readable_basis(free.topRows<3>() * null_space(free.bottomRows<3>()));
+  const std::vector<Vector3> translations =
+      readable_basis(free.topRows<3>() * linalg::null_space(free.bottomRows<3>(), tolerance));
   for (const Vector3& direction : translations) motions.push_back({direction, Vector3::Zero(), centre});
   // Rotations are determined up to those translations.
   const Eigen::Matrix3Xd t = as_columns(translations);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> rotation_part;
-  rotation_part.setThreshold(tolerance);
-  rotation_part.compute(free.bottomRows<3>());
   for (const Vector3& axis : readable_basis(free.bottomRows<3>())) {
-    const Eigen::VectorXd combination = rotation_part.solve(axis);
+    const Eigen::VectorXd combination = linalg::least_squares(free.bottomRows<3>(), axis, tolerance);
     Vector3 shift = size * (free.topRows<3>() * combination);
     shift -= t * (t.transpose() * shift);
     RigidMotion motion{axis * axis.dot(shift), axis, centre + axis.cross(shift)};

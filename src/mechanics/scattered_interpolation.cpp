@@ -42,10 +42,9 @@ struct ScatteredInterpolation::Cloud {
     center_ /= static_cast<double>(given.size());
     Matrix3 moments = Matrix3::Zero();
     for (const Vector3& x : given) moments += (x - center_) * (x - center_).transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix3> principal(moments);
-    const Eigen::Vector3d extent = principal.eigenvalues().cwiseMax(0).cwiseSqrt();
-    for (int k = 2; k >= 0 && extent[k] > flat * extent[2]; --k)
-      axes_.row(dimension++) = principal.eigenvectors().col(k);
+    const tensor::Principal principal(moments);
+    const Eigen::Vector3d extent = principal.values.cwiseMax(0).cwiseSqrt();
+    for (int k = 2; k >= 0 && extent[k] > flat * extent[2]; --k) axes_.row(dimension++) = principal.directions.col(k);
 
     std::vector<Entry> entries;
     for (const Vector3& x : given) {
@@ -106,8 +105,8 @@ struct ScatteredInterpolation::Cloud {
       const Vector3 d = (points[around.points[i]] - points[around.points[0]]).normalized();
       directions += d * d.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix3> principal(directions, Eigen::EigenvaluesOnly);
-    return principal.eigenvalues()[3 - dimension] > few * principal.eigenvalues()[2];
+    const Vector3 shares = tensor::principal_values(directions);
+    return shares[3 - dimension] > few * shares[2];
   }
 
   Vector3 center_ = Vector3::Zero();
@@ -141,11 +140,11 @@ std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& place) c
   const Vector3 mean = away * w;
   away.colwise() -= mean;
   const Matrix3 moments = away * w.asDiagonal() * away.transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(moments);
+  const tensor::Principal principal(moments);
   Vector3 inverse = Vector3::Zero();  // none across directions that the points hardly have: constant there
   for (int k = 3 - cloud_->dimension; k < 3; ++k)
-    if (principal.eigenvalues()[k] > poor * principal.eigenvalues()[2]) inverse[k] = 1 / principal.eigenvalues()[k];
-  const Matrix3& axes = principal.eigenvectors();
+    if (principal.values[k] > poor * principal.values[2]) inverse[k] = 1 / principal.values[k];
+  const Matrix3& axes = principal.directions;
   const Vector3 slope = -(axes * inverse.asDiagonal() * axes.transpose() * mean);
 
   std::vector<PointWeight> result;

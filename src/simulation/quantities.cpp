@@ -1,6 +1,5 @@
 #include "creepcontact/simulation/quantities.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <stdexcept>
 
@@ -28,8 +27,7 @@ double cylindrical(const Sample& sample) {
 /// 0 the largest
 template <int i>
 double principal(const Sample& sample) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3> solver(tensor::to_matrix(sample.stress), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[2 - i];
+  return tensor::principal_values(tensor::to_matrix(sample.stress))[2 - i];
 }
 
 template <int i>

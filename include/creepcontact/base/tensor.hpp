@@ -54,5 +54,16 @@ inline Tensor6 from_matrix(const Matrix3& m) {
       .finished();
 }
 
+/// A symmetric matrix = sum of values[i] directions.col(i) directions.col(i)^T; values ascending, directions
+/// orthonormal.
+struct Principal {
+  explicit Principal(const Matrix3& matrix);
+  Vector3 values;
+  Matrix3 directions;
+};
+
+/// Eigenvalues of a symmetric matrix, ascending.
+Vector3 principal_values(const Matrix3& matrix);
+
 }  // namespace tensor
 }  // namespace creepcontact

@@ -31,7 +31,4 @@ struct RigidMotion {
 std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset);
 
-/// Orthonormal basis of the null space of a matrix, by singular values (those below 1e-9 of max(1, largest) are zero).
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix);
-
 }  // namespace creepcontact::mechanics
