@@ -2,8 +2,8 @@
 
 #include "command.hpp"
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/simulation/check.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/run/check.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::cli {
 

@@ -8,8 +8,8 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/key_reference.hpp"
 #include "creepcontact/config/suggestion.hpp"
-#include "creepcontact/simulation/lists.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/run/lists.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::cli {
 namespace {

@@ -3,8 +3,8 @@
 #include "command.hpp"
 #include "creepcontact/base/cores.hpp"
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/simulation/run.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/run/run.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::cli {
 

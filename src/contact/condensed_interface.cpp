@@ -18,11 +18,6 @@ constexpr double no_component = 1e-14;        // of the largest entry of the con
 constexpr double idle_work = 1e-8;            // of the forces on the body: rounding, or a load along an idle motion
 constexpr double imbalance_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
 
-std::vector<Pair> numbered(std::vector<Pair> pairs) {
-  number_rows(pairs);
-  return pairs;
-}
-
 }  // namespace
 
 std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
@@ -36,25 +31,30 @@ std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
   return unknowns;
 }
 
-CondensedInterface::CondensedInterface(std::span<const std::unique_ptr<mechanics::Body>> bodies,
-                                       std::vector<Pair> pairs, double dense_bytes, const Admission& admit)
-    : bodies_(bodies), pairs_(numbered(std::move(pairs))), floating_(bodies, pairs_), sides_(bodies.size()) {
+CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, std::span<const Pair> pairs,
+                                       const FloatingMotions& floating, Conditions at, double dense_bytes,
+                                       const Admission& admit, const linalg::StiffnessSolverFactory& make_solver)
+    : bodies_(bodies), pairs_(pairs), floating_(floating), sides_(bodies.size()) {
   floating_.require_contact(pairs_);
   make_problem();
   make_rows();
   const bool dense = dense_bytes_ <= dense_bytes;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    bodies[b]->analyze(dense ? sides_[b].trailing : std::vector<std::int64_t>());
-  if (admit) admit(dense ? dense_bytes_ : 0.0);
-  for (const auto& body : bodies) body->factorize();
+    factored_.emplace_back(bodies[b], at[b], dense ? sides_[b].trailing : std::vector<std::int64_t>(), make_solver);
+  if (admit) admit(*this, dense ? dense_bytes_ : 0.0);
+  for (std::size_t b = 0; b < bodies.size(); ++b) factored_[b].factorize(at[b]);
   if (dense) {
     for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
     sum_flexibilities();
   } else {
-    large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
-    problem_.large = large_.get();
+    make_operator(at);
   }
   immovable_ = immovable_rows(problem_);
+}
+
+void CondensedInterface::make_operator(Conditions at) {
+  large_ = std::make_unique<FactoredFlexibility>(factored_, at, rows_, n_rows());
+  problem_.large = large_.get();
 }
 
 CondensedInterface::~CondensedInterface() = default;
@@ -75,7 +75,7 @@ void CondensedInterface::make_rows() {
   const double n_all = n_rows();
   dense_bytes_ = 8 * n_all * n_all;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const mechanics::Body& body = *bodies_[b];
+    const mechanics::Body& body = bodies_[b];
     BodyRows rows;
     sides_[b].full_rows = body_rows(pairs_, b, body.mesh().nodes.size(), rows.rows);
     rows.reduced = body.constraints().reduce_rows(sides_[b].full_rows);
@@ -103,7 +103,7 @@ void CondensedInterface::make_rows() {
 
 void CondensedInterface::condense(std::size_t b) {
   Side& side = sides_[b];
-  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, bodies_[b]->factor());
+  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver());
   problem_.bodies[b].matrix = side.condensed.flexibility();
 }
 
@@ -113,9 +113,9 @@ void CondensedInterface::sum_flexibilities() {
     problem_.total(rows_[b].rows, rows_[b].rows) += problem_.bodies[b].matrix;
 }
 
-void CondensedInterface::refactorize(std::span<const std::size_t> bodies) {
+void CondensedInterface::refactorize(std::span<const std::size_t> bodies, Conditions at) {
   for (const std::size_t b : bodies) {
-    bodies_[b]->refactorize();
+    factored_[b].factorize(at[b]);
     if (!large_) condense(b);
   }
   if (!large_) {
@@ -123,8 +123,7 @@ void CondensedInterface::refactorize(std::span<const std::size_t> bodies) {
     return;
   }
   earlier_products_ += large_->n_products();
-  large_ = std::make_unique<FactoredFlexibility>(bodies_, rows_, n_rows());
-  problem_.large = large_.get();
+  make_operator(at);
 }
 
 std::int64_t CondensedInterface::n_products() const {
@@ -136,7 +135,7 @@ InterfaceLoad CondensedInterface::no_load() const {
           Eigen::VectorXd::Zero(floating_.size()), 0.0};
 }
 
-InterfaceLoad CondensedInterface::initial_load(double t) const {
+InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
   InterfaceLoad load = no_load();
   load.time = t;
   for (const Pair& pair : pairs_) {
@@ -149,9 +148,9 @@ InterfaceLoad CondensedInterface::initial_load(double t) const {
                       pair.name, t));
   }
   for (std::size_t b = 0; b < sides_.size(); ++b) {
-    const std::span<const double> prescribed = bodies_[b]->prescribed();
+    const std::vector<double>& prescribed = at[b].prescribed;
     const std::vector<int>& rows = rows_[b].rows;
-    if (rows.empty() || !bodies_[b]->constraints().has_nonzero_values()) continue;
+    if (rows.empty() || !bodies_[b].constraints().has_nonzero_values()) continue;
     const Eigen::Map<const Eigen::VectorXd> u(prescribed.data(), static_cast<Eigen::Index>(prescribed.size()));
     const Eigen::VectorXd moved = sides_[b].full_rows * u;
     load.gap(rows) += moved;
@@ -159,15 +158,16 @@ InterfaceLoad CondensedInterface::initial_load(double t) const {
   return load;
 }
 
-void CondensedInterface::add_resultant(std::size_t body, InterfaceLoad& load) const {
-  const std::size_t n_motions = bodies_[body]->free_motions().size();
+void CondensedInterface::add_resultant(std::size_t body, const mechanics::BodyConditions& at,
+                                       InterfaceLoad& load) const {
+  const std::size_t n_motions = bodies_[body].free_motions().size();
   if (n_motions == 0) return;
   const std::size_t first = floating_.first_of_body(body);
-  const double force = bodies_[body]->external_resultant({load.work.data() + first, n_motions});
+  const double force = bodies_[body].external_resultant(at, {load.work.data() + first, n_motions});
   load.force.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(n_motions)).setConstant(force);
 }
 
-void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) const {
+void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
   if (overlap_warned_ || immovable_.empty()) return;
   for (const Pair& pair : pairs_) {
     if (pair.coupling.type == ContactType::tied) continue;
@@ -185,7 +185,7 @@ void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) const 
   }
 }
 
-ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) const {
+ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   warn_of_held_overlaps(load);
   const Eigen::VectorXd idle = floating_.idle().transpose() * load.work;
   const Eigen::VectorXd force = floating_.idle().cwiseAbs().transpose() * load.force;
@@ -218,27 +218,27 @@ void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) cons
                   floating_.describe(floating_.held() * unbalanced.motion), t));
 }
 
-void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, InterfaceLoad& load) const {
+void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
   const BodyRows& rows = rows_[body];
   if (rows.rows.empty() || y.empty()) return;
   if (large_) {
     std::vector<double> u(y.size());
-    bodies_[body]->factor().backward(y, u);
-    load.gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
+    factored_[body].solver().backward(y, u);
+    gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
     return;
   }
-  load.gap(rows.rows) += sides_[body].condensed.gaps(y);
+  gap(rows.rows) += sides_[body].condensed.gaps(y);
 }
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier,
-                                         std::span<double> y) const {
+                                         std::span<double> y) {
   const BodyRows& rows = rows_[body];
   if (rows.rows.empty() || y.empty()) return;
   const Eigen::VectorXd own = multiplier(rows.rows);
   if (large_) {
     Eigen::VectorXd forces = rows.reduced.transpose() * own;
     const std::span<double> in_place(forces.data(), y.size());
-    bodies_[body]->factor().forward(in_place, in_place);
+    factored_[body].solver().forward(in_place, in_place);
     Eigen::Map<Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())) += forces;
     return;
   }
@@ -247,12 +247,12 @@ void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd
 
 void CondensedInterface::add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid,
                                           std::span<double> displacement) const {
-  const std::size_t n_motions = bodies_[body]->free_motions().size();
+  const std::size_t n_motions = bodies_[body].free_motions().size();
   if (n_motions == 0 || rigid.size() == 0) return;
   const Eigen::VectorXd own = floating_.held().middleRows(static_cast<Eigen::Index>(floating_.first_of_body(body)),
                                                           static_cast<Eigen::Index>(n_motions)) *
                               rigid;
-  bodies_[body]->add_free_motions({own.data(), n_motions}, displacement);
+  bodies_[body].add_free_motions({own.data(), n_motions}, displacement);
 }
 
 void CondensedInterface::add_contact_forces(std::size_t body, const Eigen::VectorXd& multiplier,

@@ -3,7 +3,7 @@
 namespace creepcontact::contact {
 
 CondensedRows::CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing,
-                             const linalg::SupernodalCholesky& factor) {
+                             const linalg::StiffnessSolver& factor) {
   std::vector<int> place(static_cast<std::size_t>(rows.cols()), -1);
   for (std::size_t i = 0; i < trailing.size(); ++i) place[static_cast<std::size_t>(trailing[i])] = static_cast<int>(i);
   traces_.setZero(static_cast<Eigen::Index>(trailing.size()), rows.rows());

@@ -51,7 +51,8 @@ struct FactoredFlexibility::Lumped {
   Sparse square;          // B B^T
 };
 
-FactoredFlexibility::FactoredFlexibility(std::span<const std::unique_ptr<mechanics::Body>> bodies,
+FactoredFlexibility::FactoredFlexibility(std::span<mechanics::FactoredBody> bodies,
+                                         std::span<const mechanics::BodyConditions> at,
                                          const std::vector<BodyRows>& rows, int n_rows)
     : bodies_(bodies), rows_(rows), diagonal_(Eigen::VectorXd::Zero(n_rows)) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -70,7 +71,7 @@ FactoredFlexibility::FactoredFlexibility(std::span<const std::unique_ptr<mechani
     Sparse touched(static_cast<int>(own.rows.size()), n_touched);
     touched.setFromTriplets(entries.begin(), entries.end());
 
-    const Sparse stiffness = touched * restricted(bodies[b]->stiffness(), place, n_touched) * touched.transpose();
+    const Sparse stiffness = touched * restricted(bodies[b].stiffness(at[b]), place, n_touched) * touched.transpose();
     const Sparse square = touched * touched.transpose();
     // Rows that the body cannot follow (held there) are none of its own but for rounding.
     const double least = rounding * square.diagonal().maxCoeff();
@@ -99,8 +100,8 @@ Eigen::VectorXd FactoredFlexibility::gaps(const Eigen::VectorXd& multiplier) con
     if (own.rows.empty()) continue;
     Eigen::Map<Eigen::VectorXd> u(work_[b].data(), own.reduced.cols());
     u.noalias() = own.reduced.transpose() * multiplier(own.rows);
-    bodies_[b]->factor().forward(work_[b], work_[b]);
-    bodies_[b]->factor().backward(work_[b], work_[b]);
+    bodies_[b].solver().forward(work_[b], work_[b]);
+    bodies_[b].solver().backward(work_[b], work_[b]);
     gap(own.rows) += own.reduced * u;
   }
   ++n_products_;

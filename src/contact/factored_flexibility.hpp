@@ -6,7 +6,7 @@
 
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/flexibility_operator.hpp"
-#include "creepcontact/mechanics/body.hpp"
+#include "creepcontact/mechanics/factored_body.hpp"
 
 namespace creepcontact::contact {
 
@@ -14,9 +14,10 @@ namespace creepcontact::contact {
 /// B^T, which lets only the contact surface itself move: sparse, and within a modest factor of the true one.
 class FactoredFlexibility final : public FlexibilityOperator {
  public:
-  /// The bodies are factored, with any ordering. @param bodies and rows must outlive the object
-  FactoredFlexibility(std::span<const std::unique_ptr<mechanics::Body>> bodies, const std::vector<BodyRows>& rows,
-                      int n_rows);
+  /// @param bodies  factored, with any ordering @param at  conditions that were factored
+  /// bodies and rows must outlive the object
+  FactoredFlexibility(std::span<mechanics::FactoredBody> bodies, std::span<const mechanics::BodyConditions> at,
+                      const std::vector<BodyRows>& rows, int n_rows);
   ~FactoredFlexibility() override;
 
   Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const override;
@@ -29,7 +30,7 @@ class FactoredFlexibility final : public FlexibilityOperator {
  private:
   struct Lumped;  // one body's sparse matrices on the rows where it is the slave
 
-  std::span<const std::unique_ptr<mechanics::Body>> bodies_;
+  std::span<mechanics::FactoredBody> bodies_;
   const std::vector<BodyRows>& rows_;
   Eigen::VectorXd diagonal_;
   std::vector<Lumped> lumped_;

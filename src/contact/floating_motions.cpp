@@ -55,11 +55,11 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
 
 }  // namespace
 
-FloatingMotions::FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs) : bodies_(bodies) {
+FloatingMotions::FloatingMotions(Bodies bodies, std::span<const Pair> pairs) : bodies_(bodies) {
   std::size_t n_motions = 0;
   for (const auto& body : bodies) {
     first_.push_back(n_motions);
-    n_motions += body->free_motions().size();
+    n_motions += body.free_motions().size();
   }
   const auto n = static_cast<Eigen::Index>(n_motions);
   rates_.setZero(n, n);
@@ -78,21 +78,21 @@ FloatingMotions::FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs) 
   Eigen::MatrixXd rates(n_rows, n);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     rates.middleCols(static_cast<Eigen::Index>(first_[b]),
-                     static_cast<Eigen::Index>(bodies[b]->free_motions().size())) = scale.asDiagonal() * gaps(b, pairs);
+                     static_cast<Eigen::Index>(bodies[b].free_motions().size())) = scale.asDiagonal() * gaps(b, pairs);
   if (n_rows > 0) rates_.topRows(std::min<Eigen::Index>(n_rows, n)) = linalg::triangular_factor(rates);
   idle_ = readable_basis(combinations_below(idle_rate, &held_));
 }
 
-void FloatingMotions::require_contact(const std::vector<Pair>& pairs) const {
+void FloatingMotions::require_contact(std::span<const Pair> pairs) const {
   std::string unheld;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const bool in_contact = std::any_of(
         pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.slave_body == b || pair.master_body == b; });
-    if (in_contact || bodies_[b]->free_motions().empty()) continue;
+    if (in_contact || bodies_[b].free_motions().empty()) continue;
     std::string list;
-    for (const FreeMotion& motion : bodies_[b]->free_motions()) list += (list.empty() ? "" : ", ") + motion.description;
+    for (const FreeMotion& motion : bodies_[b].free_motions()) list += (list.empty() ? "" : ", ") + motion.description;
     unheld += fmt::format("{}body '{}' can move freely: {}; add supports, or a contact that holds it",
-                          unheld.empty() ? "" : "\n", bodies_[b]->name(), list);
+                          unheld.empty() ? "" : "\n", bodies_[b].name(), list);
   }
   if (!unheld.empty()) throw ModelError(unheld);
 }
@@ -104,8 +104,8 @@ Eigen::MatrixXd FloatingMotions::combinations_below(double limit, Eigen::MatrixX
   return vectors.rightCols(rates_.cols() - above);
 }
 
-Eigen::MatrixXd FloatingMotions::gaps(std::size_t body, const std::vector<Pair>& pairs) const {
-  const auto& motions = bodies_[body]->free_motions();
+Eigen::MatrixXd FloatingMotions::gaps(std::size_t body, std::span<const Pair> pairs) const {
+  const auto& motions = bodies_[body].free_motions();
   int n_rows = 0;
   for (const Pair& pair : pairs) n_rows += pair.coupling.n_rows();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_rows, static_cast<Eigen::Index>(motions.size()));
@@ -121,19 +121,19 @@ Eigen::MatrixXd FloatingMotions::gaps(std::size_t body, const std::vector<Pair>&
 std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
   std::string text;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const auto& motions = bodies_[b]->free_motions();
+    const auto& motions = bodies_[b].free_motions();
     Eigen::VectorXd own = amplitudes.segment(static_cast<Eigen::Index>(first_[b]), std::ssize(motions));
     own = (own.array().abs() > no_part * amplitudes.cwiseAbs().maxCoeff()).select(own, 0.0);
     if (own.size() == 0 || own.isZero(0)) continue;
     std::string words;
     if (const auto rigid = rigid_part(motions, own)) {
-      words = rigid->tidied(size_of(*bodies_[b])).describe();
+      words = rigid->tidied(size_of(bodies_[b])).describe();
     } else {
       for (std::size_t j = 0; j < motions.size(); ++j)
         if (own[static_cast<Eigen::Index>(j)] != 0 && words.find(motions[j].description) == std::string::npos)
           words += (words.empty() ? "" : " with ") + motions[j].description;
     }
-    text += fmt::format("{}body '{}': {}", text.empty() ? "" : " and ", bodies_[b]->name(), words);
+    text += fmt::format("{}body '{}': {}", text.empty() ? "" : " and ", bodies_[b].name(), words);
   }
   return text;
 }
@@ -147,7 +147,7 @@ std::vector<std::string> FloatingMotions::describe_idle() const {
   return result;
 }
 
-std::vector<std::vector<RigidMotion>> FloatingMotions::sliding(const std::vector<Pair>& pairs) const {
+std::vector<std::vector<RigidMotion>> FloatingMotions::sliding(std::span<const Pair> pairs) const {
   std::vector<std::vector<RigidMotion>> result(pairs.size());
   if (size() == 0) return result;
   const Eigen::MatrixXd combinations = combinations_below(sliding_rate, nullptr);
@@ -155,7 +155,7 @@ std::vector<std::vector<RigidMotion>> FloatingMotions::sliding(const std::vector
   for (std::size_t p = 0; p < pairs.size(); ++p)
     for (Eigen::Index j = 0; j < combinations.cols(); ++j) {
       const auto part = [&](std::size_t b) {
-        const auto& motions = bodies_[b]->free_motions();
+        const auto& motions = bodies_[b].free_motions();
         return rigid_part(motions,
                           combinations.col(j).segment(static_cast<Eigen::Index>(first_[b]), std::ssize(motions)));
       };

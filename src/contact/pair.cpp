@@ -21,7 +21,7 @@ int number_rows(std::vector<Pair>& pairs) {
   return n_rows;
 }
 
-RowMatrix body_rows(const std::vector<Pair>& pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows) {
+RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows) {
   rows.clear();
   std::vector<Eigen::Triplet<double>> triplets;
   for (const Pair& pair : pairs) {

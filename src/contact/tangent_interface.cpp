@@ -3,7 +3,7 @@
 namespace creepcontact::contact {
 
 TangentInterface::TangentInterface(const CondensedInterface& interface,
-                                   std::span<const linalg::SupernodalCholesky* const> factors, double elastic_scale)
+                                   std::span<const linalg::StiffnessSolver* const> factors, double elastic_scale)
     : interface_(interface), condensed_(factors.size()), frozen_(problem_) {
   const ContactProblem& elastic = interface.problem();
   problem_.slave_body = elastic.slave_body;

@@ -144,8 +144,14 @@ SupernodalCholesky::SupernodalCholesky(const SparseMatrix& lower, std::span<cons
 
 SupernodalCholesky::SupernodalCholesky(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-SupernodalCholesky SupernodalCholesky::same_pattern() const {
-  return SupernodalCholesky(std::make_unique<Impl>(*impl_));
+std::unique_ptr<StiffnessSolver> SupernodalCholesky::same_pattern() const {
+  return std::unique_ptr<StiffnessSolver>(new SupernodalCholesky(std::make_unique<Impl>(*impl_)));
+}
+
+std::unique_ptr<StiffnessSolver> default_stiffness_solver(const SparseMatrix& lower,
+                                                          std::span<const std::int64_t> block_of,
+                                                          std::span<const std::int64_t> trailing) {
+  return std::make_unique<SupernodalCholesky>(lower, block_of, trailing);
 }
 
 SupernodalCholesky::~SupernodalCholesky() = default;

@@ -8,6 +8,17 @@
 #include "node_entries.hpp"
 
 namespace creepcontact::mechanics {
+namespace {
+
+/// Work space of the calling thread; the loops overwrite all of it.
+std::span<double> work_space(std::size_t n) {
+  thread_local std::vector<double> space;
+  if (space.size() < n) space.resize(n);
+  return std::span(space).first(n);
+}
+
+}  // namespace
+
 Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.size()), nodes_(mesh.nodes) {
   std::vector<std::int64_t> node_of_entry;
   for (const mesh::CellBlock& cells : mesh.blocks) {
@@ -23,7 +34,7 @@ Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.siz
       for (std::size_t p = 0; p < block.n_points(); ++p) coordinates_.push_back(block.point(e, p, mesh.nodes));
   }
   if (blocks_.empty()) throw ModelError("the mesh has no volume elements");
-  element_forces_.resize(3 * node_of_entry.size());
+  n_entries_ = node_of_entry.size();
   entries_ = std::make_shared<NodeEntries>(n_nodes_, node_of_entry);
   if (std::ranges::any_of(blocks_, [](const auto& block) { return LinearReconstruction::serves(block->type()); }))
     reconstruction_ = std::make_shared<LinearReconstruction>(
@@ -83,14 +94,16 @@ void Discretization::stress(std::span<const double> u, const ElasticState& elast
 }
 
 void Discretization::add_internal_force(std::span<const double> stress, std::span<double> forces) const {
-  for (const auto& block : blocks_) block->internal_force(stress, element_forces_);
-  gather(forces);
+  const std::span<double> element_forces = work_space(3 * n_entries_);
+  for (const auto& block : blocks_) block->internal_force(stress, element_forces);
+  gather(element_forces, forces);
 }
 
 void Discretization::add_initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
                                               std::span<double> forces) const {
-  for (const auto& block : blocks_) block->initial_strain_force(elastic, creep, element_forces_);
-  gather(forces);
+  const std::span<double> element_forces = work_space(3 * n_entries_);
+  for (const auto& block : blocks_) block->initial_strain_force(elastic, creep, element_forces);
+  gather(element_forces, forces);
 }
 
 void Discretization::tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
@@ -100,22 +113,24 @@ void Discretization::tangent_strain(std::span<const double> u, std::span<const M
 
 void Discretization::add_initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
                                               std::span<double> forces) const {
-  for (const auto& block : blocks_) block->initial_stress_force(moduli, initial_stress, element_forces_);
-  gather(forces);
+  const std::span<double> element_forces = work_space(3 * n_entries_);
+  for (const auto& block : blocks_) block->initial_stress_force(moduli, initial_stress, element_forces);
+  gather(element_forces, forces);
 }
 
 void Discretization::add_body_force(std::span<const Vector3> force_density, std::span<double> forces) const {
   const std::span<double> inner = forces.subspan(3 * n_nodes_);
-  for (const auto& block : blocks_) block->body_force(force_density, element_forces_, inner);
-  gather(forces);
+  const std::span<double> element_forces = work_space(3 * n_entries_);
+  for (const auto& block : blocks_) block->body_force(force_density, element_forces, inner);
+  gather(element_forces, forces);
 }
 
-void Discretization::gather(std::span<double> forces) const {
+void Discretization::gather(std::span<const double> element_forces, std::span<double> forces) const {
 #pragma omp parallel for schedule(static) if (n_nodes_ >= parallel_threshold)
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     double x = 0, y = 0, z = 0;
     for (const std::size_t entry : entries_->of(node)) {
-      const double* force = element_forces_.data() + 3 * entry;
+      const double* force = element_forces.data() + 3 * entry;
       x += force[0];
       y += force[1];
       z += force[2];

@@ -1,7 +1,7 @@
 #pragma once
 /// Weak stiffness against the motions that the reduced integration of hex20 does not see (hourglass modes).
 
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::mechanics {

@@ -5,12 +5,6 @@
 
 namespace creepcontact::mechanics {
 
-/// The nodes that a load acts on, with their forces: 3 numbers a node.
-struct NodalForces {
-  std::vector<std::int64_t> nodes;
-  std::vector<double> values;
-};
-
 /// Integral of N^T (field f) over the loaded domain, for a function f.
 class SpatialIntegral {
  public:
@@ -24,23 +18,22 @@ class SpatialIntegral {
 class SeparatedLoad final : public Load {
  public:
   SeparatedLoad(std::unique_ptr<SpatialIntegral> integral, Function f, Function factor = 1.0, int power = 1);
-  void add(double t, std::span<double> forces) override;
+  void add(double t, std::span<double> forces) const override;
 
  private:
-  void integrate(const Function& f, double t);
+  std::vector<double> integrate(const Function& f, double t) const;
 
   std::unique_ptr<SpatialIntegral> integral_;
   Function f_, factor_;
   int power_;
-  NodalForces forces_;  // of f at integrated_at_, or of 1 where f does not depend on place
-  double integrated_at_ = 0;
+  std::vector<double> steady_;  // of f, or of 1 where f does not depend on place; empty if f mixes place and time
 };
 
 /// Sum of loads, one a component of a vector.
 class SumOfLoads final : public Load {
  public:
   explicit SumOfLoads(std::vector<std::unique_ptr<Load>> parts) : parts_(std::move(parts)) {}
-  void add(double t, std::span<double> forces) override {
+  void add(double t, std::span<double> forces) const override {
     for (const auto& part : parts_) part->add(t, forces);
   }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
 #include "creepcontact/base/checksum.hpp"
 #include "creepcontact/mechanics/scattered_interpolation.hpp"
@@ -14,7 +13,7 @@ namespace creepcontact::mechanics {
 struct TemperatureField::Definition {
   virtual ~Definition() = default;
   virtual double value(const Arguments& at) const = 0;
-  virtual std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const = 0;
+  virtual std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const = 0;
   bool place = true, time = true;  // whether it depends on them
   virtual std::vector<double> breakpoints(double end) const = 0;
   virtual double distance_outside(const Vector3& /*place*/) const { return 0; }
@@ -28,7 +27,7 @@ class FunctionAtPlaces final : public TemperatureAtPlaces {
   FunctionAtPlaces(Function function, std::span<const Vector3> places)
       : function_(std::move(function)), places_(places.begin(), places.end()) {}
 
-  void evaluate(double t, std::span<double> values) override {
+  void evaluate(double t, std::span<double> values, TemperatureMemo& /*memo*/) const override {
     if (!function_.depends_on_place()) return std::fill(values.begin(), values.end(), function_({.t = t}));
     for (std::size_t p = 0; p < places_.size(); ++p)
       values[p] = function_({.x = places_[p][0], .y = places_[p][1], .z = places_[p][2], .t = t});
@@ -46,7 +45,7 @@ struct OfFunction final : TemperatureField::Definition {
     text = function.text();
   }
   double value(const Arguments& at) const override { return function(at); }
-  std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
+  std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
     return std::make_unique<FunctionAtPlaces>(function, places);
   }
   std::vector<double> breakpoints(double end) const override { return function.breakpoints(end); }
@@ -89,21 +88,17 @@ class ScatteredAtPlaces final : public TemperatureAtPlaces {
       weights_[static_cast<std::size_t>(p)] = field_->interpolation.weights(places[static_cast<std::size_t>(p)]);
   }
 
-  void evaluate(double t, std::span<double> values) override {
+  void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const override {
     const Moment at = moment(field_->given.times, t);
-    interpolate(at.before, before_);
-    if (at.weight > 0) interpolate(at.after, after_);
+    interpolate(at.before, memo.before);
+    if (at.weight > 0) interpolate(at.after, memo.after);
     for (std::size_t p = 0; p < values.size(); ++p)
-      values[p] =
-          at.weight > 0 ? (1 - at.weight) * before_.values[p] + at.weight * after_.values[p] : before_.values[p];
+      values[p] = at.weight > 0 ? (1 - at.weight) * memo.before.values[p] + at.weight * memo.after.values[p]
+                                : memo.before.values[p];
   }
 
  private:
-  struct Kept {
-    std::optional<std::size_t> time;
-    std::vector<double> values;
-  };
-  void interpolate(std::size_t time, Kept& kept) const {
+  void interpolate(std::size_t time, TemperatureMemo::AtTime& kept) const {
     if (kept.time == time) return;
     kept.values.resize(weights_.size());
     for (std::size_t p = 0; p < weights_.size(); ++p)
@@ -113,7 +108,6 @@ class ScatteredAtPlaces final : public TemperatureAtPlaces {
 
   std::shared_ptr<const Scattered> field_;
   std::vector<std::vector<PointWeight>> weights_;
-  Kept before_, after_;  // of the interval that the last time was in
 };
 
 struct OfPoints final : TemperatureField::Definition {
@@ -133,7 +127,7 @@ struct OfPoints final : TemperatureField::Definition {
     const double before = weighted(weights, field->given.values[now.before]);
     return before + now.weight * (weighted(weights, field->given.values[now.after]) - before);
   }
-  std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
+  std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
     return std::make_unique<ScatteredAtPlaces>(field, places);
   }
   std::vector<double> breakpoints(double end) const override {
@@ -158,7 +152,7 @@ TemperatureField::TemperatureField(ScatteredTemperatures given)
 double TemperatureField::operator()(const Arguments& at) const {
   return definition_->value(at);
 }
-std::unique_ptr<TemperatureAtPlaces> TemperatureField::at(std::span<const Vector3> places) const {
+std::unique_ptr<const TemperatureAtPlaces> TemperatureField::at(std::span<const Vector3> places) const {
   return definition_->at(places);
 }
 bool TemperatureField::depends_on_place() const {

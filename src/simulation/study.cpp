@@ -14,7 +14,7 @@
 #include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/replace_file.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 #include "directory_lock.hpp"
 #include "study_errors.hpp"
 #include "study_execution.hpp"

@@ -21,7 +21,7 @@
 #include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/io/replace_file.hpp"
 #include "creepcontact/io/summary.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::simulation {
 namespace {

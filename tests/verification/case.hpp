@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/simulation/run.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/run/run.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::test {
 

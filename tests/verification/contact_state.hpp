@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "creepcontact/simulation/probes.hpp"
+#include "creepcontact/results/probes.hpp"
 #include "verification/case.hpp"
 
 namespace creepcontact::test {

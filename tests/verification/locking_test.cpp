@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "creepcontact/material/registry.hpp"
-#include "creepcontact/simulation/model.hpp"
-#include "creepcontact/simulation/snapshot.hpp"
+#include "creepcontact/model/model.hpp"
+#include "creepcontact/results/snapshot.hpp"
 #include "unit/mechanics/meshes.hpp"
 #include "unit/mechanics/solve.hpp"
 #include "verification/case.hpp"

@@ -6,8 +6,8 @@
 
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/ode/integrator.hpp"
-#include "creepcontact/simulation/creep_rate.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::test {
 

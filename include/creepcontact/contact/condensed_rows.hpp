@@ -6,7 +6,7 @@
 #include <span>
 
 #include "creepcontact/contact/pair.hpp"
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 
 namespace creepcontact::contact {
 
@@ -16,7 +16,7 @@ class CondensedRows {
   /// @param rows      B on all free unknowns, with entries at the trailing ones alone
   /// @param trailing  those of the factor. Cost: trailing.size()^2 x rows.rows() operations.
   CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing,
-                const linalg::SupernodalCholesky& factor);
+                const linalg::StiffnessSolver& factor);
 
   Eigen::MatrixXd flexibility() const { return traces_.transpose() * traces_; }
   /// @param y  of all free unknowns

@@ -3,7 +3,6 @@
 /// close gaps are held by contact; the idle ones (a ring turning on its shaft without friction) are held by nothing and
 /// must not be loaded.
 
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,14 +14,14 @@ namespace creepcontact::contact {
 
 class FloatingMotions {
  public:
-  using Bodies = std::span<const std::unique_ptr<mechanics::Body>>;
+  using Bodies = std::span<const mechanics::Body>;
 
   /// @param bodies  must outlive the object
   /// Cost: sparse products with the contact rows, and the singular values of n_rows x n_motions.
-  FloatingMotions(Bodies bodies, const std::vector<Pair>& pairs);
+  FloatingMotions(Bodies bodies, std::span<const Pair> pairs);
 
   /// @throws ModelError naming the bodies that can move and are in no contact
-  void require_contact(const std::vector<Pair>& pairs) const;
+  void require_contact(std::span<const Pair> pairs) const;
 
   /// Free motions of all bodies, body after body.
   int size() const { return static_cast<int>(held_.rows()); }
@@ -31,7 +30,7 @@ class FloatingMotions {
   const Eigen::MatrixXd& held() const { return held_; }
   const Eigen::MatrixXd& idle() const { return idle_; }
   /// Gaps that unit motions of one body open: contact rows of all pairs x motions of the body.
-  Eigen::MatrixXd gaps(std::size_t body, const std::vector<Pair>& pairs) const;
+  Eigen::MatrixXd gaps(std::size_t body, std::span<const Pair> pairs) const;
 
   /// "body 'ring': rotation about the axis (0, 0, 1) through (0, 0, 0)", bodies that move together joined by "and".
   std::string describe(const Eigen::VectorXd& amplitudes) const;
@@ -40,7 +39,7 @@ class FloatingMotions {
 
   /// Motions along which a pair would slide but for the facets of its meshes (gap rates below 0.3 %): their relative
   /// motions, one list a pair. A coupling made anew with these normals leaves them idle exactly.
-  std::vector<std::vector<mechanics::RigidMotion>> sliding(const std::vector<Pair>& pairs) const;
+  std::vector<std::vector<mechanics::RigidMotion>> sliding(std::span<const Pair> pairs) const;
 
  private:
   Eigen::MatrixXd combinations_below(double limit, Eigen::MatrixXd* others) const;

@@ -17,6 +17,8 @@ struct Iteration {
 class IterationRecorder {
  public:
   virtual ~IterationRecorder() = default;
+  /// The iterations to come belong to a new contact problem.
+  virtual void begin_solve(double time) = 0;
   virtual void record(const Iteration& iteration) = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Two surfaces in contact, by bodies.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,6 @@ struct Pair {
 int number_rows(std::vector<Pair>& pairs);
 
 /// The contact rows of one body, those of all pairs stacked; `rows` receives their numbers.
-RowMatrix body_rows(const std::vector<Pair>& pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows);
+RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows);
 
 }  // namespace creepcontact::contact

@@ -19,7 +19,7 @@ class TangentInterface {
   ///                   its elastic stiffness
   /// @param elastic_scale  what the flexibilities of the interface are multiplied with for bodies without a factor
   /// Cost: n_trailing^2 x n_rows operations a factor.
-  TangentInterface(const CondensedInterface& interface, std::span<const linalg::SupernodalCholesky* const> factors,
+  TangentInterface(const CondensedInterface& interface, std::span<const linalg::StiffnessSolver* const> factors,
                    double elastic_scale = 1);
   TangentInterface(const TangentInterface&) = delete;
   TangentInterface& operator=(const TangentInterface&) = delete;

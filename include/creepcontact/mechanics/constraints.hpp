@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::mechanics {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/material/material.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
@@ -40,8 +40,7 @@ struct ElasticState {
 /// tet10 and wedge15 have an inner displacement besides (fem/bubble.hpp), which is eliminated element by element: a
 /// displacement u stands for the nodal one, and stress and strain contain the inner one in equilibrium with it.
 ///
-/// The loops run on all cores; results are bitwise the same for any number of threads. The functions that add nodal
-/// forces share a buffer: not safe for two threads on one object.
+/// The loops run on all cores; results are bitwise the same for any number of threads. Immutable.
 class Discretization {
  public:
   /// Takes the volume cells of the mesh, block by block; cells of lower dimension are ignored.
@@ -116,7 +115,8 @@ class Discretization {
   std::size_t element_of_entry(std::size_t entry) const;
   template <typename Moduli>
   linalg::SparseMatrix assemble(const Moduli& moduli) const;
-  void gather(std::span<double> forces) const;
+  /// forces += the sums at the nodes. @param element_forces  3 per (element, local node)
+  void gather(std::span<const double> element_forces, std::span<double> forces) const;
   /// Means at the nodes of what the elements say. @param values  of (block, element) gives n_nodes x width
   template <typename Values>
   void average_at_nodes(std::size_t width, std::span<double> node_values, const Values& values) const;
@@ -128,7 +128,7 @@ class Discretization {
   std::vector<Vector3> nodes_;
   std::vector<Vector3> coordinates_;
   std::vector<double> weights_;
-  mutable std::vector<double> element_forces_;  // of every (element, local node), before they are summed at the nodes
+  std::size_t n_entries_ = 0;  // (element, local node)
 };
 
 }  // namespace creepcontact::mechanics

@@ -13,11 +13,12 @@
 
 namespace creepcontact::mechanics {
 
+/// Immutable.
 class Load {
  public:
   virtual ~Load() = default;
   /// forces += F(t), 3 (n_nodes + n_inner) of the discretization: only loads on the volume act on inner displacements
-  virtual void add(double t, std::span<double> forces) = 0;
+  virtual void add(double t, std::span<double> forces) const = 0;
 };
 
 /// Pressure on faces, positive towards the body. @param pressure of x, y, z, t

@@ -2,6 +2,7 @@
 /// A temperature of place and time: a function of the user's, or values at scattered points at one or several times.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,12 +19,22 @@ struct ScatteredTemperatures {
   std::vector<std::vector<double>> values;  ///< one list a time, a value a point
 };
 
-/// Temperatures at places that were chosen once, so that what depends on the places alone is done once.
+/// Temperatures interpolated to places at the two given times around the last evaluation. Owned by whoever evaluates;
+/// it changes the cost of an evaluation, not its value.
+struct TemperatureMemo {
+  struct AtTime {
+    std::optional<std::size_t> time;  ///< index of the given time
+    std::vector<double> values;       ///< one per place
+  };
+  AtTime before, after;
+};
+
+/// Temperatures at places that were chosen once, so that what depends on the places alone is done once. Immutable.
 class TemperatureAtPlaces {
  public:
   virtual ~TemperatureAtPlaces() = default;
-  /// @param values  one a place
-  virtual void evaluate(double t, std::span<double> values) = 0;
+  /// @param values  one per place
+  virtual void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const = 0;
 };
 
 /// Value semantics; copies share the immutable definition.
@@ -35,7 +46,7 @@ class TemperatureField {
   explicit TemperatureField(ScatteredTemperatures given);
 
   double operator()(const Arguments& at) const;
-  std::unique_ptr<TemperatureAtPlaces> at(std::span<const Vector3> places) const;
+  std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const;
 
   bool depends_on_place() const;
   bool depends_on_time() const;

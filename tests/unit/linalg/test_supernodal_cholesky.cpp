@@ -163,21 +163,21 @@ TEST(SupernodalCholesky, gives_a_second_solver_without_analysis) {
   Problem problem = testing::grid(5);
   const Indices trailing{40, 4, 14};
   std::optional<SupernodalCholesky> first(std::in_place, problem.lower, problem.node_of, trailing);
-  SupernodalCholesky second = first->same_pattern();  // of an analysis ...
+  const auto second = first->same_pattern();  // of an analysis ...
   first->factorize(problem.lower);
-  SupernodalCholesky third = first->same_pattern();  // ... and of a factor
+  const auto third = first->same_pattern();  // ... and of a factor
   const Eigen::VectorXd b = testing::random_vector(first->size(), 1), x = testing::solve(*first, b);
   const Eigen::MatrixXd l22 = first->trailing_factor();
   problem.lower *= 2.0;
-  second.factorize(problem.lower);
+  second->factorize(problem.lower);
   problem.lower *= 2.0;
-  third.factorize(problem.lower);
+  third->factorize(problem.lower);
   EXPECT_EQ(testing::solve(*first, b), x) << "the first one stays as it is";
   first.reset();
-  EXPECT_LT((testing::solve(second, b) - 0.5 * x).norm(), 1e-14 * x.norm());
-  EXPECT_LT((testing::solve(third, b) - 0.25 * x).norm(), 1e-14 * x.norm());
-  EXPECT_LT((third.trailing_factor() - 2.0 * l22).norm(), 1e-13 * l22.norm());
-  EXPECT_EQ(third.trailing_size(), std::ssize(trailing));
+  EXPECT_LT((testing::solve(*second, b) - 0.5 * x).norm(), 1e-14 * x.norm());
+  EXPECT_LT((testing::solve(*third, b) - 0.25 * x).norm(), 1e-14 * x.norm());
+  EXPECT_LT((third->trailing_factor() - 2.0 * l22).norm(), 1e-13 * l22.norm());
+  EXPECT_EQ(third->trailing_size(), std::ssize(trailing));
 }
 
 TEST(SupernodalCholesky, moves) {

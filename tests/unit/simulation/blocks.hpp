@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/simulation/creep_rate.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
+#include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 #include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::simulation::test {

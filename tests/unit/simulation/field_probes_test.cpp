@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/simulation/quantities.hpp"
+#include "creepcontact/results/quantities.hpp"
 #include "probing.hpp"
 
 namespace creepcontact::simulation::test {

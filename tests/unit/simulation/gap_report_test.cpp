@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "blocks.hpp"
-#include "creepcontact/simulation/check.hpp"
+#include "creepcontact/run/check.hpp"
 
 namespace creepcontact::simulation::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "creepcontact/simulation/material_points.hpp"
+#include "creepcontact/creep/material_points.hpp"
 
 #include <random>
 

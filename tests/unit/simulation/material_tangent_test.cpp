@@ -1,5 +1,5 @@
 /// The point-wise elimination of the state from Newton systems, for laws with variables of their own too.
-#include "creepcontact/simulation/material_tangent.hpp"
+#include "creepcontact/creep/material_tangent.hpp"
 
 #include <gtest/gtest.h>
 

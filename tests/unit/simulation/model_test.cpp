@@ -1,10 +1,10 @@
-#include "creepcontact/simulation/model.hpp"
+#include "creepcontact/model/model.hpp"
 
 #include <sstream>
 
 #include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/simulation/check.hpp"
+#include "creepcontact/run/check.hpp"
 
 namespace creepcontact::simulation::test {
 namespace {

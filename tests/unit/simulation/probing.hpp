@@ -5,7 +5,7 @@
 #include <string>
 
 #include "blocks.hpp"
-#include "creepcontact/simulation/probes.hpp"
+#include "creepcontact/results/probes.hpp"
 
 namespace creepcontact::simulation::test {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "blocks.hpp"
-#include "creepcontact/simulation/run.hpp"
+#include "creepcontact/run/run.hpp"
 
 namespace creepcontact::simulation::test {
 

@@ -5,7 +5,7 @@
 
 #include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/simulation/run.hpp"
+#include "creepcontact/run/run.hpp"
 #include "running.hpp"
 
 namespace creepcontact::simulation::test {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "creepcontact/simulation/check.hpp"
+#include "creepcontact/run/check.hpp"
 #include "running.hpp"
 
 namespace creepcontact::simulation::test {

@@ -1,0 +1,43 @@
+#pragma once
+/// What a Newton system (I - gamma J) z = r of the creep rate asks of the material points of one body. With the laws
+/// linearised, d(rate) = A d(state) + C d(stress), every point's own part of the system reads
+///   M z - gamma C ds = r,   M = I - gamma A,   ds = H (B du - z_c)        (z_c: the creep strain in z)
+/// so that z = M^-1 r + N ds with N = gamma M^-1 C, and
+///   ds = D (B du - e),   D = (H^-1 + N_c)^-1,   e = (M^-1 r)_c.
+/// What is left is an elastic-like problem for du with the moduli D and the initial strain e.
+
+#include <span>
+#include <vector>
+
+#include "creepcontact/creep/material_points.hpp"
+
+namespace creepcontact::creep {
+
+class MaterialTangent {
+ public:
+  /// @param points  of a body that creeps; must outlive the object
+  explicit MaterialTangent(const MaterialPoints& points);
+
+  /// Linearises the laws here. Cost: stride + 6 derivatives of the laws per point.
+  void prepare(double gamma, const PointsState& at);
+  /// D of every point, made symmetric where a law with variables of its own gives one that is not: the Newton iteration
+  /// then converges linearly.
+  std::span<const Matrix6> moduli() const { return moduli_; }
+
+  /// stress = D e
+  void initial_stress(const double* r, std::span<double> stress) const;
+  /// z from the solution. @param strain  B du, n_points x 6; empty: du = 0, every point for itself
+  void solution(const double* r, std::span<const double> strain, double* z) const;
+
+ private:
+  struct Work;
+  Eigen::Map<const Eigen::MatrixXd> eliminated_at(std::size_t p) const;
+  void prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work);
+
+  const MaterialPoints& points_;
+  std::size_t n_points_, stride_;
+  std::vector<Matrix6> moduli_;
+  std::vector<double> eliminated_;  // [M^-1, N] of every point, stride x (stride + 6) by columns
+};
+
+}  // namespace creepcontact::creep

@@ -1,0 +1,45 @@
+#include "creepcontact/creep/assembly.hpp"
+
+#include <algorithm>
+
+namespace creepcontact::creep {
+namespace {
+
+std::vector<contact::Pair> numbered(std::vector<contact::Pair> pairs) {
+  contact::number_rows(pairs);
+  return pairs;
+}
+
+}  // namespace
+
+Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake)
+    : bodies_(std::move(bodies)), pairs_(numbered(std::move(pairs))), floating_(bodies_, pairs_) {
+  if (!remake) return;
+  const auto sliding = floating_.sliding(pairs_);
+  bool remade = false;
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (sliding[p].empty() || pairs_[p].ties_nodes()) continue;
+    pairs_[p] = remake(bodies_, p, sliding[p]);
+    remade = true;
+  }
+  if (!remade) return;
+  contact::number_rows(pairs_);
+  floating_ = contact::FloatingMotions(bodies_, pairs_);
+}
+
+bool Assembly::creeps() const {
+  return std::ranges::any_of(bodies_, [](const mechanics::Body& body) { return body.material().creeps(); });
+}
+
+void Assembly::update(double t, std::vector<mechanics::BodyConditions>& conditions) const {
+  conditions.resize(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].update(t, conditions[b]);
+}
+
+std::vector<mechanics::BodyConditions> Assembly::at(double t) const {
+  std::vector<mechanics::BodyConditions> conditions;
+  update(t, conditions);
+  return conditions;
+}
+
+}  // namespace creepcontact::creep

@@ -1,0 +1,271 @@
+#include "creepcontact/creep/creep_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+/// A preconditioner need not follow every step: gamma may be off by this factor.
+constexpr double same_gamma = 1.25;
+/// Of the strain that the tolerance stands for: where hardening begins to count.
+constexpr double least_share = 0.3;
+
+/// Laws take a stress that is not a number for none, and a run would go on without creep.
+void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
+  for (std::size_t b = 0; b < at.bodies.size(); ++b) {
+    const std::vector<double>& stress = at.bodies[b].stress;
+    const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), static_cast<Eigen::Index>(stress.size())).sum();
+    if (!std::isfinite(sum))
+      throw ode::RecoverableError(
+          fmt::format("the stress of body '{}' has grown beyond all bounds at t = {:.6g}; take shorter steps, or an "
+                      "integrator with error control",
+                      assembly.bodies()[b].name(), at.time));
+  }
+}
+
+}  // namespace
+
+CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch)
+    : solver_(solver),
+      watch_(watch),
+      layout_(solver.assembly()),
+      scale_(solver.assembly(), survey.stress),
+      may_start_singular_(survey.singular_start),
+      history_(solver.new_history()) {
+  const std::vector<mechanics::Body>& bodies = solver.assembly().bodies();
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (layout_.stride(b) > 0)
+      points_.emplace_back(bodies[b], least_share * tolerance * scale_.values()[layout_.offset(b)]);
+    else
+      points_.emplace_back(bodies[b]);
+    preconditioners_.emplace_back(layout_.stride(b));
+  }
+  for (const MaterialPoints& points : points_)
+    local_.push_back(points.has_internal_variables() ? std::make_unique<MaterialTangent>(points) : nullptr);
+}
+
+CreepSystem::~CreepSystem() = default;
+
+void CreepSystem::begin_segment(double begin, double end) {
+  segment_begin_ = begin;
+  segment_end_ = end;
+}
+
+double CreepSystem::load_time(double t) const {
+  return std::max(std::min(t, just_before(segment_end_)), just_after(segment_begin_));
+}
+
+void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
+  into.valid = false;
+  into.time = t;
+  into.y.assign(y.begin(), y.end());
+  layout_.views(into.y, views_);
+  try {
+    solver_.solve(t, views_, history_, into.equilibrium);
+  } catch (const SolverError& error) {
+    throw ode::RecoverableError(error.what());
+  }
+  require_finite_stress(assembly(), into.equilibrium);
+  into.laws.resize(points_.size());
+  for (std::size_t b = 0; b < points_.size(); ++b) points_[b].update(into.equilibrium.conditions[b], into.laws[b]);
+  into.valid = true;
+}
+
+const Evaluation& CreepSystem::evaluate_step(double t, std::span<const double> y) {
+  t = load_time(t);
+  const auto is_here = [&](const Evaluation& of) { return of.valid && of.time == t && std::ranges::equal(of.y, y); };
+  if (is_here(step_)) return step_;
+  if (is_here(output_))
+    std::swap(step_, output_);
+  else
+    solve(t, y, step_);
+  return step_;
+}
+
+const Evaluation& CreepSystem::evaluate_output(double t, std::span<const double> y) {
+  t = load_time(t);
+  const auto is_here = [&](const Evaluation& of) { return of.valid && of.time == t && std::ranges::equal(of.y, y); };
+  if (is_here(step_)) return step_;
+  if (!is_here(output_)) solve(t, y, output_);
+  return output_;
+}
+
+void CreepSystem::forget_evaluations() {
+  step_.valid = output_.valid = false;
+}
+
+PointsState CreepSystem::points_state(std::size_t body, const Evaluation& at, const double* y) const {
+  return {at.laws[body], at.equilibrium.conditions[body].elastic(), at.equilibrium.bodies[body].stress,
+          y + layout_.offset(body)};
+}
+
+void CreepSystem::rate(double t, std::span<const double> y, std::span<double> rate) {
+  const Evaluation& at = evaluate_step(t, y);
+  ++rate_evaluations_;
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty()) points_[b].rate(points_state(b, at, y.data()), rate.data() + layout_.offset(b));
+  const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), static_cast<Eigen::Index>(rate.size())).sum();
+  if (!std::isfinite(sum)) throw ode::RecoverableError(describe_overflow(at, rate));
+}
+
+void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<const double> v,
+                                 std::span<double> product) {
+  const Evaluation& at = evaluate_step(t, y);
+  ++jacobian_products_;
+  layout_.views(v, views_);
+  solver_.linearized(at.equilibrium, views_, stress_change_);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      points_[b].derivative(points_state(b, at, y.data()), stress_change_[b], v.data() + layout_.offset(b),
+                            product.data() + layout_.offset(b));
+}
+
+void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
+  const Evaluation& at = evaluate_step(t, y);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty() && !local_[b]) preconditioners_[b].linearize(points_[b], points_state(b, at, y.data()));
+  local_gamma_ = 0;
+}
+
+void CreepSystem::precondition(double gamma, std::span<const double> r, std::span<double> z) {
+  const auto lap = watch_.lap(Part::material);
+  const bool prepared = gamma < same_gamma * local_gamma_ && local_gamma_ < same_gamma * gamma;
+  if (!prepared) local_gamma_ = gamma;
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    if (points_[b].empty()) continue;
+    const std::size_t offset = layout_.offset(b);
+    if (!local_[b]) {
+      preconditioners_[b].apply(gamma, r.data() + offset, z.data() + offset);
+      continue;
+    }
+    // Of the last evaluation, which may be nearer than the point prepared for.
+    if (!prepared) local_[b]->prepare(gamma, points_state(b, step_, step_.y.data()));
+    local_[b]->solution(r.data() + offset, {}, z.data() + offset);
+  }
+}
+
+void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {
+  const Evaluation& at = evaluate_step(t, y);
+  if (!tangent_) tangent_.emplace(solver_, points_, layout_, watch_);
+  std::vector<PointsState> states;
+  for (std::size_t b = 0; b < points_.size(); ++b) states.push_back(points_state(b, at, y.data()));
+  tangent_->prepare(gamma, states, at.equilibrium.stiffness_scale);
+}
+
+void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) {
+  tangent_->solve(step_.equilibrium.contact.active, r, z);
+}
+
+double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
+  double smallest = 1;
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      smallest = std::min(smallest, points_[b].start_exponent(t, points_state(b, at, at.y.data())));
+  return smallest;
+}
+
+double CreepSystem::start_exponent(double t, std::span<const double> y) {
+  return smallest_start_exponent(t, evaluate_step(t, y));
+}
+
+void CreepSystem::start_increment(double t, std::span<const double> y, double stress_time, double duration,
+                                  std::span<double> change) {
+  const Evaluation& at = evaluate_step(stress_time, y);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty())
+      points_[b].add_increment(t, duration, points_state(b, at, y.data()), change.data() + layout_.offset(b));
+}
+
+bool CreepSystem::knows(material::Measure measure) const {
+  return std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.knows(measure); });
+}
+
+std::vector<double> CreepSystem::measure(material::Measure of, std::size_t body, const Evaluation& at,
+                                         std::span<const double> y) const {
+  if (!points_[body].knows(of)) return {};
+  return points_[body].measure(of, points_state(body, at, y.data()));
+}
+
+std::optional<CreepSystem::Extreme> CreepSystem::largest(material::Measure of, std::size_t body, const Evaluation& at,
+                                                         std::span<const double> y) const {
+  const std::vector<double> values = measure(of, body, at, y);
+  if (values.empty()) return std::nullopt;
+  const auto largest = std::ranges::max_element(values);
+  const auto point = static_cast<std::size_t>(largest - values.begin());
+  return Extreme{*largest, body, assembly().bodies()[body].discretization().point_coordinates()[point]};
+}
+
+double CreepSystem::stable_step(double t, std::span<const double> y) {
+  return 2 * std::ranges::min(relaxation_times(evaluate_step(t, y)));
+}
+
+std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
+  std::vector<double> times;
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const double fastest = points_[b].empty() ? 0 : points_[b].stiffest_rate(points_state(b, at, at.y.data()));
+    times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
+  }
+  return times;
+}
+
+void CreepSystem::accept(double /*t*/, std::span<const double> /*y*/) {
+  solver_.accept(step_.equilibrium, history_);
+  const auto lap = watch_.lap(Part::material);
+  scale_.follow(step_.equilibrium);
+}
+
+void CreepSystem::save(Memory& memory) const {
+  solver_.save(history_, memory);
+  memory["strain_scale"] = scale_.strain();
+}
+
+void CreepSystem::restore(const Memory& memory) {
+  solver_.restore(memory, history_);
+  scale_.restore(memory.at("strain_scale"));
+}
+
+ode::System::Counters CreepSystem::counters() const {
+  const EquilibriumSolver::Counters elastic = solver_.counters();
+  Counters result;
+  result.rate_evaluations = rate_evaluations_;
+  result.jacobian_products = jacobian_products_;
+  result.elastic_solves = elastic.elastic_solves;
+  result.contact_solves = elastic.contact_solves;
+  result.schwarz_iterations = elastic.schwarz_iterations;
+  result.factorizations = elastic.factorizations;
+  if (tangent_) {
+    result.elastic_solves += tangent_->solves();
+    result.factorizations += tangent_->factorizations();
+  }
+  result.active_contacts = std::ssize(step_.equilibrium.contact.active);
+  return result;
+}
+
+std::string CreepSystem::describe_overflow(const Evaluation& at, std::span<const double> rate) const {
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const std::size_t stride = layout_.stride(b);
+    for (std::size_t p = 0; stride > 0 && p < points_[b].size(); ++p) {
+      const auto own = rate.subspan(layout_.offset(b) + p * stride, stride);
+      if (std::ranges::all_of(own, [](double value) { return std::isfinite(value); })) continue;
+      const mechanics::Body& body = assembly().bodies()[b];
+      const Vector3& x = body.discretization().point_coordinates()[p];
+      const Eigen::Map<const Tensor6> stress(at.equilibrium.bodies[b].stress.data() + 6 * p);
+      return fmt::format(
+          "the creep rate of material '{}' overflows, is negative or no number in body '{}' at ({:.6g}, {:.6g}, "
+          "{:.6g}), where the equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
+          body.material().name, body.name(), x.x(), x.y(), x.z(), tensor::von_mises(stress), at.time);
+    }
+  }
+  return "the creep rate overflows";
+}
+
+}  // namespace creepcontact::creep

@@ -1,0 +1,124 @@
+#include "creepcontact/creep/elastic_survey.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/creep/error_scale.hpp"
+#include "creepcontact/creep/material_points.hpp"
+#include "point_sums.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+// Jumps that differ by rounding alone count as one breakpoint: these times lie beyond all of them.
+constexpr double beside = 16 * std::numeric_limits<double>::epsilon();
+constexpr double most_creep = 1e12;  // of the elastic strain, over the run: no machine part lives through so much
+
+/// sigma : C sigma
+double elastic_work(const Tensor6& stress, const material::Moduli& moduli) {
+  const double trace = tensor::trace(stress);
+  return tensor::deviator(stress).squaredNorm() / (2 * moduli.mu) +
+         trace * trace / (3 * (3 * moduli.lambda + 2 * moduli.mu));
+}
+
+/// Creep until `end` at constant stress over the elastic strain.
+double creep_over_elastic_strain(const MaterialPoints& points, const PointsState& at, double end) {
+  std::vector<double> change(points.size() * points.stride(), 0.0);
+  points.add_increment(0, end, at, change.data());
+  const std::span<const double> weights = points.body().discretization().weights();
+  const auto stress = [&](std::size_t p) { return Eigen::Map<const Tensor6>(at.stress.data() + 6 * p); };
+  const double stored = sum_over_points(
+      points.size(), [&](std::size_t p) { return weights[p] * elastic_work(stress(p), at.elastic.at(p)); });
+  const double spent = sum_over_points(points.size(), [&](std::size_t p) {
+    return weights[p] * stress(p).dot(Eigen::Map<const Tensor6>(change.data() + p * points.stride()));
+  });
+  return spent / stored;
+}
+
+class Survey {
+ public:
+  Survey(EquilibriumSolver& solver, double end)
+      : solver_(solver), end_(end), no_creep_(solver.assembly().bodies().size()), history_(solver.new_history()) {
+    for (const mechanics::Body& body : solver.assembly().bodies()) points_.emplace_back(body);
+  }
+
+  ElasticSurvey at(const std::vector<double>& times) {
+    ElasticSurvey result{std::vector<double>(points_.size(), 0.0), false};
+    for (const double t : times) {
+      try {
+        solver_.solve(t, no_creep_, history_, equilibrium_);
+      } catch (const ModelError&) {
+        if (t == times.front()) throw;
+        continue;  // a load that lifts a body off later: the run goes on up to there
+      }
+      look_at_laws(result);
+      for (std::size_t b = 0; b < points_.size(); ++b)
+        result.stress[b] = std::max(result.stress[b], ErrorScale::typical(equilibrium_.bodies[b]));
+    }
+    return result;
+  }
+
+ private:
+  void look_at_laws(ElasticSurvey& result) const {
+    std::string mistakes;
+    for (std::size_t b = 0; b < points_.size(); ++b) {
+      const MaterialPoints& points = points_[b];
+      if (points.empty()) continue;
+      LawParameters laws;
+      points.update(equilibrium_.conditions[b], laws);
+      const std::vector<double> no_state(points.size() * points.stride(), 0.0);
+      const PointsState at{laws, equilibrium_.conditions[b].elastic(), equilibrium_.bodies[b].stress, no_state.data()};
+      result.singular_start = result.singular_start || points.start_exponent(0, at) < 1;
+      const double strains = creep_over_elastic_strain(points, at, end_);
+      if (!(strains > most_creep) || !std::isfinite(strains)) continue;
+      const mechanics::Body& body = points.body();
+      mistakes += fmt::format(
+          "{}body '{}' would relax in {:.1g} of the run: under its typical stress of {:.3g} at t = {:.6g}, material "
+          "'{}' creeps by {:.1g} times its elastic strain until time.end; check that young_modulus, the loads and the "
+          "creep constants are in the same units",
+          mistakes.empty() ? "" : "\n", body.name(), 1 / strains, ErrorScale::typical(equilibrium_.bodies[b]),
+          equilibrium_.time, body.material().name, strains);
+    }
+    if (!mistakes.empty()) throw ModelError(mistakes);
+  }
+
+  EquilibriumSolver& solver_;
+  double end_;
+  std::vector<mechanics::CreepStrainView> no_creep_;
+  History history_;
+  std::vector<MaterialPoints> points_;
+  Equilibrium equilibrium_;
+};
+
+}  // namespace
+
+double just_before(double t) {
+  return t * (1 - beside);
+}
+double just_after(double t) {
+  return t * (1 + beside);
+}
+
+ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector<double>& output_times,
+                                    const std::vector<double>& breakpoints) {
+  if (!solver.assembly().creeps()) return {};
+  const double end = output_times.back();
+  std::vector<double> times{0.0, end};
+  for (const double t : breakpoints)
+    if (t > 0 && t < end) times.insert(times.end(), {just_before(t), just_after(t)});
+  Survey survey(solver, end);
+  ElasticSurvey result = survey.at(times);
+  const auto is_zero = [](const ElasticSurvey& of) { return !(*std::ranges::max_element(of.stress) > 0); };
+  // Loads that vanish at all these times may still act in between.
+  if (is_zero(result)) result = survey.at(output_times);
+  if (is_zero(result))
+    throw ModelError(
+        "nothing loads the bodies: at no output time does any load, support, temperature or gap give stress");
+  return result;
+}
+
+}  // namespace creepcontact::creep

@@ -1,0 +1,232 @@
+/// The equilibrium of all bodies in contact with a stiffness that may be another than that of the factors.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "creepcontact/creep/equilibrium_solver.hpp"
+#include "point_sums.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+constexpr double exact = 1e-12;             // of the stiffness: rounding
+constexpr double stress_tolerance = 1e-10;  // of the stress in the body, energy norm: far below any integrator's
+constexpr double rounding = 1e-12;          // of the displacement, energy norm
+constexpr double stalled = 0.9;  // where an iteration changes more than this part of what the last did, it stands
+constexpr double farthest = 2;   // extrapolation, in steps
+constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
+
+/// Twice the elastic energy, integral sigma H^-1 sigma.
+double elastic_energy(const mechanics::Discretization& discretization, const mechanics::ElasticState& elastic,
+                      const std::vector<double>& stress) {
+  const std::span<const double> weights = discretization.weights();
+  return sum_over_points(stress.size() / 6, [&](std::size_t p) {
+    const Eigen::Map<const Tensor6> sigma(stress.data() + 6 * p);
+    const material::Moduli& h = elastic.at(p);
+    const double mean = tensor::trace(sigma) / 3;
+    const double deviatoric = (sigma.squaredNorm() - 3 * mean * mean) / (2 * h.mu);
+    return weights[p] * (deviatoric + mean * mean / (h.lambda + 2.0 / 3.0 * h.mu));
+  });
+}
+
+Eigen::Map<Eigen::VectorXd> vector(std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// What the last two accepted steps lead to. @param steps  with the factors in use, the last one first; not empty
+std::vector<FactoredDisplacement> extrapolated(double t, const std::vector<const History::Accepted*>& steps) {
+  std::vector<FactoredDisplacement> result = steps[0]->displacements;
+  if (steps.size() < 2) return result;
+  const double last = steps[0]->time, before = steps[1]->time;
+  // Steps that grow fast follow those after a jump, which tell little of what comes.
+  const double part = std::clamp((t - last) / (last - before), -1.0, farthest);
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    const FactoredDisplacement& old = steps[1]->displacements[b];
+    vector(result[b].factored) += part * (vector(result[b].factored) - vector(old.factored));
+    vector(result[b].free) += part * (vector(result[b].free) - vector(old.free));
+  }
+  return result;
+}
+
+/// Energy norms of an equilibrium.
+double displacement_norm(const Equilibrium& of) {
+  double sum = 0;
+  for (const FactoredDisplacement& displacement : of.displacements) sum += vector(displacement.factored).squaredNorm();
+  return std::sqrt(sum);
+}
+double stress_norm(const Assembly& assembly, const Equilibrium& of) {
+  double sum = 0;
+  for (std::size_t b = 0; b < of.bodies.size(); ++b)
+    sum += elastic_energy(assembly.bodies()[b].discretization(), of.conditions[b].elastic(), of.bodies[b].stress);
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+EquilibriumSolver::StiffnessChange EquilibriumSolver::stiffness_change(
+    const std::vector<mechanics::BodyConditions>& at) const {
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    const auto [low, high] = interface_.factored(b).stiffness_ratio(at[b]);
+    least = std::min(least, low);
+    largest = std::max(largest, high);
+  }
+  return {(least + largest) / 2, (largest - least) / (largest + least)};
+}
+
+void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>& at) {
+  const auto lap = watch_.lap(Part::factorize);
+  std::vector<std::size_t> changed;
+  for (std::size_t b = 0; b < work_.size(); ++b)
+    if (interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)) changed.push_back(b);
+  interface_.refactorize(changed, at);
+  contact_solver_->flexibility_changed();
+  frozen_.flexibility_changed();
+  counters_.factorizations += std::ssize(changed);
+  ++factors_;
+}
+
+void EquilibriumSolver::solve(double t, CreepStrains creep, const History& history, Equilibrium& into) {
+  into.time = t;
+  assembly_.update(t, into.conditions);
+  into.bodies.resize(work_.size());
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    const mechanics::Body& body = assembly_.bodies()[b];
+    into.bodies[b].displacement.resize(3 * body.mesh().nodes.size());
+    into.bodies[b].stress.resize(6 * body.discretization().n_points());
+  }
+  StiffnessChange change = stiffness_change(into.conditions);
+  if (change.rest > options_.refactor_change) {
+    refactorize(into.conditions);
+    change = {};
+  }
+  if (iterate(creep, history, change, into)) return;
+  refactorize(into.conditions);
+  iterate(creep, history, {}, into);
+}
+
+bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, const StiffnessChange& stiffness,
+                                Equilibrium& into) {
+  into.stiffness_scale = stiffness.scale;
+  into.factors = factors_;
+  const contact::InterfaceLoad given = start(creep, history, stiffness, into);
+  contact::ContactState from = history.contact;
+  from.multiplier /= stiffness.scale;
+  const double contraction = stiffness.rest / (1 - stiffness.rest);
+  double before = std::numeric_limits<double>::infinity();
+  while (true) {
+    const double change = advance(given, from, creep, into);
+    if (stiffness.rest <= exact) break;
+    const double size = displacement_norm(into);
+    if (contraction * change <= std::max(stress_tolerance * stress_norm(assembly_, into), rounding * size)) break;
+    if (change > stalled * before) {
+      if (change > good_if_stalled * size) return false;
+      break;
+    }
+    before = change;
+    from = into.contact;
+    leave_residual(into);
+  }
+  into.contact.multiplier *= stiffness.scale;
+  return true;
+}
+
+contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history,
+                                                const StiffnessChange& stiffness, Equilibrium& into) {
+  const auto lap = watch_.lap(Part::material);
+  contact::InterfaceLoad given = interface_.initial_load(into.time, into.conditions);
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    const mechanics::Body& body = assembly_.bodies()[b];
+    body.right_hand_side(into.conditions[b], creep[b], work_[b].right_hand_side);
+    body.clear_pins(work_[b].right_hand_side);
+    interface_.add_resultant(b, into.conditions[b], given);
+  }
+  given.work /= stiffness.scale;
+  given.force /= stiffness.scale;
+  into.displacements.clear();
+  if (!stiffness_changes_) return given;
+  std::vector<const History::Accepted*> steps;
+  for (const History::Accepted& step : history.accepted)
+    if (step.factors == factors_) steps.push_back(&step);
+  // If s K0 is all of the stiffness, the first solve is exact from anywhere.
+  if (stiffness.rest <= exact || steps.empty()) {
+    into.displacements.resize(work_.size());
+    return given;
+  }
+  into.displacements = extrapolated(into.time, steps);
+  for (std::size_t b = 0; b < work_.size(); ++b)
+    update_state(b, into.displacements[b].free, history.contact.rigid, creep[b], into);
+  leave_residual(into);
+  return given;
+}
+
+void EquilibriumSolver::update_state(std::size_t b, std::span<const double> free, const Eigen::VectorXd& rigid,
+                                     const mechanics::CreepStrainView& creep, Equilibrium& into) const {
+  const mechanics::Body& body = assembly_.bodies()[b];
+  const mechanics::BodyConditions& at = into.conditions[b];
+  BodyState& state = into.bodies[b];
+  body.constraints().expand(free, at.prescribed, state.displacement);
+  interface_.add_rigid_motion(b, rigid, state.displacement);
+  body.discretization().stress(state.displacement, at.elastic(), creep, state.stress);
+}
+
+void EquilibriumSolver::leave_residual(const Equilibrium& of) {
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    interface_.factored(b).residual(of.conditions[b], of.bodies[b].stress, of.displacements[b].free,
+                                    work_[b].right_hand_side);
+    assembly_.bodies()[b].clear_pins(work_[b].right_hand_side);
+  }
+}
+
+void EquilibriumSolver::solve_contact(const contact::InterfaceLoad& load, const contact::ContactState& from,
+                                      Equilibrium& into) {
+  const auto lap = watch_.lap(Part::contact);
+  if (recorder_ != nullptr) recorder_->begin_solve(load.time);
+  try {
+    contact::ContactResult result = contact_solver_->solve(interface_.contact_load(load), from);
+    counters_.schwarz_iterations += result.iterations;
+    ++counters_.contact_solves;
+    into.contact = std::move(result.state);
+    into.gaps = std::move(result.gap);
+  } catch (const contact::UnbalancedLoad& unbalanced) {
+    interface_.report(unbalanced, load.time);
+  }
+}
+
+double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const contact::ContactState& from,
+                                  CreepStrains creep, Equilibrium& into) {
+  forward();
+  contact::InterfaceLoad load = given;
+  {
+    const auto lap = watch_.lap(Part::contact);
+    for (std::size_t b = 0; b < work_.size(); ++b) {
+      auto y = vector(work_[b].factored);
+      if (into.stiffness_scale != 1) y /= into.stiffness_scale;
+      if (stiffness_changes_ && !into.displacements[b].factored.empty()) y += vector(into.displacements[b].factored);
+      interface_.add_trace(b, work_[b].factored, load.gap);
+    }
+  }
+  if (interface_.n_rows() > 0) solve_contact(load, from, into);
+  backward(into.contact.multiplier);
+  double change = 0;
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    if (stiffness_changes_) {
+      auto& [factored, free] = into.displacements[b];
+      factored.resize(work_[b].factored.size());  // zeros at the start from no displacement
+      change += (vector(work_[b].factored) - vector(factored)).squaredNorm();
+      factored = work_[b].factored;
+      free = work_[b].free;
+    }
+    update_state(b, work_[b].free, into.contact.rigid, creep[b], into);
+  }
+  ++counters_.elastic_solves;
+  return std::sqrt(change);
+}
+
+}  // namespace creepcontact::creep

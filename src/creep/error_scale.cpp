@@ -1,0 +1,67 @@
+#include "creepcontact/creep/error_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "point_sums.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+constexpr double least_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
+/// Of the largest stress that the loads give without creep: bodies that carry less are taken to be unloaded.
+constexpr double least_share_of_elastic = 1e-3;
+constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
+
+double young_modulus(const mechanics::BodyConditions& at) {
+  const material::Moduli& h = at.moduli.front();
+  return h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu);
+}
+
+}  // namespace
+
+ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress)
+    : assembly_(assembly), layout_(assembly), strain_(assembly.bodies().size(), 0.0), values_(layout_.size(), 1.0) {
+  if (elastic_stress.empty()) return;
+  const double largest = *std::ranges::max_element(elastic_stress);
+  least_ = least_share_of_elastic * largest;
+  for (std::size_t b = 0; b < strain_.size(); ++b)
+    set(b, std::max(elastic_stress[b], least_share_of_largest * largest) / young_modulus(assembly.bodies()[b].at(0)));
+}
+
+double ErrorScale::typical(const BodyState& state) {
+  const std::size_t n = state.stress.size() / 6;
+  const double sum = sum_over_points(n, [&](std::size_t p) {
+    const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
+    return q * q;
+  });
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+void ErrorScale::follow(const Equilibrium& at) {
+  std::vector<double> stress;
+  for (const BodyState& state : at.bodies) stress.push_back(typical(state));
+  const double largest = *std::ranges::max_element(stress);
+  for (std::size_t b = 0; b < strain_.size(); ++b) {
+    const double now =
+        std::max({stress[b], least_share_of_largest * largest, least_}) / young_modulus(at.conditions[b]);
+    if (std::abs(now - strain_[b]) > steady * strain_[b]) set(b, now);
+  }
+}
+
+void ErrorScale::restore(const std::vector<double>& strain) {
+  for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain.at(b));
+}
+
+void ErrorScale::set(std::size_t body, double strain) {
+  strain_[body] = strain;
+  const mechanics::Body& of = assembly_.bodies()[body];
+  std::vector<double> of_point(std::min<std::size_t>(6, layout_.stride(body)), strain);
+  for (const auto& law : of.material().creep)
+    for (int k = 0; k < law->n_internal(); ++k)
+      of_point.push_back(law->internal_kind(k) == material::InternalKind::fraction ? 1.0 : strain);
+  auto at = values_.begin() + static_cast<std::ptrdiff_t>(layout_.offset(body));
+  for (std::size_t p = 0; p < of.discretization().n_points(); ++p) at = std::copy(of_point.begin(), of_point.end(), at);
+}
+
+}  // namespace creepcontact::creep

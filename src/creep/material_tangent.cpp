@@ -1,0 +1,109 @@
+#include "creepcontact/creep/material_tangent.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+using Index = Eigen::Index;
+
+constexpr std::size_t parallel_threshold = 500;  // points
+
+Matrix6 compliance(const material::Moduli& h) {
+  const double volumetric = 1 / (3 * (3 * h.lambda + 2 * h.mu)), deviatoric = 1 / (2 * h.mu);
+  Matrix6 result = deviatoric * Matrix6::Identity();
+  result.topLeftCorner<3, 3>().array() += volumetric - deviatoric / 3;
+  return result;
+}
+
+}  // namespace
+
+struct MaterialTangent::Work {
+  explicit Work(std::size_t stride)
+      : unit(static_cast<Index>(stride)),
+        by_state(static_cast<Index>(stride), static_cast<Index>(stride)),
+        by_stress(static_cast<Index>(stride), 6),
+        elimination(static_cast<Index>(stride)) {}
+  Eigen::VectorXd unit;
+  Eigen::MatrixXd by_state;                // A, then M
+  Eigen::Matrix<double, -1, 6> by_stress;  // C
+  Eigen::PartialPivLU<Eigen::MatrixXd> elimination;
+};
+
+MaterialTangent::MaterialTangent(const MaterialPoints& points)
+    : points_(points),
+      n_points_(points.size()),
+      stride_(points.stride()),
+      moduli_(n_points_),
+      eliminated_(n_points_ * stride_ * (stride_ + 6)) {}
+
+void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
+  const Tensor6 no_stress = Tensor6::Zero();
+  for (Index j = 0; j < work.unit.size(); ++j) {
+    work.unit = Eigen::VectorXd::Unit(work.unit.size(), j);
+    points_.derivative_at(p, at, no_stress.data(), work.unit.data(), work.by_state.col(j).data());
+  }
+  work.unit.setZero();
+  for (Index j = 0; j < 6; ++j) {
+    const Tensor6 unit_stress = Tensor6::Unit(j);
+    points_.derivative_at(p, at, unit_stress.data(), work.unit.data(), work.by_stress.col(j).data());
+  }
+
+  const auto n = static_cast<Index>(stride_);
+  Eigen::Map<Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
+  eliminated.leftCols(n).setIdentity();
+  eliminated.rightCols<6>() = gamma * work.by_stress;
+  // Rates of secondary creep do not depend on the state.
+  if (!work.by_state.isZero(0)) {
+    work.by_state *= -gamma;
+    work.by_state.diagonal().array() += 1;
+    work.elimination.compute(work.by_state);
+    eliminated = work.elimination.solve(eliminated).eval();
+  }
+  const Matrix6 modulus =
+      Matrix6(compliance(at.elastic.at(p)) + eliminated.topRightCorner<6, 6>()).partialPivLu().inverse();
+  moduli_[p] = 0.5 * (modulus + modulus.transpose());
+}
+
+void MaterialTangent::prepare(double gamma, const PointsState& at) {
+#pragma omp parallel if (n_points_ > parallel_threshold)
+  {
+    Work work(stride_);
+#pragma omp for schedule(static)
+    for (Index i = 0; i < static_cast<Index>(n_points_); ++i)
+      prepare_point(static_cast<std::size_t>(i), gamma, at, work);
+  }
+}
+
+Eigen::Map<const Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) const {
+  const auto n = static_cast<Index>(stride_);
+  return {&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6};
+}
+
+void MaterialTangent::initial_stress(const double* r, std::span<double> stress) const {
+  const auto n = static_cast<Index>(stride_);
+#pragma omp parallel for schedule(static) if (n_points_ > parallel_threshold)
+  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const auto eliminated = eliminated_at(p);
+    const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
+    const Tensor6 initial = eliminated.topLeftCorner(6, n) * right;
+    Eigen::Map<Tensor6>(stress.data() + 6 * p).noalias() = moduli_[p] * initial;
+  }
+}
+
+void MaterialTangent::solution(const double* r, std::span<const double> strain, double* z) const {
+  const auto n = static_cast<Index>(stride_);
+#pragma omp parallel for schedule(static) if (n_points_ > parallel_threshold)
+  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const auto eliminated = eliminated_at(p);
+    const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
+    Eigen::Map<Eigen::VectorXd> result(z + p * stride_, n);
+    result.noalias() = eliminated.leftCols(n) * right;
+    Tensor6 elastic = -result.head<6>();
+    if (!strain.empty()) elastic += Eigen::Map<const Tensor6>(strain.data() + 6 * p);
+    const Tensor6 change = moduli_[p] * elastic;
+    result.noalias() += eliminated.rightCols<6>() * change;
+  }
+}
+
+}  // namespace creepcontact::creep

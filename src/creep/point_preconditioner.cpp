@@ -1,0 +1,42 @@
+#include "creepcontact/creep/point_preconditioner.hpp"
+
+#include <algorithm>
+
+namespace creepcontact::creep {
+
+void PointPreconditioner::linearize(const MaterialPoints& points, const PointsState& at) {
+  locals_.resize(points.size());
+#pragma omp parallel for schedule(static) if (locals_.size() > 2000)
+  for (std::ptrdiff_t i = 0; i < std::ssize(locals_); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const material::StressTangent part = points.tangent(p, at);
+    Tensor6 direction = tensor::deviator(Eigen::Map<const Tensor6>(at.stress.data() + 6 * p));
+    if (const double length = direction.norm(); length > 0) direction /= length;
+    std::copy(direction.begin(), direction.end(), locals_[p].direction);
+    const material::Moduli& moduli = at.elastic.at(p);
+    locals_[p].deviatoric = 2 * moduli.mu * part.deviatoric;
+    locals_[p].radial = 2 * moduli.mu * part.radial;
+    locals_[p].volumetric = (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric;
+  }
+}
+
+void PointPreconditioner::apply(double gamma, const double* r, double* z) const {
+#pragma omp parallel for schedule(static) if (locals_.size() > 2000)
+  for (std::ptrdiff_t i = 0; i < std::ssize(locals_); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const Local& local = locals_[p];
+    const double a = gamma * local.deviatoric;
+    const double b = gamma * local.radial;
+    const Eigen::Map<const Tensor6> right(r + stride_ * p);
+    const Eigen::Map<const Tensor6> direction(local.direction);
+    Eigen::Map<Tensor6> result(z + stride_ * p);
+    const double mean = tensor::trace(right) / 3;
+    Tensor6 deviator = right;
+    deviator.head<3>().array() -= mean;
+    result = (deviator - (b / (1 + a + b)) * direction.dot(deviator) * direction) / (1 + a);
+    result.head<3>().array() += mean / (1 + gamma * local.volumetric);
+    for (std::size_t k = 6; k < stride_; ++k) z[stride_ * p + k] = r[stride_ * p + k];
+  }
+}
+
+}  // namespace creepcontact::creep

@@ -1,0 +1,117 @@
+#include "creepcontact/creep/tangent_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/ode/system.hpp"
+#include "frozen_solve.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+/// The contact of frozen_solve(), with one active set.
+struct ClosedRows {
+  contact::TangentInterface& interface;
+  const std::vector<int>& active;
+
+  void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
+    interface.add_trace(body, y, gap);
+  }
+  contact::ContactState close(const Eigen::VectorXd& gap) const {
+    try {
+      return interface.close(active, gap);
+    } catch (const SolverError& error) {
+      throw ode::RecoverableError(error.what());
+    }
+  }
+  void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
+    interface.add_multipliers(body, multiplier, y);
+  }
+};
+
+}  // namespace
+
+TangentSystem::TangentSystem(const EquilibriumSolver& solver, const std::vector<MaterialPoints>& points,
+                             const StateLayout& layout, Stopwatch& watch)
+    : solver_(solver), layout_(layout), watch_(watch), sides_(points.size()) {
+  for (std::size_t b = 0; b < sides_.size(); ++b) {
+    const mechanics::Body& body = solver.assembly().bodies()[b];
+    if (points[b].empty()) continue;
+    Side& side = sides_[b];
+    side.material.emplace(points[b]);
+    side.stress.resize(6 * body.discretization().n_points());
+    side.strain.resize(side.stress.size());
+    side.displacement.resize(static_cast<std::size_t>(body.constraints().n_full()));
+    side.no_displacement.resize(side.displacement.size());
+    side.free.resize(static_cast<std::size_t>(body.constraints().n_free()));
+  }
+}
+
+void TangentSystem::factorize(std::size_t b) {
+  Side& side = sides_[b];
+  const mechanics::FactoredBody& elastic = solver_.interface().factored(b);
+  const auto lap = watch_.lap(Part::factorize);
+  if (!side.factor) side.factor = elastic.solver().same_pattern();
+  ++factorizations_;
+  try {
+    side.factor->factorize(elastic.stiffness(side.material->moduli()));
+  } catch (const linalg::SingularMatrix& error) {
+    throw ode::RecoverableError(
+        fmt::format("body '{}': the tangent stiffness is not positive definite (reciprocal condition {:.2g})",
+                    elastic.body().name(), error.rcond));
+  }
+}
+
+void TangentSystem::prepare(double gamma, std::span<const PointsState> at, double stiffness_scale) {
+  interface_.reset();
+  std::vector<const linalg::StiffnessSolver*> factors(sides_.size());
+  for (std::size_t b = 0; b < sides_.size(); ++b) {
+    if (!sides_[b].material) continue;
+    {
+      const auto lap = watch_.lap(Part::material);
+      sides_[b].material->prepare(gamma, at[b]);
+    }
+    factorize(b);
+    factors[b] = sides_[b].factor.get();
+  }
+  const auto lap = watch_.lap(Part::factorize);
+  interface_ = std::make_unique<contact::TangentInterface>(solver_.interface(), factors, 1 / stiffness_scale);
+}
+
+template <typename Work>
+void TangentSystem::for_each_side(const Work& work) {
+  for (std::size_t b = 0; b < sides_.size(); ++b)
+    if (sides_[b].material) work(b, sides_[b], solver_.assembly().bodies()[b]);
+}
+
+void TangentSystem::solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z) {
+  // Nothing but contact strains an elastic body, and its displacement is not asked for: it takes no part.
+  std::vector<FrozenSide> sides(sides_.size());
+  {
+    const auto lap = watch_.lap(Part::material);
+    for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
+      side.material->initial_stress(r.data() + layout_.offset(b), side.stress);
+      std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
+      body.discretization().add_initial_stress_force(side.material->moduli(), side.stress, side.displacement);
+      body.constraints().restrict_to_free(side.displacement, side.free);
+      // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
+      body.clear_pins(side.free);
+      sides[b] = {side.factor.get(), side.free};
+    });
+  }
+  ClosedRows rows{*interface_, active};
+  const contact::ContactState change = frozen_solve(
+      sides, interface_->n_rows(), [&](const auto& pass) { solver_.for_each_factor(pass); }, rows, watch_);
+  const auto lap = watch_.lap(Part::material);
+  for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
+    body.constraints().expand(side.free, side.no_displacement, side.displacement);
+    solver_.interface().add_rigid_motion(b, change.rigid, side.displacement);
+    body.discretization().tangent_strain(side.displacement, side.material->moduli(), side.stress, side.strain);
+    side.material->solution(r.data() + layout_.offset(b), side.strain, z.data() + layout_.offset(b));
+  });
+  ++solves_;
+}
+
+}  // namespace creepcontact::creep

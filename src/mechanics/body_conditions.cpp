@@ -1,0 +1,97 @@
+#include "creepcontact/mechanics/body_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "body_impl.hpp"
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::mechanics {
+namespace {
+
+Moduli moduli_at(const material::Material& material, double temperature) {
+  const double young_modulus = material.young_modulus({.T = temperature});
+  const double poisson_ratio = material.poisson_ratio({.T = temperature});
+  if (!(young_modulus > 0) || !(poisson_ratio > -1 && poisson_ratio < 0.5)) {
+    throw ModelError(
+        fmt::format("material '{}' at the temperature {:g}: young_modulus {:g} must be positive and poisson_ratio {:g} "
+                    "between -1 and 0.5 (excluded); mend the functions of T",
+                    material.name, temperature, young_modulus, poisson_ratio));
+  }
+  return material::lame(young_modulus, poisson_ratio);
+}
+
+bool moduli_depend_on_temperature(const material::Material& material) {
+  return material.young_modulus.depends_on_temperature() || material.poisson_ratio.depends_on_temperature();
+}
+
+void require_finite(const std::string& body, std::span<const double> values, double t) {
+  if (Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).allFinite()) return;
+  throw ModelError(fmt::format(
+      "body '{}': its loads, supports or temperature give no finite number at t = {:.6g}; look for divisions "
+      "by zero and roots or logarithms of negative numbers in their expressions",
+      body, t));
+}
+
+}  // namespace
+
+BodyConditions Body::at(double t) const {
+  BodyConditions conditions;
+  update(t, conditions);
+  return conditions;
+}
+
+bool Body::stiffness_changes() const {
+  return impl_->temperature && impl_->temperature->depends_on_time() && moduli_depend_on_temperature(impl_->material);
+}
+
+void Body::update(double t, BodyConditions& at) const {
+  if (at.updated_to == t) return;
+  const bool first = !at.updated_to.has_value();
+  at.updated_to.reset();  // stays so if something below throws
+  at.time = t;
+  const material::Material& material = impl_->material;
+  const std::size_t n_points = impl_->discretization.n_points();
+
+  const bool new_temperature = impl_->temperature && (first || impl_->temperature->depends_on_time());
+  if (new_temperature) {
+    at.temperature.resize(n_points);
+    impl_->temperature_at_points->evaluate(t, at.temperature, at.memo);
+    if (!material.thermal_expansion.is_zero()) {
+      at.thermal_strain.resize(n_points);
+      for (std::size_t p = 0; p < n_points; ++p)
+        at.thermal_strain[p] =
+            material.thermal_expansion({.T = at.temperature[p]}) * (at.temperature[p] - material.reference_temperature);
+    }
+  }
+  if (first || (new_temperature && moduli_depend_on_temperature(material))) {
+    at.moduli.clear();
+    if (!impl_->temperature || !moduli_depend_on_temperature(material))
+      at.moduli.push_back(moduli_at(material, material.reference_temperature));
+    else if (!impl_->temperature->depends_on_place())
+      at.moduli.push_back(moduli_at(material, (*impl_->temperature)({.t = t})));
+    else
+      for (const double temperature : at.temperature) at.moduli.push_back(moduli_at(material, temperature));
+  }
+
+  const std::size_t n_full = 3 * impl_->mesh.nodes.size();
+  at.external.assign(n_full + 3 * impl_->discretization.n_inner(), 0.0);
+  for (const auto& load : impl_->loads) load->add(t, at.external);
+  require_finite(impl_->name, at.external, t);
+  require_finite(impl_->name, at.thermal_strain, t);
+  const auto end_of_nodes = at.external.begin() + static_cast<std::ptrdiff_t>(n_full);
+  at.has_inner_force = std::any_of(end_of_nodes, at.external.end(), [](double force) { return force != 0; });
+  at.known.assign(at.external.begin(), end_of_nodes);
+  at.prescribed.resize(n_full);
+  if (impl_->constraints.prescribed(t, at.prescribed)) {
+    std::vector<double> stress(6 * n_points), forces(n_full);
+    impl_->discretization.stress(at.prescribed, {at.moduli}, {}, stress);
+    impl_->discretization.add_internal_force(stress, forces);
+    for (std::size_t i = 0; i < n_full; ++i) at.known[i] -= forces[i];
+  }
+  require_finite(impl_->name, at.known, t);
+  at.updated_to = t;
+}
+
+}  // namespace creepcontact::mechanics

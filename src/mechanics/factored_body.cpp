@@ -1,0 +1,117 @@
+#include "creepcontact/mechanics/factored_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "hourglass.hpp"
+
+namespace creepcontact::mechanics {
+namespace {
+
+bool has_hex20(const mesh::Mesh& mesh) {
+  return std::ranges::any_of(mesh.blocks, [](const mesh::CellBlock& block) {
+    return block.type == mesh::CellType::hex20 && block.size() > 0;
+  });
+}
+
+}  // namespace
+
+FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std::vector<std::int64_t>& trailing,
+                           const linalg::StiffnessSolverFactory& make_solver)
+    : body_(&body), analyzed_(body.on_free_unknowns(body.full_stiffness(at))), time_(at.time) {
+  solver_ = make_solver(analyzed_, body.constraints().node_of_free(), trailing);
+}
+
+void FactoredBody::factorize(const BodyConditions& at) {
+  const linalg::SparseMatrix analyzed = std::exchange(analyzed_, {});
+  const bool usable = !factored_ && time_ == at.time;
+  try {
+    solver_->factorize(usable ? analyzed : stiffness(at));
+  } catch (const linalg::SingularMatrix& error) {
+    if (factored_ || !has_hex20(body_->mesh())) report_singular(error);
+    stabilize(at);
+  }
+  moduli_ = at.moduli;
+  time_ = at.time;
+  factored_ = true;
+}
+
+void FactoredBody::stabilize(const BodyConditions& at) {
+  linalg::SparseMatrix all = body_->full_stiffness(at);
+  hourglass_diagonal_ = all.diagonal();
+  all.coeffs().setZero();
+  add_hourglass_stiffness(body_->mesh(), hourglass_diagonal_, all);
+  hourglass_ = body_->on_free_unknowns(all).pruned();
+  stabilized_ = true;
+  try {
+    solver_->factorize(stiffness(at));
+  } catch (const linalg::SingularMatrix& error) {
+    report_singular(error);
+  }
+  log::warning(
+      "body '{}': hex20 elements stand in single rows, where their reduced integration misses some motions; a millionth "
+      "of their stiffness holds these",
+      body_->name());
+}
+
+linalg::SparseMatrix FactoredBody::stiffness(const BodyConditions& at) const {
+  linalg::SparseMatrix all = body_->full_stiffness(at);
+  if (stabilized_) add_hourglass_stiffness(body_->mesh(), hourglass_diagonal_, all);
+  return body_->on_free_unknowns(all);
+}
+
+linalg::SparseMatrix FactoredBody::stiffness(std::span<const Matrix6> moduli) const {
+  linalg::SparseMatrix all = body_->discretization().stiffness(moduli);
+  // The elastic one also here: it stands for no material, and creep does not relax it.
+  if (stabilized_) add_hourglass_stiffness(body_->mesh(), hourglass_diagonal_, all);
+  return body_->on_free_unknowns(all);
+}
+
+std::pair<double, double> FactoredBody::stiffness_ratio(const BodyConditions& at) const {
+  if (!body_->stiffness_changes() || time_ == at.time) return {1.0, 1.0};
+  const auto bulk = [](const Moduli& h) { return h.lambda + 2.0 / 3.0 * h.mu; };
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
+  for (std::size_t p = 0; p < at.moduli.size(); ++p) {
+    const Moduli &now = at.moduli[p], &then = moduli_[p];
+    for (const double ratio : {now.mu / then.mu, bulk(now) / bulk(then)}) {
+      least = std::min(least, ratio);
+      largest = std::max(largest, ratio);
+    }
+  }
+  return {least, largest};
+}
+
+void FactoredBody::residual(const BodyConditions& at, std::span<const double> stress, std::span<const double> free,
+                            std::span<double> residual) const {
+  body_->residual(at, stress, residual);
+  if (!stabilized_) return;
+  const auto n = static_cast<Eigen::Index>(free.size());
+  Eigen::Map<Eigen::VectorXd>(residual.data(), n) -=
+      hourglass_.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(free.data(), n);
+}
+
+void FactoredBody::report_singular(const linalg::SingularMatrix& error) const {
+  const Constraints& constraints = body_->constraints();
+  std::string place;
+  if (error.row >= 0 && error.row < constraints.n_free()) {
+    const std::int64_t node = constraints.node_of_free()[static_cast<std::size_t>(error.row)];
+    const Vector3& x = body_->mesh().nodes[static_cast<std::size_t>(node)];
+    place = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
+  }
+  throw ModelError(
+      fmt::format("body '{}': the stiffness is singular{} (reciprocal condition {:.2g}); a part of the body hangs on "
+                  "too few nodes, or the elements there are too thin or the material almost incompressible",
+                  body_->name(), place, error.rcond));
+}
+
+std::int64_t estimate_factor_bytes(const Body& body) {
+  const FactoredBody factored(body, body.at(0), {});
+  return factored.solver().factor_bytes() + factored.solver().work_bytes();
+}
+
+}  // namespace creepcontact::mechanics

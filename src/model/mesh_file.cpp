@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/io/gmsh_reader.hpp"
+#include "model_parts.hpp"
+
+namespace creepcontact::model {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> meshes_in(const fs::path& directory) {
+  std::vector<std::string> names;
+  std::error_code failure;
+  for (fs::directory_iterator entry(directory, failure), end; !failure && entry != end; entry.increment(failure)) {
+    const fs::path name = entry->path().filename();
+    if (name.extension() == ".geo" || name.extension() == ".msh") names.push_back(name.string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// What there is instead of a file that is missing.
+std::string instead_of(const fs::path& file) {
+  const fs::path directory = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code failure;
+  if (!fs::is_directory(directory, failure))
+    return fmt::format("there is no directory '{}'; a path is relative to the file that names it", directory.string());
+  const std::vector<std::string> names = meshes_in(directory);
+  if (names.empty()) return fmt::format("no .geo or .msh is in '{}'", directory.string());
+  if (const std::string nearest = config::nearest(file.filename().string(), names); !nearest.empty())
+    return fmt::format("did you mean '{}'?", nearest);
+  constexpr std::size_t told = 5;
+  const std::string more = names.size() > told ? fmt::format(" and {} more", names.size() - told) : "";
+  return fmt::format(
+      "'{}' has {}{}", directory.string(),
+      fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(told, names.size())), ", "), more);
+}
+
+}  // namespace
+
+mesh::Mesh read_mesh(const config::Mesh& mesh) {
+  std::error_code failure;
+  const fs::file_status status = fs::status(mesh.file, failure);
+  const std::string place = mesh.location.prefix();
+  if (status.type() == fs::file_type::not_found)
+    throw ModelError(fmt::format("{}no such file '{}'; {}", place, mesh.file.string(), instead_of(mesh.file)));
+  if (failure) throw ModelError(fmt::format("{}cannot read '{}': {}", place, mesh.file.string(), failure.message()));
+  if (!fs::is_regular_file(status))
+    throw ModelError(fmt::format("{}'{}' is no regular file; name a .geo or .msh file", place, mesh.file.string()));
+  return io::read_mesh(mesh.file, {.order = mesh.order,
+                                   .parameters = mesh.parameters,
+                                   .time_limit = mesh.time_limit,
+                                   .memory_limit_mb = mesh.memory_limit_mb,
+                                   .trusted = mesh.trust_geometry});
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,109 @@
+#include "creepcontact/model/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "model_parts.hpp"
+#include "schwarz_options.hpp"
+#include "shared_nodes.hpp"
+#include "creepcontact/model/temperature.hpp"
+
+namespace creepcontact::model {
+
+std::size_t find_body(const Bodies& bodies, const std::string& name) {
+  const auto found = std::ranges::find(bodies, name, &mechanics::Body::name);
+  return static_cast<std::size_t>(found - bodies.begin());
+}
+
+void append_ties(const config::Config& config, const SharedNodes& shared, const Bodies& bodies,
+                 std::vector<contact::Pair>& pairs) {
+  std::vector<contact::Pair> ties = shared.ties(config, bodies);
+  if (ties.empty() && config.mesh.share_nodes == config::SharedNodes::tie)
+    log::warning(
+        "mesh.share_nodes = \"tie\" glues nothing: no bodies share nodes that no contact covers; bodies that only "
+        "touch "
+        "are joined by a contact with type = \"tied\"");
+  std::move(ties.begin(), ties.end(), std::back_inserter(pairs));
+}
+
+creep::SolverOptions solver_options(const config::Config& config, const Bodies& bodies) {
+  creep::SolverOptions options;
+  options.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
+  options.schwarz = schwarz_options(config.contact_solver, bodies);
+  options.dense_limit_mb = config.contact_solver.dense_limit_mb;
+  if (config.temperature) options.refactor_change = config.temperature->refactor_change;
+  return options;
+}
+
+Model build_model(const config::Config& config) {
+  const mesh::Mesh whole = read_mesh(config.mesh);
+
+  ErrorCollector errors;
+  std::vector<mesh::BodyMesh> cut(config.bodies.size());
+  for (std::size_t b = 0; b < config.bodies.size(); ++b)
+    errors.collect(config.bodies[b].location, [&] {
+      std::vector<std::string> regions;
+      for (const config::Reference& region : config.bodies[b].region) regions.push_back(region.name);
+      cut[b] = mesh::extract(whole, regions);
+      if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, cut[b].mesh);
+    });
+  errors.raise();  // what follows looks for groups on the bodies
+  BodyMeshes meshes;
+  mesh::SharedMesh shared_mesh = mesh::shared_mesh(cut);
+  for (mesh::BodyMesh& body : cut) meshes.push_back(std::move(body.mesh));
+
+  std::vector<std::vector<mechanics::Support>> supports(meshes.size());
+  for (const config::Support& support : config.supports)
+    errors.collect(support.on.location, [&] {
+      for (const std::size_t b : bodies_on(config, whole, meshes, support.on.name, support.body, -1))
+        for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
+    });
+
+  check_groups(config, whole, meshes, errors);
+  std::optional<SharedNodes> shared;
+  try {
+    shared.emplace(config, whole, meshes, std::move(shared_mesh));
+    shared->check(config, errors);
+  } catch (const ModelError&) {
+    // What a contact covers is not known; its mistake is among the others, or is found when the contact is made.
+  }
+
+  std::optional<mechanics::TemperatureField> temperature;
+  if (config.temperature)
+    errors.collect(config.temperature->location, [&] { temperature = temperature_field(*config.temperature); });
+  errors.raise();
+  Bodies bodies;
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    errors.collect(config.bodies[b].location, [&] {
+      bodies.emplace_back(config.bodies[b].name, meshes[b],
+                          make_material(config.material(config.bodies[b].material.name)), supports[b], temperature);
+    });
+  errors.raise();
+
+  require_one_theory(config, bodies);
+
+  for (const config::Load& load : config.loads)
+    errors.collect(load.location, [&] { add_load(load, config, whole, meshes, bodies); });
+  std::vector<contact::Pair> pairs;
+  for (const config::Contact& contact : config.contacts)
+    errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, {})); });
+  errors.raise();
+  append_ties(config, shared.value(), bodies, pairs);
+
+  creep::SolverOptions options = solver_options(config, bodies);
+  std::vector<double> times = breakpoints(config, bodies, temperature);
+  if (temperature) warn_of_places_outside(config, bodies, *temperature);
+  // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
+  const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
+    return make_pair(config.contacts[pair], config, all, sliding);
+  };
+  return {creep::Assembly(std::move(bodies), std::move(pairs), remake), std::move(options), std::move(temperature),
+          std::move(times)};
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "creepcontact/base/error.hpp"
+#include "model_parts.hpp"
+
+namespace creepcontact::model {
+namespace {
+
+constexpr double nearest_node_tolerance = 1e-6;  // of the model size
+
+/// Adds one [[loads]] entry to the bodies it acts on, by kind.
+struct LoadAdder {
+  const config::Load& load;
+  const config::Config& config;
+  const mesh::Mesh& whole;
+  const BodyMeshes& meshes;
+  Bodies& bodies;
+
+  std::vector<std::size_t> surface_bodies() const {
+    return bodies_on(config, whole, meshes, load.on.name, load.body, 2);
+  }
+  mechanics::Body& body() const { return bodies[body_index(config, load.body.name)]; }
+
+  void operator()(const config::Pressure& pressure) const {
+    for (const std::size_t b : surface_bodies())
+      bodies[b].add_load(mechanics::pressure_load(
+          bodies[b].mesh(), mesh::boundary_faces(bodies[b].mesh(), load.on.name), pressure.value));
+  }
+  void operator()(const config::Traction& traction) const {
+    for (const std::size_t b : surface_bodies())
+      bodies[b].add_load(mechanics::traction_load(
+          bodies[b].mesh(), mesh::boundary_faces(bodies[b].mesh(), load.on.name), traction.value));
+  }
+  void operator()(const config::BodyForce& force) const {
+    body().add_load(mechanics::volume_load(body().discretization(), force.value));
+  }
+  void operator()(const config::Rotation& rotation) const {
+    body().add_load(mechanics::centrifugal_load(body().discretization(),
+                                                Vector3(rotation.axis[0], rotation.axis[1], rotation.axis[2]),
+                                                Vector3(rotation.origin[0], rotation.origin[1], rotation.origin[2]),
+                                                rotation.angular_velocity, rotation.density));
+  }
+  void operator()(const config::PointForce& force) const {
+    const Vector3 at(force.at[0], force.at[1], force.at[2]);
+    Eigen::AlignedBox3d box;
+    std::size_t nearest_body = 0, nearest_node = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const auto& nodes = bodies[b].mesh().nodes;
+      const bool wanted = !load.body.given() || body_index(config, load.body.name) == b;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        box.extend(nodes[i]);
+        if (!wanted || (nodes[i] - at).norm() >= distance) continue;
+        distance = (nodes[i] - at).norm();
+        nearest_body = b;
+        nearest_node = i;
+      }
+    }
+    const double tolerance = force.tolerance.value_or(nearest_node_tolerance * box.diagonal().norm());
+    const Vector3& x = bodies[nearest_body].mesh().nodes[nearest_node];
+    if (distance > tolerance)
+      throw ModelError(fmt::format(
+          "no mesh node at ({}, {}, {}): the nearest is ({}, {}, {}) on body '{}', {:.3g} away; give its place, or a "
+          "larger tolerance",
+          at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest_body].name(), distance));
+    bodies[nearest_body].add_load(mechanics::point_load(bodies[nearest_body].mesh(),
+                                                               static_cast<std::int64_t>(nearest_node), force.value));
+  }
+};
+
+}  // namespace
+
+void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+              Bodies& bodies) {
+  std::visit(LoadAdder{load, config, whole, meshes, bodies}, load.kind);
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,166 @@
+#include "model_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/material/life_fraction.hpp"
+#include "creepcontact/material/registry.hpp"
+#include "shared_nodes.hpp"
+
+namespace creepcontact::model {
+
+namespace {
+
+std::shared_ptr<const material::CreepLaw> make_life_fraction(const config::Rupture& from) {
+  double alpha = 0;
+  if (from.stress_measure == config::StressMeasure::principal) alpha = 1;
+  if (from.stress_measure == config::StressMeasure::mixed) alpha = from.alpha.value();
+  auto data = from.rupture_time ? material::rupture_expression(*from.rupture_time)
+                                : material::larson_miller({.constant = from.larson_miller_constant,
+                                                           .stress = from.stress,
+                                                           .parameter = from.parameter,
+                                                           .absolute_zero = from.absolute_zero,
+                                                           .time_unit = from.time_unit});
+  return std::make_shared<material::LifeFraction>(std::move(data), alpha);
+}
+
+}  // namespace
+
+material::Material make_material(const config::Material& from) {
+  material::Material result;
+  result.name = from.name;
+  result.young_modulus = from.young_modulus;
+  result.poisson_ratio = from.poisson_ratio;
+  result.thermal_expansion = from.thermal_expansion;
+  result.reference_temperature = from.reference_temperature;
+  for (const config::CreepMechanism& mechanism : from.creep) {
+    material::ParameterValues values;
+    for (const config::CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
+    result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(values)));
+  }
+  if (from.rupture) result.creep.push_back(make_life_fraction(*from.rupture));
+  return result;
+}
+
+std::size_t body_index(const config::Config& config, const std::string& name) {
+  const auto found =
+      std::find_if(config.bodies.begin(), config.bodies.end(), [&](const auto& body) { return body.name == name; });
+  return static_cast<std::size_t>(found - config.bodies.begin());
+}
+
+std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                                   const std::string& group, const config::Reference& body, int dimension) {
+  whole.group(group, dimension);  // names the groups that exist if there is none of this name
+  std::vector<std::size_t> result;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (body.given() && b != body_index(config, body.name)) continue;
+    const auto found = meshes[b].groups.find(group);
+    if (found != meshes[b].groups.end() && !found->second.cells.empty()) result.push_back(b);
+  }
+  if (result.empty())
+    throw ModelError(body.given() ? fmt::format("group '{}' is not on body '{}'", group, body.name)
+                                  : fmt::format("group '{}' is on none of the bodies", group));
+  return result;
+}
+
+namespace {
+
+/// Faces that no element has: where bodies touch, a mesher may have merged nodes and left the faces of one of them
+/// behind.
+void require_no_orphans(const mesh::Mesh& whole, const std::string& surface) {
+  const auto found = whole.groups.find(surface);
+  if (found == whole.groups.end() || found->second.dimension != 2) return;
+  if (const std::size_t n = mesh::n_orphan_faces(whole, surface))
+    throw ModelError(
+        fmt::format("{} of the {} faces of surface '{}' belong to no volume element; bodies that touch may have lost "
+                    "them where the "
+                    "mesher merged their nodes: mesh the bodies a small distance apart and give the contact its gap",
+                    n, found->second.cells.size(), surface));
+}
+
+}  // namespace
+
+void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, ErrorCollector& errors) {
+  for (const config::Support& support : config.supports)
+    errors.collect(support.on.location, [&] { require_no_orphans(whole, support.on.name); });
+  for (const config::Load& load : config.loads)
+    if (load.on.given())
+      errors.collect(load.on.location, [&] {
+        bodies_on(config, whole, meshes, load.on.name, load.body, 2);
+        require_no_orphans(whole, load.on.name);
+      });
+  for (const config::Contact& contact : config.contacts)
+    for (const config::Reference& surface : contact.between)
+      errors.collect(surface.location, [&] {
+        bodies_on(config, whole, meshes, surface.name, {}, 2);
+        require_no_orphans(whole, surface.name);
+      });
+}
+
+std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body) {
+  std::vector<mechanics::Support> result;
+  const std::vector<std::int64_t> nodes = mesh::group_nodes(body, support.on.name);
+  for (int k = 0; k < 3; ++k)
+    if (const auto& value = support.displacement[static_cast<std::size_t>(k)])
+      result.push_back({support.on.name, nodes, {Vector3(Vector3::Unit(k))}, *value});
+  if (support.normal) {
+    if (body.group(support.on.name).dimension != 2)
+      throw ModelError(fmt::format("group '{}' is no surface: it has no normal; give x, y or z", support.on.name));
+    const std::vector<mesh::Face> faces = mesh::boundary_faces(body, support.on.name);
+    result.push_back({support.on.name, nodes, mechanics::nodal_normals(body, faces, nodes), *support.normal});
+  }
+  return result;
+}
+
+namespace {
+
+/// Bodies that have cells on a group.
+std::vector<std::size_t> bodies_with(const Bodies& bodies, const std::string& group) {
+  std::vector<std::size_t> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& groups = bodies[b].mesh().groups;
+    const auto found = groups.find(group);
+    if (found != groups.end() && !found->second.cells.empty()) result.push_back(b);
+  }
+  return result;
+}
+
+}  // namespace
+
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
+                        std::span<const mechanics::RigidMotion> sliding) {
+  const std::array<std::size_t, 2> body =
+      contact_bodies(contact, config,
+                     {bodies_with(bodies, contact.between[0].name), bodies_with(bodies, contact.between[1].name)});
+  std::array<contact::Surface, 2> surfaces;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const mechanics::Body& owner = bodies[body[side]];
+    surfaces[side].name = contact.between[side].name;
+    surfaces[side].mesh = &owner.mesh();
+    surfaces[side].constraints = &owner.constraints();
+    surfaces[side].faces = mesh::boundary_faces(owner.mesh(), contact.between[side].name);
+    surfaces[side].young_modulus = owner.material().young_modulus({.T = owner.material().reference_temperature});
+  }
+  const bool first_is_slave =
+      contact.slave >= 0 ? contact.slave == 0 : contact::first_is_better_slave(surfaces[0], surfaces[1]);
+  const std::size_t slave = first_is_slave ? 0 : 1;
+  const std::size_t master = 1 - slave;
+
+  contact::Pair pair;
+  pair.name = contact.name;
+  pair.slave_surface = surfaces[slave].name;
+  pair.master_surface = surfaces[master].name;
+  pair.slave_body = body[slave];
+  pair.master_body = body[master];
+  pair.coupling = contact::mortar_coupling(
+      surfaces[slave], surfaces[master],
+      contact.type == config::ContactType::tied ? contact::ContactType::tied : contact::ContactType::unilateral,
+      sliding);
+  pair.gap = contact.gap;
+  pair.geometric_gap = contact.geometric_gap;
+  return pair;
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,55 @@
+#pragma once
+/// Pieces of build_model: each turns one kind of configuration entry into its counterpart in the model.
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "creepcontact/mesh/mesh.hpp"
+#include "creepcontact/model/error_collector.hpp"
+#include "creepcontact/model/model.hpp"
+
+namespace creepcontact::model {
+
+/// Reads or makes the mesh. @throws ModelError, with the place in the configuration if there is no such file
+mesh::Mesh read_mesh(const config::Mesh& mesh);
+
+material::Material make_material(const config::Material& material);
+
+using Bodies = std::vector<mechanics::Body>;
+/// Meshes of the bodies, in the order of the configuration.
+using BodyMeshes = std::vector<mesh::Mesh>;
+
+/// Bodies named by `body`, or else all that have the group. @throws ModelError if there is none
+std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                                   const std::string& group, const config::Reference& body, int dimension);
+std::size_t body_index(const config::Config& config, const std::string& name);
+
+/// Looks for the surfaces of all loads and contacts, so that a name mistyped there shows with all other mistakes.
+void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, ErrorCollector& errors);
+
+/// @throws ModelError if the mesh of a body has elements that lock
+void refuse_locking(const std::string& body, const mesh::Mesh& mesh);
+
+/// Conditions that one [[supports]] entry puts on a body.
+std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body);
+
+void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+              Bodies& bodies);
+
+/// The surfaces are on bodies (check_groups).
+/// @param sliding  relative motions that the pair leaves free exactly
+contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
+                        std::span<const mechanics::RigidMotion> sliding);
+
+/// Kinks and jumps in time of every function of the configuration, the points of tables, and the user's own
+/// breakpoints; ascending, within (0, end). Warns of expressions with more of them than can be found.
+std::vector<double> breakpoints(const config::Config& config, const Bodies& bodies,
+                                const std::optional<mechanics::TemperatureField>& temperature);
+
+/// @throws ConfigError if the integrator does not take the laws of the materials
+void require_one_theory(const config::Config& config, const Bodies& bodies);
+
+}  // namespace creepcontact::model

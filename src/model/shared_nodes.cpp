@@ -1,0 +1,209 @@
+#include "shared_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/contact/node_ties.hpp"
+
+namespace creepcontact::model {
+namespace {
+
+using BodyPair = std::pair<std::size_t, std::size_t>;
+
+/// Bodies that are joined, directly or by others.
+class Groups {
+ public:
+  explicit Groups(std::size_t n) : root_(n) { std::iota(root_.begin(), root_.end(), std::size_t{0}); }
+  std::size_t of(std::size_t body) const { return root_[body] == body ? body : of(root_[body]); }
+  /// @returns false if they were joined already
+  bool join(std::size_t a, std::size_t b) {
+    if (of(a) == of(b)) return false;
+    root_[of(a)] = of(b);
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> root_;
+};
+
+std::size_t n_bodies(const mesh::SharedMesh& shared) {
+  std::size_t n = 0;
+  for (const mesh::SharedNode& node : shared.nodes) n = std::max(n, node.owners.back().body + 1);
+  return n;
+}
+
+std::string plural(std::size_t n) {
+  return n == 1 ? "1 node" : fmt::format("{} nodes", n);
+}
+
+/// A displacement that supports prescribe for both nodes of a tie must be the same.
+void require_same_supports(const contact::NodeTie& tie, const mechanics::Body& slave, const mechanics::Body& master,
+                           const std::vector<double>& times) {
+  const auto held = [](const mechanics::Body& body, std::int64_t node) {
+    Matrix3 projector = Matrix3::Zero();
+    const Matrix3 frame = body.constraints().frame(node);
+    for (int k = 0; k < 3; ++k)
+      if (body.constraints().free_index(node)[static_cast<std::size_t>(k)] < 0)
+        projector += frame.col(k) * frame.col(k).transpose();
+    return projector;
+  };
+  const auto moved = [](const mechanics::Body& body, std::int64_t node, double t) {
+    std::vector<double> all(static_cast<std::size_t>(body.constraints().n_full()));
+    body.constraints().prescribed(t, all);
+    return Vector3(Eigen::Map<const Vector3>(all.data() + 3 * node));
+  };
+  if (!slave.constraints().has_nonzero_values() && !master.constraints().has_nonzero_values()) return;
+  const Matrix3 both = held(slave, tie.slave) * held(master, tie.master);
+  if (both.isZero(0)) return;
+  for (const double t : times) {
+    const Vector3 u_slave = moved(slave, tie.slave, t), u_master = moved(master, tie.master, t);
+    if ((both * (u_slave - u_master)).norm() <= 1e-8 * (u_slave.norm() + u_master.norm())) continue;
+    const Vector3& x = slave.mesh().nodes[static_cast<std::size_t>(tie.slave)];
+    throw ModelError(
+        fmt::format("supports move the node ({:.6g}, {:.6g}, {:.6g}), which bodies '{}' and '{}' share, by ({:.6g}, "
+                    "{:.6g}, {:.6g}) "
+                    "and by ({:.6g}, {:.6g}, {:.6g}) at t = {:.6g}; tied nodes need the same supports",
+                    x[0], x[1], x[2], slave.name(), master.name(), u_slave[0], u_slave[1], u_slave[2], u_master[0],
+                    u_master[1], u_master[2], t));
+  }
+}
+
+}  // namespace
+
+std::array<std::size_t, 2> contact_bodies(const config::Contact& contact, const config::Config& config,
+                                          const std::array<std::vector<std::size_t>, 2>& owners) {
+  std::array<std::size_t, 2> body{owners[0].front(), owners[1].front()};
+  if (body[0] != body[1]) return body;
+  if (owners[1].size() > 1)
+    body[1] = owners[1].back();
+  else if (owners[0].size() > 1)
+    body[0] = owners[0].back();
+  else
+    throw ModelError(
+        fmt::format("surfaces '{}' and '{}' belong to one and the same body '{}'; contact is between two bodies",
+                    contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
+  return body;
+}
+
+SharedNodes::SharedNodes(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                         mesh::SharedMesh shared)
+    : shared_(std::move(shared)), links_(shared_.nodes.size()) {
+  if (shared_.nodes.empty()) return;
+  link_faces();
+  for (const config::Contact& contact : config.contacts) cover(contact, config, whole, meshes);
+}
+
+void SharedNodes::link_faces() {
+  for (const mesh::SharedFace& face : shared_.faces)
+    for (const std::size_t node : face.nodes) {
+      auto& links = links_[node];
+      auto link = std::find_if(links.begin(), links.end(),
+                               [&](const Link& one) { return one.first == face.first && one.second == face.second; });
+      if (link == links.end()) link = links.insert(links.end(), {face.first, face.second, 0, false});
+      link->area += face.area / static_cast<double>(face.nodes.size());
+    }
+}
+
+void SharedNodes::cover(const config::Contact& contact, const config::Config& config, const mesh::Mesh& whole,
+                        const BodyMeshes& meshes) {
+  const auto owners = [&](std::size_t side) {
+    return bodies_on(config, whole, meshes, contact.between[side].name, {}, 2);
+  };
+  const std::array<std::size_t, 2> sides = contact_bodies(contact, config, {owners(0), owners(1)});
+  std::array<std::set<std::int64_t>, 2> surface;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto nodes = mesh::group_nodes(meshes[sides[side]], contact.between[side].name);
+    surface[side].insert(nodes.begin(), nodes.end());
+  }
+  for (std::size_t i = 0; i < shared_.nodes.size(); ++i) {
+    const auto is_on = [&](std::size_t side) {
+      return std::any_of(shared_.nodes[i].owners.begin(), shared_.nodes[i].owners.end(), [&](const auto& owner) {
+        return owner.body == sides[side] && surface[side].contains(owner.node);
+      });
+    };
+    if (!is_on(0) || !is_on(1)) continue;
+    const auto [first, second] = std::minmax(sides[0], sides[1]);
+    auto link = std::find_if(links_[i].begin(), links_[i].end(),
+                             [&](const Link& one) { return one.first == first && one.second == second; });
+    if (link == links_[i].end()) link = links_[i].insert(links_[i].end(), {first, second, 0, false});
+    link->covered = true;
+  }
+}
+
+std::size_t SharedNodes::n_shared(std::size_t first, std::size_t second) const {
+  return static_cast<std::size_t>(std::count_if(shared_.nodes.begin(), shared_.nodes.end(), [&](const auto& node) {
+    const auto has = [&](std::size_t body) {
+      return std::any_of(node.owners.begin(), node.owners.end(), [&](const auto& owner) { return owner.body == body; });
+    };
+    return has(first) && has(second);
+  }));
+}
+
+void SharedNodes::check(const config::Config& config, ErrorCollector& errors) const {
+  std::map<BodyPair, std::size_t> apart, at_edges;  // nodes
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    Groups groups(n_bodies(shared_));
+    for (const Link& link : links_[i]) {
+      groups.join(link.first, link.second);
+      if (!link.covered) ++apart[{link.first, link.second}];
+    }
+    const auto& owners = shared_.nodes[i].owners;
+    for (std::size_t k = 1; k < owners.size(); ++k)
+      if (groups.join(owners[k - 1].body, owners[k].body)) ++at_edges[{owners[k - 1].body, owners[k].body}];
+  }
+  const auto name = [&](std::size_t body) { return config.bodies[body].name; };
+  const auto report = [&](const std::string& message) {
+    errors.collect(config.mesh.location, [&] { throw ModelError(message); });
+  };
+  if (config.mesh.share_nodes == config::SharedNodes::error)
+    for (const auto& [pair, n] : apart)
+      report(fmt::format(
+          "bodies '{}' and '{}' share {} of the mesh, and no contact covers {}: the bodies would come apart there. Add "
+          "a "
+          "contact (or one with type = \"tied\") between the two surfaces; or glue all bodies at shared nodes by "
+          "mesh.share_nodes = \"tie\"; or make one body of the two regions, if they have one material; or separate "
+          "them "
+          "in the geometry",
+          name(pair.first), name(pair.second), plural(n_shared(pair.first, pair.second)),
+          n == n_shared(pair.first, pair.second) ? "them" : fmt::format("{} of these", n)));
+  for (const auto& [pair, n] : at_edges)
+    report(
+        fmt::format("bodies '{}' and '{}' share {} along an edge or at a point, and no face: nothing can hold them "
+                    "together there; separate them in the geometry, or let them meet in a face",
+                    name(pair.first), name(pair.second), plural(n)));
+}
+
+std::vector<contact::Pair> SharedNodes::ties(const config::Config& config, const Bodies& bodies) const {
+  std::map<BodyPair, std::vector<contact::NodeTie>> ties;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    Groups groups(bodies.size());
+    const auto node_of = [&](std::size_t body) {
+      const auto& owners = shared_.nodes[i].owners;
+      return std::find_if(owners.begin(), owners.end(), [&](const auto& owner) { return owner.body == body; })->node;
+    };
+    for (const Link& link : links_[i])
+      if (!link.covered && groups.join(link.first, link.second))
+        ties[{link.first, link.second}].push_back({node_of(link.first), node_of(link.second), link.area});
+  }
+  std::vector<contact::Pair> pairs;
+  for (const auto& [pair_of, nodes] : ties) {
+    const mechanics::Body &slave = bodies[pair_of.first], &master = bodies[pair_of.second];
+    for (const contact::NodeTie& tie : nodes) require_same_supports(tie, slave, master, config.time.output);
+    contact::Pair pair;
+    pair.name = fmt::format("shared nodes of '{}' and '{}'", slave.name(), master.name());
+    pair.slave_body = pair_of.first;
+    pair.master_body = pair_of.second;
+    pair.coupling =
+        contact::node_ties({&slave.mesh(), &slave.constraints()}, {&master.mesh(), &master.constraints()}, nodes);
+    if (pair.coupling.n_rows() > 0) pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,82 @@
+#include "creepcontact/results/contact_width.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace creepcontact::results {
+namespace {
+
+constexpr int enough = 4;          // elements across
+constexpr double no_matter = 0.1;  // of the force: zones that carry less
+constexpr double rounding = 1e-9;  // of the largest multiplier
+
+/// Rows that can be reached from the first ones, each with its distance in steps.
+std::vector<std::pair<int, int>> reached(const ContactGrid& grid, const std::vector<int>& first,
+                                         std::vector<char>& is_free) {
+  std::vector<std::pair<int, int>> rows;
+  const auto add = [&](int row, int distance) {
+    if (!is_free[static_cast<std::size_t>(row)]) return;
+    is_free[static_cast<std::size_t>(row)] = 0;
+    rows.emplace_back(row, distance);
+  };
+  for (const int row : first) add(row, 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto [row, distance] = rows[i];
+    for (const int other : grid.around(row)) add(other, distance + 1);
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::optional<int> elements_across(const ContactGrid& grid, const Eigen::VectorXd& force_of_row) {
+  const auto n_rows = static_cast<int>(grid.places.size());
+  std::vector<char> closed(grid.places.size());
+  for (int row = 0; row < n_rows; ++row) closed[static_cast<std::size_t>(row)] = force_of_row[row] > 0 ? 1 : 0;
+  const auto is_open = [&](int row) { return closed[static_cast<std::size_t>(row)] == 0; };
+  const std::vector<char> all_closed = closed;
+  const double least = no_matter * force_of_row.sum();
+
+  std::optional<int> narrowest;
+  for (int row = 0; row < n_rows; ++row) {
+    if (is_open(row)) continue;
+    const std::vector<std::pair<int, int>> zone = reached(grid, {row}, closed);  // which takes it out of `closed`
+    double force = 0;
+    std::vector<int> edge;
+    std::vector<char> in_zone(grid.places.size());
+    for (const auto& [member, distance] : zone) {
+      force += force_of_row[member];
+      in_zone[static_cast<std::size_t>(member)] = 1;
+      if (std::ranges::any_of(grid.around(member), [&](int o) { return all_closed[static_cast<std::size_t>(o)] == 0; }))
+        edge.push_back(member);
+    }
+    if (edge.empty() || force < least) continue;
+    const int deepest = reached(grid, edge, in_zone).back().second;
+    narrowest = std::min(narrowest.value_or(2 * deepest - 1), 2 * deepest - 1);
+  }
+  return narrowest;
+}
+
+std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at) {
+  std::vector<std::string> lines;
+  const Eigen::VectorXd& multipliers = at.contact.multiplier;
+  const double largest = multipliers.size() > 0 ? multipliers.cwiseAbs().maxCoeff() : 0.0;
+  const Eigen::VectorXd pressure = (multipliers.array() > rounding * largest).select(multipliers, 0.0);
+  for (const contact::Pair& pair : assembly.pairs()) {
+    if (pair.coupling.type == contact::ContactType::tied) continue;
+    const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), pair.coupling.n_rows());
+    const Eigen::VectorXd force = pressure.segment(pair.first_row, pair.coupling.n_rows()).cwiseProduct(area);
+    const ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
+    const std::optional<int> width = elements_across(grid, force);
+    if (!width || *width >= enough) continue;
+    lines.push_back(fmt::format(
+        "contact '{}': at the end the contact zone is about {} element{} wide at its narrowest (elements of the slave "
+        "surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: {} elements are the least, "
+        "eight are better",
+        pair.name, *width, *width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough));
+  }
+  return lines;
+}
+
+}  // namespace creepcontact::results

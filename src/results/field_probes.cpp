@@ -1,0 +1,177 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/fem/reference_element.hpp"
+#include "local_fit.hpp"
+#include "point_location.hpp"
+#include "probe_kinds.hpp"
+#include "probe_quantity.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+/// Displacement interpolated in the element, the other fields fitted to the integration points around.
+class PointProbe final : public Probe {
+ public:
+  PointProbe(std::size_t body, PointLocation location, const mechanics::Body& owner, ProbeQuantity quantity)
+      : body_(body),
+        location_(std::move(location)),
+        points_(local_fit(owner.discretization(), owner.mesh(), location_.element, location_.place)),
+        quantity_(std::move(quantity)) {}
+
+  double value(Snapshot& snapshot) const override {
+    Sample sample;
+    const BodyFields& fields = snapshot.fields(body_);
+    for (std::size_t i = 0; i < location_.nodes.size(); ++i)
+      sample.displacement +=
+          location_.weights[i] * fields.at_node(static_cast<std::size_t>(location_.nodes[i])).displacement;
+    for (const auto& [point, weight] : points_) {
+      const Sample at_point = fields.at_point(point);
+      sample.stress += weight * at_point.stress;
+      sample.strain += weight * at_point.strain;
+      sample.creep_strain += weight * at_point.creep_strain;
+      sample.temperature += weight * at_point.temperature;
+      sample.damage += weight * at_point.damage;
+      sample.life_fraction += weight * at_point.life_fraction;
+    }
+    sample.place = location_.place;
+    return quantity_(sample);
+  }
+
+ private:
+  std::size_t body_;
+  PointLocation location_;
+  std::vector<std::pair<std::size_t, double>> points_;
+  ProbeQuantity quantity_;
+};
+
+/// Nodes with weights: areas on a surface, 1 on curves and points.
+class NodesProbe final : public Probe {
+ public:
+  struct Part {
+    std::size_t body;
+    std::vector<std::pair<std::size_t, double>> nodes;
+  };
+  NodesProbe(std::vector<Part> parts, ProbeQuantity quantity, config::Reduce reduce)
+      : parts_(std::move(parts)), quantity_(std::move(quantity)), reduce_(reduce) {}
+
+  double value(Snapshot& snapshot) const override {
+    Reduction reduction(reduce_);
+    for (const Part& part : parts_)
+      for (const auto& [node, weight] : part.nodes)
+        reduction.add(quantity_(snapshot.fields(part.body).at_node(node)), weight);
+    return reduction.result();
+  }
+
+ private:
+  std::vector<Part> parts_;
+  ProbeQuantity quantity_;
+  config::Reduce reduce_;
+};
+
+class VolumeProbe final : public Probe {
+ public:
+  VolumeProbe(std::size_t body, ProbeQuantity quantity, config::Reduce reduce)
+      : body_(body), quantity_(std::move(quantity)), reduce_(reduce) {}
+
+  double value(Snapshot& snapshot) const override {
+    const BodyFields& fields = snapshot.fields(body_);
+    Reduction reduction(reduce_);
+    if (quantity_.info().name.starts_with("displacement")) {
+      for (std::size_t i = 0; i < fields.n_nodes(); ++i) reduction.add(quantity_(fields.at_node(i)), 1.0);
+    } else {
+      const std::span<const double> weights = fields.body().discretization().weights();
+      for (std::size_t p = 0; p < fields.n_points(); ++p) reduction.add(quantity_(fields.at_point(p)), weights[p]);
+    }
+    return reduction.result();
+  }
+
+ private:
+  std::size_t body_;
+  ProbeQuantity quantity_;
+  config::Reduce reduce_;
+};
+
+/// Share of every node in the area of the faces, so that sums over nodes are area integrals of the interpolated field.
+std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
+  std::map<std::size_t, double> areas;
+  for (const mesh::Face& face : faces) {
+    const fem::ReferenceElement& element = fem::reference_element(face.type);
+    const fem::QuadratureRule& rule = element.rule();
+    Eigen::VectorXd shape(element.n_nodes());
+    Eigen::MatrixX3d gradient(element.n_nodes(), 3);
+    for (int q = 0; q < rule.size(); ++q) {
+      const Vector3 xi = rule.points.row(q).transpose();
+      element.shape(xi, shape);
+      element.gradient(xi, gradient);
+      Vector3 tangent1 = Vector3::Zero(), tangent2 = Vector3::Zero();
+      for (int i = 0; i < element.n_nodes(); ++i) {
+        const Vector3& x = mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
+        tangent1 += gradient(i, 0) * x;
+        tangent2 += gradient(i, 1) * x;
+      }
+      const double weight = rule.weights[q] * tangent1.cross(tangent2).norm();
+      for (int i = 0; i < element.n_nodes(); ++i)
+        areas[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])] += weight * shape[i];
+    }
+  }
+  return {areas.begin(), areas.end()};
+}
+
+constexpr double beside = 1e-3;  // of an element's size: a point on a curved surface, which the mesh only approximates
+
+bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const std::int64_t node : location.nodes) box.extend(mesh.nodes[static_cast<std::size_t>(node)]);
+  return location.distance <= beside * box.diagonal().norm();
+}
+
+}  // namespace
+
+std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model) {
+  const Vector3 at((*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
+  std::optional<PointLocation> best;
+  std::size_t best_body = 0;
+  std::vector<std::size_t> holders;  // bodies that the point lies in
+  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
+    if (probe.body.given() && model::find_body(model.bodies(), probe.body.name) != b) continue;
+    const std::optional<PointLocation> found = locate(model.bodies()[b].mesh(), at);
+    if (!found) continue;
+    if (lies_in(*found, model.bodies()[b].mesh())) holders.push_back(b);
+    if (best && found->distance >= best->distance) continue;
+    best = found;
+    best_body = b;
+  }
+  if (holders.size() > 1)
+    throw ModelError(
+        fmt::format("the point ({}, {}, {}) lies in body '{}' and in body '{}'; say which one is meant: body = \"{}\"",
+                    at.x(), at.y(), at.z(), model.bodies()[holders[0]].name(), model.bodies()[holders[1]].name(),
+                    model.bodies()[holders[0]].name()));
+  if (!best)
+    throw ModelError(fmt::format("the point ({}, {}, {}) lies outside {}", at.x(), at.y(), at.z(),
+                                 probe.body.given() ? "body '" + probe.body.name + "'" : "all bodies"));
+  return std::make_unique<PointProbe>(best_body, *best, model.bodies()[best_body], ProbeQuantity(probe));
+}
+
+std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model) {
+  std::vector<NodesProbe::Part> parts;
+  for (const std::size_t b : probe_bodies(probe, model)) {
+    const mesh::Mesh& mesh = model.bodies()[b].mesh();
+    NodesProbe::Part part{b, {}};
+    if (mesh.group(probe.on.name).dimension == 2)
+      part.nodes = nodal_areas(mesh, mesh::boundary_faces(mesh, probe.on.name));
+    else
+      for (const std::int64_t node : mesh::group_nodes(mesh, probe.on.name))
+        part.nodes.emplace_back(static_cast<std::size_t>(node), 1.0);
+    parts.push_back(std::move(part));
+  }
+  return std::make_unique<NodesProbe>(std::move(parts), ProbeQuantity(probe), probe.reduce);
+}
+
+std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model& model) {
+  return std::make_unique<VolumeProbe>(model::find_body(model.bodies(), probe.body.name), ProbeQuantity(probe), probe.reduce);
+}
+
+}  // namespace creepcontact::results

@@ -1,0 +1,114 @@
+#include "local_fit.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "creepcontact/fem/reference_element.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+/// Of a monomial's part that others do not represent. Far less than that comes of the curvature of the elements alone
+/// (a single layer of them around a pipe) and would magnify what little the field differs from the fit.
+constexpr double rank_threshold = 3e-2;
+
+Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
+  Eigen::Matrix<double, 1, 10> row;
+  row << 1, x[0], x[1], x[2], x[0] * x[1], x[1] * x[2], x[2] * x[0], x[0] * x[0], x[1] * x[1], x[2] * x[2];
+  return row;
+}
+
+/// Where a value is taken as it is: one integration point, or the mean over some.
+struct SamplePlace {
+  Vector3 place = Vector3::Zero();
+  std::vector<std::pair<std::size_t, double>> points;  // with their shares, which add up to 1
+};
+
+/// The places where elements are most accurate: integration points of quadratic ones, the middle of linear ones (their
+/// stress varies wrongly within an element).
+void add_samples(const mechanics::Discretization& discretization, std::size_t element,
+                 std::vector<SamplePlace>& samples) {
+  const bool linear = mesh::order(discretization.element_type(element)) == 1;
+  const std::size_t first = discretization.first_point(element), last = discretization.first_point(element + 1);
+  double volume = 0;
+  for (std::size_t p = first; p < last; ++p) volume += discretization.weights()[p];
+  for (std::size_t p = first; p < last; ++p) {
+    if (!linear || p == first) samples.emplace_back();
+    const double share = linear ? discretization.weights()[p] / volume : 1.0;
+    samples.back().place += share * discretization.point_coordinates()[p];
+    samples.back().points.emplace_back(p, share);
+  }
+}
+
+/// Those of the element and of every element that shares a node with it.
+std::vector<SamplePlace> samples_around(const mechanics::Discretization& discretization, std::size_t element) {
+  const auto own = discretization.element_nodes(element);
+  const std::set<std::int64_t> nodes(own.begin(), own.end());
+  std::vector<SamplePlace> samples;
+  for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
+    const auto others = discretization.element_nodes(e);
+    if (std::any_of(others.begin(), others.end(), [&](std::int64_t node) { return nodes.contains(node); }))
+      add_samples(discretization, e, samples);
+  }
+  return samples;
+}
+
+Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
+                           std::size_t element) {
+  const fem::ReferenceElement& reference = fem::reference_element(discretization.element_type(element));
+  Eigen::MatrixX3d gradient(reference.n_nodes(), 3);
+  reference.gradient(reference.nodes().colwise().mean().transpose(), gradient);
+  Matrix3 jacobian = Matrix3::Zero();
+  const auto nodes = discretization.element_nodes(element);
+  for (int i = 0; i < reference.n_nodes(); ++i)
+    jacobian += mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])] * gradient.row(i);
+  return jacobian;
+}
+
+/// Row of the pseudo-inverse that gives the coefficient of the first column. Columns are taken in their order, each
+/// only if those before do not represent it: what is left out are quadratic terms rather than linear ones.
+Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd basis(matrix.rows(), matrix.cols());
+  Eigen::MatrixXd upper = Eigen::MatrixXd::Zero(matrix.cols(), matrix.cols());
+  Eigen::Index rank = 0;
+  for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+    const auto before = basis.leftCols(rank);
+    Eigen::VectorXd rest = matrix.col(k) - before * (before.transpose() * matrix.col(k));
+    rest -= before * (before.transpose() * rest);  // twice is enough for orthogonality
+    if (rest.norm() <= rank_threshold * matrix.col(k).norm()) continue;
+    upper.col(rank).head(rank) = before.transpose() * matrix.col(k);
+    upper(rank, rank) = rest.norm();
+    basis.col(rank++) = rest.normalized();
+  }
+  // matrix = Q R on the columns taken; the row is that of R^-1 Q^T.
+  const Eigen::VectorXd first = Eigen::VectorXd::Unit(rank, 0);
+  const Eigen::MatrixXd triangle = upper.topLeftCorner(rank, rank).transpose();
+  return basis.leftCols(rank) * triangle.triangularView<Eigen::Lower>().solve(first);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretization& discretization,
+                                                      const mesh::Mesh& mesh, std::size_t element, const Vector3& at) {
+  const std::vector<SamplePlace> samples = samples_around(discretization, element);
+  const Matrix3 to_reference = jacobian_at_centre(discretization, mesh, element).inverse();
+
+  // Value at the place = first coefficient c0 of the fit, with the place as origin: c = (W M)^+ W f.
+  const auto n = static_cast<Eigen::Index>(samples.size());
+  Eigen::MatrixXd matrix(n, 10);
+  Eigen::VectorXd weights(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    // Distances in element sizes, each direction by its own: flat elements weigh right.
+    const Vector3 x = to_reference * (samples[static_cast<std::size_t>(i)].place - at);
+    weights[i] = 1 / (1 + x.squaredNorm() * x.squaredNorm());
+    matrix.row(i) = weights[i] * monomials(x);
+  }
+  const Eigen::VectorXd row = row_of_constant(matrix);
+  std::vector<std::pair<std::size_t, double>> result;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (const auto& [point, share] : samples[static_cast<std::size_t>(i)].points)
+      result.emplace_back(point, share * row[i] * weights[i]);
+  return result;
+}
+
+}  // namespace creepcontact::results

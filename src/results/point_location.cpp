@@ -1,0 +1,83 @@
+#include "point_location.hpp"
+
+#include <algorithm>
+
+#include "creepcontact/fem/reference_element.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+constexpr double reach = 0.1;  // of an element's size, for points outside the mesh
+
+/// Nearest place of the reference domain.
+Vector3 clamp(const Vector3& xi, mesh::CellType type) {
+  using mesh::CellType;
+  const auto into_simplex = [](Vector3 p, int dimension) {
+    for (int i = 0; i < dimension; ++i) p[i] = std::max(p[i], 0.0);
+    const double sum = p.head(dimension).sum();
+    if (sum > 1) p.head(dimension) /= sum;
+    return p;
+  };
+  if (type == CellType::tet4 || type == CellType::tet10) return into_simplex(xi, 3);
+  if (type == CellType::wedge6 || type == CellType::wedge15) {
+    Vector3 p = into_simplex(xi, 2);
+    p[2] = std::clamp(p[2], -1.0, 1.0);
+    return p;
+  }
+  return xi.cwiseMax(-1.0).cwiseMin(1.0);
+}
+
+/// Newton iteration for x(xi) = at, held inside the element.
+std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellBlock& block, std::size_t cell,
+                                       const Vector3& at) {
+  const fem::ReferenceElement& element = fem::reference_element(block.type);
+  const auto nodes = block.cell(cell);
+  Eigen::AlignedBox3d box;
+  for (const std::int64_t node : nodes) box.extend(mesh.nodes[static_cast<std::size_t>(node)]);
+  const double size = box.diagonal().norm();
+  if (box.exteriorDistance(at) > reach * size) return std::nullopt;
+
+  const int n = element.n_nodes();
+  Eigen::VectorXd shape(n);
+  Eigen::MatrixX3d gradient(n, 3), x(n, 3);
+  for (int i = 0; i < n; ++i)
+    x.row(i) = mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])].transpose();
+  Vector3 xi = element.nodes().colwise().mean().transpose();
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    element.shape(xi, shape);
+    element.gradient(xi, gradient);
+    const Vector3 residual = at - x.transpose() * shape;
+    const Matrix3 jacobian = x.transpose() * gradient;
+    const Vector3 next = clamp(xi + jacobian.inverse() * residual, block.type);
+    const bool done = (next - xi).norm() < 1e-13;
+    xi = next;
+    if (done) break;
+  }
+  element.shape(xi, shape);
+  PointLocation result;
+  result.nodes.assign(nodes.begin(), nodes.end());
+  result.weights.assign(shape.begin(), shape.end());
+  result.place = at;
+  result.distance = (at - x.transpose() * shape).norm();
+  if (result.distance > reach * size) return std::nullopt;
+  return result;
+}
+
+}  // namespace
+
+std::optional<PointLocation> locate(const mesh::Mesh& mesh, const Vector3& at) {
+  std::optional<PointLocation> best;
+  std::size_t element = 0;
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (mesh::dimension(block.type) != 3) continue;
+    for (std::size_t cell = 0; cell < block.size(); ++cell, ++element) {
+      auto found = locate_in(mesh, block, cell, at);
+      if (!found || (best && found->distance >= best->distance)) continue;
+      found->element = element;
+      best = std::move(found);
+    }
+  }
+  return best;
+}
+
+}  // namespace creepcontact::results

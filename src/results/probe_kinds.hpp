@@ -1,0 +1,38 @@
+#pragma once
+/// One maker for each kind of place a probe can have.
+
+#include <limits>
+
+#include "creepcontact/results/probes.hpp"
+#include "creepcontact/results/quantities.hpp"
+
+namespace creepcontact::results {
+
+/// At a point of a body: fields interpolated in the element that holds it, or in the nearest one on faceted surfaces.
+std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model);
+/// Over a surface, curve or point group.
+std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model);
+/// Over a whole body, from its integration points (displacements: nodes).
+std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model& model);
+/// Contact pressure, gap, area and force on a surface of a pair.
+std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Model& model);
+/// Reactions on a group.
+std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model);
+
+/// Weighted values to one number.
+class Reduction {
+ public:
+  explicit Reduction(config::Reduce kind) : kind_(kind) {}
+  void add(double value, double weight);
+  double result() const;
+
+ private:
+  config::Reduce kind_;
+  double sum_ = 0, weight_ = 0;
+  double max_ = -std::numeric_limits<double>::infinity(), min_ = std::numeric_limits<double>::infinity();
+};
+
+/// Bodies a probe may look at: the one it names, or all that have its group. @throws ModelError if there is none
+std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::Model& model);
+
+}  // namespace creepcontact::results

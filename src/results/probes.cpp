@@ -1,0 +1,77 @@
+#include "creepcontact/results/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/model/error_collector.hpp"
+#include "probe_kinds.hpp"
+
+namespace creepcontact::results {
+
+void Reduction::add(double value, double weight) {
+  sum_ += weight * value;
+  weight_ += weight;
+  max_ = std::max(max_, value);
+  min_ = std::min(min_, value);
+}
+
+double Reduction::result() const {
+  switch (kind_) {
+    case config::Reduce::mean:
+      return weight_ > 0 ? sum_ / weight_ : 0;
+    case config::Reduce::max:
+      return max_;
+    case config::Reduce::min:
+      return min_;
+    case config::Reduce::sum:
+      return sum_;
+  }
+  return 0;
+}
+
+std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::Model& model) {
+  std::vector<std::size_t> bodies;
+  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
+    const auto& groups = model.bodies()[b].mesh().groups;
+    const auto found = groups.find(probe.on.name);
+    if (found != groups.end() && !found->second.cells.empty()) bodies.push_back(b);
+  }
+  if (bodies.empty()) {
+    std::string names;
+    for (const mechanics::Body& body : model.bodies())
+      for (const auto& [name, group] : body.mesh().groups)
+        if (group.dimension < 3 && names.find("'" + name + "'") == std::string::npos)
+          names += (names.empty() ? "'" : ", '") + name + "'";
+    throw ModelError(fmt::format("no body has a group '{}'; there are {}", probe.on.name, names));
+  }
+  if (!probe.body.given()) return bodies;
+  const std::size_t wanted = model::find_body(model.bodies(), probe.body.name);
+  if (std::find(bodies.begin(), bodies.end(), wanted) == bodies.end())
+    throw ModelError(fmt::format("group '{}' is not on body '{}'", probe.on.name, probe.body.name));
+  return {wanted};
+}
+
+std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, const model::Model& model) {
+  std::vector<std::unique_ptr<Probe>> result;
+  model::ErrorCollector errors;
+  for (const config::Probe& probe : config.probes)
+    errors.collect(probe.location, [&] {
+      const QuantityInfo::Kind kind = quantity(probe.quantity).kind;
+      if (kind == QuantityInfo::Kind::reaction)
+        result.push_back(reaction_probe(probe, model));
+      else if (kind != QuantityInfo::Kind::field)
+        result.push_back(contact_probe(probe, model));
+      else if (probe.at)
+        result.push_back(point_probe(probe, model));
+      else if (probe.on.given())
+        result.push_back(group_probe(probe, model));
+      else
+        result.push_back(body_probe(probe, model));
+    });
+  errors.raise();
+  return result;
+}
+
+}  // namespace creepcontact::results

@@ -1,0 +1,61 @@
+#include "creepcontact/results/results.hpp"
+
+#include <cmath>
+
+#include "creepcontact/results/quantities.hpp"
+#include "field_arrays.hpp"
+
+namespace creepcontact::results {
+
+Results::Results(const config::Config& config, const std::filesystem::path& directory,
+                 const creep::Assembly& assembly, std::vector<std::unique_ptr<Probe>> probes,
+                 io::Continuation continuation)
+    : probes_(std::move(probes)), surfaces_(assembly) {
+  std::vector<std::string> names;
+  for (const config::Probe& probe : config.probes) names.push_back(probe.name);
+  history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation);
+  steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation);
+  if (!config.output.fields) return;
+  io::FieldMesh mesh;
+  io::TextArray body_names{"bodies", {}};
+  for (const mechanics::Body& body : assembly.bodies()) {
+    mesh.append(body.mesh());
+    body_names.values.push_back(body.name());
+  }
+  mesh.texts.push_back(std::move(body_names));
+  fields_ = std::make_unique<io::FieldWriter>(directory, "fields", mesh, config.units, continuation);
+  if (!surfaces_.empty())
+    contact_ = std::make_unique<io::FieldWriter>(directory, "contact", surfaces_.mesh(), config.units, continuation);
+}
+
+void Results::output(Snapshot& snapshot) {
+  values_.clear();
+  for (const auto& probe : probes_) values_.push_back(probe->value(snapshot));
+  history_->write(snapshot.time(), values_);
+  if (!fields_) return;
+  std::vector<io::FieldData> at_points = point_arrays(snapshot);
+  if (contact_) {
+    for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
+    contact_->write(snapshot.time(), surfaces_.point_arrays(snapshot.equilibrium()), surfaces_.cell_arrays());
+  }
+  fields_->write(snapshot.time(), at_points, cell_arrays(snapshot));
+}
+
+void Results::sync() {
+  history_->sync();
+  steps_->sync();
+}
+
+void Results::step(const ode::StepReport& report, const ode::System::Counters& before,
+                   const ode::System::Counters& after) {
+  steps_->write({.time = report.time,
+                 .step = report.step,
+                 .order = report.order,
+                 .rhs_evaluations = after.rate_evaluations - before.rate_evaluations,
+                 .elastic_solves = after.elastic_solves - before.elastic_solves,
+                 .schwarz_iterations = after.schwarz_iterations - before.schwarz_iterations,
+                 .active_contacts = after.active_contacts,
+                 .error_estimate = report.error_estimate});
+}
+
+}  // namespace creepcontact::results

@@ -1,0 +1,86 @@
+#include "creepcontact/run/check.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <ostream>
+
+#include "creepcontact/base/memory.hpp"
+#include "creepcontact/mechanics/factored_body.hpp"
+#include "creepcontact/results/probes.hpp"
+#include "creepcontact/creep/state_layout.hpp"
+#include "gap_report.hpp"
+#include "memory_need.hpp"
+#include "creepcontact/model/temperature.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+std::string element_names(const mesh::Mesh& mesh) {
+  std::string text;
+  for (const mesh::CellBlock& block : mesh.blocks)
+    if (mesh::dimension(block.type) == 3 && block.size() > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", block.size(), mesh::name(block.type));
+  return text;
+}
+
+std::string contact_text(const contact::Pair& pair, const config::Contact& contact, const model::Model& model) {
+  std::string text =
+      fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
+                  pair.slave_surface, model.bodies()[pair.slave_body].name(), pair.master_surface,
+                  model.bodies()[pair.master_body].name(), pair.coupling.nodes.size(), gap_text(contact, pair));
+  if (const auto warning = gap_warning(model, pair)) text += "  warning: " + *warning + "\n";
+  return text;
+}
+
+}  // namespace
+
+void check(const config::Config& config, std::ostream& report) {
+  omp_set_num_threads(affordable_threads(omp_get_max_threads()));
+  const model::Model model = model::build_model(config);
+  results::make_probes(config, model);
+  const creep::StateLayout layout(model.assembly);
+
+  std::string text;
+  for (const std::string& warning : settings_warnings(config)) text += "warning: " + warning + "\n";
+  double contact_bytes = 0;
+  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
+    const mechanics::Body& body = model.bodies()[b];
+    text += fmt::format("body '{}': {}, {} nodes, {} unknowns, {} integration points, material '{}'{}\n", body.name(),
+                        element_names(body.mesh()), body.mesh().nodes.size(), body.constraints().n_free(),
+                        body.discretization().n_points(), body.material().name,
+                        body.material().creeps() ? "" : " (elastic)");
+    for (const std::string& warning : model::mesh_warnings(body)) text += "  warning: " + warning + "\n";
+    std::string described;
+    for (const mechanics::FreeMotion& motion : body.free_motions())
+      described += (described.empty() ? "" : ", ") + motion.description;
+    text += fmt::format("  rigid-body modes: {}\n", described.empty() ? "none" : described);
+  }
+  for (std::size_t p = 0; p < model.pairs().size(); ++p) {
+    const contact::Pair& pair = model.pairs()[p];
+    const double n = pair.coupling.n_rows();
+    text += pair.ties_nodes() ? fmt::format("{}: tied, {} multipliers\n", pair.name, pair.coupling.nodes.size())
+                              : contact_text(pair, config.contacts[p], model);
+    contact_bytes += 8 * n * n * 12;
+  }
+  const contact::FloatingMotions& floating = model.assembly.floating();
+  if (floating.held().cols() > 0) text += fmt::format("held by contact alone: {} motions\n", floating.held().cols());
+  for (const std::string& motion : floating.describe_idle())
+    text += fmt::format("held by nothing, must not be loaded: {}\n", motion);
+  if (const auto range = model::temperature_range(config, model))
+    text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
+                                      : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
+  text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
+  if (contact_bytes > 1e6 * config.contact_solver.dense_limit_mb) contact_bytes = 0;
+  const MemoryNeed need = memory_need(config, model, contact_bytes, [&](std::size_t b) {
+    return static_cast<double>(mechanics::estimate_factor_bytes(model.bodies()[b]));
+  });
+  text += fmt::format("estimated memory: {}\n", memory_text(need.total() + peak_memory()));
+  if (const std::string shortage = memory_shortage(need); !shortage.empty())
+    text += fmt::format("warning: {}\n", shortage);
+  report << text << std::flush;
+  floating.require_contact(model.pairs());
+  report << "no mistakes found\n" << std::flush;
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,42 @@
+#pragma once
+/// The checkpoints of a run: what is in them, when the next one is due, whether one may be resumed.
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/io/checkpoint.hpp"
+#include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/creep/creep_system.hpp"
+
+namespace creepcontact::run {
+
+class Checkpoints {
+ public:
+  Checkpoints(const config::Config& config, const model::Model& model, const std::filesystem::path& directory);
+
+  /// The last one on disk. @param state_size  of the model
+  /// @throws ConfigError if there is none, or it is of another model: what differs
+  io::Checkpoint read(std::size_t state_size) const;
+  /// Of an earlier run in the same directory.
+  void remove() const { io::remove_checkpoints(path_); }
+
+  /// The run as it is now. @param integrator  at a restart point; none if nothing creeps
+  io::Checkpoint take(double time, const ode::Integrator* integrator, const creep::CreepSystem& system) const;
+  bool due() const;
+  /// Results up to its time must be on disk. Does nothing if it has been written already.
+  void write(const io::Checkpoint& checkpoint);
+
+ private:
+  const config::Config& config_;
+  std::filesystem::path path_;
+  std::string fingerprint_;
+  std::optional<double> written_;  // time of the last one
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Takes the integration up where the checkpoint was taken, or, if that was by another method, begins with this one.
+void restore(const io::Checkpoint& checkpoint, const config::Config& config, ode::Integrator& integrator);
+
+}  // namespace creepcontact::run

@@ -1,0 +1,23 @@
+#include "finished_run.hpp"
+
+#include <fmt/format.h>
+
+#include "checkpoints.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "creepcontact/creep/state_layout.hpp"
+
+namespace creepcontact::run {
+
+std::string nothing_left(const config::Config& config, const model::Model& model, const std::filesystem::path& directory) {
+  using Status = io::Summary::Status;
+  const auto summary = io::read_summary(directory / "summary.json");
+  if (!summary || (summary->status != Status::completed && summary->status != Status::ruptured)) return {};
+  const double reached = Checkpoints(config, model, directory).read(creep::StateLayout(model.assembly).size()).time;
+  if (summary->status == Status::ruptured)
+    return fmt::format("nothing is left to do: the run ended by rupture at t = {:.6g}", summary->time_reached);
+  if (reached < config.time.end) return {};
+  return fmt::format("nothing is left to do: the run is complete up to t = {:.6g}; a later time.end prolongs it",
+                     reached);
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,83 @@
+#include "memory_need.hpp"
+
+#include <fmt/ranges.h>
+#include <omp.h>
+
+#include <vector>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/memory.hpp"
+#include "creepcontact/linalg/blas_address_space.hpp"
+#include "creepcontact/creep/state_layout.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+constexpr double state_vectors = 14;      // of CVODE BDF with its Krylov space
+constexpr double numbers_at_points = 75;  // gradients, weights, coordinates, stress, moduli
+constexpr double numbers_at_nodes = 100;  // vectors of the unknowns, smoothed fields and their text
+constexpr double considerable = 0.2;      // part of what is missing
+constexpr double small_things = 10e6;     // buffers of files, tables, stacks
+
+std::string threads_text(int threads) {
+  return threads == 1 ? "one thread" : fmt::format("{} threads", threads);
+}
+
+}  // namespace
+
+MemoryNeed memory_need(const config::Config& config, const model::Model& model, double contact_bytes,
+                       const std::function<double(std::size_t body)>& of_factor) {
+  const bool tangent = config.time.linear_solver == config::LinearSolver::tangent;
+  const creep::StateLayout layout(model.assembly);
+  MemoryNeed need;
+  need.contact = (tangent ? 2 : 1) * contact_bytes;
+  need.state = 8 * state_vectors * static_cast<double>(layout.size());
+  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
+    const mechanics::Body& body = model.bodies()[b];
+    const bool has_tangent = tangent && body.material().creeps();
+    need.factors += (has_tangent ? 2 : 1) * of_factor(b);
+    // What a tangent eliminates at the points.
+    const auto stride = static_cast<double>(layout.stride(b));
+    const double numbers = numbers_at_points + (has_tangent ? 36 + stride * (stride + 6) : 0);
+    need.points += 8 * (numbers * static_cast<double>(body.discretization().n_points()) +
+                        numbers_at_nodes * static_cast<double>(body.mesh().nodes.size()));
+  }
+  return need;
+}
+
+int affordable_threads(int wanted) {
+  const double half = 0.5 * address_space().bytes;
+  int threads = 1;
+  while (threads < wanted && linalg::blas_address_space(threads + 1) <= half) ++threads;
+  return threads;
+}
+
+std::string memory_shortage(const MemoryNeed& need) {
+  const auto text = [&](double more, const std::string& also, const Room& room, int threads) {
+    std::vector<std::string> cures;
+    if (threads > 1) cures.emplace_back("use --threads 1");
+    if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
+    cures.emplace_back("allow the program more memory");
+    return fmt::format(
+        "the model needs about {} of memory more (factors {}, contact matrices {}, integration points and nodes {}, "
+        "state and integrator {}{}), and {} are left: {}; {}",
+        memory_text(more), memory_text(need.factors), memory_text(need.contact), memory_text(need.points),
+        memory_text(need.state), also, memory_text(room.bytes), room.reason, fmt::join(cures, ", or "));
+  };
+  if (const Room room = free_memory(); need.total() + small_things > room.bytes)
+    return text(need.total() + small_things, "", room, 1);
+  const int threads = omp_get_max_threads();
+  const double reserved = linalg::blas_address_space(threads), all = need.total() + small_things + reserved;
+  if (const Room room = address_space(); all > room.bytes)
+    return text(all, fmt::format(", reserved for {} {}", threads_text(threads), memory_text(reserved)), room, threads);
+  return {};
+}
+
+void require_memory(const config::Config& config, const model::Model& model, double contact_bytes,
+                    const std::function<double(std::size_t body)>& of_factor) {
+  const MemoryNeed need = memory_need(config, model, contact_bytes, of_factor);
+  if (const std::string shortage = memory_shortage(need); !shortage.empty())
+    throw ModelError(fmt::format("{}: {}", config.mesh.file.string(), shortage));
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,38 @@
+#pragma once
+/// Memory that a run takes, and whether there is as much.
+
+#include <functional>
+#include <string>
+
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/model/model.hpp"
+
+namespace creepcontact::run {
+
+/// Bytes.
+struct MemoryNeed {
+  double factors = 0;  ///< with what a factorisation takes beside them
+  double contact = 0;  ///< matrices of the contact zones
+  double points = 0;   ///< at integration points and nodes
+  double state = 0;    ///< of the differential equation, and the vectors of its integrator
+  double total() const { return factors + contact + points + state; }
+};
+
+/// What a run takes beyond its model. @param contact_bytes  the matrices of all contact zones
+/// @param of_factor  bytes of a body's factor, with those that its factorisation takes besides
+MemoryNeed memory_need(const config::Config& config, const model::Model& model, double contact_bytes,
+                       const std::function<double(std::size_t body)>& of_factor);
+
+/// The number of threads that a limited address space has place for, `wanted` at most: each may take some hundred MB of
+/// it in the BLAS. 1 may still be too many.
+int affordable_threads(int wanted);
+
+/// Between the analysis of all bodies and their factorisation: refuses a model for which there is no memory before
+/// anything of it is taken.
+/// @throws ModelError with the need, what there is, and what bounds it
+void require_memory(const config::Config& config, const model::Model& model, double contact_bytes,
+                    const std::function<double(std::size_t body)>& of_factor);
+/// What it says of a need; empty if there is memory for it.
+std::string memory_shortage(const MemoryNeed& need);
+
+}  // namespace creepcontact::run

@@ -1,0 +1,74 @@
+#include "progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "creepcontact/base/log.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+constexpr double seconds_between_draws = 0.1;
+constexpr double seconds_between_lines = 10;
+constexpr int bar_width = 24;
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(seconds);
+  return whole >= 3600 ? fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60)
+                       : fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+}  // namespace
+
+Progress::Progress(const std::vector<double>& output_times, bool quiet)
+    : output_times_(output_times), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  clear();
+}
+
+/// By output intervals: where creep slows down users space them out, and steps grow alike.
+double Progress::share_done(double time) const {
+  const auto next = std::upper_bound(output_times_.begin(), output_times_.end(), time);
+  if (next == output_times_.begin() || next == output_times_.end()) return next == output_times_.begin() ? 0 : 1;
+  const double within = (time - *(next - 1)) / (*next - *(next - 1));
+  return (static_cast<double>(next - output_times_.begin() - 1) + within) /
+         static_cast<double>(output_times_.size() - 1);
+}
+
+void Progress::step(double time, std::int64_t steps, std::int64_t elastic_solves) {
+  if (quiet_) return;
+  const Clock::time_point now = Clock::now();
+  const double since = std::chrono::duration<double>(now - last_).count();
+  if (since < (terminal_ ? seconds_between_draws : seconds_between_lines)) return;
+  last_ = now;
+  const double share = share_done(time);
+  const double end = output_times_.back();
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const double left = share > 0 ? elapsed * (1 - share) / share : 0;
+  if (!terminal_) {
+    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves, about {} left", time, end, steps, elastic_solves,
+              clock_text(left));
+    return;
+  }
+  const int full = static_cast<int>(share * bar_width);
+  const std::string bar =
+      std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(bar_width - full), '.');
+  // fmt::print throws where the terminal is gone.
+  const std::string line = fmt::format("\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time,
+                                       end, steps, elastic_solves, clock_text(left));
+  std::fputs(line.c_str(), stderr);
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
+void Progress::clear() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,195 @@
+#include "creepcontact/run/run.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <optional>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/base/memory.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "creepcontact/run/check.hpp"
+#include "creepcontact/results/probes.hpp"
+#include "directory_lock.hpp"
+#include "finished_run.hpp"
+#include "memory_need.hpp"
+#include "run_report.hpp"
+#include "time_loop.hpp"
+#include "useful_threads.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+io::Summary make_summary(const config::Config& config, const model::Model& model, const TimeLoop& loop,
+                         const Stopwatch& watch) {
+  io::Summary summary;
+  summary.title = config.title;
+  summary.units = config.units;
+  summary.version = CREEPCONTACT_VERSION;
+  for (const config::Probe& probe : config.probes) {
+    const char* const region = probe.on.given() ? "surface" : "body";
+    summary.probes[probe.name] = {probe.quantity, probe.reduce == config::Reduce::sum ? region : ""};
+  }
+  summary.integrator = config.time.integrator;
+  summary.method = loop.method();
+  summary.time_reached = loop.time();
+  const ode::Integrator::Counters steps = loop.integrator_counters();
+  const ode::System::Counters counters = loop.system_counters();
+  summary.steps = steps.steps;
+  summary.rejected_steps = steps.rejected_steps;
+  summary.convergence_failures = steps.convergence_failures;
+  summary.rhs_evaluations = counters.rate_evaluations;
+  summary.jacobian_products = counters.jacobian_products;
+  summary.elastic_solves = counters.elastic_solves;
+  summary.contact_solves = counters.contact_solves;
+  summary.schwarz_iterations = counters.schwarz_iterations;
+  summary.factorizations = counters.factorizations;
+  loop.life().fill(summary);
+  for (const mechanics::Body& body : model.bodies())
+    summary.bodies[body.name()] = {body.constraints().n_free(),
+                                   static_cast<std::int64_t>(body.discretization().n_elements()),
+                                   static_cast<std::int64_t>(body.discretization().n_points())};
+  summary.wall_seconds = {watch.total(),
+                          watch.seconds(Part::factorize),
+                          watch.seconds(Part::solve),
+                          watch.seconds(Part::material),
+                          watch.seconds(Part::contact),
+                          watch.seconds(Part::output)};
+  summary.peak_memory_mb = peak_memory() / (1 << 20);
+  return summary;
+}
+
+Suspects suspects(const creep::CreepSystem& system) {
+  Suspects result;
+  const std::vector<double> times = system.relaxation_times(system.step_evaluation());
+  for (std::size_t b = 0; b < times.size(); ++b)
+    result.bodies.push_back({system.assembly().bodies()[b].name(), times[b]});
+  for (std::size_t p = 0; p < system.assembly().pairs().size(); ++p)
+    result.contacts.push_back({system.assembly().pairs()[p].name, system.history().set_changes[p]});
+  return result;
+}
+
+void print_report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop,
+                  const creep::CreepSystem& system) {
+  if (loop.step_statistics().empty()) return;
+  std::cout << run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
+  if (loop.resumed()) std::cout << "  (lengths, orders and errors of steps, and the time: since the resume)\n";
+  for (const std::string& line : advice(summary, loop.step_statistics(), suspects(system))) log::warning("{}", line);
+}
+
+}  // namespace
+
+RunResult run(const config::Config& config, const RunOptions& options) {
+  omp_set_num_threads(affordable_threads(options.threads > 0 ? options.threads : omp_get_max_threads()));
+  if (options.threads == 0) omp_set_num_threads(useful_threads());
+  if (options.quiet) log::set_level(log::Level::warning);
+  Stopwatch watch;
+  const std::filesystem::path directory =
+      options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
+
+  std::optional<Interrupt> interrupt;  // outlives all that takes time to be freed
+  std::optional<DirectoryLock> lock;
+  if (path_is_directory(directory))
+    lock.emplace(directory);
+  else if (path_exists(directory))
+    throw ConfigError(fmt::format("output directory {}: is a file; choose another with --output", directory.string()));
+  std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
+  if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
+  model::Model model = build_model(config);
+  make_probes(config, model, model.pairs());  // mistakes in them show before anything is factored
+  if (options.resume)
+    if (std::string reason = nothing_left(config, model, directory); !reason.empty()) return {0, std::move(reason)};
+  for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
+  for (const mechanics::Body& body : model.bodies())
+    for (const std::string& warning : model::mesh_warnings(body)) log::warning("{}", warning);
+  for (const mechanics::Body& body : model.bodies())
+    log::info("body '{}': {} elements, {} unknowns", body.name(), body.discretization().n_elements(),
+              body.constraints().n_free());
+  std::optional<ContactLog> contact_log;
+  if (!options.log_contact.empty()) contact_log.emplace(options.log_contact);
+  creep::EquilibriumSolver solver(
+      model.assembly, model.solver, watch, [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
+        require_memory(config, model, contact_bytes, [&](std::size_t b) {
+          const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
+          return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
+        });
+      });
+  if (contact_log) solver.set_recorder(&*contact_log);
+  for (const contact::Pair& pair : solver.interface().pairs())
+    if (pair.ties_nodes())
+      log::info("{}: tied, {} multipliers", pair.name, pair.coupling.nodes.size());
+    else
+      log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
+  if (!solver.interface().is_dense())
+    log::info("contact: matrix-free, its matrices would take {:.0f} MB", solver.interface().dense_bytes() / 1e6);
+  for (const std::string& motion : model.assembly.floating().describe_idle())
+    log::info("held by nothing, must not be loaded: {}", motion);
+  creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
+                            config.time.tolerance, watch);
+
+  interrupt.emplace();  // from here on there is something to save
+  std::error_code failure;
+  std::filesystem::create_directories(directory, failure);
+  if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
+  if (!lock) lock.emplace(directory);
+  TimeLoop loop(config, model, system, std::move(probes), watch, directory, options.resume, options.quiet);
+
+  const auto write_summary = [&](io::Summary::Status status, const std::string& message) {
+    const auto lap = watch.lap(Part::output);
+    io::Summary summary = make_summary(config, model, loop, watch);
+    summary.status = status;
+    summary.message = message;
+    io::write_summary(directory / "summary.json", summary);
+    return summary;
+  };
+  // Should the run be killed, its last summary says how far it came.
+  loop.after_output = [&] { write_summary(io::Summary::Status::interrupted, "killed after the last output time"); };
+
+  const auto failed = [&](int status, const std::string& cause) {
+    try {
+      write_summary(io::Summary::Status::failed, cause);
+    } catch (const Error& second) {
+      log::error("{}", second.what());  // the first cause is what the user must see
+    }
+    return RunResult{status, !loop.has_output() ? cause
+                                                : fmt::format("{}; results up to t = {:.6g} are in {}", cause,
+                                                              loop.time(), directory.string())};
+  };
+
+  RunResult result;
+  io::Summary summary;
+  try {
+    const TimeLoop::End end = loop.run();
+    if (end == TimeLoop::End::completed) {
+      summary = write_summary(io::Summary::Status::completed, "");
+      for (const std::string& warning : loop.narrow_contacts()) log::warning("{}", warning);
+    } else if (end == TimeLoop::End::ruptured) {
+      summary = write_summary(io::Summary::Status::ruptured, "");
+    } else {
+      result = {interrupted_status, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
+      summary = write_summary(io::Summary::Status::interrupted, result.message);
+    }
+  } catch (const Error& error) {
+    return failed(error.exit_status(), error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(SolverError::status, out_of_memory);
+  }
+  if (!options.quiet) {
+    std::cout << fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
+                             result.exit_status != 0 ? "interrupted"
+                             : summary.rupture       ? "ruptured"
+                                                     : "done",
+                             summary.steps, summary.elastic_solves, summary.schwarz_iterations,
+                             summary.wall_seconds.total, directory.string());
+    print_report(config, summary, loop, system);
+  }
+  return result;
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,103 @@
+#include "run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace creepcontact::run {
+namespace {
+
+constexpr double many_failures = 0.1;     // of the steps
+constexpr double many_rejections = 0.3;   // of the steps
+constexpr double many_iterations = 40;    // of the contact solver in a solve
+constexpr double many_set_changes = 0.2;  // of the steps
+constexpr std::int64_t few_steps = 20;    // say nothing of habits
+
+double share(std::int64_t part, std::int64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+/// "where to look": the body that creeps fastest, and the contact that changes most.
+std::string places(const io::Summary& summary, const Suspects& suspects) {
+  std::string text;
+  const auto fastest = std::ranges::min_element(suspects.bodies, {}, &Suspects::Body::relaxation_time);
+  if (fastest != suspects.bodies.end() && std::isfinite(fastest->relaxation_time))
+    text += fmt::format(" Body '{}' creeps fastest (relaxation time {:.3g} at the end).", fastest->name,
+                        fastest->relaxation_time);
+  const auto busiest = std::ranges::max_element(suspects.contacts, {}, &Suspects::Contact::set_changes);
+  if (busiest != suspects.contacts.end() && busiest->set_changes > 0)
+    text += fmt::format(" Contact '{}' opened or closed somewhere in {} of {} steps.", busiest->name,
+                        busiest->set_changes, summary.steps);
+  return text;
+}
+
+}  // namespace
+
+std::string run_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
+                      const std::string& method) {
+  std::string text;
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<16}{}\n", name, value);
+  };
+  line("steps", fmt::format("{} of {:.3g} to {:.3g}, {} rejected, {} iterations failed; {}, order up to {}",
+                            summary.steps, steps.shortest(), steps.longest(), summary.rejected_steps,
+                            summary.convergence_failures, method, steps.highest_order()));
+  // A rate at the point of the last solve takes none.
+  const std::int64_t others =
+      std::max<std::int64_t>(0, summary.elastic_solves - summary.rhs_evaluations - summary.jacobian_products);
+  line("elastic solves",
+       fmt::format("{}: {} rates, {} Jacobian products, {} others (start, outputs, tangent); {} factorisations",
+                   summary.elastic_solves, summary.rhs_evaluations, summary.jacobian_products, others,
+                   summary.factorizations));
+  if (summary.contact_solves > 0 && summary.schwarz_iterations > 0)
+    line("contact",
+         fmt::format("{:.1f} iterations a solve", share(summary.schwarz_iterations, summary.contact_solves)));
+  if (steps.largest_error() > 0)
+    line("accuracy",
+         fmt::format("stress to {:.0e} requested; estimated errors of the steps: {:.2f} of what that allows "
+                     "on average, {:.2f} at most",
+                     tolerance, steps.mean_error(), steps.largest_error()));
+  const auto& wall = summary.wall_seconds;
+  const double rest = wall.total - wall.factorize - wall.solve - wall.material - wall.contact - wall.output;
+  const auto percent = [&](double seconds) { return 100 * seconds / wall.total; };
+  line("time", fmt::format("{:.2f} s: factors {:.0f} %, solves {:.0f} %, material points {:.0f} %, contact {:.0f} %, "
+                           "output {:.0f} %, mesh, vectors and the rest {:.0f} %",
+                           wall.total, percent(wall.factorize), percent(wall.solve), percent(wall.material),
+                           percent(wall.contact), percent(wall.output), percent(rest)));
+  line("memory", fmt::format("{:.0f} MB at most", summary.peak_memory_mb));
+  return text;
+}
+
+std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Suspects& suspects) {
+  if (summary.rupture) return {};  // steps that are rejected and shrink are its signs
+  std::vector<std::string> lines;
+  if (summary.steps < few_steps) return lines;
+  // `auto` has changed its method by itself.
+  if (summary.integrator != "auto" && share(summary.convergence_failures, summary.steps) > many_failures)
+    lines.push_back(
+        fmt::format("the iterations of the implicit steps failed {} times in {} steps.{} Try "
+                    "another time.integrator (rkc2, arkode_erk), or a tighter contact_solver.tolerance",
+                    summary.convergence_failures, summary.steps, places(summary, suspects)));
+  if (share(summary.rejected_steps, summary.steps) > many_rejections)
+    lines.push_back(
+        fmt::format("{} steps were rejected and {} accepted.{} If loads jump or turn at times that no table "
+                    "shows, name these in time.breakpoints",
+                    summary.rejected_steps, summary.steps, places(summary, suspects)));
+  const double iterations = share(summary.schwarz_iterations, summary.contact_solves);
+  if (iterations > many_iterations)
+    lines.push_back(
+        fmt::format("the contact solver took {:.0f} iterations a solve. Try contact_solver.acceleration = "
+                    "\"cg\", or contact_solver.method = \"active_set\"",
+                    iterations));
+  for (const Suspects::Contact& contact : suspects.contacts)
+    if (steps.largest_error() > 0 && share(contact.set_changes, summary.steps) > many_set_changes &&
+        share(summary.rejected_steps, summary.steps) > many_failures)
+      lines.push_back(
+          fmt::format("contact '{}' opened or closed somewhere in {} of {} steps, which keeps them short; a "
+                      "coarser mesh of its slave surface, or a larger time.tolerance, makes them longer",
+                      contact.name, contact.set_changes, summary.steps));
+  return lines;
+}
+
+}  // namespace creepcontact::run

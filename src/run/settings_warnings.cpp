@@ -1,0 +1,19 @@
+#include <fmt/format.h>
+
+#include "creepcontact/run/check.hpp"
+
+namespace creepcontact::run {
+
+std::vector<std::string> settings_warnings(const config::Config& config) {
+  const config::Time& time = config.time;
+  const bool controls_errors = !time.integrator.ends_with("_euler") || time.step.mode == config::StepMode::adaptive;
+  const bool iterates = config.contact_solver.method == config::ContactMethod::schwarz;
+  if (config.contacts.empty() || !iterates || !controls_errors || config.contact_solver.tolerance <= time.tolerance)
+    return {};
+  return {fmt::format(
+      "contact_solver.tolerance = {:g} is looser than time.tolerance = {:g}: the errors will be those of contact, and "
+      "steps that they disturb are made again; a tenth of time.tolerance is as good as exact",
+      config.contact_solver.tolerance, time.tolerance)};
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,308 @@
+#include "time_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/results/contact_width.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+/// Damage at which steps that shrink to nothing mean rupture: the rate of damage is then infinite.
+constexpr double almost_ruptured = 0.5;
+constexpr int steps_between_warnings = 50;
+constexpr double nothing = 1e-9;      // relative to the time
+constexpr double failing_with = 0.9;  // damage at which steps that cannot be made mean rupture
+
+ode::StepChoice step_choice(const config::TimeStep& step) {
+  switch (step.mode) {
+    case config::StepMode::fixed:
+      return step.length;
+    case config::StepMode::stable:
+      return ode::StepMode::stable;
+    case config::StepMode::adaptive:
+      return ode::StepMode::adaptive;
+  }
+  return {};
+}
+
+ode::IntegratorOptions integrator_options(const config::Time& time) {
+  ode::IntegratorOptions options;
+  options.tolerance = time.tolerance;
+  options.step = step_choice(time.step);
+  options.step_factor = time.step_factor;
+  options.beta = time.beta;
+  if (time.inner == config::InnerIteration::newton) options.inner = ode::InnerIteration::newton;
+  options.inner_tolerance = time.inner_tolerance;
+  options.inner_anderson = time.inner_anderson;
+  options.residual_correction = time.residual_correction;
+  options.table = time.table;
+  options.linear_solver =
+      time.linear_solver == config::LinearSolver::tangent ? ode::LinearSolver::tangent : ode::LinearSolver::krylov;
+  options.end_time = time.end;
+  return options;
+}
+
+/// A tangent stiffness must be condensed anew with every factorisation, which iterated contact is not made for.
+void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface) {
+  if (config.time.linear_solver != config::LinearSolver::tangent || interface.is_dense()) return;
+  throw ConfigError(
+      fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
+                  "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
+                  config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
+}
+
+}  // namespace
+
+TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, creep::CreepSystem& system,
+                   std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
+                   const std::filesystem::path& directory, bool resume, bool quiet)
+    : config_(config),
+      model_(model),
+      system_(system),
+      watch_(watch),
+      checkpoints_(config, model, directory),
+      progress_(config.time.output, quiet),
+      life_(system),
+      table_ranges_(config),
+      state_(system.size(), 0.0) {
+  require_condensed_contact(config, system.solver().interface());
+  io::Continuation continuation;
+  if (resume) {
+    resumed_ = checkpoints_.read(system.size());
+    time_ = resumed_->time;
+    has_output_ = true;
+    earlier_ = resumed_->counters;
+    system.restore(resumed_->arrays);
+    life_.restore(resumed_->arrays);
+    continuation = {.resume = true, .last_time = time_};
+  } else {
+    checkpoints_.remove();
+  }
+  results_ = std::make_unique<results::Results>(config, directory, model.assembly, std::move(probes), continuation);
+  if (system.size() > 0)
+    integrator_ = ode::make_integrator(config.time.integrator, system, integrator_options(config.time));
+  next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
+  next_break_ = std::upper_bound(model.breakpoints.begin(), model.breakpoints.end(), time_);
+}
+
+io::Checkpoint TimeLoop::checkpoint() const {
+  io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
+  life_.save(checkpoint.arrays);
+  const ode::System::Counters of_system = system_counters();
+  const ode::Integrator::Counters of_integrator = integrator_counters();
+  checkpoint.counters = {{"steps", of_integrator.steps},
+                         {"rejected_steps", of_integrator.rejected_steps},
+                         {"convergence_failures", of_integrator.convergence_failures},
+                         {"rate_evaluations", of_system.rate_evaluations},
+                         {"jacobian_products", of_system.jacobian_products},
+                         {"elastic_solves", of_system.elastic_solves},
+                         {"contact_solves", of_system.contact_solves},
+                         {"schwarz_iterations", of_system.schwarz_iterations},
+                         {"factorizations", of_system.factorizations}};
+  return checkpoint;
+}
+
+void TimeLoop::keep_restart_point() {
+  if (!at_restart_point()) return;
+  // The copy costs little against a step, but not nothing: made if the next restart point may be far, a result that
+  // fails to be written may spoil the step, or rupture may end within it.
+  const bool far = !integrator_->restarts_after_every_step();
+  const double reach = 2 * integrator_->next_step();
+  const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
+  kept_.reset();
+  const bool may_rupture = system_.knows(material::Measure::damage);
+  if (far || output_ahead || may_rupture) kept_ = checkpoint();
+}
+
+void TimeLoop::write_checkpoint() {
+  const auto lap = watch_.lap(Part::output);
+  // The end is one for whoever prolongs the run.
+  const bool here = settled_ && (at_restart_point() || time_ >= config_.time.end);
+  if (!here && !kept_) return;
+  results_->sync();  // a checkpoint stands for all results before it
+  checkpoints_.write(here ? checkpoint() : *kept_);
+}
+
+ode::Integrator::Counters TimeLoop::integrator_counters() const {
+  ode::Integrator::Counters result = integrator_ ? integrator_->counters() : ode::Integrator::Counters{};
+  const auto earlier = [&](const char* name) { return earlier_.contains(name) ? earlier_.at(name) : 0; };
+  result.steps += earlier("steps");
+  result.rejected_steps += earlier("rejected_steps");
+  result.convergence_failures += earlier("convergence_failures");
+  return result;
+}
+
+ode::System::Counters TimeLoop::system_counters() const {
+  ode::System::Counters result = system_.counters();
+  const auto earlier = [&](const char* name) { return earlier_.contains(name) ? earlier_.at(name) : 0; };
+  result.rate_evaluations += earlier("rate_evaluations");
+  result.jacobian_products += earlier("jacobian_products");
+  result.elastic_solves += earlier("elastic_solves");
+  result.contact_solves += earlier("contact_solves");
+  result.schwarz_iterations += earlier("schwarz_iterations");
+  result.factorizations += earlier("factorizations");
+  return result;
+}
+
+void TimeLoop::output(double t, std::span<const double> y) {
+  const creep::Evaluation& at = system_.evaluate_output(t, y);
+  {
+    const auto lap = watch_.lap(Part::output);
+    results::Snapshot snapshot(system_, t, at);
+    results_->output(snapshot);
+    life_.output(at);
+    life_.warn(t, at, at.y);
+    table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
+    if (t == config_.time.end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium);
+    has_output_ = true;
+  }
+  if (after_output) after_output();
+}
+
+TimeLoop::End TimeLoop::run() {
+  const Interrupt interrupt;
+  try {
+    begin_segment();
+    if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
+      life_.output(system_.evaluate_output(time_, resumed_->state));
+      return End::completed;
+    }
+    if (!resumed_) output(0, state_);
+    settled_ = !integrator_;
+    if (integrator_)
+      integrate(interrupt);
+    else
+      elastic_history(interrupt);
+  } catch (const ode::RecoverableError& error) {
+    write_checkpoint();
+    throw SolverError(error.what());
+  } catch (const SolverError&) {
+    write_checkpoint();
+    // Right before rupture steps may have become as short as numbers allow.
+    if (!integrator_ || !settled_ || life_.largest_damage(integrator_->state()).value < failing_with) throw;
+    report_rupture(time_, life_.largest_damage(integrator_->state()));
+    output(time_, integrator_->state());
+  } catch (const Error&) {
+    write_checkpoint();
+    throw;
+  }
+  write_checkpoint();
+  if (ruptured_) return End::ruptured;
+  if (time_ < config_.time.end) return End::interrupted;
+  life_.warn_of_open_contacts();
+  return End::completed;
+}
+
+void TimeLoop::begin_segment() {
+  const std::vector<double>& breakpoints = model_.breakpoints;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  // At the end of the run there is no state after a jump that would still be integrated, but one to be reported.
+  const double last = time_ < config_.time.end ? config_.time.end : never;
+  system_.begin_segment(next_break_ != breakpoints.begin() ? *(next_break_ - 1) : -never,
+                        next_break_ != breakpoints.end() ? *next_break_ : last);
+}
+
+void TimeLoop::report_rupture(double time, const creep::CreepSystem::Extreme& where) {
+  ruptured_ = true;
+  life_.rupture(time, where);
+  progress_.clear();
+  log::info("body '{}' ruptures at t = {:.6g}: damage {:.3g} at ({:.6g}, {:.6g}, {:.6g})",
+            model_.bodies()[where.body].name(), time, where.value, where.place.x(),
+            where.place.y(), where.place.z());
+}
+
+bool TimeLoop::ruptured(double begin_of_step) {
+  creep::CreepSystem::Extreme where = life_.largest_damage(integrator_->state());
+  const bool at_end = where.value >= results::DamageMonitor::rupture_damage;
+  if (!at_end && !(where.value >= almost_ruptured && time_ - begin_of_step < nothing * time_)) return false;
+  double before = begin_of_step, after = time_;
+  for (int halving = 0; at_end && halving < 50; ++halving) {
+    const double middle = 0.5 * (before + after);
+    if (middle == before || middle == after) break;
+    integrator_->interpolate(middle, state_);
+    const creep::CreepSystem::Extreme there = life_.largest_damage(state_);
+    (there.value < results::DamageMonitor::rupture_damage ? before : after) = middle;
+    if (there.value >= results::DamageMonitor::rupture_damage) where = there;
+  }
+  time_ = after;
+  outputs_of_step(false);
+  integrator_->interpolate(time_, state_);
+  output(time_, state_);
+  report_rupture(time_, where);
+  return true;
+}
+
+void TimeLoop::outputs_of_step(bool breakpoint) {
+  const auto end = config_.time.output.end();
+  for (; next_output_ != end && *next_output_ < time_; ++next_output_) {
+    integrator_->interpolate(*next_output_, state_);
+    output(*next_output_, state_);
+  }
+  if (breakpoint) begin_segment();  // a result at a jump is that after it
+  if (breakpoint && integrator_->jumps_with_loads()) integrator_->initialize(time_, integrator_->state());
+  if (next_output_ != end && *next_output_ == time_ && time_ == integrator_->time()) {
+    output(time_, integrator_->state());
+    ++next_output_;
+  }
+}
+
+void TimeLoop::integrate(const Interrupt& interrupt) {
+  const double end = config_.time.end;
+  const auto last_break = model_.breakpoints.end();
+  if (resumed_)
+    restore(*resumed_, config_, *integrator_);
+  else
+    integrator_->initialize(time_, state_);
+  resumed_.reset();
+  settled_ = true;
+  while (time_ < end && !interrupt.requested()) {
+    if (checkpoints_.due()) write_checkpoint();
+    keep_restart_point();
+    const double stop = next_break_ != last_break ? *next_break_ : end;
+    const bool may_pass_outputs = integrator_->interpolates() || next_output_ == config_.time.output.end();
+    const ode::System::Counters before = system_.counters();
+    const ode::StepReport report = integrator_->step(may_pass_outputs ? stop : std::min(stop, *next_output_));
+    settled_ = false;
+    time_ = integrator_->time();
+    results_->step(report, before, system_.counters());
+    step_statistics_.see(report);
+    const creep::Evaluation& last = system_.step_evaluation();
+    table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
+    progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
+    if (step_statistics_.n_steps() % steps_between_warnings == 0) life_.warn(time_, system_.step_evaluation(), integrator_->state());
+    if (ruptured(time_ - report.step)) return;
+    const bool breakpoint = time_ >= stop;
+    if (breakpoint && next_break_ != last_break) ++next_break_;
+    outputs_of_step(breakpoint);
+    if (breakpoint && time_ < end && !integrator_->jumps_with_loads()) {
+      const std::span<const double> y = integrator_->state();
+      integrator_->initialize(time_, std::vector<double>(y.begin(), y.end()));
+    }
+    settled_ = true;
+  }
+  progress_.clear();
+}
+
+void TimeLoop::elastic_history(const Interrupt& interrupt) {
+  const std::vector<double>& breakpoints = model_.breakpoints;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  for (; next_output_ != config_.time.output.end(); ++next_output_) {
+    if (interrupt.requested()) return;
+    if (checkpoints_.due()) write_checkpoint();
+    const double t = *next_output_;
+    const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
+    system_.begin_segment(jump ? t : -never, never);
+    system_.evaluate_step(t, state_);
+    output(t, state_);
+    system_.accept(t, state_);
+    time_ = t;
+  }
+  time_ = config_.time.end;
+}
+
+}  // namespace creepcontact::run

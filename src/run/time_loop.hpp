@@ -1,0 +1,94 @@
+#pragma once
+/// The time loop of a run: integrator, outputs, breakpoints, checkpoints.
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "checkpoints.hpp"
+#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/model/table_range_monitor.hpp"
+#include "creepcontact/results/damage_monitor.hpp"
+#include "progress.hpp"
+#include "creepcontact/results/results.hpp"
+#include "run_report.hpp"
+
+namespace creepcontact::run {
+
+class TimeLoop {
+ public:
+  enum class End { completed, ruptured, interrupted };
+
+  /// @param resume  start from the checkpoint in the directory
+  /// @param probes  those of the configuration
+  TimeLoop(const config::Config& config, const model::Model& model, creep::CreepSystem& system,
+           std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
+           const std::filesystem::path& directory, bool resume, bool quiet);
+
+  /// @throws SolverError if the run cannot go on; what was computed is on disk, a checkpoint too
+  End run();
+
+  double time() const { return time_; }
+  /// False if the run failed before its first output.
+  bool has_output() const { return has_output_; }
+  ode::Integrator::Counters integrator_counters() const;
+  ode::System::Counters system_counters() const;
+  const results::Results& results() const { return *results_; }
+  const results::DamageMonitor& life() const { return life_; }
+  /// Of the steps since the start or the resume.
+  const StepStatistics& step_statistics() const { return step_statistics_; }
+  /// Of the end of the run: what to say of contacts that few elements resolve.
+  const std::vector<std::string>& narrow_contacts() const { return narrow_contacts_; }
+  bool resumed() const { return !earlier_.empty(); }
+  /// The integrator at work.
+  std::string method() const { return integrator_ ? integrator_->method() : ""; }
+  /// Called after every output time (the summary is kept up to date with it).
+  std::function<void()> after_output;
+
+ private:
+  void output(double t, std::span<const double> y);
+  /// All output times up to time_, those before it interpolated. @param breakpoint  a segment of the loads ends here
+  void outputs_of_step(bool breakpoint);
+  void begin_segment();
+  /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
+  bool ruptured(double begin_of_step);
+  void report_rupture(double time, const creep::CreepSystem::Extreme& where);
+  void integrate(const Interrupt& interrupt);
+  void elastic_history(const Interrupt& interrupt);
+  /// True if a run that is resumed from here computes the same.
+  bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
+  io::Checkpoint checkpoint() const;
+  /// Keeps a copy where the next step may lead to no restart point.
+  void keep_restart_point();
+  /// The newest restart point to disk.
+  void write_checkpoint();
+
+  const config::Config& config_;
+  const model::Model& model_;
+  creep::CreepSystem& system_;
+  Stopwatch& watch_;
+  Checkpoints checkpoints_;
+  std::unique_ptr<ode::Integrator> integrator_;
+  std::unique_ptr<results::Results> results_;
+  Progress progress_;
+  results::DamageMonitor life_;
+  model::TableRangeMonitor table_ranges_;
+  StepStatistics step_statistics_;
+  std::vector<std::string> narrow_contacts_;
+  double time_ = 0;
+  bool has_output_ = false;
+  bool ruptured_ = false;
+  bool settled_ = false;                         // integrated up to time_, and all results up to there are on disk
+  std::optional<io::Checkpoint> resumed_;        // until the integration has begun
+  std::optional<io::Checkpoint> kept_;           // the last restart point, if steps have left it
+  std::vector<double> state_;                    // of output times
+  std::map<std::string, std::int64_t> earlier_;  // counters of the runs before an interruption
+  std::vector<double>::const_iterator next_output_;
+  std::vector<double>::const_iterator next_break_;
+};
+
+}  // namespace creepcontact::run

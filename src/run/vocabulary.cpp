@@ -1,0 +1,75 @@
+#include "creepcontact/run/vocabulary.hpp"
+
+#include <algorithm>
+
+#include "creepcontact/material/life_fraction.hpp"
+#include "creepcontact/material/registry.hpp"
+#include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/results/quantities.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+/// Makes the law, to see what it says.
+config::LawVerdict judge(const material::LawInfo& info, const material::ParameterValues& values) {
+  try {
+    const auto law = info.make(values);
+    const auto& parameters = law->parameters();
+    const bool by_temperature = std::any_of(parameters.begin(), parameters.end(),
+                                            [](const Function& value) { return value.depends_on_temperature(); });
+    return {.mistake = {}, .depends_on_temperature = by_temperature};
+  } catch (const material::ParameterError& error) {
+    return {.mistake = config::LawMistake{error.key(), error.found(), error.allowed()}};
+  }
+}
+
+std::optional<config::LawMistake> judge_larson_miller(const std::vector<double>& stress,
+                                                      const std::vector<double>& parameter) {
+  try {
+    material::larson_miller({.stress = stress, .parameter = parameter});
+    return std::nullopt;
+  } catch (const material::ParameterError& error) {
+    return config::LawMistake{error.key(), error.found(), error.allowed()};
+  }
+}
+
+}  // namespace
+
+config::Vocabulary vocabulary() {
+  config::Vocabulary result;
+  for (const material::LawInfo& law : material::creep_laws()) {
+    config::Law entry{.name = law.name, .keys = {}, .formula = law.formula};
+    for (const material::ParameterInfo& parameter : law.parameters) {
+      config::LawKey key;
+      key.name = parameter.key;
+      key.description = parameter.description;
+      key.minimum = parameter.minimum;
+      key.strict = parameter.strict;
+      key.list = parameter.list;
+      key.variables = parameter.variables;
+      key.required = !parameter.fallback;
+      key.fallback = parameter.fallback.value_or(std::vector<Function>{});
+      key.maximum = parameter.maximum;
+      entry.keys.push_back(key);
+    }
+    entry.judge = [&law](const material::ParameterValues& values) { return judge(law, values); };
+    result.laws.push_back(std::move(entry));
+  }
+  result.judge_larson_miller = judge_larson_miller;
+  for (const ode::IntegratorInfo& info : ode::integrators()) {
+    result.integrators.push_back(info.name);
+    if (!info.tables.empty()) result.tables[info.name] = info.tables;
+  }
+  for (const results::QuantityInfo& info : results::quantities()) {
+    config::Quantity entry;
+    entry.name = info.name;
+    entry.surface_only = info.kind != results::QuantityInfo::Kind::field;
+    entry.sum_only = info.kind == results::QuantityInfo::Kind::area || info.kind == results::QuantityInfo::Kind::force ||
+                     info.kind == results::QuantityInfo::Kind::reaction;
+    entry.cylindrical = info.cylindrical;
+    result.quantities.push_back(entry);
+  }
+  return result;
+}
+
+}  // namespace creepcontact::run
