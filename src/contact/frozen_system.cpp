@@ -37,7 +37,7 @@ void FrozenSystem::factorize(const std::vector<int>& active) {
     throw SolverError("contact: the conditions of the active set contradict each other");
   if (problem_.n_motions() > 0) {
     factor_.matrixL().solveInPlace(motions_);
-    coarse_inverse_ = linalg::symmetric_pseudo_inverse(motions_.transpose() * motions_, weakest_hold);
+    coarse_inverse_ = linalg::symmetric_pseudo_inverse(Eigen::MatrixXd(motions_.transpose() * motions_), weakest_hold);
   }
   active_ = active;
   factored_ = true;
