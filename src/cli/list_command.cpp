@@ -6,8 +6,8 @@
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/config/key_reference.hpp"
-#include "creepcontact/config/suggestion.hpp"
 #include "creepcontact/simulation/lists.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
 
@@ -45,7 +45,7 @@ void check(const std::string& what, const CommandLine& line, const Output& outpu
     std::vector<std::string> lists = key_lists;
     lists.insert(lists.end(), name_lists.begin(), name_lists.end());
     throw ConfigError(
-        fmt::format("list: unknown list '{}'{} (allowed: {})", what, config::did_you_mean(what, lists), all_lists()));
+        fmt::format("list: unknown list '{}'{} (allowed: {})", what, did_you_mean(what, lists), all_lists()));
   }
   if (contains(name_lists, what) && (line.optional() || output.names || output.values))
     throw ConfigError(

@@ -5,7 +5,7 @@
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/simulation/run_plots.hpp"
 
 namespace creepcontact::cli {
@@ -15,7 +15,7 @@ std::optional<bool> log_time(const std::string& word) {
   if (word == "auto") return std::nullopt;
   if (word == "yes" || word == "no") return word == "yes";
   throw ConfigError(fmt::format("--log-time: unknown choice '{}'{} (allowed: auto, yes, no)", word,
-                                config::did_you_mean(word, {"auto", "yes", "no"})));
+                                did_you_mean(word, {"auto", "yes", "no"})));
 }
 
 std::vector<std::string> names(const std::string& list) {

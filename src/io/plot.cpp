@@ -9,7 +9,7 @@
 
 #include "axis_range.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "gnuplot_process.hpp"
 #include "gnuplot_text.hpp"
 
@@ -191,8 +191,8 @@ void draw(const Figure& figure, const std::filesystem::path& directory, const st
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("directory for pictures '{}': {}", directory.string(), failure.message()));
-  replace_file(directory / (stem + ".dat"), gnuplot_data(figure));
-  replace_file(directory / (stem + ".gp"), gnuplot_script(figure, stem));
+  platform::replace_file(directory / (stem + ".dat"), gnuplot_data(figure));
+  platform::replace_file(directory / (stem + ".gp"), gnuplot_script(figure, stem));
   run_gnuplot(directory, {stem + ".gp"});
   run_gnuplot(directory, {"-e", "format='png'", stem + ".gp"});
 }

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "creepcontact/base/memory.hpp"
+#include "creepcontact/platform/memory.hpp"
 #include "creepcontact/simulation/probes.hpp"
 #include "creepcontact/simulation/state_layout.hpp"
 #include "gap_report.hpp"
@@ -74,7 +74,7 @@ void check(const config::Config& config, std::ostream& report) {
   const MemoryNeed need = memory_need(config, model, contact_bytes, [](mechanics::Body& body) {
     return static_cast<double>(body.estimate_factor_bytes());
   });
-  text += fmt::format("estimated memory: {}\n", memory_text(need.total() + peak_memory()));
+  text += fmt::format("estimated memory: {}\n", platform::memory_text(need.total() + platform::peak_memory()));
   if (const std::string shortage = memory_shortage(need); !shortage.empty())
     text += fmt::format("warning: {}\n", shortage);
   report << text << std::flush;

@@ -11,18 +11,18 @@
 #include "contact_width.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
-#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/base/memory.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/platform/directory_lock.hpp"
+#include "creepcontact/platform/interrupt.hpp"
+#include "creepcontact/platform/memory.hpp"
+#include "creepcontact/platform/useful_threads.hpp"
 #include "creepcontact/simulation/check.hpp"
 #include "creepcontact/simulation/probes.hpp"
-#include "directory_lock.hpp"
 #include "finished_run.hpp"
 #include "memory_need.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
-#include "useful_threads.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -62,7 +62,7 @@ io::Summary make_summary(const config::Config& config, const Model& model, const
                           watch.seconds(Part::material),
                           watch.seconds(Part::contact),
                           watch.seconds(Part::output)};
-  summary.peak_memory_mb = peak_memory() / (1 << 20);
+  summary.peak_memory_mb = platform::peak_memory() / (1 << 20);
   return summary;
 }
 
@@ -88,14 +88,14 @@ void print_report(const config::Config& config, const io::Summary& summary, cons
 
 RunResult run(const config::Config& config, const RunOptions& options) {
   omp_set_num_threads(affordable_threads(options.threads > 0 ? options.threads : omp_get_max_threads()));
-  if (options.threads == 0) omp_set_num_threads(useful_threads());
+  if (options.threads == 0) omp_set_num_threads(platform::useful_threads());
   if (options.quiet) log::set_level(log::Level::warning);
   Stopwatch watch;
   const std::filesystem::path directory =
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
 
-  std::optional<Interrupt> interrupt;  // outlives all that takes time to be freed
-  std::optional<DirectoryLock> lock;
+  std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
+  std::optional<platform::DirectoryLock> lock;
   if (path_is_directory(directory))
     lock.emplace(directory);
   else if (path_exists(directory))
@@ -167,13 +167,14 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
-      result = {interrupted_status, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
+      result = {platform::interrupted_status,
+                fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {
     return failed(error.exit_status(), error.what());
   } catch (const std::bad_alloc&) {
-    return failed(SolverError::status, out_of_memory);
+    return failed(SolverError::status, platform::out_of_memory);
   }
   if (!options.quiet) {
     std::cout << fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",

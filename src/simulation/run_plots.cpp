@@ -9,7 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "units.hpp"
 
 namespace creepcontact::simulation {
@@ -47,7 +47,7 @@ io::CsvTable chosen(const io::CsvTable& history, const std::vector<std::string>&
   for (const std::string& name : probes) {
     if (std::ranges::count(known, name) == 0)
       throw ConfigError(fmt::format("--probes: no probe '{}' in '{}'{} (there are: {})", name, path,
-                                    config::did_you_mean(name, known), fmt::join(known, ", ")));
+                                    did_you_mean(name, known), fmt::join(known, ", ")));
     if (std::ranges::count(result.names, name) > 0) continue;
     result.names.push_back(name);
     result.columns.push_back(*history.column(name));

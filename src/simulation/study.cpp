@@ -11,11 +11,11 @@
 #include "creepcontact/base/cores.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
-#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/directory_lock.hpp"
+#include "creepcontact/platform/interrupt.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
-#include "directory_lock.hpp"
 #include "study_errors.hpp"
 #include "study_execution.hpp"
 #include "study_plots.hpp"
@@ -45,7 +45,7 @@ void claim(const fs::path& directory, const config::Study& study) {
         fmt::format("output directory {} holds '{}', which no study has made; choose another directory "
                     "with --output",
                     directory.string(), (directory / "runs").string()));
-  io::replace_file(file, study.normalized);
+  platform::replace_file(file, study.normalized);
 }
 
 class Comparison {
@@ -85,12 +85,13 @@ class Comparison {
   std::optional<ReferenceHistory> reference_;
 };
 
-StudyResult result_of(const std::vector<StudyRow>& rows, const Interrupt& interrupt, const fs::path& directory) {
+StudyResult result_of(const std::vector<StudyRow>& rows, const platform::Interrupt& interrupt,
+                      const fs::path& directory) {
   const auto succeeded = std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return row.succeeded(); });
   const std::string results =
       fmt::format("{} of {} runs succeeded; results in {}", succeeded, rows.size(), directory.string());
   if (interrupt.requested())
-    return {interrupted_status, fmt::format("interrupted: {}; the same command goes on", results)};
+    return {platform::interrupted_status, fmt::format("interrupted: {}; the same command goes on", results)};
   if (succeeded > 0) return {0, results};
   const auto told = std::find_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.message.empty(); });
   return {4, fmt::format("{}{}", results, told != rows.end() ? "; the first one: " + told->message : "")};
@@ -115,11 +116,11 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   Comparison comparison(study);
   const fs::path directory =
       options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
-  const Interrupt interrupt;  // from here on there is something to save
+  const platform::Interrupt interrupt;  // from here on there is something to save
   std::error_code failure;
   fs::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
-  const DirectoryLock lock(directory);
+  const platform::DirectoryLock lock(directory);
   claim(directory, study);
 
   const int jobs = options.jobs > 0 ? options.jobs : cores();
@@ -142,9 +143,9 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
     rows = execution.run(runs);
     for (std::size_t r = 0; r < runs.size(); ++r) comparison.judge(execution.directory_of(runs[r]), rows[r]);
   }
-  io::replace_file(directory / "study.csv", study_csv(study, runs, rows));
+  platform::replace_file(directory / "study.csv", study_csv(study, runs, rows));
   const std::vector<fs::path> pictures = drawn(study, runs, rows, directory);
-  io::replace_file(directory / "study.md", study_markdown(study, runs, rows, reference, pictures));
+  platform::replace_file(directory / "study.md", study_markdown(study, runs, rows, reference, pictures));
   return result_of(rows, interrupt, directory);
 }
 

@@ -14,13 +14,13 @@
 #include <thread>
 
 #include "creepcontact/base/checksum.hpp"
-#include "creepcontact/base/child_process.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/io/csv_table.hpp"
-#include "creepcontact/io/replace_file.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/platform/child_process.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/simulation/vocabulary.hpp"
 
 namespace creepcontact::simulation {
@@ -104,13 +104,14 @@ StudyRow ended_row(const fs::path& directory, int exit_status) {
   StudyRow row = exit_status == 0 ? finished_row(directory) : StudyRow{};
   if (row.succeeded()) return row;
   if (const auto summary = io::read_summary(directory / "summary.json")) take_counts(*summary, row);
-  row.status = exit_status == interrupted_status ? "interrupted" : "failed";
+  row.status = exit_status == platform::interrupted_status ? "interrupted" : "failed";
   if (row.status == "failed") row.message = logged_errors(directory, exit_status);
   return row;
 }
 
 /// @param log  file for what the program prints, replaced
-ChildProcess start_logged(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log) {
+platform::ChildProcess start_logged(const fs::path& program, const std::vector<std::string>& arguments,
+                                    const fs::path& log) {
   struct File {
     int descriptor;
     ~File() { ::close(descriptor); }
@@ -118,11 +119,11 @@ ChildProcess start_logged(const fs::path& program, const std::vector<std::string
   const File file{::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
   if (file.descriptor < 0)
     throw SolverError(fmt::format("cannot write the log '{}' of a run: {}", log.string(), std::strerror(errno)));
-  return ChildProcess({program,
-                       arguments,
-                       {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}},
-                       SIGTERM,
-                       /*lets_signals_through=*/true});
+  return platform::ChildProcess({program,
+                                 arguments,
+                                 {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}},
+                                 SIGTERM,
+                                 /*lets_signals_through=*/true});
 }
 
 void make_empty(const fs::path& directory) {
@@ -154,7 +155,7 @@ std::string StudyExecution::record_of(const config::PlannedRun& run) const {
 std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>& runs) {
   struct UnderWay {
     std::size_t index;
-    ChildProcess process;
+    platform::ChildProcess process;
     UnderWay(std::size_t i, const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log)
         : index(i), process(start_logged(program, arguments, log)) {}
   };
@@ -185,7 +186,7 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
     } else {
       // The summary of other settings must not speak for these, should the run be killed at once.
       make_empty(directory);
-      io::replace_file(directory / "settings.txt", record);
+      platform::replace_file(directory / "settings.txt", record);
     }
     under_way.emplace_back(i, program_, arguments, directory / log_file);
   };

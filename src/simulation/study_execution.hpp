@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/config/study.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/simulation/study_results.hpp"
 #include "study_progress.hpp"
 
@@ -20,7 +20,7 @@ class StudyExecution {
   /// @param trust_geometry  passed on to the runs
   StudyExecution(const config::Study& study, const std::filesystem::path& program,
                  const std::filesystem::path& directory, int jobs, int cores, bool trust_geometry,
-                 const Interrupt& interrupt, StudyProgress& progress)
+                 const platform::Interrupt& interrupt, StudyProgress& progress)
       : study_(study),
         program_(program),
         directory_(directory),
@@ -44,7 +44,7 @@ class StudyExecution {
   std::size_t jobs_;
   std::string threads_of_run_;
   bool trust_geometry_;
-  const Interrupt& interrupt_;
+  const platform::Interrupt& interrupt_;
   StudyProgress& progress_;
 };
 

@@ -159,7 +159,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
 }
 
 TimeLoop::End TimeLoop::run() {
-  const Interrupt interrupt;
+  const platform::Interrupt interrupt;
   try {
     begin_segment();
     if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
@@ -246,7 +246,7 @@ void TimeLoop::outputs_of_step(bool breakpoint) {
   }
 }
 
-void TimeLoop::integrate(const Interrupt& interrupt) {
+void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   const double end = config_.time.end;
   const auto last_break = system_.elasticity().model().breakpoints.end();
   if (resumed_)
@@ -281,7 +281,7 @@ void TimeLoop::integrate(const Interrupt& interrupt) {
   progress_.clear();
 }
 
-void TimeLoop::elastic_history(const Interrupt& interrupt) {
+void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   const std::vector<double>& breakpoints = system_.elasticity().model().breakpoints;
   constexpr double never = std::numeric_limits<double>::infinity();
   for (; next_output_ != config_.time.output.end(); ++next_output_) {

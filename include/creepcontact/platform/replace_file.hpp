@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace creepcontact::io {
+namespace creepcontact::platform {
 
 /// The name beside `path` under which the new file is prepared.
 std::filesystem::path aside(const std::filesystem::path& path);
@@ -15,4 +15,4 @@ void move_into_place(const std::filesystem::path& path);
 /// Writes aside(path) and moves it into place. @throws Error
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::platform

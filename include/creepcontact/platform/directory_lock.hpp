@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace creepcontact::simulation {
+namespace creepcontact::platform {
 
 /// Held for the object's life; the system takes it back from a process that dies. File systems without locks have none.
 class DirectoryLock {
@@ -18,4 +18,4 @@ class DirectoryLock {
   int file_;
 };
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::platform

@@ -1,4 +1,4 @@
-#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <string_view>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
@@ -125,4 +125,4 @@ DelayedSignals::~DelayedSignals() {
   if (owners == 0) end_at_once(signal, false);
 }
 
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

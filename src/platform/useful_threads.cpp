@@ -1,4 +1,4 @@
-#include "useful_threads.hpp"
+#include "creepcontact/platform/useful_threads.hpp"
 
 #include <omp.h>
 
@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace creepcontact::simulation {
+namespace creepcontact::platform {
 namespace {
 
 constexpr int rounds = 30;
@@ -52,4 +52,4 @@ int useful_threads() {
   return speedup > least_speedup ? threads : 1;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::platform

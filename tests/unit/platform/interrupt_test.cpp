@@ -1,10 +1,10 @@
-#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 namespace {
 
 using testing::ExitedWithCode;
@@ -113,4 +113,4 @@ TEST_F(Signals, EndAChildAsTheyEndAnyProcess) {
 }
 
 }  // namespace
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace creepcontact::config {
+namespace creepcontact {
 
 /// Letters to insert, delete, replace or swap with the next one, each counted as 2; a wrong case counts 1.
 int edit_distance(std::string_view a, std::string_view b);
@@ -17,4 +17,4 @@ std::string nearest(std::string_view name, const std::vector<std::string>& names
 /// "; did you mean 'x'?" for the nearest name; empty if none is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& names);
 
-}  // namespace creepcontact::config
+}  // namespace creepcontact

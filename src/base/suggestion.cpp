@@ -1,11 +1,11 @@
-#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/base/suggestion.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-namespace creepcontact::config {
+namespace creepcontact {
 namespace {
 
 int letter_distance(char a, char b) {
@@ -55,4 +55,4 @@ std::string did_you_mean(std::string_view name, const std::vector<std::string>& 
   return near.empty() ? near : fmt::format("; did you mean '{}'?", near);
 }
 
-}  // namespace creepcontact::config
+}  // namespace creepcontact

@@ -1,4 +1,4 @@
-#include "creepcontact/base/child_process.hpp"
+#include "creepcontact/platform/child_process.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,9 +12,9 @@
 #include <cstring>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 
-namespace creepcontact {
+namespace creepcontact::platform {
 namespace {
 
 int exit_status(int wait_status) {
@@ -147,4 +147,4 @@ void ChildProcess::kill() {
   if (!status_) ::kill(-process_, SIGKILL);
 }
 
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 
 /// What a user is told where memory runs out unforeseen.
 inline constexpr const char* out_of_memory =
@@ -29,4 +29,4 @@ double peak_memory();
 /// Number in MB or GB, for messages.
 std::string memory_text(double bytes);
 
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

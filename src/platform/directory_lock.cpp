@@ -1,4 +1,4 @@
-#include "directory_lock.hpp"
+#include "creepcontact/platform/directory_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 #include "creepcontact/base/error.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::platform {
 
 DirectoryLock::DirectoryLock(const std::filesystem::path& directory)
     : file_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -25,4 +25,4 @@ DirectoryLock::~DirectoryLock() {
   if (file_ >= 0) ::close(file_);
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::platform

@@ -1,4 +1,4 @@
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,9 +9,9 @@
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::platform {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* reason) {
@@ -53,4 +53,4 @@ void replace_file(const std::filesystem::path& path, std::string_view content) {
   move_into_place(path);
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::platform

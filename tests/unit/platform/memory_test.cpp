@@ -1,4 +1,4 @@
-#include "creepcontact/base/memory.hpp"
+#include "creepcontact/platform/memory.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <fstream>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST(AddressSpace, IsBoundedByLimitsOfTheProcess) {
 }
 
 }  // namespace
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

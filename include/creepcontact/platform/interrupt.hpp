@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 
 /// Exit status of a process that a signal has ended.
 constexpr int interrupted_status = 130;
@@ -48,4 +48,4 @@ class DelayedSignals {
   DelayedSignals& operator=(const DelayedSignals&) = delete;
 };
 
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

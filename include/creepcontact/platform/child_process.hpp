@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 
 /// A pipe whose ends no started program inherits unless it is named to it; never one of the standard descriptors, not
 /// even where those are closed.
@@ -65,4 +65,4 @@ class ChildProcess {
   std::optional<int> status_;
 };
 
-}  // namespace creepcontact
+}  // namespace creepcontact::platform

@@ -1,8 +1,8 @@
+#include "creepcontact/base/suggestion.hpp"
+
 #include <gtest/gtest.h>
 
-#include "creepcontact/config/suggestion.hpp"
-
-namespace creepcontact::config {
+namespace creepcontact {
 namespace {
 
 TEST(Suggestion, EditDistanceInHalves) {
@@ -34,4 +34,4 @@ TEST(Suggestion, WithinAThirdOfTheLetters) {
 }
 
 }  // namespace
-}  // namespace creepcontact::config
+}  // namespace creepcontact

@@ -1,4 +1,4 @@
-#include "creepcontact/base/memory.hpp"
+#include "creepcontact/platform/memory.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string_view>
 
-namespace creepcontact {
+namespace creepcontact::platform {
 namespace {
 
 constexpr double kilobyte = 1024;
@@ -109,4 +109,4 @@ std::string memory_text(double bytes) {
   return bytes < 1e10 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
 }
 
-}  // namespace creepcontact
+}  // namespace creepcontact::platform
