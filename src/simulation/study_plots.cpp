@@ -8,7 +8,7 @@
 #include <functional>
 #include <set>
 
-#include "creepcontact/io/curves.hpp"
+#include "creepcontact/plot/curves.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -31,9 +31,9 @@ std::string described(const std::string& column) {
 enum class Zero { is_linear, is_left_out };
 
 /// Whether the largest value is at least so many times the least, so that the axis is to be logarithmic.
-bool spans(double ratio, Zero zero, const std::vector<io::Series>& all, std::vector<double> io::Series::*list) {
+bool spans(double ratio, Zero zero, const std::vector<plot::Series>& all, std::vector<double> plot::Series::*list) {
   double least = INFINITY, largest = 0;
-  for (const io::Series& one : all)
+  for (const plot::Series& one : all)
     for (const double value : one.*list) {
       if (value < 0 || (value == 0 && zero == Zero::is_linear)) return false;
       if (value == 0 || !std::isfinite(value)) continue;
@@ -60,17 +60,17 @@ class Pictures {
   void over_settings(const std::string& column, const std::string& label, const Values& values, bool is_error) {
     const double far_apart = is_error ? 1 : 10;  // errors have orders, seen in a log-log plot alone
     for (const std::string& axis : axes_) {
-      io::Curves picture{title_, {.label = axis}, {.label = label}, series(axis, values)};
-      picture.x.logarithmic = spans(far_apart, Zero::is_linear, picture.series, &io::Series::x);
-      picture.y.logarithmic = is_error || spans(far_apart, Zero::is_left_out, picture.series, &io::Series::y);
+      plot::Curves picture{title_, {.label = axis}, {.label = label}, series(axis, values)};
+      picture.x.logarithmic = spans(far_apart, Zero::is_linear, picture.series, &plot::Series::x);
+      picture.y.logarithmic = is_error || spans(far_apart, Zero::is_left_out, picture.series, &plot::Series::y);
       draw(picture, column, axis);
     }
   }
   void over_count(const std::string& column, const std::string& label, const Values& values, const std::string& count) {
-    io::Curves picture{title_,
-                       {.label = described(count), .logarithmic = true},
-                       {.label = label, .logarithmic = true},
-                       series({}, values)};
+    plot::Curves picture{title_,
+                         {.label = described(count), .logarithmic = true},
+                         {.label = label, .logarithmic = true},
+                         series({}, values)};
     for (std::size_t c = 0; c < picture.series.size(); ++c) picture.series[c].x = curves_[c].counts(rows_, count);
     draw(picture, column, count);
   }
@@ -78,24 +78,24 @@ class Pictures {
 
  private:
   /// @param axis  of the curves; empty: all of them
-  std::vector<io::Series> series(const std::string& axis, const Values& values) const {
-    std::vector<io::Series> all;
+  std::vector<plot::Series> series(const std::string& axis, const Values& values) const {
+    std::vector<plot::Series> all;
     for (std::size_t c = 0; c < curves_.size(); ++c) {
       const StudySeries& curve = curves_[c];
       if (!axis.empty() && curve.axis != axis) continue;
-      io::Series& one = all.emplace_back();
+      plot::Series& one = all.emplace_back();
       one.name = curve.label;
       one.x = curve.x;
       one.y = values(curve);
-      if (curves_.size() <= io::max_series) one.look = static_cast<int>(c);
+      if (curves_.size() <= plot::max_series) one.look = static_cast<int>(c);
     }
     return all;
   }
-  void draw(const io::Curves& picture, const std::string& column, const std::string& over) {
+  void draw(const plot::Curves& picture, const std::string& column, const std::string& over) {
     const std::string name = fmt::format("{}_over_{}", file_part(column), file_part(over));
     std::string stem = name;
     for (int n = 2; !stems_.insert(stem).second; ++n) stem = fmt::format("{}__{}", name, n);
-    const auto drawn = io::draw_curves(picture, directory_, stem);
+    const auto drawn = plot::draw_curves(picture, directory_, stem);
     files_.insert(files_.end(), drawn.begin(), drawn.end());
   }
 

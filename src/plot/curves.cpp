@@ -1,4 +1,4 @@
-#include "creepcontact/io/curves.hpp"
+#include "creepcontact/plot/curves.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "axis_range.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 namespace {
 
 /// The points that are shown, in the order of x: lines then do not cross themselves.
@@ -45,4 +45,4 @@ std::vector<std::filesystem::path> draw_curves(const Curves& curves, const std::
   return pictures;
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

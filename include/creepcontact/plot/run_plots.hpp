@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "creepcontact/io/csv_table.hpp"
-#include "creepcontact/io/plot.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/plot/figure.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 
 struct PlotOptions {
   std::optional<bool> log_time = {};     ///< not given: if the output times span more than three decades
@@ -22,7 +22,7 @@ struct PlotOptions {
 /// latter if the run has steps. Units are those of summary.json, if there is one.
 /// @returns the SVG files
 /// @throws ConfigError if there is no such directory, no history.csv in it, fewer than two rows, or no such probe; as
-/// io::draw()
+/// draw()
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options);
 
 /// What the pictures of a run are drawn from.
@@ -34,7 +34,7 @@ struct RunTables {
 
 struct NamedFigure {
   std::string name;  ///< of the picture's files, without their endings
-  io::Figure figure;
+  Figure figure;
 };
 
 /// The figures that plot_run() draws.
@@ -44,10 +44,10 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options);
 /// A panel for each physical dimension, in the order of the probes; probes that would lie on the axis beside others (a
 /// fiftieth of them) and more than a panel takes go into panels of their own. Probes of a quantity that is not known
 /// are grouped by magnitude alone.
-std::vector<io::Panel> history_panels(const io::CsvTable& history, const io::SummaryHeading& heading);
+std::vector<Panel> history_panels(const io::CsvTable& history, const io::SummaryHeading& heading);
 /// Step length, order, iterations of the contact solver, and active contacts (the last two if there is contact).
-io::Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time);
+Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time);
 
 bool spans_decades(const std::vector<double>& times);
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

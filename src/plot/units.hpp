@@ -5,7 +5,7 @@
 
 #include "creepcontact/io/summary.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 
 enum class Dimension { none, time, length, area, force, stress, temperature };
 
@@ -29,4 +29,4 @@ std::string unit_of(Dimension dimension, const std::string& units);
 /// "stress (MPa)", or the name alone if the unit is not known.
 std::string labelled(const std::string& name, Dimension dimension, const std::string& units);
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

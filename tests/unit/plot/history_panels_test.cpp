@@ -1,15 +1,15 @@
 #include <gtest/gtest.h>
 
-#include "creepcontact/simulation/run_plots.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 namespace {
 
-std::vector<std::vector<std::string>> names(const std::vector<io::Panel>& panels) {
+std::vector<std::vector<std::string>> names(const std::vector<Panel>& panels) {
   std::vector<std::vector<std::string>> result;
-  for (const io::Panel& panel : panels) {
+  for (const Panel& panel : panels) {
     result.push_back({panel.y.label});
-    for (const io::Series& series : panel.series) result.back().push_back(series.name);
+    for (const Series& series : panel.series) result.back().push_back(series.name);
   }
   return result;
 }
@@ -69,4 +69,4 @@ TEST(HistoryPanels, DecadesOfTime) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

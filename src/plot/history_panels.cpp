@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include "creepcontact/simulation/run_plots.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 #include "units.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 namespace {
 
 constexpr double lost_beside_others = 50;  // a curve of a fiftieth of the height is flat to the eye
 
 struct Curve {
   QuantityKind kind;
-  io::Series series;
+  Series series;
   double size = 0;  // largest magnitude
 };
 
@@ -67,7 +67,7 @@ std::string label(const std::vector<Curve>& curves, const std::string& units) {
 
 }  // namespace
 
-std::vector<io::Panel> history_panels(const io::CsvTable& history, const io::SummaryHeading& heading) {
+std::vector<Panel> history_panels(const io::CsvTable& history, const io::SummaryHeading& heading) {
   std::vector<Group> groups;
   for (std::size_t c = 1; c < history.names.size(); ++c) {
     const auto known = heading.probes.find(history.names[c]);
@@ -81,13 +81,13 @@ std::vector<io::Panel> history_panels(const io::CsvTable& history, const io::Sum
       group->curves.push_back(curve);
     }
   }
-  std::vector<io::Panel> panels;
+  std::vector<Panel> panels;
   for (const Group& dimension : groups)
     for (const Group& group : by_magnitude(dimension)) {
       auto next = group.curves.begin();
-      for (std::size_t size : io::even_parts(group.curves.size(), io::max_colors)) {
+      for (std::size_t size : even_parts(group.curves.size(), max_colors)) {
         const std::vector<Curve> curves(next, next + static_cast<long>(size));
-        io::Panel panel{{label(curves, heading.units)}, {}};
+        Panel panel{{label(curves, heading.units)}, {}};
         for (const Curve& curve : curves) panel.series.push_back(curve.series);
         panels.push_back(panel);
         next += static_cast<long>(size);
@@ -96,4 +96,4 @@ std::vector<io::Panel> history_panels(const io::CsvTable& history, const io::Sum
   return panels;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

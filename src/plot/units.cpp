@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 namespace {
 
 struct KindOfPrefix {
@@ -113,4 +113,4 @@ std::string labelled(const std::string& name, Dimension dimension, const std::st
   return unit.empty() ? name : name + " (" + unit + ")";
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 
 struct Series {
   /// Steps: a value holds from the point before up to its own.
@@ -54,4 +54,4 @@ void draw(const Figure& figure, const std::filesystem::path& directory, const st
 /// Cuts `items` things into as few parts as hold at most `most` each, as equal as can be. @returns their sizes
 std::vector<std::size_t> even_parts(std::size_t items, std::size_t most);
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

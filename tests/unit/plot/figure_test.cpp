@@ -1,4 +1,4 @@
-#include "creepcontact/io/plot.hpp"
+#include "creepcontact/plot/figure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <set>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/io/curves.hpp"
+#include "creepcontact/plot/curves.hpp"
 #include "unit/io/temporary_directory.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 namespace {
 
-using test::contains;
+using io::test::contains;
 
 Figure one_curve(const std::string& name) {
   Figure figure{"title", {"time"}, {}};
@@ -28,16 +28,16 @@ TEST(Plot, NamesAreTextToGnuplotAndNothingElse) {
 }
 
 TEST(Plot, HostileNamesRunNothingAndStandInThePicture) {
-  const test::TemporaryDirectory directory;
+  const io::test::TemporaryDirectory directory;
   draw(one_curve("it''s_<b> & `touch a` \\\nsystem('touch b')\n!touch c"), directory.path(), "plot");
-  EXPECT_TRUE(contains(test::read_text(directory / "plot.svg"), "it'\u2019s_&lt;b> &amp; `touch a`"));
+  EXPECT_TRUE(contains(io::test::read_text(directory / "plot.svg"), "it'\u2019s_&lt;b> &amp; `touch a`"));
   for (const char* name : {"a", "b", "c"}) EXPECT_FALSE(std::filesystem::exists(directory / name)) << name;
-  EXPECT_EQ(test::read_text(directory / "plot.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(io::test::read_text(directory / "plot.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
 /// Wherever they are: in a picture's title, at its axes, in its legend.
 TEST(Plot, CharactersOfAnyKindAreDrawn) {
-  const test::TemporaryDirectory directory;
+  const io::test::TemporaryDirectory directory;
   for (const std::string text :
        {"'a",  "'",   "''",  "'''a'''", "a'",   "a''b'", "\n'a", "`a`", "%d %s %%", "{a",  "a}",    "a@b", "a^{b",
         "a_b", "\"a", "a\"", "$a",      "$(a)", "a\\",   "\\",   "#a",  "a;b",      "&<>", "\xff'", ""}) {
@@ -46,7 +46,7 @@ TEST(Plot, CharactersOfAnyKindAreDrawn) {
     figure.x.label = text + "3";
     figure.panels[0].y.label = text + "4";
     EXPECT_NO_THROW(draw(figure, directory.path(), "plot")) << text;
-    const std::string picture = test::read_text(directory / "plot.svg");
+    const std::string picture = io::test::read_text(directory / "plot.svg");
     for (const char* mark : {"2<", "3<", "4<"}) EXPECT_TRUE(contains(picture, mark)) << text << mark;
   }
 }
@@ -64,7 +64,7 @@ TEST(Plot, EverySeriesHasALookOfItsOwn) {
   EXPECT_EQ(looks.size(), max_series);
   EXPECT_EQ(markers.size(), max_series);
   figure.panels[0].series.push_back(figure.panels[0].series[0]);
-  EXPECT_TRUE(contains(test::message_of<ConfigError>([&] { gnuplot_script(figure, "plot"); }), "allowed: 1 to 14"));
+  EXPECT_TRUE(contains(io::test::message_of<ConfigError>([&] { gnuplot_script(figure, "plot"); }), "allowed: 1 to 14"));
 }
 
 TEST(Plot, RoundingIsNotMagnified) {
@@ -94,11 +94,11 @@ TEST(Plot, NumbersBeyondAllDecadesAreLeftOut) {
 }
 
 TEST(Plot, AFigureWithoutAPointIsDrawnAllTheSame) {
-  const test::TemporaryDirectory directory;
+  const io::test::TemporaryDirectory directory;
   Figure figure = one_curve("nothing");
   figure.panels[0].series[0].y = {NAN, INFINITY, NAN};
   draw(figure, directory.path(), "plot");
-  EXPECT_TRUE(contains(test::read_text(directory / "plot.svg"), "nothing"));
+  EXPECT_TRUE(contains(io::test::read_text(directory / "plot.svg"), "nothing"));
 }
 
 TEST(Plot, PartsAreEven) {
@@ -108,19 +108,19 @@ TEST(Plot, PartsAreEven) {
 }
 
 TEST(Curves, PointsInOrderThatTheAxesCanShow) {
-  const test::TemporaryDirectory directory;
+  const io::test::TemporaryDirectory directory;
   const Axis log{.label = "error", .logarithmic = true};
   const Curves curves{"Errors", log, log, {{"method", {10, 1, 0.1, 5}, {1e-2, 1e-3, 0, NAN}}, {"exact", {1}, {0}}}};
   const auto pictures = draw_curves(curves, directory.path(), "error");
   EXPECT_EQ(pictures, (std::vector<std::filesystem::path>{directory / "error.svg"}));
-  EXPECT_TRUE(contains(test::read_text(directory / "error.dat"), "1 0.001\n10 0.01\n# end"));
-  const std::string picture = test::read_text(pictures[0]);
+  EXPECT_TRUE(contains(io::test::read_text(directory / "error.dat"), "1 0.001\n10 0.01\n# end"));
+  const std::string picture = io::test::read_text(pictures[0]);
   EXPECT_TRUE(contains(picture, "method"));
   EXPECT_FALSE(contains(picture, "exact"));
 }
 
 TEST(Curves, ManyAreSpreadOverPictures) {
-  const test::TemporaryDirectory directory;
+  const io::test::TemporaryDirectory directory;
   Curves curves{"Errors", {}, {}, {}};
   for (std::size_t i = 0; i <= max_series; ++i) curves.series.push_back({std::to_string(i), {0, 1}, {1, 2}});
   EXPECT_EQ(draw_curves(curves, directory.path(), "p").size(), 2u);
@@ -130,4 +130,4 @@ TEST(Curves, ManyAreSpreadOverPictures) {
 }
 
 }  // namespace
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

@@ -1,4 +1,4 @@
-#include "creepcontact/io/plot.hpp"
+#include "creepcontact/plot/figure.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "gnuplot_process.hpp"
 #include "gnuplot_text.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 namespace {
 
 struct Look {
@@ -204,4 +204,4 @@ std::vector<std::size_t> even_parts(std::size_t items, std::size_t most) {
   return sizes;
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 namespace {
 
 /// What a child is given: its directory, no input, its messages into a pipe.
@@ -87,4 +87,4 @@ void run_gnuplot(const std::filesystem::path& directory, const std::vector<std::
     throw Error(fmt::format("gnuplot failed in '{}': {}", directory.string(), without_blank_ends(messages)), 4);
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "creepcontact/io/plot.hpp"
+#include "creepcontact/plot/figure.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 
 struct Range {
   double from = 0, to = 1;
@@ -23,4 +23,4 @@ Range value_range(const Panel& panel, const Axis& x_axis);
 Range common_range(const Figure& figure);
 bool has_zero(const Figure& figure);
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

@@ -5,9 +5,9 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/simulation/run_plots.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 namespace {
 
 io::CsvTable read_history(const std::filesystem::path& run) {
@@ -42,10 +42,10 @@ std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, co
   const std::filesystem::path directory = options.directory.empty() ? run / "plots" : options.directory;
   std::vector<std::filesystem::path> pictures;
   for (const NamedFigure& one : figures) {
-    io::draw(one.figure, directory, one.name);
+    draw(one.figure, directory, one.name);
     pictures.push_back(directory / (one.name + ".svg"));
   }
   return pictures;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

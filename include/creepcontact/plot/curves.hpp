@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/plot.hpp"
+#include "creepcontact/plot/figure.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 
 struct Curves {
   std::string title;
@@ -23,4 +23,4 @@ struct Curves {
 std::vector<std::filesystem::path> draw_curves(const Curves& curves, const std::filesystem::path& directory,
                                                const std::string& stem);
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

@@ -1,4 +1,4 @@
-#include "creepcontact/simulation/run_plots.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 #include "creepcontact/base/suggestion.hpp"
 #include "units.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::plot {
 namespace {
 
 constexpr std::size_t most_panels = 5;  // of a picture: what a screen shows
@@ -24,7 +24,7 @@ std::string title(const RunTables& run) {
   return whole ? name : fmt::format("{} ({})", name, heading.status);
 }
 
-io::Axis time_axis(const io::SummaryHeading& heading, bool logarithmic) {
+Axis time_axis(const io::SummaryHeading& heading, bool logarithmic) {
   return {labelled("time", Dimension::time, heading.units), logarithmic, true};
 }
 
@@ -66,23 +66,23 @@ bool spans_decades(const std::vector<double>& times) {
   return last > 1e3 * first;
 }
 
-io::Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time) {
-  const auto curve = [&](const char* column, const char* name, io::Series::Style style) {
+Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time) {
+  const auto curve = [&](const char* column, const char* name, Series::Style style) {
     const std::vector<double>* values = steps.column(column);
     if (values == nullptr) throw ConfigError(fmt::format("steps.csv has no column '{}'", column));
-    return io::Series{name, steps.columns[0], *values, style};
+    return Series{name, steps.columns[0], *values, style};
   };
-  const auto whole = [](const char* label) { return io::Axis{.label = label, .whole_numbers = true}; };
-  const auto any = [](const io::Series& series) {
+  const auto whole = [](const char* label) { return Axis{.label = label, .whole_numbers = true}; };
+  const auto any = [](const Series& series) {
     return std::ranges::any_of(series.y, [](double value) { return value != 0; });
   };
-  using Style = io::Series::Style;
-  const io::Series solves = curve("elastic_solves", "elastic solves", Style::points);
-  const io::Series iterations = curve("schwarz_iterations", "Schwarz iterations", Style::points);
-  const io::Series contacts = curve("active_contacts", "active contacts", Style::steps);
+  using Style = Series::Style;
+  const Series solves = curve("elastic_solves", "elastic solves", Style::points);
+  const Series iterations = curve("schwarz_iterations", "Schwarz iterations", Style::points);
+  const Series contacts = curve("active_contacts", "active contacts", Style::steps);
 
-  const io::Axis length{labelled("step length", Dimension::time, heading.units), true};
-  io::Figure figure{heading.title, time_axis(heading, log_time), {}};
+  const Axis length{labelled("step length", Dimension::time, heading.units), true};
+  Figure figure{heading.title, time_axis(heading, log_time), {}};
   figure.panels.push_back({length, {curve("step", "step length", Style::steps)}});
   figure.panels.push_back({whole("order"), {curve("order", "order", Style::steps)}});
   figure.panels.push_back({whole("in a step"), {solves}});
@@ -103,19 +103,18 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) 
   const bool log_time = options.log_time.value_or(spans_decades(run.history.columns[0]));
 
   std::vector<NamedFigure> figures;
-  const std::vector<io::Panel> panels =
-      missing.empty() ? history_panels(run.history, run.heading) : std::vector<io::Panel>();
+  const std::vector<Panel> panels = missing.empty() ? history_panels(run.history, run.heading) : std::vector<Panel>();
   auto next = panels.begin();
-  for (std::size_t size : io::even_parts(panels.size(), most_panels)) {
+  for (std::size_t size : even_parts(panels.size(), most_panels)) {
     const std::string name = figures.empty() ? "history" : fmt::format("history_{}", figures.size() + 1);
     figures.push_back({name, {title(run), time_axis(run.heading, log_time), {next, next + static_cast<long>(size)}}});
     next += static_cast<long>(size);
   }
   if (run.steps.rows() == 0) return figures;
-  io::Figure figure = steps_figure(run.steps, run.heading, log_time);
+  Figure figure = steps_figure(run.steps, run.heading, log_time);
   figure.title = title(run) + ": time steps";
   figures.push_back({"steps", std::move(figure)});
   return figures;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::plot

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 namespace {
 
 // Beyond these magnitudes decades and margins are no numbers any more.
@@ -89,4 +89,4 @@ Range common_range(const Figure& figure) {
   return range;
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

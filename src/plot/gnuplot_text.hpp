@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 
 /// In single quotes, where gnuplot neither runs commands nor expands anything. Control characters become spaces,
 /// bytes that are no UTF-8 a question mark: an SVG file holds neither.
@@ -16,4 +16,4 @@ std::size_t text_width(std::string_view text);
 /// With an ellipsis if it is longer than `width` characters.
 std::string shortened(std::string_view text, std::size_t width);
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot

@@ -1,6 +1,6 @@
 #include "gnuplot_text.hpp"
 
-namespace creepcontact::io {
+namespace creepcontact::plot {
 namespace {
 
 bool continues(char c) {
@@ -57,4 +57,4 @@ std::string shortened(std::string_view text, std::size_t width) {
   return std::string(text.substr(0, end)) + "…";
 }
 
-}  // namespace creepcontact::io
+}  // namespace creepcontact::plot
