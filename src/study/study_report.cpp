@@ -7,7 +7,7 @@
 
 #include "creepcontact/io/csv_table.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 using Cells = std::vector<std::string>;
@@ -154,4 +154,4 @@ std::string study_markdown(const config::Study& study, const std::vector<config:
   return text;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

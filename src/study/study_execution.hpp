@@ -7,21 +7,23 @@
 #include <vector>
 
 #include "creepcontact/config/study.hpp"
+#include "creepcontact/config/vocabulary.hpp"
 #include "creepcontact/platform/interrupt.hpp"
-#include "creepcontact/simulation/study_results.hpp"
+#include "creepcontact/study/study_results.hpp"
 #include "study_progress.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 class StudyExecution {
  public:
   /// @param jobs  runs at a time, among which the cores are divided
   /// @param directory  of the study; all are referred to and must outlive this
   /// @param trust_geometry  passed on to the runs
-  StudyExecution(const config::Study& study, const std::filesystem::path& program,
+  StudyExecution(const config::Study& study, const config::Vocabulary& vocabulary, const std::filesystem::path& program,
                  const std::filesystem::path& directory, int jobs, int cores, bool trust_geometry,
                  const platform::Interrupt& interrupt, StudyProgress& progress)
       : study_(study),
+        vocabulary_(vocabulary),
         program_(program),
         directory_(directory),
         jobs_(static_cast<std::size_t>(jobs)),
@@ -39,6 +41,7 @@ class StudyExecution {
   std::string record_of(const config::PlannedRun& run) const;
 
   const config::Study& study_;
+  const config::Vocabulary& vocabulary_;
   const std::filesystem::path& program_;
   const std::filesystem::path& directory_;
   std::size_t jobs_;
@@ -48,4 +51,4 @@ class StudyExecution {
   StudyProgress& progress_;
 };
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

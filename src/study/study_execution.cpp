@@ -21,9 +21,8 @@
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/platform/child_process.hpp"
 #include "creepcontact/platform/replace_file.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,7 +143,7 @@ bool resumable(const fs::path& directory) {
 /// What the results depend on: settings, program, and the files that the configuration names.
 std::string StudyExecution::record_of(const config::PlannedRun& run) const {
   const std::vector<std::string> overrides = config::overrides(study_, run.settings);
-  const config::Config config = config::read(study_.base, vocabulary(), overrides);
+  const config::Config config = config::read(study_.base, vocabulary_, overrides);
   std::string record = fmt::format("creepcontact {}\n", CREEPCONTACT_VERSION);
   record += checksum_line(study_.base) + checksum_line(config.mesh.file);
   if (config.temperature && !config.temperature->file.empty()) record += checksum_line(config.temperature->file);
@@ -215,4 +214,4 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
   return rows;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -7,7 +7,7 @@
 
 #include "creepcontact/config/study.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 /// Numbers that are not known are NaN.
 struct StudyRow {
@@ -39,4 +39,4 @@ std::vector<StudySeries> series(const config::Study& study, const std::vector<co
 /// log(e_i/e_(i+1))/log(x_i/x_(i+1)), one less than there are errors; NaN where one is 0 or not known.
 std::vector<double> observed_orders(const std::vector<double>& x, const std::vector<double>& errors);
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -9,7 +9,7 @@
 
 #include "creepcontact/base/error.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -74,4 +74,4 @@ ReferenceHistory::Error ReferenceHistory::error(const io::CsvTable& history, con
   return {largest / scale, {}};
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -8,7 +8,7 @@
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/io/csv_table.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 /// The reference as values at times, or as functions of time.
 class ReferenceHistory {
@@ -38,4 +38,4 @@ class ReferenceHistory {
   std::map<std::string, Function> expressions_;
 };
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

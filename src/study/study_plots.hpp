@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "creepcontact/simulation/study_results.hpp"
+#include "creepcontact/study/study_results.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 /// Files `<column>_over_<column>` (.svg, .png, .gp, .dat) by the columns of study.csv, one for each key that curves run
 /// along. A curve has the same colour and marker in all of them, if there are no more curves than a picture takes.
@@ -16,4 +16,4 @@ std::vector<std::filesystem::path> plot_study(const config::Study& study, const 
                                               const std::vector<StudyRow>& rows,
                                               const std::filesystem::path& directory);
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

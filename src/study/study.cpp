@@ -1,4 +1,4 @@
-#include "creepcontact/simulation/study.hpp"
+#include "creepcontact/study/study.hpp"
 
 #include <fmt/format.h>
 
@@ -15,13 +15,12 @@
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/replace_file.hpp"
-#include "creepcontact/simulation/vocabulary.hpp"
 #include "study_errors.hpp"
 #include "study_execution.hpp"
 #include "study_plots.hpp"
 #include "study_report.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,9 +109,9 @@ std::vector<fs::path> drawn(const config::Study& study, const std::vector<config
 
 }  // namespace
 
-StudyResult run_study(const config::Study& study, const StudyOptions& options) {
+StudyResult run_study(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options) {
   const std::vector<config::PlannedRun> runs = config::plan(study);
-  config::check_runs(study, runs, vocabulary());
+  config::check_runs(study, runs, vocabulary);
   Comparison comparison(study);
   const fs::path directory =
       options.output.empty() ? study.file.parent_path() / "results" / study.file.stem() : options.output;
@@ -129,8 +128,8 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   std::optional<StudyRow> reference;
   {
     StudyProgress progress(runs.size() + (reference_run ? 1 : 0));
-    StudyExecution execution(study, options.program, directory, jobs, cores(), options.trust_geometry, interrupt,
-                             progress);
+    StudyExecution execution(study, vocabulary, options.program, directory, jobs, cores(), options.trust_geometry,
+                             interrupt, progress);
     if (reference_run) {
       const config::PlannedRun run{"reference", study.reference->settings, 0, {}};
       reference = execution.run({run}).front();
@@ -149,4 +148,4 @@ StudyResult run_study(const config::Study& study, const StudyOptions& options) {
   return result_of(rows, interrupt, directory);
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

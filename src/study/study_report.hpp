@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "creepcontact/config/study.hpp"
-#include "creepcontact/simulation/study_results.hpp"
+#include "creepcontact/study/study_results.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 /// A row a run: values of all keys that are varied; errors; status, message, costs.
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
@@ -21,4 +21,4 @@ std::string study_markdown(const config::Study& study, const std::vector<config:
                            const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
                            const std::vector<std::filesystem::path>& pictures);
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

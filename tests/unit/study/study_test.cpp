@@ -4,13 +4,13 @@
 #include <cmath>
 #include <set>
 
-#include "../../../src/simulation/study_errors.hpp"
-#include "../../../src/simulation/study_plots.hpp"
-#include "../../../src/simulation/study_report.hpp"
+#include "../../../src/study/study_errors.hpp"
+#include "../../../src/study/study_plots.hpp"
+#include "../../../src/study/study_report.hpp"
 #include "creepcontact/base/error.hpp"
 #include "unit/io/temporary_directory.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 using config::ErrorNorm;
@@ -205,4 +205,4 @@ TEST_F(StudyTables, QuantitiesAlikeInLettersHavePicturesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -10,7 +10,7 @@
 
 #include "creepcontact/plot/curves.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 std::string file_part(std::string text) {
@@ -127,4 +127,4 @@ std::vector<std::filesystem::path> plot_study(const config::Study& study, const 
   return pictures.files();
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

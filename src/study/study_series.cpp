@@ -6,9 +6,9 @@
 #include <map>
 #include <optional>
 
-#include "creepcontact/simulation/study_results.hpp"
+#include "creepcontact/study/study_results.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -107,4 +107,4 @@ std::vector<double> observed_orders(const std::vector<double>& x, const std::vec
   return orders;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <string>
 
-#include "creepcontact/simulation/study_results.hpp"
+#include "creepcontact/study/study_results.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 class StudyProgress {
  public:
@@ -30,4 +30,4 @@ class StudyProgress {
   std::string drawn_;
 };
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -7,7 +7,7 @@
 
 #include "creepcontact/base/log.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 namespace {
 
 constexpr std::size_t bar_width = 24;
@@ -49,4 +49,4 @@ void StudyProgress::draw(std::size_t running) {
   drawn_ = line;
 }
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "creepcontact/config/study.hpp"
+#include "creepcontact/config/vocabulary.hpp"
 
-namespace creepcontact::simulation {
+namespace creepcontact::study {
 
 struct StudyOptions {
   std::filesystem::path program;  ///< that makes a run: `program run CONFIG.toml ...`
@@ -23,8 +24,9 @@ struct StudyResult {
 /// Every run is a process of its own, with one thread, in <output>/runs/<name>. Runs that an earlier call has finished
 /// with the same settings, files and version are kept, interrupted ones go on from their checkpoint. SIGINT and SIGTERM
 /// end the runs under way, each with a checkpoint.
+/// @param vocabulary  names that the configurations of the runs may use
 /// @throws ConfigError for every mistake that shows beforehand, and if the directory holds another study
 /// @throws SolverError if the reference does not come to its end
-StudyResult run_study(const config::Study& study, const StudyOptions& options);
+StudyResult run_study(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options);
 
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::study
