@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "creepcontact/numerics/point_sums.hpp"
 #include "creepcontact/simulation/contact_elasticity.hpp"
-#include "point_sums.hpp"
 
 namespace creepcontact::simulation {
 namespace {
@@ -21,7 +21,7 @@ constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an
 double elastic_energy(const mechanics::Body& body, const std::vector<double>& stress) {
   const std::span<const double> weights = body.discretization().weights();
   const mechanics::ElasticState elastic = body.elastic();
-  return sum_over_points(stress.size() / 6, [&](std::size_t p) {
+  return numerics::sum_over_points(stress.size() / 6, [&](std::size_t p) {
     const Eigen::Map<const Tensor6> sigma(stress.data() + 6 * p);
     const material::Moduli& h = elastic.at(p);
     const double mean = tensor::trace(sigma) / 3;

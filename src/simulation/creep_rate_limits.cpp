@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/numerics/point_sums.hpp"
 #include "creepcontact/ode/system.hpp"
 #include "creepcontact/simulation/creep_rate.hpp"
-#include "point_sums.hpp"
 #include "stress_scale.hpp"
 
 namespace creepcontact::simulation {
@@ -36,9 +36,9 @@ void CreepRate::require_relaxation_in_the_run(double t, double end) {
     const mechanics::ElasticState elastic = body.elastic();
     const std::span<const double> weights = body.discretization().weights();
     const auto stress = [&](std::size_t p) { return Eigen::Map<const Tensor6>(state.stress.data() + 6 * p); };
-    const double stored = sum_over_points(
+    const double stored = numerics::sum_over_points(
         points_[b].size(), [&](std::size_t p) { return weights[p] * elastic_work(stress(p), elastic.at(p)); });
-    const double spent = sum_over_points(points_[b].size(), [&](std::size_t p) {
+    const double spent = numerics::sum_over_points(points_[b].size(), [&](std::size_t p) {
       const double* creep = change.data() + layout_.offset(b) + p * layout_.stride(b);
       return weights[p] * stress(p).dot(Eigen::Map<const Tensor6>(creep));
     });
