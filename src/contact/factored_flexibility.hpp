@@ -5,7 +5,7 @@
 #include <span>
 
 #include "creepcontact/contact/body_rows.hpp"
-#include "creepcontact/contact/flexibility_operator.hpp"
+#include "creepcontact/contact/solver/flexibility_operator.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::contact {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact_grid.hpp"
+#include "creepcontact/contact/geometry/contact_grid.hpp"
 #include "creepcontact/simulation/contact_elasticity.hpp"
 
 namespace creepcontact::simulation {
@@ -16,7 +16,7 @@ namespace creepcontact::simulation {
 /// at a plane of symmetry. Of several connected zones the narrowest counts; those that carry less than a tenth of the
 /// force do not.
 /// @returns nullopt if nothing is in contact, or if no zone has an edge: the contact is as wide as the surface
-std::optional<int> elements_across(const ContactGrid& grid, const Eigen::VectorXd& force_of_row);
+std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row);
 
 /// A sentence for each unilateral contact whose zone is less than four slave elements wide in the elasticity's last
 /// solution.

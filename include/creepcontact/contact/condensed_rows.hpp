@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <span>
 
-#include "creepcontact/contact/pair.hpp"
+#include "creepcontact/contact/geometry/pair.hpp"
 #include "creepcontact/linalg/supernodal_cholesky.hpp"
 
 namespace creepcontact::contact {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "creepcontact/base/stopwatch.hpp"
-#include "creepcontact/contact/frozen_system.hpp"
+#include "creepcontact/contact/solver/frozen_system.hpp"
 #include "creepcontact/simulation/contact_log.hpp"
 #include "creepcontact/simulation/model.hpp"
 

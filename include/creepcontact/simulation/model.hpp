@@ -8,7 +8,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/contact/condensed_interface.hpp"
-#include "creepcontact/contact/contact_solver.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
 #include "creepcontact/mechanics/body.hpp"
 #include "creepcontact/simulation/temperature_watch.hpp"
 

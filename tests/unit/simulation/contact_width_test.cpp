@@ -19,7 +19,7 @@ std::optional<int> width(int nx, int ny, const Force& force, mesh::CellType type
   contact::Pair pair;
   pair.slave_surface = "z1";
   pair.coupling = contact::mortar_coupling(slave.surface(), master.surface(), contact::ContactType::unilateral);
-  const ContactGrid grid(pair, slave.mesh);
+  const contact::ContactGrid grid(pair, slave.mesh);
   Eigen::VectorXd forces(static_cast<Eigen::Index>(grid.places.size()));
   for (Eigen::Index i = 0; i < forces.size(); ++i)
     forces[i] = force(grid.place(static_cast<int>(i)).x(), grid.place(static_cast<int>(i)).y());
