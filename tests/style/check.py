@@ -28,13 +28,15 @@ BUILD_DIRECTORIES = {".git", "build", "results", "__pycache__"}
 
 
 def declared_modules(root):
-    """What CMake links each module to: {module: (public, private)}. A module may include that, and no other list says so."""
+    """What CMake links each module to: {module: (public, private)}. No other list says what a module may include."""
     modules = {}
     for path in [root / "CMakeLists.txt", *sorted((root / "cmake").glob("*.cmake"))]:
         text = re.sub(r"#.*", "", path.read_text(encoding="utf-8")) if path.is_file() else ""
         for name, arguments in MODULE_DECLARATION.findall(text):
-            public, _, private = arguments.partition("PRIVATE_USES")
-            modules[name] = tuple(re.findall(r"\bcreepcontact_(?!options\b)(\w+)", part) for part in (public, private))
+            parts = re.split(r"\b((?:PRIVATE_)?USES)\b", arguments)
+            listed = dict(zip(parts[1::2], parts[2::2]))
+            modules[name] = tuple(re.findall(r"\bcreepcontact_(?!options\b)(\w+)", listed.get(key, ""))
+                                  for key in ("USES", "PRIVATE_USES"))
     return modules
 
 
@@ -103,6 +105,17 @@ def module_includes(root):
             yield f'{where}: "{name}" is neither "creepcontact/<module>/<file>.hpp" nor a file of src/{module}'
 
 
+def module_table(root):
+    """The table of docs/architecture.md says what CMake says."""
+    text = (root / "docs/architecture.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(?:src/)?(\w+)` \|.*\| ([^|]*) \|$", text, re.MULTILINE)
+    told = {name: set(re.findall(r"`(\w+)`", uses)) for name, uses in rows}
+    for name, (public, private) in declared_modules(root).items():
+        if (uses := {*public, *private}) != told.pop(name, None):
+            yield f"docs/architecture.md: module '{name}' is linked to {', '.join(sorted(uses)) or 'none'}"
+    yield from (f"docs/architecture.md: no module '{name}' in CMake's lists" for name in told)
+
+
 def library_includes(root):
     for module, path, number, _, name in module_sources(root):
         for start, home in LIBRARY_HOME.items():
@@ -142,7 +155,8 @@ def machine_paths(root):
                 yield f"{path.relative_to(root)}:{number}: '{match.group()}' is a path of somebody's machine"
 
 
-RULES = {rule.__name__: rule for rule in (module_includes, library_includes, formatting, file_length, machine_paths)}
+RULES = {rule.__name__: rule for rule in (module_includes, module_table, library_includes, formatting, file_length,
+                                         machine_paths)}
 WARNINGS = {"file_length"}  # printed, and kept all the same
 
 

@@ -80,6 +80,14 @@ class Rules(unittest.TestCase):
         self.write("src/b.cpp", "")
         self.assertEqual(len(self.broken("module_includes")), 2)
 
+    def test_the_table_of_modules(self):
+        rows = "| module | holds | may include |\n|---|---|---|\n| `base` | errors | - |\n| `src/mesh` | cells | `base` |\n"
+        self.write("CMakeLists.txt", "creepcontact_module(base)\ncreepcontact_module(mesh USES creepcontact_base)\n")
+        self.write("docs/architecture.md", rows)
+        self.assertEqual(self.broken("module_table"), [])
+        self.write("docs/architecture.md", rows.replace("| - |", "| `mesh` |") + "| `fem` | elements | `mesh` |\n")
+        self.assertEqual(len(self.broken("module_table")), 2)
+
     def test_libraries_stay_at_home(self):
         self.write("src/config/a.cpp", "#include <toml++/toml.h>\n")
         self.write("src/ode/a.cpp", "#include <cvode/cvode.h>\n")
