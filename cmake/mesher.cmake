@@ -1,10 +1,9 @@
 # creepcontact-mesher, the process that meshes .geo files: alone in being linked to Gmsh, which brings 120 libraries.
 creepcontact_find_library(Gmsh gmsh.h gmsh)
 creepcontact_find_library(Seccomp seccomp.h seccomp)
-file(GLOB mesher_sources CONFIGURE_DEPENDS src/mesher/*.cpp)
-add_executable(creepcontact_mesher ${mesher_sources})
+creepcontact_program(mesher creepcontact_mesher
+                     USES creepcontact_io creepcontact_options Gmsh::Gmsh Seccomp::Seccomp)
 set_target_properties(creepcontact_mesher PROPERTIES OUTPUT_NAME creepcontact-mesher)
-target_link_libraries(creepcontact_mesher PRIVATE creepcontact_io creepcontact_options Gmsh::Gmsh Seccomp::Seccomp)
 # Of what comes with creepcontact_io it needs next to nothing.
 target_link_options(creepcontact_mesher PRIVATE -Wl,--as-needed)
 

@@ -11,11 +11,13 @@ function(creepcontact_precompile target)
 endfunction()
 
 # creepcontact_module(name USES <public libraries> PRIVATE_USES <implementation only> PRECOMPILE <headers>)
-# Static library creepcontact_<name> from src/<name>/*.cpp; a module of headers alone becomes an interface library.
+# Static library creepcontact_<name> from src/<name>/*.cpp and its subfolders; a module of headers alone becomes an interface
+# library. The modules among USES and PRIVATE_USES are those that it may include: tests/style reads them here.
 function(creepcontact_module name)
   cmake_parse_arguments(arg "" "" "USES;PRIVATE_USES;PRECOMPILE" ${ARGN})
   set(target creepcontact_${name})
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp
+       ${PROJECT_SOURCE_DIR}/src/${name}/*/*.cpp)
   if(sources)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
@@ -29,4 +31,13 @@ function(creepcontact_module name)
                              $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} ${scope} ${arg_USES})
   set_property(GLOBAL APPEND PROPERTY CREEPCONTACT_MODULES ${target})
+endfunction()
+
+# creepcontact_program(name target USES <libraries>)
+# Program from src/<name>/*.cpp, which may include the modules among USES.
+function(creepcontact_program name target)
+  cmake_parse_arguments(arg "" "" "USES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  add_executable(${target} ${sources})
+  target_link_libraries(${target} PRIVATE ${arg_USES})
 endfunction()

@@ -12,9 +12,9 @@ int check(const Command& self, const Arguments& arguments) {
   add_overrides(line);
   add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
-  config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
+  config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
-  simulation::check(config, std::cout);
+  run::check(config, std::cout);
   return 0;
 }
 

@@ -6,8 +6,8 @@
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/config/key_reference.hpp"
-#include "creepcontact/config/suggestion.hpp"
 #include "creepcontact/run/lists.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 
@@ -32,7 +32,7 @@ struct Output {
 /// @param wanted  which keys; not given: all
 std::string keys(const std::string& what, const std::optional<std::string>& wanted, const Output& output) {
   auto sections =
-      config::key_sections(what == "keys" ? config::schema(simulation::vocabulary()) : config::study_schema());
+      config::key_sections(what == "keys" ? config::schema(run::vocabulary()) : config::study_schema());
   if (wanted) sections = config::select_keys(sections, *wanted);
   if (output.names) return config::key_names(sections);
   if (output.values) return config::key_values(sections);
@@ -45,7 +45,7 @@ void check(const std::string& what, const CommandLine& line, const Output& outpu
     std::vector<std::string> lists = key_lists;
     lists.insert(lists.end(), name_lists.begin(), name_lists.end());
     throw ConfigError(
-        fmt::format("list: unknown list '{}'{} (allowed: {})", what, config::did_you_mean(what, lists), all_lists()));
+        fmt::format("list: unknown list '{}'{} (allowed: {})", what, did_you_mean(what, lists), all_lists()));
   }
   if (contains(name_lists, what) && (line.optional() || output.names || output.values))
     throw ConfigError(
@@ -71,7 +71,7 @@ int list(const Command& self, const Arguments& arguments) {
   if (contains(key_lists, what)) {
     std::cout << keys(what, line.optional(), output);
   } else {
-    std::cout << (output.markdown ? simulation::list_markdown(what) : simulation::list(what));
+    std::cout << (output.markdown ? run::list_markdown(what) : run::list(what));
   }
   return 0;
 }

@@ -14,9 +14,9 @@
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/base/interrupt.hpp"
-#include "creepcontact/base/memory.hpp"
-#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/platform/interrupt.hpp"
+#include "creepcontact/platform/memory.hpp"
 #include "standard_output.hpp"
 #include "thread_settings.hpp"
 
@@ -63,7 +63,7 @@ int dispatch(const Arguments& arguments) {
   }
   const bool is_option = first.front() == '-';
   if (is_option) names = {"--help", "--version"};
-  const std::string question = config::did_you_mean(first, names);
+  const std::string question = did_you_mean(first, names);
   throw ConfigError(fmt::format("unknown {} '{}'{} See creepcontact --help", is_option ? "option" : "command", first,
                                 question.empty() ? "." : question));
 }
@@ -82,7 +82,7 @@ int guarded(const Arguments& arguments) {
     report(error.what());
     return error.exit_status();
   } catch (const std::bad_alloc&) {
-    report(out_of_memory);
+    report(platform::out_of_memory);
   } catch (const std::filesystem::filesystem_error& error) {
     report(fmt::format("'{}': {}", error.path1().string(), error.code().message()));
     return ConfigError::status;
@@ -102,7 +102,7 @@ int guarded(const Arguments& arguments) {
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    report(out_of_memory);
+    report(platform::out_of_memory);
   } catch (const std::exception& error) {
     report(error.what());
   } catch (...) {
@@ -116,7 +116,7 @@ int guarded(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace creepcontact;
-  end_at_signals();
+  platform::end_at_signals();
   if (argc > 1 && argv[1][0] != '-') cli::set_threads(argv);  // what needs no threads does not start twice
   std::set_terminate(cli::give_up);
   cli::StandardOutput output;

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/config/suggestion.hpp"
-#include "creepcontact/simulation/run_plots.hpp"
+#include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -15,7 +15,7 @@ std::optional<bool> log_time(const std::string& word) {
   if (word == "auto") return std::nullopt;
   if (word == "yes" || word == "no") return word == "yes";
   throw ConfigError(fmt::format("--log-time: unknown choice '{}'{} (allowed: auto, yes, no)", word,
-                                config::did_you_mean(word, {"auto", "yes", "no"})));
+                                did_you_mean(word, {"auto", "yes", "no"})));
 }
 
 std::vector<std::string> names(const std::string& list) {
@@ -32,7 +32,7 @@ std::vector<std::string> names(const std::string& list) {
 int plot(const Command& self, const Arguments& arguments) {
   namespace po = boost::program_options;
   std::string log = "auto", probes;
-  simulation::PlotOptions options;
+  plot::PlotOptions options;
   std::string directory;
   CommandLine line(self);
   line.add_options()("log-time", po::value(&log)->value_name("auto|yes|no"),
@@ -44,7 +44,7 @@ int plot(const Command& self, const Arguments& arguments) {
   options.log_time = log_time(log);
   if (line.has("probes")) options.probes = names(probes);
   options.directory = directory;
-  for (std::filesystem::path picture : simulation::plot_run(line.positional(), options)) {
+  for (std::filesystem::path picture : plot::plot_run(line.positional(), options)) {
     std::cout << picture.string() << '\n';
     std::cout << picture.replace_extension(".png").string() << '\n';
   }

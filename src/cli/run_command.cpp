@@ -11,7 +11,7 @@ namespace creepcontact::cli {
 namespace po = boost::program_options;
 
 int run(const Command& self, const Arguments& arguments) {
-  simulation::RunOptions options;
+  run::RunOptions options;
   CommandLine line(self);
   add_overrides(line);
   line.add_options()("output,o", po::value(&options.output)->value_name("DIR"),
@@ -26,9 +26,9 @@ int run(const Command& self, const Arguments& arguments) {
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
   if (line.has("threads")) line.require_within("threads", options.threads, cores());
 
-  config::Config config = config::read(line.positional(), simulation::vocabulary(), overrides(line));
+  config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
-  const simulation::RunResult result = simulation::run(config, options);
+  const run::RunResult result = run::run(config, options);
   if (!result.message.empty()) {
     if (result.exit_status != 0) {
       std::cerr << "error: " << result.message << '\n';

@@ -4,13 +4,14 @@
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/config/study.hpp"
-#include "creepcontact/simulation/study.hpp"
+#include "creepcontact/run/vocabulary.hpp"
+#include "creepcontact/study/study.hpp"
 
 namespace creepcontact::cli {
 
 int study(const Command& self, const Arguments& arguments) {
   namespace po = boost::program_options;
-  simulation::StudyOptions options;
+  study::StudyOptions options;
   std::string output;
   CommandLine line(self);
   line.add_options()("jobs", po::value(&options.jobs)->value_name("N"),
@@ -27,7 +28,8 @@ int study(const Command& self, const Arguments& arguments) {
   options.program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) throw SolverError("the program does not find its own file: /proc/self/exe: " + error.message());
 
-  const simulation::StudyResult result = simulation::run_study(config::read_study(line.positional()), options);
+  const study::StudyResult result =
+      study::run_study(config::read_study(line.positional()), run::vocabulary(), options);
   (result.exit_status == 0 ? std::cout : std::cerr << "error: ") << result.message << '\n';
   return result.exit_status;
 }

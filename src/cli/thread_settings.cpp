@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "creepcontact/base/interrupt.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 
 namespace creepcontact::cli {
 
@@ -14,7 +14,7 @@ void set_threads(char** arguments) {
   if (waiting_is_set && blas_is_set) return;
   if (!waiting_is_set) setenv("OMP_WAIT_POLICY", "passive", 1);
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  const BlockedSignals until_handled_again;
+  const platform::BlockedSignals until_handled_again;
   execv("/proc/self/exe", arguments);  // returns only where that cannot be done: then the libraries do as they like
 }
 

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "known_words.hpp"
 
 namespace creepcontact::config {

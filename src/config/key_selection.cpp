@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/config/key_reference.hpp"
-#include "creepcontact/config/suggestion.hpp"
 #include "known_words.hpp"
 
 namespace creepcontact::config {

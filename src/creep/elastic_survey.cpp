@@ -9,7 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/creep/error_scale.hpp"
 #include "creepcontact/creep/material_points.hpp"
-#include "point_sums.hpp"
+#include "creepcontact/numerics/point_sums.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -31,9 +31,9 @@ double creep_over_elastic_strain(const MaterialPoints& points, const PointsState
   points.add_increment(0, end, at, change.data());
   const std::span<const double> weights = points.body().discretization().weights();
   const auto stress = [&](std::size_t p) { return Eigen::Map<const Tensor6>(at.stress.data() + 6 * p); };
-  const double stored = sum_over_points(
+  const double stored = numerics::sum_over_points(
       points.size(), [&](std::size_t p) { return weights[p] * elastic_work(stress(p), at.elastic.at(p)); });
-  const double spent = sum_over_points(points.size(), [&](std::size_t p) {
+  const double spent = numerics::sum_over_points(points.size(), [&](std::size_t p) {
     return weights[p] * stress(p).dot(Eigen::Map<const Tensor6>(change.data() + p * points.stride()));
   });
   return spent / stored;

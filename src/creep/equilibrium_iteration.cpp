@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "point_sums.hpp"
+#include "creepcontact/numerics/point_sums.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -21,7 +21,7 @@ constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an
 double elastic_energy(const mechanics::Discretization& discretization, const mechanics::ElasticState& elastic,
                       const std::vector<double>& stress) {
   const std::span<const double> weights = discretization.weights();
-  return sum_over_points(stress.size() / 6, [&](std::size_t p) {
+  return numerics::sum_over_points(stress.size() / 6, [&](std::size_t p) {
     const Eigen::Map<const Tensor6> sigma(stress.data() + 6 * p);
     const material::Moduli& h = elastic.at(p);
     const double mean = tensor::trace(sigma) / 3;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "point_sums.hpp"
+#include "creepcontact/numerics/point_sums.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -31,7 +31,7 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
 
 double ErrorScale::typical(const BodyState& state) {
   const std::size_t n = state.stress.size() / 6;
-  const double sum = sum_over_points(n, [&](std::size_t p) {
+  const double sum = numerics::sum_over_points(n, [&](std::size_t p) {
     const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
     return q * q;
   });

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "creepcontact/base/stopwatch.hpp"
-#include "creepcontact/contact/problem.hpp"
+#include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"
 
 namespace creepcontact::creep {

@@ -1,13 +1,13 @@
 #include "creepcontact/creep/material_points.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -96,15 +96,13 @@ MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<con
 void MaterialPoints::rate(const PointsState& given, double* rate) const {
   const LawStress stress(*this, given.stress);
   const PointsState at_points{given.laws, given.elastic, stress, given.state};
-#pragma omp parallel for schedule(static) if (n_points_ > 2000)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     double* own = rate + stride_ * p;
     std::fill(own, own + 6, 0.0);
     for_each_law(p, at_points, [&](const material::CreepLaw& law, const material::Point& at, std::size_t internal) {
       law.rate(at, own, own + internal);
     });
-  }
+  });
 }
 
 void MaterialPoints::derivative(const PointsState& given, std::span<const double> given_change, const double* d_state,
@@ -112,11 +110,9 @@ void MaterialPoints::derivative(const PointsState& given, std::span<const double
   const LawStress stress(*this, given.stress), change(*this, given_change);
   const PointsState at{given.laws, given.elastic, stress, given.state};
   const std::span<const double> d_stress = change;
-#pragma omp parallel for schedule(static) if (n_points_ > 2000)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     derivative_at(p, at, d_stress.data() + 6 * p, d_state + stride_ * p, d_rate + stride_ * p);
-  }
+  });
 }
 
 void MaterialPoints::derivative_at(std::size_t p, const PointsState& at_points, const double* d_stress,
@@ -129,7 +125,7 @@ void MaterialPoints::derivative_at(std::size_t p, const PointsState& at_points, 
 
 double MaterialPoints::start_exponent(double t, const PointsState& at_points) const {
   double smallest = 1;
-#pragma omp parallel for schedule(static) reduction(min : smallest) if (n_points_ > 2000)
+#pragma omp parallel for schedule(static) reduction(min : smallest) if (n_points_ >= numerics::parallel_points)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i)
     for_each_law(static_cast<std::size_t>(i), at_points,
                  [&](const material::CreepLaw& law, material::Point at, std::size_t) {
@@ -142,26 +138,22 @@ double MaterialPoints::start_exponent(double t, const PointsState& at_points) co
 void MaterialPoints::add_increment(double t, double duration, const PointsState& given, double* change) const {
   const LawStress stress(*this, given.stress);
   const PointsState at_points{given.laws, given.elastic, stress, given.state};
-#pragma omp parallel for schedule(static) if (n_points_ > 2000)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     double* own = change + stride_ * p;
     for_each_law(p, at_points, [&](const material::CreepLaw& law, material::Point at, std::size_t internal) {
       at.time = t;
       law.increment(at, duration, own, own + internal);
     });
-  }
+  });
 }
 
 std::vector<double> MaterialPoints::measure(material::Measure of, const PointsState& at_points) const {
   std::vector<double> values(n_points_, 0.0);
-#pragma omp parallel for schedule(static) if (n_points_ > 2000)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     for_each_law(p, at_points, [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
       if (const std::optional<double> value = law.measure(of, at)) values[p] = std::max(values[p], *value);
     });
-  }
+  });
   return values;
 }
 
@@ -194,7 +186,7 @@ double MaterialPoints::stiffest_with_internal(std::size_t p, const PointsState& 
 
 double MaterialPoints::stiffest_rate(const PointsState& at) const {
   double stiffest = 0;
-#pragma omp parallel reduction(max : stiffest) if (n_points_ > 2000)
+#pragma omp parallel reduction(max : stiffest) if (n_points_ >= numerics::parallel_points)
   {
     Eigen::VectorXd v(stride_), product(stride_);
 #pragma omp for schedule(static)

@@ -1,11 +1,11 @@
 #include "creepcontact/creep/material_tangent.hpp"
 
+#include "creepcontact/numerics/parallel.hpp"
+
 namespace creepcontact::creep {
 namespace {
 
 using Index = Eigen::Index;
-
-constexpr std::size_t parallel_threshold = 500;  // points
 
 Matrix6 compliance(const material::Moduli& h) {
   const double volumetric = 1 / (3 * (3 * h.lambda + 2 * h.mu)), deviatoric = 1 / (2 * h.mu);
@@ -64,7 +64,7 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
 }
 
 void MaterialTangent::prepare(double gamma, const PointsState& at) {
-#pragma omp parallel if (n_points_ > parallel_threshold)
+#pragma omp parallel if (n_points_ > numerics::parallel_tangents)
   {
     Work work(stride_);
 #pragma omp for schedule(static)
@@ -80,7 +80,7 @@ Eigen::Map<const Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) 
 
 void MaterialTangent::initial_stress(const double* r, std::span<double> stress) const {
   const auto n = static_cast<Index>(stride_);
-#pragma omp parallel for schedule(static) if (n_points_ > parallel_threshold)
+#pragma omp parallel for schedule(static) if (n_points_ > numerics::parallel_tangents)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
     const auto eliminated = eliminated_at(p);
@@ -92,7 +92,7 @@ void MaterialTangent::initial_stress(const double* r, std::span<double> stress) 
 
 void MaterialTangent::solution(const double* r, std::span<const double> strain, double* z) const {
   const auto n = static_cast<Index>(stride_);
-#pragma omp parallel for schedule(static) if (n_points_ > parallel_threshold)
+#pragma omp parallel for schedule(static) if (n_points_ > numerics::parallel_tangents)
   for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
     const auto p = static_cast<std::size_t>(i);
     const auto eliminated = eliminated_at(p);

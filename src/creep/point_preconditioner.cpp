@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "creepcontact/numerics/parallel.hpp"
+
 namespace creepcontact::creep {
 
 void PointPreconditioner::linearize(const MaterialPoints& points, const PointsState& at) {
   locals_.resize(points.size());
-#pragma omp parallel for schedule(static) if (locals_.size() > 2000)
-  for (std::ptrdiff_t i = 0; i < std::ssize(locals_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  numerics::for_each_index(locals_.size(), numerics::parallel_points, [&](std::size_t p) {
     const material::StressTangent part = points.tangent(p, at);
     Tensor6 direction = tensor::deviator(Eigen::Map<const Tensor6>(at.stress.data() + 6 * p));
     if (const double length = direction.norm(); length > 0) direction /= length;
@@ -17,13 +17,11 @@ void PointPreconditioner::linearize(const MaterialPoints& points, const PointsSt
     locals_[p].deviatoric = 2 * moduli.mu * part.deviatoric;
     locals_[p].radial = 2 * moduli.mu * part.radial;
     locals_[p].volumetric = (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric;
-  }
+  });
 }
 
 void PointPreconditioner::apply(double gamma, const double* r, double* z) const {
-#pragma omp parallel for schedule(static) if (locals_.size() > 2000)
-  for (std::ptrdiff_t i = 0; i < std::ssize(locals_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  numerics::for_each_index(locals_.size(), numerics::parallel_points, [&](std::size_t p) {
     const Local& local = locals_[p];
     const double a = gamma * local.deviatoric;
     const double b = gamma * local.radial;
@@ -36,7 +34,7 @@ void PointPreconditioner::apply(double gamma, const double* r, double* z) const 
     result = (deviator - (b / (1 + a + b)) * direction.dot(deviator) * direction) / (1 + a);
     result.head<3>().array() += mean / (1 + gamma * local.volumetric);
     for (std::size_t k = 6; k < stride_; ++k) z[stride_ * p + k] = r[stride_ * p + k];
-  }
+  });
 }
 
 }  // namespace creepcontact::creep

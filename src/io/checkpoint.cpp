@@ -8,7 +8,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "hdf5_file.hpp"
 
 namespace creepcontact::io {
@@ -55,10 +55,10 @@ void keep_previous(const std::filesystem::path& path) {
   if (!path_exists(path)) return;
   const std::filesystem::path previous = previous_checkpoint(path);
   std::error_code error;
-  std::filesystem::remove(aside(previous), error);
-  std::filesystem::create_hard_link(path, aside(previous), error);
-  if (error) std::filesystem::copy_file(path, aside(previous), error);  // file systems without links
-  if (!error) std::filesystem::rename(aside(previous), previous, error);
+  std::filesystem::remove(platform::aside(previous), error);
+  std::filesystem::create_hard_link(path, platform::aside(previous), error);
+  if (error) std::filesystem::copy_file(path, platform::aside(previous), error);  // file systems without links
+  if (!error) std::filesystem::rename(platform::aside(previous), previous, error);
   if (error) throw Error(fmt::format("cannot write the checkpoint '{}': {}", previous.string(), error.message()), 4);
 }
 
@@ -69,7 +69,7 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
 }
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const std::filesystem::path part = aside(path);
+  const std::filesystem::path part = platform::aside(path);
   try {
     write_content(part, checkpoint);
   } catch (const Hdf5Error& error) {
@@ -77,7 +77,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   }
   write_seal(part);
   keep_previous(path);
-  move_into_place(path);
+  platform::move_into_place(path);
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
@@ -116,7 +116,7 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
 
 void remove_checkpoints(const std::filesystem::path& path) {
   const std::filesystem::path previous = previous_checkpoint(path);
-  for (const std::filesystem::path& file : {path, previous, aside(path), aside(previous)}) {
+  for (const std::filesystem::path& file : {path, previous, platform::aside(path), platform::aside(previous)}) {
     std::error_code error;
     std::filesystem::remove(file, error);
     if (error)

@@ -13,7 +13,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/csv_table.hpp"
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -58,7 +58,7 @@ bool cut(const std::filesystem::path& path, const std::string& header, double la
                     "probes, or begin anew in another directory",
                     path.string(), text.substr(0, text.find('\n')), header.substr(0, header.size() - 1)));
   }
-  replace_file(path, std::string_view(text).substr(0, kept_length(text, header.size(), last_time)));
+  platform::replace_file(path, std::string_view(text).substr(0, kept_length(text, header.size(), last_time)));
   return true;
 }
 

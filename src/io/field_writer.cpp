@@ -9,7 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "vtk_cells.hpp"
 #include "vtk_encoding.hpp"
 #include "vtu_document.hpp"
@@ -104,9 +104,9 @@ FieldWriter::FieldWriter(std::filesystem::path directory, std::string name, cons
 std::filesystem::path FieldWriter::write(double time, const std::vector<FieldData>& point_data,
                                          const std::vector<FieldData>& cell_data) {
   const std::string file = file_name(first_ + entries_.size());
-  replace_file(directory_ / file,
-               vtu_document({time, texts_, n_points_, n_cells_, &points_, &cells_, encode_fields(point_data, n_points_),
-                             encode_fields(cell_data, n_cells_)}));
+  platform::replace_file(directory_ / file,
+                         vtu_document({time, texts_, n_points_, n_cells_, &points_, &cells_,
+                                       encode_fields(point_data, n_points_), encode_fields(cell_data, n_cells_)}));
   entries_.push_back({time, file});
   write_collection();
   return directory_ / file;
@@ -134,7 +134,7 @@ void FieldWriter::write_collection() const {
   }
   std::ostringstream stream;
   document.save(stream, " ");
-  replace_file(list_path(), std::move(stream).str());
+  platform::replace_file(list_path(), std::move(stream).str());
 }
 
 void FieldWriter::read_collection(double last_time) {

@@ -14,8 +14,8 @@
 #include <cstring>
 #include <vector>
 
-#include "creepcontact/base/child_process.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/platform/child_process.hpp"
 #include "mesher_log.hpp"
 
 namespace creepcontact::io {
@@ -145,8 +145,8 @@ class Mesher {
   const MesherRequest& request_;
   double time_limit_;
   MesherLog log_;
-  Pipe mesh_pipe_, log_pipe_;
-  ChildProcess process_;
+  platform::Pipe mesh_pipe_, log_pipe_;
+  platform::ChildProcess process_;
   std::string bytes_;
   std::array<char, 1 << 16> buffer_;
   bool log_is_open_ = true;

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -81,7 +81,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
                           {"material", seconds.material}, {"contact", seconds.contact},     {"output", seconds.output}};
   json["peak_memory_mb"] = summary.peak_memory_mb;
   // Text that is no UTF-8 (a title in another encoding) must not cost the summary.
-  replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  platform::replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace creepcontact::io

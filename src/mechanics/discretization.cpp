@@ -126,7 +126,7 @@ void Discretization::add_body_force(std::span<const Vector3> force_density, std:
 }
 
 void Discretization::gather(std::span<const double> element_forces, std::span<double> forces) const {
-#pragma omp parallel for schedule(static) if (n_nodes_ >= parallel_threshold)
+#pragma omp parallel for schedule(static) if (n_nodes_ >= numerics::parallel_elements)
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     double x = 0, y = 0, z = 0;
     for (const std::size_t entry : entries_->of(node)) {

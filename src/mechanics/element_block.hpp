@@ -10,11 +10,9 @@
 
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
+#include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::mechanics {
-
-/// Below so many elements or nodes, a loop is done before other threads have woken up.
-inline constexpr std::size_t parallel_threshold = 128;
 
 struct PointGeometry {
   double inverse[9];  ///< d xi_k / d x_j at [3 k + j]

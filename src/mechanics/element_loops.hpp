@@ -89,14 +89,10 @@ class ElementLoops final : public ElementBlock {
 
   template <typename Work>
   void for_each_element(const Work& work) const {
-    const std::size_t n = n_elements();
-#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
-    for (std::size_t e = 0; e < n; ++e) work(e);
+    numerics::for_each_index(n_elements(), numerics::parallel_elements, work);
   }
 
-  std::size_t first_component(std::size_t e) const {
-    return 6 * (start().point + e * P);
-  }
+  std::size_t first_component(std::size_t e) const { return 6 * (start().point + e * P); }
 
   /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
   void project_trace(std::size_t e, double* values) const {

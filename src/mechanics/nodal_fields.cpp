@@ -107,7 +107,7 @@ void Discretization::fit_mean_stress(std::span<double> stress) const {
   for (const auto& block : blocks_) {
     if (!LinearReconstruction::serves(block->type())) continue;
     const auto n_corners = static_cast<std::size_t>(mesh::n_corners(block->type()));
-#pragma omp parallel for schedule(static) if (block->n_elements() >= parallel_threshold)
+#pragma omp parallel for schedule(static) if (block->n_elements() >= numerics::parallel_elements)
     for (std::size_t e = 0; e < block->n_elements(); ++e) {
       const Vector3 slope = reconstruction_->gradient(*block, e, means, rows_of(*block, e, traces, 1)).col(0);
       Vector3 middle = Vector3::Zero();

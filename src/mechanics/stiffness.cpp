@@ -105,7 +105,7 @@ linalg::SparseMatrix pattern(const Neighbours& neighbours) {
       column_start[3 * b + j + 1] = column_start[3 * b + j] + std::max<std::int64_t>(0, 3 * blocks - j);
   }
   matrix.resizeNonZeros(column_start[3 * n]);
-#pragma omp parallel for schedule(static) if (neighbours.size() >= parallel_threshold)
+#pragma omp parallel for schedule(static) if (neighbours.size() >= numerics::parallel_elements)
   for (std::int64_t b = 0; b < n; ++b) {
     for (std::int64_t j = 0; j < 3; ++j) {
       std::int64_t* row = matrix.innerIndexPtr() + column_start[3 * b + j];
@@ -143,7 +143,7 @@ void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes
 template <typename Moduli>
 linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
   Neighbours neighbours(n_nodes_);
-#pragma omp parallel for schedule(dynamic, 256) if (n_nodes_ >= parallel_threshold)
+#pragma omp parallel for schedule(dynamic, 256) if (n_nodes_ >= numerics::parallel_elements)
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     auto& list = neighbours[node];
     for (const std::size_t entry : entries_->of(node))
@@ -158,7 +158,7 @@ linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
   // no locks, and the order of summation is that of the elements.
   constexpr std::size_t chunk = 512;
   std::vector<Eigen::MatrixXd> elements(chunk);
-  const int n_owners = n_elements_ >= parallel_threshold ? omp_get_max_threads() : 1;
+  const int n_owners = n_elements_ >= numerics::parallel_elements ? omp_get_max_threads() : 1;
   for (const auto& block : blocks_) {
     for (std::size_t first = 0; first < block->n_elements(); first += chunk) {
       const std::size_t count = std::min(chunk, block->n_elements() - first);

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/config/suggestion.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/io/gmsh_reader.hpp"
 #include "model_parts.hpp"
 
@@ -33,7 +33,7 @@ std::string instead_of(const fs::path& file) {
     return fmt::format("there is no directory '{}'; a path is relative to the file that names it", directory.string());
   const std::vector<std::string> names = meshes_in(directory);
   if (names.empty()) return fmt::format("no .geo or .msh is in '{}'", directory.string());
-  if (const std::string nearest = config::nearest(file.filename().string(), names); !nearest.empty())
+  if (const std::string nearest = creepcontact::nearest(file.filename().string(), names); !nearest.empty())
     return fmt::format("did you mean '{}'?", nearest);
   constexpr std::size_t told = 5;
   const std::string more = names.size() > told ? fmt::format(" and {} more", names.size() - told) : "";

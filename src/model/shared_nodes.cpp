@@ -9,7 +9,7 @@
 #include <set>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/contact/node_ties.hpp"
+#include "creepcontact/contact/geometry/node_ties.hpp"
 
 namespace creepcontact::model {
 namespace {

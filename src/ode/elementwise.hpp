@@ -9,15 +9,14 @@
 #include <span>
 #include <vector>
 
-namespace creepcontact::ode {
+#include "creepcontact/numerics/parallel.hpp"
 
-/// Shorter vectors are faster on one thread: waking the others costs more than the arithmetic.
-inline constexpr std::size_t parallel_threshold = 20000;
+namespace creepcontact::ode {
 
 /// operation(i) for i = 0 .. n-1, in no particular order.
 template <typename Operation>
 void for_each_index(std::size_t n, Operation operation) {
-#pragma omp parallel for simd schedule(static) if (parallel : n >= parallel_threshold)
+#pragma omp parallel for simd schedule(static) if (parallel : n >= numerics::parallel_entries)
   for (std::size_t i = 0; i < n; ++i) operation(i);
 }
 
@@ -27,7 +26,7 @@ inline constexpr std::size_t piece_length = 1024;
 /// operation(begin, length) for consecutive pieces of 0 .. n-1.
 template <typename Operation>
 void for_each_piece(std::size_t n, Operation operation) {
-#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
+#pragma omp parallel for schedule(static) if (n >= numerics::parallel_entries)
   for (std::size_t begin = 0; begin < n; begin += piece_length) operation(begin, std::min(piece_length, n - begin));
 }
 
@@ -37,7 +36,7 @@ double sum_over_pieces(std::size_t n, Term term) {
   static thread_local std::vector<double> kept;  // allocated once
   std::vector<double>& part = kept;              // of the calling thread
   part.resize((n + piece_length - 1) / piece_length);
-#pragma omp parallel for schedule(static) if (n >= parallel_threshold)
+#pragma omp parallel for schedule(static) if (n >= numerics::parallel_entries)
   for (std::size_t p = 0; p < part.size(); ++p)
     part[p] = term(p * piece_length, std::min(piece_length, n - p * piece_length));
   double sum = 0;
@@ -57,9 +56,10 @@ inline Eigen::Map<Eigen::ArrayXd> piece(double* data, std::size_t begin, std::si
 inline double max_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   bool nan = false;
-#pragma omp parallel for schedule(static) reduction(max                     \
-                                                    : largest) reduction(|| \
-                                                                         : nan) if (a.size() >= parallel_threshold)
+#pragma omp parallel for schedule(static) reduction(max        \
+                                                    : largest) \
+    reduction(||                                               \
+              : nan) if (a.size() >= numerics::parallel_entries)
   for (std::size_t begin = 0; begin < a.size(); begin += piece_length) {
     const std::size_t length = std::min(piece_length, a.size() - begin);
     const double here = (piece(a.data(), begin, length) - piece(b.data(), begin, length))

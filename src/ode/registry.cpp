@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "arkode_integrator.hpp"
 #include "auto_integrator.hpp"
-#include "beta_euler.hpp"
-#include "butcher_tables.hpp"
 #include "creepcontact/ode/integrator.hpp"
-#include "cvode_integrator.hpp"
-#include "explicit_euler.hpp"
-#include "isochronous.hpp"
+#include "euler/beta_euler.hpp"
+#include "euler/explicit_euler.hpp"
+#include "euler/isochronous.hpp"
 #include "runge_kutta_chebyshev.hpp"
 #include "singular_start.hpp"
+#include "sundials/arkode_integrator.hpp"
+#include "sundials/butcher_tables.hpp"
+#include "sundials/cvode_integrator.hpp"
 
 namespace creepcontact::ode {
 

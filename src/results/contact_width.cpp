@@ -12,7 +12,7 @@ constexpr double no_matter = 0.1;  // of the force: zones that carry less
 constexpr double rounding = 1e-9;  // of the largest multiplier
 
 /// Rows that can be reached from the first ones, each with its distance in steps.
-std::vector<std::pair<int, int>> reached(const ContactGrid& grid, const std::vector<int>& first,
+std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const std::vector<int>& first,
                                          std::vector<char>& is_free) {
   std::vector<std::pair<int, int>> rows;
   const auto add = [&](int row, int distance) {
@@ -30,7 +30,7 @@ std::vector<std::pair<int, int>> reached(const ContactGrid& grid, const std::vec
 
 }  // namespace
 
-std::optional<int> elements_across(const ContactGrid& grid, const Eigen::VectorXd& force_of_row) {
+std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row) {
   const auto n_rows = static_cast<int>(grid.places.size());
   std::vector<char> closed(grid.places.size());
   for (int row = 0; row < n_rows; ++row) closed[static_cast<std::size_t>(row)] = force_of_row[row] > 0 ? 1 : 0;
@@ -67,7 +67,7 @@ std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const 
     if (pair.coupling.type == contact::ContactType::tied) continue;
     const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), pair.coupling.n_rows());
     const Eigen::VectorXd force = pressure.segment(pair.first_row, pair.coupling.n_rows()).cwiseProduct(area);
-    const ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
+    const contact::ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
     const std::optional<int> width = elements_across(grid, force);
     if (!width || *width >= enough) continue;
     lines.push_back(fmt::format(

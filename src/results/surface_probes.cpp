@@ -4,8 +4,8 @@
 #include <numeric>
 #include <set>
 
-#include "contact_area.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/contact/geometry/contact_area.hpp"
 #include "probe_kinds.hpp"
 
 namespace creepcontact::results {
@@ -40,7 +40,7 @@ class AreaProbe final : public Probe {
 
  private:
   std::vector<Side> sides_;
-  std::deque<ContactArea> areas_;  // which are not to be moved
+  std::deque<contact::ContactArea> areas_;  // which are not to be moved
 };
 
 /// Pressure, gap and force.

@@ -5,10 +5,10 @@
 
 #include <ostream>
 
-#include "creepcontact/base/memory.hpp"
 #include "creepcontact/mechanics/factored_body.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/creep/state_layout.hpp"
+#include "creepcontact/platform/memory.hpp"
 #include "gap_report.hpp"
 #include "memory_need.hpp"
 #include "creepcontact/model/temperature.hpp"
@@ -75,7 +75,7 @@ void check(const config::Config& config, std::ostream& report) {
   const MemoryNeed need = memory_need(config, model, contact_bytes, [&](std::size_t b) {
     return static_cast<double>(mechanics::estimate_factor_bytes(model.bodies()[b]));
   });
-  text += fmt::format("estimated memory: {}\n", memory_text(need.total() + peak_memory()));
+  text += fmt::format("estimated memory: {}\n", platform::memory_text(need.total() + platform::peak_memory()));
   if (const std::string shortage = memory_shortage(need); !shortage.empty())
     text += fmt::format("warning: {}\n", shortage);
   report << text << std::flush;

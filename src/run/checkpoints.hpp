@@ -9,6 +9,7 @@
 #include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/model/model.hpp"
 
 namespace creepcontact::run {
 

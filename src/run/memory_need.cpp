@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/base/memory.hpp"
 #include "creepcontact/linalg/blas_address_space.hpp"
 #include "creepcontact/creep/state_layout.hpp"
+#include "creepcontact/platform/memory.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -46,14 +46,14 @@ MemoryNeed memory_need(const config::Config& config, const model::Model& model, 
 }
 
 int affordable_threads(int wanted) {
-  const double half = 0.5 * address_space().bytes;
+  const double half = 0.5 * platform::address_space().bytes;
   int threads = 1;
   while (threads < wanted && linalg::blas_address_space(threads + 1) <= half) ++threads;
   return threads;
 }
 
 std::string memory_shortage(const MemoryNeed& need) {
-  const auto text = [&](double more, const std::string& also, const Room& room, int threads) {
+  const auto text = [&](double more, const std::string& also, const platform::Room& room, int threads) {
     std::vector<std::string> cures;
     if (threads > 1) cures.emplace_back("use --threads 1");
     if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
@@ -61,15 +61,17 @@ std::string memory_shortage(const MemoryNeed& need) {
     return fmt::format(
         "the model needs about {} of memory more (factors {}, contact matrices {}, integration points and nodes {}, "
         "state and integrator {}{}), and {} are left: {}; {}",
-        memory_text(more), memory_text(need.factors), memory_text(need.contact), memory_text(need.points),
-        memory_text(need.state), also, memory_text(room.bytes), room.reason, fmt::join(cures, ", or "));
+        platform::memory_text(more), platform::memory_text(need.factors), platform::memory_text(need.contact),
+        platform::memory_text(need.points), platform::memory_text(need.state), also, platform::memory_text(room.bytes),
+        room.reason, fmt::join(cures, ", or "));
   };
-  if (const Room room = free_memory(); need.total() + small_things > room.bytes)
+  if (const platform::Room room = platform::free_memory(); need.total() + small_things > room.bytes)
     return text(need.total() + small_things, "", room, 1);
   const int threads = omp_get_max_threads();
   const double reserved = linalg::blas_address_space(threads), all = need.total() + small_things + reserved;
-  if (const Room room = address_space(); all > room.bytes)
-    return text(all, fmt::format(", reserved for {} {}", threads_text(threads), memory_text(reserved)), room, threads);
+  if (const platform::Room room = platform::address_space(); all > room.bytes)
+    return text(all, fmt::format(", reserved for {} {}", threads_text(threads), platform::memory_text(reserved)), room,
+                threads);
   return {};
 }
 

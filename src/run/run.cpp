@@ -10,18 +10,19 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
-#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/base/memory.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/run/check.hpp"
+#include "creepcontact/run/contact_log.hpp"
 #include "creepcontact/results/probes.hpp"
-#include "directory_lock.hpp"
+#include "creepcontact/platform/directory_lock.hpp"
+#include "creepcontact/platform/interrupt.hpp"
+#include "creepcontact/platform/memory.hpp"
+#include "creepcontact/platform/useful_threads.hpp"
 #include "finished_run.hpp"
 #include "memory_need.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
-#include "useful_threads.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -61,7 +62,7 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
                           watch.seconds(Part::material),
                           watch.seconds(Part::contact),
                           watch.seconds(Part::output)};
-  summary.peak_memory_mb = peak_memory() / (1 << 20);
+  summary.peak_memory_mb = platform::peak_memory() / (1 << 20);
   return summary;
 }
 
@@ -87,22 +88,22 @@ void print_report(const config::Config& config, const io::Summary& summary, cons
 
 RunResult run(const config::Config& config, const RunOptions& options) {
   omp_set_num_threads(affordable_threads(options.threads > 0 ? options.threads : omp_get_max_threads()));
-  if (options.threads == 0) omp_set_num_threads(useful_threads());
+  if (options.threads == 0) omp_set_num_threads(platform::useful_threads());
   if (options.quiet) log::set_level(log::Level::warning);
   Stopwatch watch;
   const std::filesystem::path directory =
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
 
-  std::optional<Interrupt> interrupt;  // outlives all that takes time to be freed
-  std::optional<DirectoryLock> lock;
+  std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
+  std::optional<platform::DirectoryLock> lock;
   if (path_is_directory(directory))
     lock.emplace(directory);
   else if (path_exists(directory))
     throw ConfigError(fmt::format("output directory {}: is a file; choose another with --output", directory.string()));
   std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
   if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
-  model::Model model = build_model(config);
-  make_probes(config, model, model.pairs());  // mistakes in them show before anything is factored
+  const model::Model model = model::build_model(config);
+  auto probes = results::make_probes(config, model);  // errors in them show before anything is factored
   if (options.resume)
     if (std::string reason = nothing_left(config, model, directory); !reason.empty()) return {0, std::move(reason)};
   for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
@@ -172,13 +173,14 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
-      result = {interrupted_status, fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
+      result = {platform::interrupted_status,
+                fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {
     return failed(error.exit_status(), error.what());
   } catch (const std::bad_alloc&) {
-    return failed(SolverError::status, out_of_memory);
+    return failed(SolverError::status, platform::out_of_memory);
   }
   if (!options.quiet) {
     std::cout << fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",

@@ -165,7 +165,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
 }
 
 TimeLoop::End TimeLoop::run() {
-  const Interrupt interrupt;
+  const platform::Interrupt interrupt;
   try {
     begin_segment();
     if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
@@ -251,7 +251,7 @@ void TimeLoop::outputs_of_step(bool breakpoint) {
   }
 }
 
-void TimeLoop::integrate(const Interrupt& interrupt) {
+void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   const double end = config_.time.end;
   const auto last_break = model_.breakpoints.end();
   if (resumed_)
@@ -288,7 +288,7 @@ void TimeLoop::integrate(const Interrupt& interrupt) {
   progress_.clear();
 }
 
-void TimeLoop::elastic_history(const Interrupt& interrupt) {
+void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   const std::vector<double>& breakpoints = model_.breakpoints;
   constexpr double never = std::numeric_limits<double>::infinity();
   for (; next_output_ != config_.time.output.end(); ++next_output_) {

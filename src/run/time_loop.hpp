@@ -9,10 +9,10 @@
 #include <string>
 
 #include "checkpoints.hpp"
-#include "creepcontact/base/interrupt.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/table_range_monitor.hpp"
 #include "creepcontact/results/damage_monitor.hpp"
+#include "creepcontact/platform/interrupt.hpp"
 #include "progress.hpp"
 #include "creepcontact/results/results.hpp"
 #include "run_report.hpp"
@@ -57,8 +57,8 @@ class TimeLoop {
   /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
   bool ruptured(double begin_of_step);
   void report_rupture(double time, const creep::CreepSystem::Extreme& where);
-  void integrate(const Interrupt& interrupt);
-  void elastic_history(const Interrupt& interrupt);
+  void integrate(const platform::Interrupt& interrupt);
+  void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
   io::Checkpoint checkpoint() const;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/simulation/run_plots.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 #include "fuzz_target.hpp"
 
 namespace creepcontact {
@@ -19,11 +19,11 @@ void require_closed_quotes(std::string_view script) {
   }
 }
 
-void draw(const simulation::RunTables& run, const simulation::PlotOptions& options) {
+void draw(const plot::RunTables& run, const plot::PlotOptions& options) {
   fuzz::may_refuse([&] {
-    for (const simulation::NamedFigure& one : simulation::run_figures(run, options)) {
-      require_closed_quotes(io::gnuplot_script(one.figure, one.name));
-      io::gnuplot_data(one.figure);
+    for (const plot::NamedFigure& one : plot::run_figures(run, options)) {
+      require_closed_quotes(plot::gnuplot_script(one.figure, one.name));
+      plot::gnuplot_data(one.figure);
     }
   });
 }
@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace creepcontact;
   log::set_level(log::Level::off);
   const auto parts = fuzz::parts_of(fuzz::text_of(data, size), "\n---\n", 3);
-  simulation::RunTables run{"out", {}, {}, {}};
+  plot::RunTables run{"out", {}, {}, {}};
   fuzz::may_refuse([&] {
     io::parse_summary(parts[2]);
     run.heading = io::parse_summary_heading(parts[2], "summary.json");

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """The house rules find what breaks them."""
 
+import contextlib
+import io
 import shutil
 import tempfile
 import unittest
@@ -9,11 +11,25 @@ from pathlib import Path
 import check
 
 
+MODULES = """
+# creepcontact_module(this is a comment USES creepcontact_nothing)
+creepcontact_module(base USES fmt::fmt PRIVATE_USES OpenMP::OpenMP_CXX)
+creepcontact_module(mesh USES creepcontact_base)
+creepcontact_module(fem USES creepcontact_mesh)
+creepcontact_module(ode USES creepcontact_base)
+creepcontact_module(config USES creepcontact_base)
+creepcontact_module(contact USES creepcontact_fem
+                    PRIVATE_USES creepcontact_ode)
+creepcontact_module(simulation USES creepcontact_contact)
+"""
+
+
 class Rules(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name).resolve()
+        self.write("CMakeLists.txt", MODULES)
 
     def write(self, name, text):
         path = self.root / name
@@ -27,6 +43,27 @@ class Rules(unittest.TestCase):
         self.write("src/contact/a.cpp", '#include "creepcontact/mesh/mesh.hpp"\n#include "b.hpp"\n#include <vector>\n')
         self.write("src/contact/b.hpp", "")
         self.assertEqual(self.broken("module_includes"), [])
+
+    def test_what_a_module_uses_privately_is_its_own(self):
+        self.write("cmake/program.cmake", "creepcontact_program(tool creepcontact_tool USES creepcontact_mesh)\n")
+        self.write("src/contact/a.cpp", '#include "creepcontact/ode/integrator.hpp"\n')
+        self.write("src/tool/a.cpp", '#include "creepcontact/base/error.hpp"\n')
+        self.assertEqual(self.broken("module_includes"), [])
+        self.write("src/simulation/a.cpp", '#include "creepcontact/ode/integrator.hpp"\n')
+        self.write("src/tool/b.cpp", '#include "creepcontact/fem/quadrature.hpp"\n')
+        self.assertEqual(len(self.broken("module_includes")), 2)
+
+    def test_subfolders_of_a_module(self):
+        self.write("src/contact/solver/a.cpp", '#include "../b.hpp"\n#include "../geometry/c.hpp"\n'
+                                               '#include "creepcontact/contact/geometry/pair.hpp"\n')
+        self.write("src/contact/b.hpp", '#include "geometry/c.hpp"\n#include "creepcontact/fem/quadrature.hpp"\n')
+        self.write("src/contact/geometry/c.hpp", "")
+        self.assertEqual(self.broken("module_includes"), [])
+        self.write("src/contact/geometry/d.cpp", '#include "../../mesh/e.hpp"\n#include "c/d/f.hpp"\n')
+        self.write("include/creepcontact/fem/shapes/a.hpp", '#include "creepcontact/contact/geometry/pair.hpp"\n')
+        self.write("src/mesh/e.hpp", "")
+        self.write("src/contact/geometry/c/d/f.hpp", "")
+        self.assertEqual(len(self.broken("module_includes")), 3)
 
     def test_a_module_may_not_include_what_rests_on_it(self):
         self.write("include/creepcontact/ode/a.hpp", '#pragma once\n#include "creepcontact/fem/quadrature.hpp"\n')
@@ -43,6 +80,14 @@ class Rules(unittest.TestCase):
         self.write("src/b.cpp", "")
         self.assertEqual(len(self.broken("module_includes")), 2)
 
+    def test_the_table_of_modules(self):
+        rows = "| module | holds | may include |\n|---|---|---|\n| `base` | errors | - |\n| `src/mesh` | cells | `base` |\n"
+        self.write("CMakeLists.txt", "creepcontact_module(base)\ncreepcontact_module(mesh USES creepcontact_base)\n")
+        self.write("docs/architecture.md", rows)
+        self.assertEqual(self.broken("module_table"), [])
+        self.write("docs/architecture.md", rows.replace("| - |", "| `mesh` |") + "| `fem` | elements | `mesh` |\n")
+        self.assertEqual(len(self.broken("module_table")), 2)
+
     def test_libraries_stay_at_home(self):
         self.write("src/config/a.cpp", "#include <toml++/toml.h>\n")
         self.write("src/ode/a.cpp", "#include <cvode/cvode.h>\n")
@@ -58,11 +103,14 @@ class Rules(unittest.TestCase):
         self.write("src/base/b.cpp", "int  a ;\n")
         self.assertIn("src/base/b.cpp", self.broken("formatting")[0])
 
-    def test_length(self):
-        self.write("src/base/a.cpp", "\n" * check.MAX_LINES)
+    def test_long_files_are_warned_of(self):
+        self.write("src/base/a.cpp", "\n" * check.LONG_FILE)
         self.assertEqual(self.broken("file_length"), [])
-        self.write("src/base/b.cpp", "\n" * (check.MAX_LINES + 1))
-        self.assertEqual(len(self.broken("file_length")), 1)
+        self.write("src/base/b.cpp", "\n" * (check.LONG_FILE + 1))
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            self.assertEqual(check.main(["file_length", str(self.root)]), 0)
+        self.assertRegex(printed.getvalue(), r"^warning: src/base/b\.cpp has 401 lines")
 
     def test_machine_paths(self):
         self.write("README.md", "see docs/work/flow.md\nsee /" + "work/flow.md\n")

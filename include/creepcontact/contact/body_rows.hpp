@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "creepcontact/contact/pair.hpp"
+#include "creepcontact/contact/geometry/pair.hpp"
 
 namespace creepcontact::contact {
 

@@ -16,8 +16,9 @@
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
 #include "creepcontact/contact/floating_motions.hpp"
-#include "creepcontact/contact/problem.hpp"
 #include "creepcontact/mechanics/factored_body.hpp"
+#include "creepcontact/contact/solver/problem.hpp"
+#include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::contact {
 

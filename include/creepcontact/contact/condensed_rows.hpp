@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <span>
 
-#include "creepcontact/contact/pair.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"
+#include "creepcontact/contact/geometry/pair.hpp"
 
 namespace creepcontact::contact {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/contact/pair.hpp"
+#include "creepcontact/contact/geometry/pair.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::contact {

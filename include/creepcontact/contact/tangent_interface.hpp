@@ -7,7 +7,7 @@
 
 #include "creepcontact/contact/condensed_interface.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
-#include "creepcontact/contact/frozen_system.hpp"
+#include "creepcontact/contact/solver/frozen_system.hpp"
 
 namespace creepcontact::contact {
 

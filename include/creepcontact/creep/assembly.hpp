@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "creepcontact/contact/floating_motions.hpp"
-#include "creepcontact/contact/pair.hpp"
+#include "creepcontact/contact/geometry/pair.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::creep {
@@ -21,6 +21,8 @@ class Assembly {
 
   /// Numbers the contact rows of the pairs. @param remake  if empty, sliding pairs stay as they are
   Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake = {});
+  Assembly(Assembly&&) noexcept = default;
+  Assembly& operator=(Assembly&&) noexcept = default;
 
   const std::vector<mechanics::Body>& bodies() const { return bodies_; }
   const std::vector<contact::Pair>& pairs() const { return pairs_; }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/contact/problem.hpp"
+#include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/mechanics/body_conditions.hpp"
 
 namespace creepcontact::creep {

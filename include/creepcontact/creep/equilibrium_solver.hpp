@@ -18,8 +18,8 @@
 
 #include "creepcontact/base/stopwatch.hpp"
 #include "creepcontact/contact/condensed_interface.hpp"
-#include "creepcontact/contact/contact_solver.hpp"
-#include "creepcontact/contact/frozen_system.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
+#include "creepcontact/contact/solver/frozen_system.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
 

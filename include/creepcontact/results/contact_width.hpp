@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "contact_grid.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
+#include "creepcontact/contact/geometry/contact_grid.hpp"
+#include "creepcontact/creep/equilibrium_solver.hpp"
 
 namespace creepcontact::results {
 
@@ -17,7 +18,7 @@ namespace creepcontact::results {
 /// at a plane of symmetry. Of several connected zones the narrowest counts; those that carry less than a tenth of the
 /// force do not.
 /// @returns nullopt if nothing is in contact, or if no zone has an edge: the contact is as wide as the surface
-std::optional<int> elements_across(const ContactGrid& grid, const Eigen::VectorXd& force_of_row);
+std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row);
 
 /// A sentence for each unilateral contact whose zone is less than four slave elements wide.
 std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at);

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "creepcontact/contact/iteration_recorder.hpp"
+#include "creepcontact/contact/solver/iteration_recorder.hpp"
 #include "creepcontact/io/csv_file.hpp"
 
 namespace creepcontact::run {

@@ -1,7 +1,7 @@
 #pragma once
 /// The Schwarz iteration in all its forms, with Anderson's method as the program hands it over.
 
-#include "creepcontact/contact/contact_solver.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
 #include "creepcontact/ode/anderson_iteration.hpp"
 
 namespace creepcontact::test {

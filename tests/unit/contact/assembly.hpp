@@ -2,7 +2,7 @@
 /// Two boxes, one on the other, in contact at z = 0: the lower from z = -height to 0, the upper from 0 to height.
 
 #include "creepcontact/contact/condensed_interface.hpp"
-#include "creepcontact/contact/contact_solver.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
 #include "unit/mechanics/meshes.hpp"
 #include "unit/mechanics/solve.hpp"
 

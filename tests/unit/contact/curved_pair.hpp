@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "creepcontact/contact/mortar.hpp"
+#include "creepcontact/contact/geometry/mortar.hpp"
 #include "unit/mechanics/meshes.hpp"
 #include "unit/mechanics/solve.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "creepcontact/contact/contact_solver.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
 
 namespace creepcontact::test {
 

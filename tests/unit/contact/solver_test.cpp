@@ -2,7 +2,7 @@
 
 #include "accelerations.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/contact/polygon.hpp"
+#include "creepcontact/contact/geometry/polygon.hpp"
 #include "problems.hpp"
 
 namespace creepcontact::contact {

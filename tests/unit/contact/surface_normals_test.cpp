@@ -1,5 +1,5 @@
 // Nodal normals of contact surfaces against the exact ones.
-#include "creepcontact/contact/surface_normals.hpp"
+#include "creepcontact/contact/geometry/surface_normals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::io {
@@ -48,7 +48,7 @@ TEST_F(CheckpointFile, ReadsBackExactly) {
   EXPECT_EQ(found.state, expected.state);
   EXPECT_EQ(found.counters, expected.counters);
   EXPECT_EQ(found.arrays, expected.arrays);
-  EXPECT_FALSE(std::filesystem::exists(aside(path_)));
+  EXPECT_FALSE(std::filesystem::exists(platform::aside(path_)));
 }
 
 TEST_F(CheckpointFile, EmptyOneReadsBack) {
@@ -68,7 +68,7 @@ TEST_F(CheckpointFile, ReplacesTheOldOne) {
 // What an interruption while writing leaves: the old file, and something aside.
 TEST_F(CheckpointFile, AHalfWrittenSuccessorDoesNoHarm) {
   write_checkpoint(path_, example());
-  test::write_text(aside(path_), "half");
+  test::write_text(platform::aside(path_), "half");
   EXPECT_EQ(read_checkpoint(path_).counters.at("steps"), 12);
   write_checkpoint(path_, example());
   EXPECT_EQ(read_checkpoint(path_).counters.at("steps"), 12);
@@ -125,7 +125,7 @@ TEST_F(TwoCheckpoints, TheOneBeforeIsKept) {
   EXPECT_EQ(read_checkpoint(path_).time, 3);
   EXPECT_EQ(read_checkpoint(previous_).time, 2);
   EXPECT_EQ(read_last_checkpoint(path_).time, 3);
-  EXPECT_FALSE(std::filesystem::exists(aside(previous_)));
+  EXPECT_FALSE(std::filesystem::exists(platform::aside(previous_)));
 }
 
 TEST_F(TwoCheckpoints, ThePreviousOneTakesThePlaceOfADamagedOne) {
@@ -154,9 +154,9 @@ TEST_F(TwoCheckpoints, WhatIsWrongWithBothIsSaid) {
 TEST_F(TwoCheckpoints, AreRemovedWithWhatWasBegunBesideThem) {
   write(1);
   write(2);
-  for (const auto& path : {path_, previous_}) test::write_text(aside(path), "half");
+  for (const auto& path : {path_, previous_}) test::write_text(platform::aside(path), "half");
   remove_checkpoints(path_);
-  for (const auto& path : {path_, previous_, aside(path_), aside(previous_)})
+  for (const auto& path : {path_, previous_, platform::aside(path_), platform::aside(previous_)})
     EXPECT_FALSE(std::filesystem::exists(path)) << path;
   remove_checkpoints(path_);
 }

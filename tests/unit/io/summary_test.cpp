@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "creepcontact/io/replace_file.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::io {
@@ -70,7 +70,7 @@ TEST_F(SummaryFile, TextInAnotherEncodingIsReplacedNotFatal) {
 TEST_F(SummaryFile, ReplacesWithoutLeavingAnythingAside) {
   written({});
   written({});
-  EXPECT_FALSE(std::filesystem::exists(aside(directory_ / "summary.json")));
+  EXPECT_FALSE(std::filesystem::exists(platform::aside(directory_ / "summary.json")));
 }
 
 TEST_F(SummaryFile, ADirectoryThatIsNotThereIsAnError) {

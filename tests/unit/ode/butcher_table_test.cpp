@@ -3,7 +3,7 @@
 #include <arkode/arkode_arkstep.h>
 #include <gtest/gtest.h>
 
-#include "../../../src/ode/butcher_tables.hpp"
+#include "../../../src/ode/sundials/butcher_tables.hpp"
 #include "creepcontact/base/error.hpp"
 #include "systems.hpp"
 

@@ -1,0 +1,42 @@
+#pragma once
+/// What the runs of a study came to, as tables and as curves.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "creepcontact/config/study.hpp"
+
+namespace creepcontact::study {
+
+/// Numbers that are not known are NaN.
+struct StudyRow {
+  std::string status;          ///< "completed", "ruptured", "failed", "interrupted", "not started"
+  std::string message;         ///< why it failed or has no error; what a run that succeeded was warned of
+  std::vector<double> errors;  ///< relative, one a quantity
+  std::int64_t steps = 0, elastic_solves = 0, schwarz_iterations = 0, rejected_steps = 0, convergence_failures = 0;
+  double wall_seconds = 0;
+  bool counted = false;  ///< whether the run left a summary, and so the numbers above
+  bool succeeded() const { return status == "completed" || status == "ruptured"; }
+  /// @param column  of config::study_counts(). @returns NaN if the run left no summary
+  double count(const std::string& column) const;
+};
+
+/// Runs that differ in the value of one axis (and of those zipped with it) alone.
+struct StudySeries {
+  std::string axis;               ///< key; empty: a product without an axis of numbers, each of whose runs is a series
+  std::string label;              ///< of the product and values of its other axes: "beta_euler, beta = 0.5"
+  std::vector<double> x;          ///< values of the axis, in the order of the study; NaN without axis
+  std::vector<std::size_t> runs;  ///< indices of the rows
+
+  std::vector<double> errors(const std::vector<StudyRow>& rows, std::size_t quantity) const;
+  std::vector<double> counts(const std::vector<StudyRow>& rows, const std::string& column) const;
+};
+
+/// The curves of a study, along config::axis_of_curves(), in its order.
+std::vector<StudySeries> series(const config::Study& study, const std::vector<config::PlannedRun>& runs);
+
+/// log(e_i/e_(i+1))/log(x_i/x_(i+1)), one less than there are errors; NaN where one is 0 or not known.
+std::vector<double> observed_orders(const std::vector<double>& x, const std::vector<double>& errors);
+
+}  // namespace creepcontact::study

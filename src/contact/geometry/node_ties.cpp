@@ -1,0 +1,71 @@
+#include "creepcontact/contact/geometry/node_ties.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+constexpr double held = 1e-8;  // squared cosine of a direction with what is free
+
+/// Projector on the directions that supports leave free.
+Matrix3 free_part(const mechanics::Constraints& constraints, std::int64_t node) {
+  const Matrix3 frame = constraints.frame(node);
+  Matrix3 projector = Matrix3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (constraints.free_index(node)[static_cast<std::size_t>(k)] >= 0)
+      projector += frame.col(k) * frame.col(k).transpose();
+  return projector;
+}
+
+/// Orthonormal columns: x, y, z where all is free.
+Eigen::Matrix3Xd free_directions(const Matrix3& projectors) {
+  Matrix3 off_diagonal = projectors;
+  off_diagonal.diagonal().setZero();
+  Eigen::Vector3d values = projectors.diagonal();
+  Matrix3 vectors = Matrix3::Identity();
+  if (!off_diagonal.isZero(0)) {
+    const tensor::Principal principal(projectors);
+    values = principal.values;
+    vectors = principal.directions;
+  }
+  Eigen::Matrix3Xd directions(3, 0);
+  for (int k = 0; k < 3; ++k)
+    if (values[k] > held) {
+      directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
+      directions.rightCols(1) = vectors.col(k);
+    }
+  return directions;
+}
+
+RowMatrix sparse(int rows, std::size_t n_nodes, const std::vector<Eigen::Triplet<double>>& entries) {
+  RowMatrix matrix(rows, 3 * static_cast<int>(n_nodes));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace
+
+MortarCoupling node_ties(const TiedBody& slave, const TiedBody& master, std::span<const NodeTie> ties) {
+  MortarCoupling result;
+  result.type = ContactType::tied;
+  std::vector<Eigen::Triplet<double>> slave_entries, master_entries;
+  int row = 0;
+  for (const NodeTie& tie : ties) {
+    const Eigen::Matrix3Xd directions =
+        free_directions(free_part(*slave.constraints, tie.slave) + free_part(*master.constraints, tie.master));
+    for (Eigen::Index k = 0; k < directions.cols(); ++k, ++row) {
+      for (int a = 0; a < 3; ++a) {
+        const double entry = tie.area * directions(a, k);
+        if (entry == 0) continue;
+        slave_entries.emplace_back(row, 3 * static_cast<int>(tie.slave) + a, -entry);
+        master_entries.emplace_back(row, 3 * static_cast<int>(tie.master) + a, entry);
+      }
+      result.nodes.push_back({tie.slave, directions.col(k)});
+      result.area.push_back(tie.area);
+    }
+  }
+  result.slave_rows = sparse(row, slave.mesh->nodes.size(), slave_entries);
+  result.master_rows = sparse(row, master.mesh->nodes.size(), master_entries);
+  result.geometric_gap = Eigen::VectorXd::Zero(row);
+  return result;
+}
+
+}  // namespace creepcontact::contact

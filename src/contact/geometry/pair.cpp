@@ -1,0 +1,39 @@
+#include "creepcontact/contact/geometry/pair.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+/// Appends the rows of one side of a pair as triplets.
+void append(const RowMatrix& from, int first_target, std::vector<Eigen::Triplet<double>>& triplets) {
+  for (int r = 0; r < from.outerSize(); ++r)
+    for (RowMatrix::InnerIterator it(from, r); it; ++it)
+      if (it.value() != 0) triplets.emplace_back(first_target + r, static_cast<int>(it.col()), it.value());
+}
+
+}  // namespace
+
+int number_rows(std::vector<Pair>& pairs) {
+  int n_rows = 0;
+  for (Pair& pair : pairs) {
+    pair.first_row = n_rows;
+    n_rows += pair.coupling.n_rows();
+  }
+  return n_rows;
+}
+
+RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows) {
+  rows.clear();
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (const Pair& pair : pairs) {
+    if (pair.slave_body != body && pair.master_body != body) continue;
+    const auto first = static_cast<int>(rows.size());
+    if (pair.slave_body == body) append(pair.coupling.slave_rows, first, triplets);
+    if (pair.master_body == body) append(pair.coupling.master_rows, first, triplets);
+    for (int r = 0; r < pair.coupling.n_rows(); ++r) rows.push_back(pair.first_row + r);
+  }
+  RowMatrix matrix(static_cast<int>(rows.size()), 3 * static_cast<int>(n_nodes));
+  matrix.setFromTriplets(triplets.begin(), triplets.end());
+  return matrix;
+}
+
+}  // namespace creepcontact::contact

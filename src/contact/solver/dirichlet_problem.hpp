@@ -1,0 +1,41 @@
+#pragma once
+/// One body's half of the even half-sweep: the multipliers that move its trace as prescribed.
+
+#include "creepcontact/contact/solver/problem.hpp"
+
+namespace creepcontact::contact {
+
+/// S = F^-1 on some rows of one body. Of a body held by contact alone the rigid part is taken out,
+///   S = F^-1 - F^-1 G (G^T F^-1 G)^-1 G^T F^-1,   G: gaps of its rigid motions,
+/// which is the same for any pins, and for F + c G G^T in place of F, which is regular.
+class DirichletProblem {
+ public:
+  /// @param own  rows, as indices into the body's flexibility
+  DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own);
+
+  /// False if the body's flexibility is singular on these rows: a body held there, or finer traces than it has
+  /// unknowns. The multipliers are then the least ones, F^-1 a pseudo-inverse.
+  bool is_regular() const { return regular_; }
+  /// F^-1 trace, rigid part included.
+  Eigen::VectorXd multipliers(const Eigen::VectorXd& trace) const;
+  /// S trace: multipliers without resultant.
+  Eigen::VectorXd balanced_multipliers(const Eigen::VectorXd& trace) const;
+  /// diag S, or 1/diag F where F is singular.
+  Eigen::VectorXd stiffness() const;
+
+ private:
+  Eigen::VectorXd flexibility_;  // diagonal
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd pseudo_inverse_;  // in place of the factor where F is singular
+  bool regular_ = false;
+  Eigen::MatrixXd carried_;  // F^-1 B L^-T with B an orthonormal basis of G and L L^T = B^T F^-1 B: S = F^-1 - c c^T
+};
+
+/// Rows of a set that a body takes part in.
+struct OwnRows {
+  std::vector<int> places;  ///< in the set
+  std::vector<int> own;     ///< in the body's flexibility
+};
+OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set);
+
+}  // namespace creepcontact::contact

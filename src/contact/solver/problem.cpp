@@ -1,0 +1,91 @@
+#include "creepcontact/contact/solver/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace creepcontact::contact {
+namespace {
+
+constexpr double no_change = 1e-12;
+constexpr double rounding_of_gaps = 1e-13;
+constexpr double immovable = 1e-14;  // rows that neither body can move along (held on both sides) carry no multiplier
+constexpr double pin_floor = 1e-2;   // of the flexibility that pins are given
+
+/// Rows need more than this to be movable.
+double least_flexibility(const Eigen::VectorXd& flexibility) {
+  return flexibility.size() > 0 ? immovable * flexibility.maxCoeff() : 0.0;
+}
+
+}  // namespace
+
+Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier) {
+  if (problem.large) return problem.large->gaps(multiplier);
+  return problem.total.selfadjointView<Eigen::Lower>() * multiplier;
+}
+
+Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem) {
+  return problem.large ? problem.large->diagonal() : Eigen::VectorXd(problem.total.diagonal());
+}
+
+Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state) {
+  Eigen::VectorXd gap = load.gap + flexibility_product(problem, state.multiplier);
+  if (problem.n_motions() > 0) gap += problem.rigid * state.rigid;
+  return gap;
+}
+
+double pin_flexibility(const ContactProblem& problem) {
+  const double square = problem.rigid.squaredNorm();
+  return square > 0 ? flexibility_diagonal(problem).sum() / square : 0.0;
+}
+
+Eigen::VectorXd row_flexibility(const ContactProblem& problem) {
+  Eigen::VectorXd flexibility = flexibility_diagonal(problem);
+  if (problem.n_motions() > 0)
+    flexibility = flexibility.cwiseMax(pin_floor * pin_flexibility(problem) * problem.rigid.rowwise().squaredNorm());
+  return flexibility;
+}
+
+std::vector<int> immovable_rows(const ContactProblem& problem) {
+  const Eigen::VectorXd flexibility = row_flexibility(problem);
+  const double least = least_flexibility(flexibility);
+  std::vector<int> rows;
+  for (int i = 0; i < problem.n_rows(); ++i)
+    if (!(flexibility[i] > least)) rows.push_back(i);
+  return rows;
+}
+
+double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load) {
+  const Eigen::VectorXd flexibility = row_flexibility(problem);
+  const double least = least_flexibility(flexibility);
+  double largest = 0;
+  for (int i = 0; i < problem.n_rows(); ++i)
+    if (flexibility[i] > least) largest = std::max(largest, std::abs(load.gap[i]) / flexibility[i]);
+  return rounding_of_gaps * largest;
+}
+
+std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
+                             const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding) {
+  const double largest = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
+  const double no_matter = std::max(no_change * largest, rounding);
+  const Eigen::VectorXd flexibility = row_flexibility(problem);
+  const double least = least_flexibility(flexibility);
+  std::vector<int> next;
+  auto it = current.begin();
+  for (int i = 0; i < problem.n_rows(); ++i) {
+    const bool was_active = it != current.end() && *it == i;
+    if (was_active) ++it;
+    if (!(flexibility[i] > least)) continue;
+    const double indicator = multiplier[i] - gap[i] / flexibility[i];
+    const double threshold = was_active ? -no_matter : no_matter;
+    if (problem.bilateral[static_cast<std::size_t>(i)] || indicator > threshold) next.push_back(i);
+  }
+  return next;
+}
+
+std::vector<int> first_set(const ContactProblem& problem, const Eigen::VectorXd& initial_gap,
+                           const ContactState& warm) {
+  if (warm.multiplier.size() == problem.n_rows() && problem.n_rows() > 0) return warm.active;
+  return updated_set(problem, {}, Eigen::VectorXd::Zero(problem.n_rows()), initial_gap, 0.0);
+}
+
+}  // namespace creepcontact::contact

@@ -1,0 +1,148 @@
+#include <set>
+#include <stdexcept>
+
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
+#include "recent.hpp"
+#include "schwarz_gradients.hpp"
+#include "schwarz_sweeps.hpp"
+#include "spring_hold.hpp"
+
+namespace creepcontact::contact {
+namespace {
+
+class Schwarz final : public ContactSolver {
+ public:
+  Schwarz(const ContactProblem& problem, const SchwarzOptions& options)
+      : problem_(problem), options_(options), fallback_(active_set_solver(problem)) {
+    if (options.acceleration == SchwarzOptions::Acceleration::anderson && !options.anderson)
+      throw std::invalid_argument("schwarz_solver: Anderson's method was not handed over");
+  }
+
+  ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
+    ContactResult result;
+    result.state.active = first_set(problem_, load.gap, warm);
+    result.state.multiplier = warm.multiplier.size() == problem_.n_rows()
+                                  ? warm.multiplier
+                                  : Eigen::VectorXd(Eigen::VectorXd::Zero(problem_.n_rows()));
+    End end = iterate(load, result);
+    if (end != End::solved && problem_.n_motions() > 0) end = iterate_springs(load, result);
+    if (end == End::solved) return result;
+    warn_once(end == End::cycling
+                  ? "the active sets of the Schwarz iteration recur; the active-set method takes over where they do"
+                  : "the Schwarz iteration did not reach its tolerance within max_iterations; the active-set method "
+                    "takes over where it does not",
+              fallback_warned_);
+    ContactResult direct = fallback_->solve(load, warm);
+    direct.iterations = result.iterations;
+    direct.set_changes += result.set_changes;
+    return direct;
+  }
+
+  void flexibility_changed() override {
+    fallback_->flexibility_changed();
+    springs_.reset();
+    sweeps_.clear();
+    gradients_.clear();
+  }
+
+  void set_recorder(IterationRecorder* recorder) override {
+    recorder_ = recorder;
+    fallback_->set_recorder(recorder);
+  }
+
+  bool has_given_up_sweeps() const override { return sweeps_fail_; }
+  void give_up_sweeps() override { sweeps_fail_ = true; }
+
+ private:
+  enum class End { solved, unbalanced, cycling, not_converged };
+
+  /// From the set and the multipliers of result.state, updates the set until it repeats.
+  End iterate(const ContactLoad& load, ContactResult& result) {
+    Eigen::VectorXd& multiplier = result.state.multiplier;
+    std::vector<int> active = result.state.active;
+    const double rounding = multiplier_rounding(problem_, load);
+    std::set<std::vector<int>> seen;
+    while (seen.insert(active).second) {
+      const RigidBalance balance = problem_.n_motions() > 0 ? RigidBalance(problem_, active) : RigidBalance();
+      const InnerResult inner =
+          solve_frozen(active, {load.gap(active), load.resultant, rounding}, multiplier(active), result);
+      if (!balance.holds(inner.multiplier, load.resultant, rounding)) return End::unbalanced;
+      if (!inner.converged) return End::not_converged;
+      multiplier.setZero();
+      multiplier(active) = inner.multiplier;
+      result.gap = contact_gaps(problem_, load, {multiplier, Eigen::VectorXd::Zero(problem_.n_motions()), {}});
+      result.state.rigid.resize(0);
+      if (problem_.n_motions() > 0) {
+        result.state.rigid = balance.amplitudes(result.gap(active));
+        result.gap.noalias() += problem_.rigid * result.state.rigid;
+      }
+      // What the iteration left of the gaps of the set is no opening.
+      Eigen::VectorXd opening = result.gap;
+      opening(active).setZero();
+      std::vector<int> next = updated_set(problem_, active, multiplier, opening, rounding);
+      ++result.set_changes;
+      if (next == active) {
+        result.state.active = std::move(active);
+        return End::solved;
+      }
+      active = std::move(next);
+    }
+    return End::cycling;
+  }
+
+  End iterate_springs(const ContactLoad& load, ContactResult& result) {
+    if (!springs_) springs_ = std::make_unique<SpringHold>(problem_);
+    End end = End::cycling;
+    springs_->search(load, result.set_changes, [&](const ContactState& held) {
+      result.state.active = held.active;
+      result.state.multiplier = held.multiplier;
+      end = iterate(load, result);
+      return end == End::solved || end == End::not_converged;
+    });
+    return end;
+  }
+
+  InnerResult solve_frozen(const std::vector<int>& active, const FrozenLoad& load, const Eigen::VectorXd& start,
+                           ContactResult& total) {
+    const InnerLog log{recorder_, total.set_changes};
+    if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_fail_) {
+      const SchwarzSweeps& sweeps =
+          sweeps_.at(active, [&](const auto& set) { return SchwarzSweeps(problem_, options_, set); });
+      const InnerResult result = sweeps.solve(load, start, log);
+      total.iterations += result.iterations;
+      if (result.converged) return result;
+      warn_once(
+          "Schwarz sweeps did not converge with these parameters; conjugate gradients take over "
+          "(contact_solver.acceleration = \"cg\" asks for them from the start)",
+          sweeps_fail_);
+    }
+    const SchwarzGradients& gradients =
+        gradients_.at(active, [&](const auto& set) { return SchwarzGradients(problem_, options_, set); });
+    const InnerResult result = gradients.solve(load, start, log);
+    total.iterations += result.iterations;
+    return result;
+  }
+
+  static void warn_once(const char* message, bool& warned) {
+    if (!warned) log::warning("contact: {}", message);
+    warned = true;
+  }
+
+  const ContactProblem& problem_;
+  SchwarzOptions options_;
+  std::unique_ptr<ContactSolver> fallback_;
+  std::unique_ptr<SpringHold> springs_;  // made when first needed
+  Recent<SchwarzSweeps> sweeps_;
+  Recent<SchwarzGradients> gradients_;
+  IterationRecorder* recorder_ = nullptr;
+  bool sweeps_fail_ = false, fallback_warned_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ContactSolver> schwarz_solver(const ContactProblem& problem, const SchwarzOptions& options) {
+  return std::make_unique<Schwarz>(problem, options);
+}
+
+}  // namespace creepcontact::contact

@@ -1,0 +1,51 @@
+/// Reads and writes the files of a run's pictures.
+
+#include <fmt/format.h>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/plot/run_plots.hpp"
+
+namespace creepcontact::plot {
+namespace {
+
+io::CsvTable read_history(const std::filesystem::path& run) {
+  if (!path_is_directory(run))
+    throw ConfigError(fmt::format("no directory '{}'; plot takes the output directory of a run", run.string()));
+  const std::filesystem::path path = run / "history.csv";
+  if (!path_exists(path))
+    throw ConfigError(fmt::format("no history.csv in '{}'; plot takes the output directory of a run", run.string()));
+  return io::read_csv_table(path, io::UnendedRow::is_left_out);
+}
+
+/// Without rows if nothing creeps.
+io::CsvTable read_steps(const std::filesystem::path& run) {
+  if (!path_exists(run / "steps.csv")) return {};
+  return io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
+}
+
+io::SummaryHeading heading_of(const std::filesystem::path& run) {
+  try {
+    return io::read_summary_heading(run / "summary.json");
+  } catch (const ConfigError& error) {
+    log::warning("{}: no title and no units in the pictures", error.what());
+    return {};
+  }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {
+  const std::vector<NamedFigure> figures =
+      run_figures({run, read_history(run), read_steps(run), heading_of(run)}, options);
+  const std::filesystem::path directory = options.directory.empty() ? run / "plots" : options.directory;
+  std::vector<std::filesystem::path> pictures;
+  for (const NamedFigure& one : figures) {
+    draw(one.figure, directory, one.name);
+    pictures.push_back(directory / (one.name + ".svg"));
+  }
+  return pictures;
+}
+
+}  // namespace creepcontact::plot

@@ -1,0 +1,157 @@
+#include "study_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "creepcontact/io/csv_table.hpp"
+
+namespace creepcontact::study {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/// Keys that head columns: those of the axes, then the others that some runs set.
+Cells keys(const config::Study& study) {
+  Cells all;
+  const auto add = [&](const std::string& key) {
+    if (std::find(all.begin(), all.end(), key) == all.end()) all.push_back(key);
+  };
+  for (const config::Product& product : config::products(study)) {
+    for (const config::Setting& setting : product.settings) add(setting.key);
+    for (const config::Axis& axis : product.axes) add(axis.key.name);
+  }
+  return all;
+}
+
+std::string value_of(const config::PlannedRun& run, const std::string& key) {
+  std::string value;  // of the last setting, as overrides do
+  for (const config::Setting& setting : run.settings)
+    if (setting.key == key) value = setting.value.label;
+  return value;
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::string markdown_cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : one_line(text)) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+std::string csv_line(const Cells& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != cells.data()) line += ',';
+    line += io::csv_cell(cell);
+  }
+  return line + '\n';
+}
+
+std::string markdown_line(const Cells& cells) {
+  std::string line = "|";
+  for (const std::string& cell : cells) line += ' ' + markdown_cell(cell) + " |";
+  return line + '\n';
+}
+
+std::string rule(std::size_t columns) {
+  std::string line = "|";
+  for (std::size_t i = 0; i < columns; ++i) line += "---|";
+  return line + '\n';
+}
+
+Cells head(const config::Study& study) {
+  Cells cells = keys(study);
+  for (const config::Reference& quantity : study.compare.quantities) cells.push_back("error_" + quantity.name);
+  cells.insert(cells.end(), {"status", "message"});
+  for (const std::string& name : config::study_counts()) cells.push_back(name);
+  return cells;
+}
+
+/// Cells under head(). @param digits  significant ones of errors and seconds; 0: all
+Cells body(const config::Study& study, const config::PlannedRun& run, const StudyRow& row, int digits) {
+  const auto number = [&](double value) {
+    if (!std::isfinite(value)) return std::string();
+    return digits > 0 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{}", value);
+  };
+  Cells cells;
+  for (const std::string& key : keys(study)) cells.push_back(value_of(run, key));
+  for (const double error : row.errors) cells.push_back(number(error));
+  cells.push_back(row.status);
+  cells.push_back(one_line(row.message));
+  for (const std::string& name : config::study_counts()) {
+    const double count = row.count(name);
+    cells.push_back(name == "wall_seconds" || !row.counted ? number(count) : fmt::format("{:.0f}", count));
+  }
+  return cells;
+}
+
+std::string reference_text(const config::Study& study, const std::optional<StudyRow>& row) {
+  if (!study.reference) return "";
+  const std::string norm = study.compare.norm == config::ErrorNorm::max
+                               ? "the largest difference over the output times, relative to the largest magnitude of "
+                                 "the reference"
+                               : "the difference at the last output time, relative to the reference there";
+  std::string text = "Reference: ";
+  if (!study.reference->csv.empty()) text += '`' + study.reference->csv.filename().string() + '`';
+  const auto& expressions = study.reference->expressions;
+  for (auto one = expressions.begin(); one != expressions.end(); ++one)
+    text += fmt::format("{}`{} = {}`", one == expressions.begin() ? "" : ", ", one->first, one->second.text());
+  if (row) {
+    text += "a run";
+    for (const config::Setting& setting : study.reference->settings)
+      text += fmt::format("{} `{} = {}`", &setting == study.reference->settings.data() ? " with" : ",", setting.key,
+                          setting.value.label);
+    text += fmt::format(" ({} steps, {} elastic solves, {:.3g} s)", row->steps, row->elastic_solves, row->wall_seconds);
+  }
+  return fmt::format("{}. Errors are {}.\n\n", text, norm);
+}
+
+std::string orders_text(const config::Study& study, const std::vector<StudySeries>& all,
+                        const std::vector<StudyRow>& rows) {
+  std::string text;
+  for (const StudySeries& one : all) {
+    for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
+      const std::vector<double> orders = observed_orders(one.x, one.errors(rows, q));
+      for (std::size_t i = 0; i < orders.size(); ++i)
+        text += markdown_line(
+            {one.label, study.compare.quantities[q].name, fmt::format("{}: {} to {}", one.axis, one.x[i], one.x[i + 1]),
+             std::isfinite(orders[i]) ? fmt::format("{:.2f}", std::round(100 * orders[i]) / 100 + 0.0) : ""});
+    }
+  }
+  if (text.empty()) return "";
+  return "\n## Observed orders\n\nSlope of log(error) against the logarithm of what is varied, between "
+         "consecutive values.\n\n" +
+         markdown_line({"runs", "quantity", "from, to", "order"}) + rule(4) + text;
+}
+
+}  // namespace
+
+std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                      const std::vector<StudyRow>& rows) {
+  std::string text = csv_line(head(study));
+  for (std::size_t r = 0; r < runs.size(); ++r) text += csv_line(body(study, runs[r], rows[r], 0));
+  return text;
+}
+
+std::string study_markdown(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                           const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
+                           const std::vector<std::filesystem::path>& pictures) {
+  constexpr int digits = 3;
+  const Cells columns = head(study);
+  std::string text = fmt::format("# {}\n\n{}", study.title.empty() ? study.file.stem().string() : study.title,
+                                 reference_text(study, reference));
+  text += markdown_line(columns) + rule(columns.size());
+  for (std::size_t r = 0; r < runs.size(); ++r) text += markdown_line(body(study, runs[r], rows[r], digits));
+  text += orders_text(study, series(study, runs), rows);
+  if (!pictures.empty()) text += "\n## Pictures\n";
+  for (const std::filesystem::path& picture : pictures)
+    text += fmt::format("\n![{}]({})\n", picture.stem().string(), picture.filename().string());
+  return text;
+}
+
+}  // namespace creepcontact::study

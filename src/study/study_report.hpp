@@ -1,0 +1,24 @@
+#pragma once
+/// study.csv and study.md.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/config/study.hpp"
+#include "creepcontact/study/study_results.hpp"
+
+namespace creepcontact::study {
+
+/// A row a run: values of all keys that are varied; errors; status, message, costs.
+std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                      const std::vector<StudyRow>& rows);
+
+/// Title, reference, the same table, the observed orders along the curves, and the pictures.
+/// @param reference  if it is a run
+std::string study_markdown(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                           const std::vector<StudyRow>& rows, const std::optional<StudyRow>& reference,
+                           const std::vector<std::filesystem::path>& pictures);
+
+}  // namespace creepcontact::study

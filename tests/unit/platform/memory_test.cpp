@@ -1,0 +1,77 @@
+#include "creepcontact/platform/memory.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+namespace creepcontact::platform {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a system tells about its memory.
+class Machine : public testing::Test {
+ protected:
+  Machine() : root_(fs::path(testing::TempDir()) / fmt::format("creepcontact_memory_test_{}", ::getpid())) {
+    fs::remove_all(root_);
+    write("proc/meminfo", "MemTotal:       24684084 kB\nMemAvailable:    4000000 kB\nSwapFree:         100000 kB\n");
+  }
+  ~Machine() override { fs::remove_all(root_); }
+  void write(const fs::path& file, const std::string& text) const {
+    fs::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << text;
+  }
+  fs::path root_;
+};
+
+TEST_F(Machine, AvailableMemoryAndSwap) {
+  EXPECT_EQ(free_memory(root_).bytes, 4100000 * 1024.0);
+  EXPECT_EQ(free_memory(root_).reason, "the machine has 4198 MB left");
+  EXPECT_TRUE(std::isinf(free_memory(root_ / "nothing").bytes));
+}
+
+TEST_F(Machine, ControlGroupsOfTheSecondKind) {
+  write("proc/self/cgroup", "0::/batch/job_7\n");
+  write("sys/fs/cgroup/batch/job_7/memory.max", "max\n");
+  write("sys/fs/cgroup/batch/job_7/memory.current", "1000000\n");
+  EXPECT_EQ(free_memory(root_).bytes, 4100000 * 1024.0);
+  write("sys/fs/cgroup/batch/memory.max", "2000000000\n");
+  write("sys/fs/cgroup/batch/memory.current", "800000000\n");
+  write("sys/fs/cgroup/batch/memory.stat", "active_file 7\ninactive_file 300000000\n");  // which may be dropped
+  EXPECT_EQ(free_memory(root_).bytes, 1.5e9);
+  EXPECT_EQ(free_memory(root_).reason, "the control group '/batch' has a limit of 2000 MB, of which 500 MB are taken");
+}
+
+TEST_F(Machine, ControlGroupsOfTheFirstKind) {
+  write("proc/self/cgroup", "5:cpu,cpuacct:/docker/1\n4:hugetlb,memory:/docker/1\n0::/\n");
+  write("sys/fs/cgroup/memory/memory.limit_in_bytes", "9223372036854771712\n");
+  write("sys/fs/cgroup/memory/memory.usage_in_bytes", "5000000000\n");
+  EXPECT_EQ(free_memory(root_).bytes, 4100000 * 1024.0);
+  write("sys/fs/cgroup/memory/docker/1/memory.limit_in_bytes", "1000000000\n");
+  write("sys/fs/cgroup/memory/docker/1/memory.usage_in_bytes", "1200000000\n");
+  EXPECT_EQ(free_memory(root_).bytes, 0);
+}
+
+TEST(AddressSpace, IsBoundedByLimitsOfTheProcess) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  for (const auto kind : {RLIMIT_AS, RLIMIT_DATA})
+    EXPECT_EXIT(
+        {
+          rlimit limit{};
+          limit.rlim_cur = limit.rlim_max = 3000000000;
+          setrlimit(kind, &limit);
+          const Room room = address_space();
+          std::fputs(room.reason.c_str(), stderr);
+          std::_Exit(room.bytes > 2.0e9 && room.bytes < 3e9 ? 0 : 1);
+        },
+        testing::ExitedWithCode(0),
+        "^the limit of the .* \\(ulimit -[vd]\\) is 3000 MB, of which [0-9]+ MB are taken$");
+}
+
+}  // namespace
+}  // namespace creepcontact::platform
