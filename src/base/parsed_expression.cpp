@@ -1,7 +1,6 @@
 #include "parsed_expression.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "creepcontact/base/thread_number.hpp"
 #include "function_definition.hpp"
 
 namespace creepcontact {
@@ -37,8 +37,6 @@ double round_down(double a) {
 }
 
 // More threads than processors serve nobody, but may be asked for.
-constexpr int most_threads = 1024;
-
 }  // namespace
 
 double Arguments::*known_variable(const std::string& name) {
@@ -60,14 +58,12 @@ ParsedExpression::ParsedExpression(const std::string& text, const std::vector<st
 }
 
 ThreadParsers::ThreadParsers(std::string text, std::vector<std::string> allowed)
-    : text_(std::move(text)),
-      allowed_(std::move(allowed)),
-      parsers_(static_cast<std::size_t>(std::max(most_threads, omp_get_max_threads()))) {
+    : text_(std::move(text)), allowed_(std::move(allowed)), parsers_(most_threads) {
   mine();
 }
 
 ParsedExpression& ThreadParsers::mine() const {
-  auto& own = parsers_[static_cast<std::size_t>(omp_get_thread_num())];
+  auto& own = parsers_[thread_number()];
   if (!own) own = std::make_unique<ParsedExpression>(text_, allowed_);
   return *own;
 }

@@ -25,7 +25,7 @@ struct ParsedExpression {
   mu::Parser parser;
 };
 
-/// A parser for each thread of an OpenMP team, made when the thread first asks for it.
+/// A parser for each thread, made when the thread first asks for it.
 class ThreadParsers {
  public:
   /// Makes that of the calling thread.

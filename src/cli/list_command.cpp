@@ -31,8 +31,7 @@ struct Output {
 
 /// @param wanted  which keys; not given: all
 std::string keys(const std::string& what, const std::optional<std::string>& wanted, const Output& output) {
-  auto sections =
-      config::key_sections(what == "keys" ? config::schema(run::vocabulary()) : config::study_schema());
+  auto sections = config::key_sections(what == "keys" ? config::schema(run::vocabulary()) : config::study_schema());
   if (wanted) sections = config::select_keys(sections, *wanted);
   if (output.names) return config::key_names(sections);
   if (output.values) return config::key_values(sections);

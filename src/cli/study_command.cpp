@@ -28,8 +28,7 @@ int study(const Command& self, const Arguments& arguments) {
   options.program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) throw SolverError("the program does not find its own file: /proc/self/exe: " + error.message());
 
-  const study::StudyResult result =
-      study::run_study(config::read_study(line.positional()), run::vocabulary(), options);
+  const study::StudyResult result = study::run_study(config::read_study(line.positional()), run::vocabulary(), options);
   (result.exit_status == 0 ? std::cout : std::cerr << "error: ") << result.message << '\n';
   return result.exit_status;
 }

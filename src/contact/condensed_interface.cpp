@@ -230,8 +230,7 @@ void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, 
   gap(rows.rows) += sides_[body].condensed.gaps(y);
 }
 
-void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier,
-                                         std::span<double> y) {
+void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) {
   const BodyRows& rows = rows_[body];
   if (rows.rows.empty() || y.empty()) return;
   const Eigen::VectorXd own = multiplier(rows.rows);

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "creepcontact/contact/body_rows.hpp"
-#include "creepcontact/mechanics/factored_body.hpp"
 #include "creepcontact/contact/solver/flexibility_operator.hpp"
+#include "creepcontact/mechanics/factored_body.hpp"
 
 namespace creepcontact::contact {
 

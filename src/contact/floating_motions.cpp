@@ -77,8 +77,8 @@ FloatingMotions::FloatingMotions(Bodies bodies, std::span<const Pair> pairs) : b
   }
   Eigen::MatrixXd rates(n_rows, n);
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    rates.middleCols(static_cast<Eigen::Index>(first_[b]),
-                     static_cast<Eigen::Index>(bodies[b].free_motions().size())) = scale.asDiagonal() * gaps(b, pairs);
+    rates.middleCols(static_cast<Eigen::Index>(first_[b]), static_cast<Eigen::Index>(bodies[b].free_motions().size())) =
+        scale.asDiagonal() * gaps(b, pairs);
   if (n_rows > 0) rates_.topRows(std::min<Eigen::Index>(n_rows, n)) = linalg::triangular_factor(rates);
   idle_ = readable_basis(combinations_below(idle_rate, &held_));
 }

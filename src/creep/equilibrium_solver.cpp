@@ -133,8 +133,8 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
     }
   }
   ClosedRows rows{interface_, frozen_, at.contact.active};
-  const contact::ContactState change =
-      frozen_solve(sides, interface_.n_rows(), [&](const auto& pass) { for_each_factor(pass); }, rows, watch_);
+  const contact::ContactState change = frozen_solve(
+      sides, interface_.n_rows(), [&](const auto& pass) { for_each_factor(pass); }, rows, watch_);
   const auto lap = watch_.lap(Part::material);
   stress.resize(n_bodies);
   for (std::size_t b = 0; b < n_bodies; ++b) {

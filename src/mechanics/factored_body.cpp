@@ -54,7 +54,8 @@ void FactoredBody::stabilize(const BodyConditions& at) {
     report_singular(error);
   }
   log::warning(
-      "body '{}': hex20 elements stand in single rows, where their reduced integration misses some motions; a millionth "
+      "body '{}': hex20 elements stand in single rows, where their reduced integration misses some motions; a "
+      "millionth "
       "of their stiffness holds these",
       body_->name());
 }

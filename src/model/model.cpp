@@ -8,16 +8,26 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/model/temperature.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
 #include "shared_nodes.hpp"
-#include "creepcontact/model/temperature.hpp"
 
 namespace creepcontact::model {
 
 std::size_t find_body(const Bodies& bodies, const std::string& name) {
   const auto found = std::ranges::find(bodies, name, &mechanics::Body::name);
   return static_cast<std::size_t>(found - bodies.begin());
+}
+
+std::vector<std::size_t> bodies_with(const Bodies& bodies, const std::string& group) {
+  std::vector<std::size_t> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& groups = bodies[b].mesh().groups;
+    const auto found = groups.find(group);
+    if (found != groups.end() && !found->second.cells.empty()) result.push_back(b);
+  }
+  return result;
 }
 
 void append_ties(const config::Config& config, const SharedNodes& shared, const Bodies& bodies,

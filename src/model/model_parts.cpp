@@ -82,7 +82,8 @@ void require_no_orphans(const mesh::Mesh& whole, const std::string& surface) {
 
 }  // namespace
 
-void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, ErrorCollector& errors) {
+void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                  ErrorCollector& errors) {
   for (const config::Support& support : config.supports)
     errors.collect(support.on.location, [&] { require_no_orphans(whole, support.on.name); });
   for (const config::Load& load : config.loads)
@@ -114,26 +115,10 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
   return result;
 }
 
-namespace {
-
-/// Bodies that have cells on a group.
-std::vector<std::size_t> bodies_with(const Bodies& bodies, const std::string& group) {
-  std::vector<std::size_t> result;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto& groups = bodies[b].mesh().groups;
-    const auto found = groups.find(group);
-    if (found != groups.end() && !found->second.cells.empty()) result.push_back(b);
-  }
-  return result;
-}
-
-}  // namespace
-
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
                         std::span<const mechanics::RigidMotion> sliding) {
-  const std::array<std::size_t, 2> body =
-      contact_bodies(contact, config,
-                     {bodies_with(bodies, contact.between[0].name), bodies_with(bodies, contact.between[1].name)});
+  const std::array<std::size_t, 2> body = contact_bodies(
+      contact, config, {bodies_with(bodies, contact.between[0].name), bodies_with(bodies, contact.between[1].name)});
   std::array<contact::Surface, 2> surfaces;
   for (std::size_t side = 0; side < 2; ++side) {
     const mechanics::Body& owner = bodies[body[side]];

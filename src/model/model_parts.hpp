@@ -28,7 +28,8 @@ std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mes
 std::size_t body_index(const config::Config& config, const std::string& name);
 
 /// Looks for the surfaces of all loads and contacts, so that a name mistyped there shows with all other mistakes.
-void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes, ErrorCollector& errors);
+void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                  ErrorCollector& errors);
 
 /// @throws ModelError if the mesh of a body has elements that lock
 void refuse_locking(const std::string& body, const mesh::Mesh& mesh);

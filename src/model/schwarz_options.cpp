@@ -19,7 +19,8 @@ class Anderson final : public contact::FixedPointSolver {
 
 }  // namespace
 
-contact::SchwarzOptions schwarz_options(const config::ContactSolver& config, const std::vector<mechanics::Body>& bodies) {
+contact::SchwarzOptions schwarz_options(const config::ContactSolver& config,
+                                        const std::vector<mechanics::Body>& bodies) {
   using To = contact::SchwarzOptions::Acceleration;
   constexpr To accelerations[] = {To::none, To::aitken, To::anderson, To::cg};  // in the configuration's order
   contact::SchwarzOptions options;

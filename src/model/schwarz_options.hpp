@@ -7,6 +7,7 @@
 namespace creepcontact::model {
 
 /// @param model  with its bodies
-contact::SchwarzOptions schwarz_options(const config::ContactSolver& config, const std::vector<mechanics::Body>& bodies);
+contact::SchwarzOptions schwarz_options(const config::ContactSolver& config,
+                                        const std::vector<mechanics::Body>& bodies);
 
 }  // namespace creepcontact::model

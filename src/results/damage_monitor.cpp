@@ -28,15 +28,14 @@ io::Summary::Largest largest(const creep::CreepSystem::Extreme& extreme) {
 }  // namespace
 
 DamageMonitor::DamageMonitor(const creep::CreepSystem& system)
-    : system_(system),
-      largest_force_(system.assembly().pairs().size(), 0.0),
-      final_force_(largest_force_) {}
+    : system_(system), largest_force_(system.assembly().pairs().size(), 0.0), final_force_(largest_force_) {}
 
 creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double> y) const {
   creep::CreepSystem::Extreme result;
   if (!system_.knows(Measure::damage)) return result;
   for (std::size_t b = 0; b < system_.assembly().bodies().size(); ++b)
-    if (const auto of_body = system_.largest(Measure::damage, b, system_.step_evaluation(), y); of_body && of_body->value > result.value)
+    if (const auto of_body = system_.largest(Measure::damage, b, system_.step_evaluation(), y);
+        of_body && of_body->value > result.value)
       result = *of_body;
   return result;
 }

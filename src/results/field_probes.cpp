@@ -171,7 +171,8 @@ std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Mode
 }
 
 std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model& model) {
-  return std::make_unique<VolumeProbe>(model::find_body(model.bodies(), probe.body.name), ProbeQuantity(probe), probe.reduce);
+  return std::make_unique<VolumeProbe>(model::find_body(model.bodies(), probe.body.name), ProbeQuantity(probe),
+                                       probe.reduce);
 }
 
 }  // namespace creepcontact::results

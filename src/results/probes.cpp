@@ -32,12 +32,7 @@ double Reduction::result() const {
 }
 
 std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::Model& model) {
-  std::vector<std::size_t> bodies;
-  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
-    const auto& groups = model.bodies()[b].mesh().groups;
-    const auto found = groups.find(probe.on.name);
-    if (found != groups.end() && !found->second.cells.empty()) bodies.push_back(b);
-  }
+  const std::vector<std::size_t> bodies = model::bodies_with(model.bodies(), probe.on.name);
   if (bodies.empty()) {
     std::string names;
     for (const mechanics::Body& body : model.bodies())

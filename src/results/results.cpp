@@ -7,9 +7,8 @@
 
 namespace creepcontact::results {
 
-Results::Results(const config::Config& config, const std::filesystem::path& directory,
-                 const creep::Assembly& assembly, std::vector<std::unique_ptr<Probe>> probes,
-                 io::Continuation continuation)
+Results::Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
+                 std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation)
     : probes_(std::move(probes)), surfaces_(assembly) {
   std::vector<std::string> names;
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);

@@ -18,8 +18,7 @@ struct Side {
 
 class AreaProbe final : public Probe {
  public:
-  AreaProbe(std::vector<Side> sides, const model::Model& model)
-      : sides_(std::move(sides)) {
+  AreaProbe(std::vector<Side> sides, const model::Model& model) : sides_(std::move(sides)) {
     const std::vector<contact::Pair>& pairs = model.pairs();
     for (const Side& side : sides_)
       areas_.emplace_back(pairs[side.pair], model.bodies()[pairs[side.pair].slave_body].mesh());
@@ -32,8 +31,9 @@ class AreaProbe final : public Probe {
       if (pair.coupling.type == contact::ContactType::tied)
         sum += std::accumulate(pair.coupling.area.begin(), pair.coupling.area.end(), 0.0);
       else
-        sum += areas_[i].value(snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows()),
-                               snapshot.equilibrium().gaps.segment(pair.first_row, pair.coupling.n_rows()));
+        sum +=
+            areas_[i].value(snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows()),
+                            snapshot.equilibrium().gaps.segment(pair.first_row, pair.coupling.n_rows()));
     }
     return sum;
   }

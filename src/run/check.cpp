@@ -5,13 +5,13 @@
 
 #include <ostream>
 
-#include "creepcontact/mechanics/factored_body.hpp"
-#include "creepcontact/results/probes.hpp"
 #include "creepcontact/creep/state_layout.hpp"
+#include "creepcontact/mechanics/factored_body.hpp"
+#include "creepcontact/model/temperature.hpp"
 #include "creepcontact/platform/memory.hpp"
+#include "creepcontact/results/probes.hpp"
 #include "gap_report.hpp"
 #include "memory_need.hpp"
-#include "creepcontact/model/temperature.hpp"
 
 namespace creepcontact::run {
 namespace {

@@ -15,7 +15,8 @@ constexpr std::size_t most_differences = 5;  // named
 
 }  // namespace
 
-Checkpoints::Checkpoints(const config::Config& config, const model::Model& model, const std::filesystem::path& directory)
+Checkpoints::Checkpoints(const config::Config& config, const model::Model& model,
+                         const std::filesystem::path& directory)
     : config_(config), path_(directory / "checkpoint.h5"), fingerprint_(fingerprint(config, model)) {}
 
 io::Checkpoint Checkpoints::read(std::size_t state_size) const {
@@ -34,7 +35,8 @@ io::Checkpoint Checkpoints::read(std::size_t state_size) const {
   return checkpoint;
 }
 
-io::Checkpoint Checkpoints::take(double time, const ode::Integrator* integrator, const creep::CreepSystem& system) const {
+io::Checkpoint Checkpoints::take(double time, const ode::Integrator* integrator,
+                                 const creep::CreepSystem& system) const {
   io::Checkpoint checkpoint;
   checkpoint.fingerprint = fingerprint_;
   checkpoint.time = time;

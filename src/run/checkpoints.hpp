@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "creepcontact/config/config.hpp"
-#include "creepcontact/io/checkpoint.hpp"
-#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/model/model.hpp"
+#include "creepcontact/ode/integrator.hpp"
 
 namespace creepcontact::run {
 

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "checkpoints.hpp"
-#include "creepcontact/io/summary.hpp"
 #include "creepcontact/creep/state_layout.hpp"
+#include "creepcontact/io/summary.hpp"
 
 namespace creepcontact::run {
 
-std::string nothing_left(const config::Config& config, const model::Model& model, const std::filesystem::path& directory) {
+std::string nothing_left(const config::Config& config, const model::Model& model,
+                         const std::filesystem::path& directory) {
   using Status = io::Summary::Status;
   const auto summary = io::read_summary(directory / "summary.json");
   if (!summary || (summary->status != Status::completed && summary->status != Status::ruptured)) return {};

@@ -103,7 +103,7 @@ Table quantity_table() {
     table.rows.push_back({info.name,
                           info.kind == results::QuantityInfo::Kind::field      ? "point, group, body"
                           : info.kind == results::QuantityInfo::Kind::reaction ? "supported group"
-                                                                      : "contact surface",
+                                                                               : "contact surface",
                           info.description});
   return table;
 }

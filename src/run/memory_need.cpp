@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/linalg/blas_address_space.hpp"
 #include "creepcontact/creep/state_layout.hpp"
+#include "creepcontact/linalg/blas_address_space.hpp"
 #include "creepcontact/platform/memory.hpp"
 
 namespace creepcontact::run {

@@ -12,13 +12,13 @@
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/summary.hpp"
-#include "creepcontact/run/check.hpp"
-#include "creepcontact/run/contact_log.hpp"
-#include "creepcontact/results/probes.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/platform/useful_threads.hpp"
+#include "creepcontact/results/probes.hpp"
+#include "creepcontact/run/check.hpp"
+#include "creepcontact/run/contact_log.hpp"
 #include "finished_run.hpp"
 #include "memory_need.hpp"
 #include "run_report.hpp"
@@ -114,13 +114,13 @@ RunResult run(const config::Config& config, const RunOptions& options) {
               body.constraints().n_free());
   std::optional<ContactLog> contact_log;
   if (!options.log_contact.empty()) contact_log.emplace(options.log_contact);
-  creep::EquilibriumSolver solver(
-      model.assembly, model.solver, watch, [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
-        require_memory(config, model, contact_bytes, [&](std::size_t b) {
-          const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
-          return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
-        });
-      });
+  creep::EquilibriumSolver solver(model.assembly, model.solver, watch,
+                                  [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
+                                    require_memory(config, model, contact_bytes, [&](std::size_t b) {
+                                      const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
+                                      return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
+                                    });
+                                  });
   if (contact_log) solver.set_recorder(&*contact_log);
   for (const contact::Pair& pair : solver.interface().pairs())
     if (pair.ties_nodes())

@@ -212,8 +212,7 @@ void TimeLoop::report_rupture(double time, const creep::CreepSystem::Extreme& wh
   life_.rupture(time, where);
   progress_.clear();
   log::info("body '{}' ruptures at t = {:.6g}: damage {:.3g} at ({:.6g}, {:.6g}, {:.6g})",
-            model_.bodies()[where.body].name(), time, where.value, where.place.x(),
-            where.place.y(), where.place.z());
+            model_.bodies()[where.body].name(), time, where.value, where.place.x(), where.place.y(), where.place.z());
 }
 
 bool TimeLoop::ruptured(double begin_of_step) {
@@ -274,7 +273,8 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     const creep::Evaluation& last = system_.step_evaluation();
     table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
     progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
-    if (step_statistics_.n_steps() % steps_between_warnings == 0) life_.warn(time_, system_.step_evaluation(), integrator_->state());
+    if (step_statistics_.n_steps() % steps_between_warnings == 0)
+      life_.warn(time_, system_.step_evaluation(), integrator_->state());
     if (ruptured(time_ - report.step)) return;
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;

@@ -11,10 +11,10 @@
 #include "checkpoints.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/table_range_monitor.hpp"
-#include "creepcontact/results/damage_monitor.hpp"
 #include "creepcontact/platform/interrupt.hpp"
-#include "progress.hpp"
+#include "creepcontact/results/damage_monitor.hpp"
 #include "creepcontact/results/results.hpp"
+#include "progress.hpp"
 #include "run_report.hpp"
 
 namespace creepcontact::run {

@@ -64,7 +64,8 @@ config::Vocabulary vocabulary() {
     config::Quantity entry;
     entry.name = info.name;
     entry.surface_only = info.kind != results::QuantityInfo::Kind::field;
-    entry.sum_only = info.kind == results::QuantityInfo::Kind::area || info.kind == results::QuantityInfo::Kind::force ||
+    entry.sum_only = info.kind == results::QuantityInfo::Kind::area ||
+                     info.kind == results::QuantityInfo::Kind::force ||
                      info.kind == results::QuantityInfo::Kind::reaction;
     entry.cylindrical = info.cylindrical;
     result.quantities.push_back(entry);

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "performance/measuring.hpp"
-#include "unit/contact/assembly.hpp"
+#include "unit/contact/boxes.hpp"
 
 namespace creepcontact::test {
 namespace {
@@ -17,30 +17,30 @@ class Scene {
     constexpr int side = 38;
     const BoxSetup block{.divisions = {side, side, 15}, .lengths = {1, 1, 0.4}, .distortion = 0.1};
     // The faces overlap but for one corner.
-    assembly_ = std::make_unique<Assembly>(block, block, true, -0.01, contact::ContactType::unilateral,
-                                           Function::expression("0.001*(x + y - 1.5)", {"x", "y", "z", "t"}));
-    assembly_->bodies[0]->set_time(0);
-    assembly_->bodies[1]->set_time(0);
-    load_ = assembly_->interface->contact_load(assembly_->interface->initial_load(0));
+    assembly_ = std::make_unique<Boxes>(block, block, true, -0.01, contact::ContactType::unilateral,
+                                        Function::expression("0.001*(x + y - 1.5)", {"x", "y", "z", "t"}));
+    load_ =
+        assembly_->interface().contact_load(assembly_->interface().initial_load(0, conditions(assembly_->bodies(), 0)));
     later_ = load_;
     later_.gap.array() *= 1.001;
-    for (const auto& body : assembly_->bodies) vectors_.emplace_back(body->constraints().n_free(), 1.0);
+    for (const mechanics::Body& body : assembly_->bodies()) vectors_.emplace_back(body.constraints().n_free(), 1.0);
     pass_ = least_seconds(5, [&] { pass(); });
     floor_ = 2 * static_cast<double>(factor_bytes()) / bandwidth();
   }
 
   void pass() {
     for (std::size_t b = 0; b < vectors_.size(); ++b) {
-      assembly_->bodies[b]->factor().forward(vectors_[b], vectors_[b]);
-      assembly_->bodies[b]->factor().backward(vectors_[b], vectors_[b]);
+      assembly_->interface().factored(b).solver().forward(vectors_[b], vectors_[b]);
+      assembly_->interface().factored(b).solver().backward(vectors_[b], vectors_[b]);
     }
   }
   std::int64_t factor_bytes() const {
     std::int64_t bytes = 0;
-    for (const auto& body : assembly_->bodies) bytes += body->factor().factor_bytes();
+    for (std::size_t b = 0; b < vectors_.size(); ++b)
+      bytes += assembly_->interface().factored(b).solver().factor_bytes();
     return bytes;
   }
-  const contact::ContactProblem& problem() const { return assembly_->interface->problem(); }
+  const contact::ContactProblem& problem() const { return assembly_->interface().problem(); }
   const contact::ContactLoad& load() const { return load_; }
   const contact::ContactLoad& later() const { return later_; }
 
@@ -50,7 +50,7 @@ class Scene {
   }
 
  private:
-  std::unique_ptr<Assembly> assembly_;
+  std::unique_ptr<Boxes> assembly_;
   contact::ContactLoad load_, later_;
   std::vector<std::vector<double>> vectors_;
   double pass_ = 0, floor_ = 0;

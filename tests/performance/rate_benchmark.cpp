@@ -11,8 +11,9 @@
 #include <numeric>
 
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/model/model.hpp"
+#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 
 /// Pressed blocks with so many elements along the sides of the upper block.
 config::Config pressed_blocks(int n) {
-  return config::read(CREEPCONTACT_CONFIGS "/pressed_blocks.toml", simulation::vocabulary(),
+  return config::read(CREEPCONTACT_CONFIGS "/pressed_blocks.toml", run::vocabulary(),
                       {fmt::format("mesh.parameters={{n_lower={},n_upper={}}}", n * 5 / 4, n)});
 }
 
@@ -29,14 +30,18 @@ class Scene {
  public:
   explicit Scene(int n)
       : config_(pressed_blocks(n)),
-        model_(simulation::build_model(config_)),
-        elasticity_(model_, watch_),
-        system_(elasticity_, watch_, config_.time.output, config_.time.tolerance),
+        model_(model::build_model(config_)),
+        solver_(model_.assembly, model_.solver, watch_),
+        system_(solver_, creep::survey_elastic_stress(solver_, config_.time.output, model_.breakpoints),
+                config_.time.tolerance, watch_),
         state_(system_.size()),
         rate_(system_.size()) {
-    for (const auto& body : model_.bodies) {
-      vectors_.emplace_back(body->constraints().n_free(), 1.0);
-      bytes_ += static_cast<double>(body->factor().factor_bytes());
+    for (std::size_t b = 0; b < model_.bodies().size(); ++b) {
+      vectors_.emplace_back(model_.bodies()[b].constraints().n_free(), 1.0);
+      factors_.push_back(solver_.interface().factored(b).solver().same_pattern());
+      const mechanics::BodyConditions at = model_.bodies()[b].at(0);
+      factors_.back()->factorize(solver_.interface().factored(b).stiffness(at));
+      bytes_ += static_cast<double>(factors_.back()->factor_bytes());
       unknowns_ += static_cast<double>(vectors_.back().size());
     }
     system_.rate(0, state_, rate_);  // contact from scratch
@@ -67,9 +72,10 @@ class Scene {
  private:
   config::Config config_;
   Stopwatch watch_;
-  simulation::Model model_;
-  simulation::ContactElasticity elasticity_;
-  simulation::CreepRate system_;
+  model::Model model_;
+  creep::EquilibriumSolver solver_;
+  creep::CreepSystem system_;
+  std::vector<std::unique_ptr<linalg::StiffnessSolver>> factors_;
   std::vector<double> state_, rate_;
   std::vector<std::vector<double>> vectors_;
   double bytes_ = 0, unknowns_ = 0, pass_ = 0, floor_ = 0;
@@ -115,16 +121,18 @@ void run(benchmark::State& state) {
     const auto start = Clock::now();
     const config::Config config = pressed_blocks(static_cast<int>(state.range(0)));
     Stopwatch watch;
-    simulation::Model model = simulation::build_model(config);
-    simulation::ContactElasticity elasticity(model, watch);
-    simulation::CreepRate system(elasticity, watch, config.time.output, config.time.tolerance);
+    const model::Model model = model::build_model(config);
+    creep::EquilibriumSolver solver(model.assembly, model.solver, watch);
+    creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
+                              config.time.tolerance, watch);
     const auto integrator =
         ode::make_integrator(config.time.integrator, system, {.tolerance = 1e-3, .end_time = config.time.end});
     integrator->initialize(0, std::vector<double>(system.size()));
     while (integrator->time() < config.time.end) integrator->step(config.time.end);
     const double total = seconds_since(start);
     double bytes = 14.0 * 8 * static_cast<double>(system.size());
-    for (const auto& body : model.bodies) bytes += static_cast<double>(body->factor().factor_bytes());
+    for (std::size_t b = 0; b < model.bodies().size(); ++b)
+      bytes += static_cast<double>(solver.interface().factored(b).solver().factor_bytes());
     state.counters["solves"] = static_cast<double>(system.counters().elastic_solves);
     state.counters["other"] = 1 - (watch.seconds(Part::factorize) + watch.seconds(Part::solve)) / total;
     state.counters["memory"] = peak() / bytes;

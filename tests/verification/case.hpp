@@ -96,7 +96,7 @@ class CaseDirectory {
 
   const std::filesystem::path& path() const { return path_; }
   config::Config config(const std::string& toml, const std::vector<std::string>& overrides) const {
-    return config::parse(toml, path_ / "case.toml", simulation::vocabulary(), overrides);
+    return config::parse(toml, path_ / "case.toml", run::vocabulary(), overrides);
   }
 
  private:
@@ -113,7 +113,7 @@ inline Outcome run_case(const std::string& toml, const std::string& geo, const s
   config::Config config = directory.config(toml, overrides);
   config.output.fields = false;
   const auto results = directory.path() / "results";
-  const simulation::RunResult result = simulation::run(config, {.output = results.string(), .quiet = true});
+  const run::RunResult result = run::run(config, {.output = results.string(), .quiet = true});
   Outcome outcome{result.exit_status, result.message, read_history(results / "history.csv"),
                   read_text(results / "summary.json"), read_history(results / "steps.csv")};
   EXPECT_EQ(outcome.exit_status, 0) << outcome.message;

@@ -22,11 +22,11 @@ class GrowingContact : public testing::TestWithParam<const char*> {};
 TEST_P(GrowingContact, SphereOnViscoelasticBlock) {
   const CaseDirectory directory("");
   const std::string slave = std::string(GetParam()) == "upper" ? "punch_end" : "block_top";
-  config::Config config = config::read(CREEPCONTACT_CONFIGS "/viscoelastic_indenter.toml", simulation::vocabulary(),
+  config::Config config = config::read(CREEPCONTACT_CONFIGS "/viscoelastic_indenter.toml", run::vocabulary(),
                                        {"contacts.0.slave=" + slave});
   config.output.fields = false;
   const auto results = directory.path() / "results";
-  ASSERT_EQ(simulation::run(config, {.output = results.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run::run(config, {.output = results.string(), .quiet = true}).exit_status, 0);
   const History history = read_history(results / "history.csv");
   for (const double t : history.times()) {
     const double compliance = 0.21834 + 0.77151 * (1 - std::exp(-t / 161.326)) + 0.84837 * (1 - std::exp(-t / 17288));

@@ -84,8 +84,8 @@ Tensor6 exact_tensor(const Vector3& x, bool round, const Exact& exact) {
   return tensor::from_matrix(s);
 }
 
-Errors errors(const simulation::Snapshot& snapshot, const mechanics::Body& body, bool round, const Exact& exact) {
-  const simulation::BodyFields& fields = snapshot.fields(0);
+Errors errors(results::Snapshot& snapshot, const mechanics::Body& body, bool round, const Exact& exact) {
+  const results::BodyFields& fields = snapshot.fields(0);
   Errors result;
   double largest = 0;
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
@@ -94,7 +94,7 @@ Errors errors(const simulation::Snapshot& snapshot, const mechanics::Body& body,
     result.at_nodes = std::max(result.at_nodes, (fields.at_node(i).stress - reference).cwiseAbs().maxCoeff());
   }
   for (std::size_t p = 0; p < fields.n_points(); ++p) {
-    const simulation::Sample at = fields.at_point(p);
+    const results::Sample at = fields.at_point(p);
     const Tensor6 difference = at.stress - exact_tensor(at.place, round, exact);
     result.mean_at_points = std::max(result.mean_at_points, std::abs(tensor::trace(difference)) / 3);
   }
@@ -104,15 +104,15 @@ Errors errors(const simulation::Snapshot& snapshot, const mechanics::Body& body,
 }
 
 /// At the times when the creep strain at the bore is as given.
-std::vector<Errors> creep(simulation::Model& model, bool round, const Exact& exact,
-                          const std::vector<double>& creep_strains) {
+std::vector<Errors> errors_in_creep(const creep::Assembly& assembly, bool round, const Exact& exact,
+                                    const std::vector<double>& creep_strains) {
   const Vector3 bore = exact(inner);
   const double q = round ? bore[1] - bore[0] : std::sqrt(3.0) / 2 * (bore[1] - bore[0]);
   std::vector<double> times{0.0};
   for (const double strain : creep_strains) times.push_back(strain / (A * std::pow(q, n)));
   Stopwatch watch;
-  simulation::ContactElasticity elasticity(model, watch);
-  simulation::CreepRate system(elasticity, watch, times, 1e-3);
+  creep::EquilibriumSolver solver(assembly, {}, watch);
+  creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, times, {}), 1e-3, watch);
   ode::IntegratorOptions options{.tolerance = 1e-3};
   options.end_time = times.back();
   const auto integrator = ode::make_integrator("cvode_bdf", system, options);
@@ -123,19 +123,19 @@ std::vector<Errors> creep(simulation::Model& model, bool round, const Exact& exa
     integrator->step(times.back());
     for (; next != times.end() && *next <= integrator->time(); ++next) {
       integrator->interpolate(*next, state);
-      system.equilibrium(*next, state);
-      result.push_back(errors(simulation::Snapshot(system, *next, state), *model.bodies[0], round, exact));
+      results::Snapshot snapshot(system, *next, system.evaluate_output(*next, state));
+      result.push_back(errors(snapshot, assembly.bodies()[0], round, exact));
     }
   }
   return result;
 }
 
-simulation::Model model_of(const Shape& shape, const material::Material& material) {
-  simulation::Model model;
-  model.bodies.push_back(std::make_unique<mechanics::Body>("wall", shape.mesh, material, shape.supports, std::nullopt));
-  model.bodies[0]->add_load(
+creep::Assembly assembly_of(const Shape& shape, const material::Material& material) {
+  std::vector<mechanics::Body> bodies;
+  bodies.emplace_back("wall", shape.mesh, material, shape.supports, std::nullopt);
+  bodies[0].add_load(
       mechanics::pressure_load(shape.mesh, mesh::boundary_faces(shape.mesh, shape.round ? "z0" : "x0"), pressure));
-  return model;
+  return {std::move(bodies), {}};
 }
 
 material::Material norton() {
@@ -184,15 +184,13 @@ void expect_small(const std::vector<Errors>& all) {
 
 TEST_P(LockingOfElements, CylinderThatCreeps) {
   const Shape shape = cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion);
-  simulation::Model model = model_of(shape, norton());
-  expect_small(creep(model, shape.round, cylinder, {0.05, 0.1, 1.0}));
+  expect_small(errors_in_creep(assembly_of(shape, norton()), shape.round, cylinder, {0.05, 0.1, 1.0}));
 }
 
 TEST_P(LockingOfElements, SphereThatCreeps) {
   const auto [radial, around, axial] = GetParam().divisions;
   const Shape shape = sphere_mesh(GetParam().type, {around, around, radial}, GetParam().distortion);
-  simulation::Model model = model_of(shape, norton());
-  expect_small(creep(model, shape.round, sphere, {0.01, 0.1, 1.0}));
+  expect_small(errors_in_creep(assembly_of(shape, norton()), shape.round, sphere, {0.01, 0.1, 1.0}));
 }
 
 /// From equator to pole, 30 degrees wide, meshed by Gmsh.
@@ -211,7 +209,7 @@ TEST(Locking, SphereOfGmshTetrahedraThatCreeps) {
     Physical Surface("y") = Surface In BoundingBox{-e, -e, -e, 200 + e, e, 200 + e};
     Physical Surface("z") = Surface In BoundingBox{-e, -e, -e, 200 + e, 200 + e, e};
   )");
-  simulation::Model model = simulation::build_model(directory.config(fmt::format(R"(
+  const model::Model model = model::build_model(directory.config(fmt::format(R"(
     [mesh]
     file = "case.geo"
     [bodies.wall]
@@ -239,22 +237,21 @@ TEST(Locking, SphereOfGmshTetrahedraThatCreeps) {
     [time]
     end = 1
   )",
-                                                                                 young, A, n, pressure),
-                                                                     {}));
-  expect_small(creep(model, true, sphere, {0.01, 0.1, 1.0}));
+                                                                             young, A, n, pressure),
+                                                                 {}));
+  expect_small(errors_in_creep(model.assembly, true, sphere, {0.01, 0.1, 1.0}));
 }
 
 TEST_P(LockingOfElements, NearlyIncompressibleCylinder) {
   constexpr double nu = 0.4999;
   constexpr reference::ThickCylinder lame{inner, outer, pressure};
   const Shape shape = cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion);
-  simulation::Model model = model_of(shape, elastic_material(young, nu));
+  const creep::Assembly assembly = assembly_of(shape, elastic_material(young, nu));
   Stopwatch watch;
-  simulation::ContactElasticity elasticity(model, watch);
-  elasticity.solve(0, {{}});
-  const simulation::StateLayout layout(model);
-  const simulation::Snapshot snapshot(elasticity, layout, 0, {});
-  expect_small({errors(snapshot, *model.bodies[0], false, [&](double r) {
+  creep::EquilibriumSolver solver(assembly, {}, watch);
+  creep::CreepSystem system(solver, {}, 1e-3, watch);
+  results::Snapshot snapshot(system, 0, system.evaluate_output(0, {}));
+  expect_small({errors(snapshot, assembly.bodies()[0], false, [&](double r) {
     return Vector3(lame.elastic_sigma_r(r), lame.elastic_sigma_theta(r), lame.elastic_sigma_z(nu));
   })});
 }

@@ -5,8 +5,9 @@
 #include <numeric>
 
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/model/model.hpp"
+#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 
 namespace creepcontact::test {
@@ -28,18 +29,19 @@ struct StressError {
 class StressRuns {
  public:
   explicit StressRuns(const config::Config& config)
-      : time_(config.time), model_(simulation::build_model(config)), elasticity_(model_, watch_) {
-    for (const auto& body : model_.bodies) {
-      const auto weights = body->discretization().weights();
+      : time_(config.time), model_(model::build_model(config)), solver_(model_.assembly, model_.solver, watch_) {
+    for (const mechanics::Body& body : model_.bodies()) {
+      const auto weights = body.discretization().weights();
       volume_.insert(volume_.end(), weights.begin(), weights.end());
     }
   }
   static StressRuns of_file(const std::string& name, const std::vector<std::string>& overrides = {}) {
-    return StressRuns(config::read(std::string(CREEPCONTACT_CONFIGS "/") + name, simulation::vocabulary(), overrides));
+    return StressRuns(config::read(std::string(CREEPCONTACT_CONFIGS "/") + name, run::vocabulary(), overrides));
   }
 
   StressHistory run(double tolerance, const std::string& integrator_name) {
-    simulation::CreepRate system(elasticity_, watch_, time_.output, tolerance);
+    creep::CreepSystem system(solver_, creep::survey_elastic_stress(solver_, time_.output, model_.breakpoints),
+                              tolerance, watch_);
     ode::IntegratorOptions options{.tolerance = tolerance};
     options.end_time = time_.end;
     const auto integrator = ode::make_integrator(integrator_name, system, options);
@@ -53,9 +55,9 @@ class StressRuns {
       for (; next != time_.output.end() && *next <= integrator->time(); ++next) {
         const std::int64_t solves = system.counters().elastic_solves;
         integrator->interpolate(*next, state);
-        system.equilibrium(*next, state);
+        const creep::Evaluation& at = system.evaluate_output(*next, state);
         for_output += system.counters().elastic_solves - solves;
-        history.stress.push_back(all_stress());
+        history.stress.push_back(all_stress(at.equilibrium));
       }
     }
     history.elastic_solves = system.counters().elastic_solves - before - for_output;
@@ -81,16 +83,16 @@ class StressRuns {
   }
 
  private:
-  std::vector<double> all_stress() const {
+  static std::vector<double> all_stress(const creep::Equilibrium& at) {
     std::vector<double> all;
-    for (const auto& state : elasticity_.states()) all.insert(all.end(), state.stress.begin(), state.stress.end());
+    for (const creep::BodyState& state : at.bodies) all.insert(all.end(), state.stress.begin(), state.stress.end());
     return all;
   }
 
   config::Time time_;
   Stopwatch watch_;
-  simulation::Model model_;
-  simulation::ContactElasticity elasticity_;
+  model::Model model_;
+  creep::EquilibriumSolver solver_;
   std::vector<double> volume_;
 };
 

@@ -23,8 +23,7 @@ struct Interval {
   double low = 0, high = 0;
 };
 
-/// Value semantics; copies share the immutable definition. May be evaluated by any threads of one OpenMP team at a
-/// time.
+/// Value semantics; copies share the immutable definition. May be evaluated by any threads at a time.
 class Function {
  public:
   /// The constant 0.

@@ -16,9 +16,9 @@
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
 #include "creepcontact/contact/floating_motions.hpp"
-#include "creepcontact/mechanics/factored_body.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/mechanics/body.hpp"
+#include "creepcontact/mechanics/factored_body.hpp"
 
 namespace creepcontact::contact {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <span>
 
-#include "creepcontact/linalg/stiffness_solver.hpp"
 #include "creepcontact/contact/geometry/pair.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 
 namespace creepcontact::contact {
 
@@ -15,8 +15,7 @@ class CondensedRows {
   CondensedRows() = default;
   /// @param rows      B on all free unknowns, with entries at the trailing ones alone
   /// @param trailing  those of the factor. Cost: trailing.size()^2 x rows.rows() operations.
-  CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing,
-                const linalg::StiffnessSolver& factor);
+  CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing, const linalg::StiffnessSolver& factor);
 
   Eigen::MatrixXd flexibility() const { return traces_.transpose() * traces_; }
   /// @param y  of all free unknowns

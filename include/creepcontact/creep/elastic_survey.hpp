@@ -19,7 +19,8 @@ struct ElasticSurvey {
 /// Solves for the elastic stress at the start, the end and on both sides of the breakpoints; if all of it is zero, at
 /// the output times.
 /// @param output_times  ascending, the last is the end of the run
-/// @throws ModelError if nothing gives any stress at any of these times, or if a body relaxes in 1e-12 of the run, which
+/// @throws ModelError if nothing gives any stress at any of these times, or if a body relaxes in 1e-12 of the run,
+/// which
 ///         units that do not fit together make
 ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector<double>& output_times,
                                     const std::vector<double>& breakpoints);

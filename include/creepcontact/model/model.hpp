@@ -23,6 +23,8 @@ struct Model {
 
 /// @returns bodies.size() if there is none of this name
 std::size_t find_body(const std::vector<mechanics::Body>& bodies, const std::string& name);
+/// Bodies that have cells on a group.
+std::vector<std::size_t> bodies_with(const std::vector<mechanics::Body>& bodies, const std::string& group);
 
 /// Reads the mesh and makes the model; nothing is factored.
 /// @throws ModelError with every mistake found, each with its place in the configuration

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "creepcontact/io/field_writer.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
+#include "creepcontact/io/field_writer.hpp"
 
 namespace creepcontact::results {
 
-/// Surfaces that share nodes have copies of them: each pair has values of its own. 
+/// Surfaces that share nodes have copies of them: each pair has values of its own.
 class ContactSurfaces {
  public:
   /// @param assembly  must outlive the object

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/contact/geometry/contact_grid.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
-#include "creepcontact/contact/geometry/contact_grid.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 
 namespace creepcontact::results {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/summary.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/io/summary.hpp"
 
 namespace creepcontact::results {
 
@@ -39,7 +39,7 @@ class DamageMonitor {
 
  private:
   const creep::CreepSystem& system_;
-  std::vector<double> largest_force_, final_force_;          // normal force of every contact pair
+  std::vector<double> largest_force_, final_force_;                   // normal force of every contact pair
   std::map<std::size_t, creep::CreepSystem::Extreme> damage_, life_;  // by body
   std::optional<std::pair<double, creep::CreepSystem::Extreme>> rupture_;
   bool warned_of_strain_ = false, warned_of_life_ = false;

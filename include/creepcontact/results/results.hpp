@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
-#include "creepcontact/results/contact_surfaces.hpp"
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/io/field_writer.hpp"
 #include "creepcontact/io/history_writer.hpp"
 #include "creepcontact/io/step_writer.hpp"
 #include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/results/contact_surfaces.hpp"
 #include "creepcontact/results/probes.hpp"
 
 namespace creepcontact::results {

@@ -1,7 +1,7 @@
 /// Contact zones that are not condensed to dense matrices.
 #include <gtest/gtest.h>
 
-#include "assembly.hpp"
+#include "boxes.hpp"
 
 namespace creepcontact::test {
 namespace {
@@ -19,11 +19,11 @@ struct ZoneCase {
 
 class LargeZone : public testing::TestWithParam<ZoneCase> {
  protected:
-  static std::unique_ptr<Assembly> assembly(double dense_bytes) {
+  static std::unique_ptr<Boxes> assembly(double dense_bytes) {
     const ZoneCase& zone = GetParam();
     // A crowned joint: part of it stays open.
     const Function gap = Function::expression("0.02*((x - 0.3)^2 + y^2)", {"x", "y", "z", "t"});
-    return std::make_unique<Assembly>(
+    return std::make_unique<Boxes>(
         BoxSetup{.type = zone.type, .divisions = {4, 3, 2}, .young_modulus = 200},
         BoxSetup{.type = zone.type, .divisions = {3, 4, 2}, .young_modulus = zone.upper_modulus}, zone.lower_is_slave,
         Function(-0.004), zone.contact, gap, dense_bytes);
@@ -32,18 +32,18 @@ class LargeZone : public testing::TestWithParam<ZoneCase> {
 
 TEST_P(LargeZone, AgreesWithTheDenseSolution) {
   const auto dense = assembly(CondensedInterface::unbounded), large = assembly(0.0);
-  ASSERT_TRUE(dense->interface->is_dense());
-  ASSERT_FALSE(large->interface->is_dense());
-  EXPECT_GT(dense->interface->dense_bytes(), 0);
-  dense->solve(*contact::active_set_solver(dense->interface->problem()));
+  ASSERT_TRUE(dense->interface().is_dense());
+  ASSERT_FALSE(large->interface().is_dense());
+  EXPECT_GT(dense->interface().dense_bytes(), 0);
+  dense->solve(*contact::active_set_solver(dense->interface().problem()));
   const Eigen::VectorXd& expected = dense->result.state.multiplier;
   const double largest = expected.cwiseAbs().maxCoeff();
-  const Eigen::MatrixXd& flexibility = dense->interface->problem().total;
+  const Eigen::MatrixXd& flexibility = dense->interface().problem().total;
   if (GetParam().contact == ContactType::unilateral) {
     EXPECT_LT(dense->result.state.active.size(), static_cast<std::size_t>(expected.size())) << "part of it is open";
   }
   for (const bool schwarz : {true, false}) {
-    const contact::ContactProblem& problem = large->interface->problem();
+    const contact::ContactProblem& problem = large->interface().problem();
     const auto solver =
         schwarz ? contact::schwarz_solver(problem, {.max_iterations = 1000}) : contact::active_set_solver(problem);
     large->solve(*solver);
@@ -55,7 +55,7 @@ TEST_P(LargeZone, AgreesWithTheDenseSolution) {
       for (std::size_t i = 0; i < dense->stress[b].size(); ++i)
         EXPECT_NEAR(large->stress[b][i], dense->stress[b][i], 1e-7 * largest);
   }
-  EXPECT_LT(large->interface->n_products(), 2 * 60) << "passes through the factors";
+  EXPECT_LT(large->interface().n_products(), 2 * 60) << "passes through the factors";
 }
 
 INSTANTIATE_TEST_SUITE_P(Zones, LargeZone,

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "assembly.hpp"
+#include "boxes.hpp"
 #include "creepcontact/base/error.hpp"
 
 namespace creepcontact {
@@ -33,12 +33,12 @@ std::vector<PatchCase> patch_cases() {
 
 // Two boxes of equal modulus squeezed by 0.02: uniaxial stress E * 0.02 / 2 on any pair of meshes.
 TEST_P(ContactPatch, TransmitsUniformPressureOnNonMatchingMeshes) {
-  test::Assembly assembly({.type = GetParam().lower, .divisions = {3, 2, 2}},
-                          {.type = GetParam().upper, .divisions = {2, 3, 2}}, GetParam().lower_is_slave, -0.02);
-  const auto solver = contact::active_set_solver(assembly.interface->problem());
+  test::Boxes assembly({.type = GetParam().lower, .divisions = {3, 2, 2}},
+                       {.type = GetParam().upper, .divisions = {2, 3, 2}}, GetParam().lower_is_slave, -0.02);
+  const auto solver = contact::active_set_solver(assembly.interface().problem());
   assembly.solve(*solver);
   const double pressure = 200.0 * 0.02 / 2;
-  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
   double resultant = 0;
   for (int i = 0; i < coupling.n_rows(); ++i) {
     EXPECT_NEAR(assembly.result.state.multiplier[i], pressure, 1e-8 * pressure);
@@ -56,19 +56,19 @@ TEST_P(ContactPatch, TransmitsUniformPressureOnNonMatchingMeshes) {
 INSTANTIATE_TEST_SUITE_P(AllElements, ContactPatch, testing::ValuesIn(patch_cases()), name_of);
 
 TEST(Mortar, ForcesAreEqualOppositeAndMomentFree) {
-  const test::Assembly assembly({.type = CellType::hex20, .divisions = {3, 2, 1}},
-                                {.type = CellType::tet10, .divisions = {2, 2, 1}}, true, 0.0);
-  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  const test::Boxes assembly({.type = CellType::hex20, .divisions = {3, 2, 1}},
+                             {.type = CellType::tet10, .divisions = {2, 2, 1}}, true, 0.0);
+  const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
   const Eigen::VectorXd multiplier = Eigen::VectorXd::LinSpaced(coupling.n_rows(), 1.0, 2.0);
   Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
   for (std::size_t b = 0; b < 2; ++b) {
-    std::vector<double> forces(3 * assembly.bodies[b]->mesh().nodes.size(), 0.0);
-    assembly.interface->add_contact_forces(b, multiplier, forces);
+    std::vector<double> forces(3 * assembly.bodies()[b].mesh().nodes.size(), 0.0);
+    assembly.interface().add_contact_forces(b, multiplier, forces);
     Vector3 own = Vector3::Zero();
     for (std::size_t i = 0; i < forces.size() / 3; ++i) {
       const Vector3 f(forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]);
       own += f;
-      moment += assembly.bodies[b]->mesh().nodes[i].cross(f);
+      moment += assembly.bodies()[b].mesh().nodes[i].cross(f);
     }
     EXPECT_GT(std::abs(own.z()), 1.0);
     EXPECT_LT(own.z() * (b == 0 ? 1 : -1), 0) << "contact pushes the lower box down, the upper one up";
@@ -79,8 +79,8 @@ TEST(Mortar, ForcesAreEqualOppositeAndMomentFree) {
 }
 
 TEST(Mortar, DualHatsMakeTheSlaveMatrixDiagonalAtCorners) {
-  const test::Assembly assembly({.divisions = {3, 2, 1}}, {.divisions = {2, 3, 1}}, true, 0.0);
-  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  const test::Boxes assembly({.divisions = {3, 2, 1}}, {.divisions = {2, 3, 1}}, true, 0.0);
+  const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
   double area = 0;
   for (int i = 0; i < coupling.n_rows(); ++i) {
     area += coupling.area[static_cast<std::size_t>(i)];
@@ -95,11 +95,11 @@ TEST(Mortar, DualHatsMakeTheSlaveMatrixDiagonalAtCorners) {
 // The upper box covers only part of the lower one: rows that are hardly covered join their neighbours.
 TEST(Mortar, PatchTestHoldsWhereTheSlaveSticksOut) {
   for (const double covered : {0.505, 0.6, 0.97}) {
-    const test::Assembly assembly({.divisions = {4, 4, 1}, .lengths = {1, 1, 1}},
-                                  {.divisions = {2, 3, 1}, .lengths = {covered, 1, 1}}, true, 0.0);
-    const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+    const test::Boxes assembly({.divisions = {4, 4, 1}, .lengths = {1, 1, 1}},
+                               {.divisions = {2, 3, 1}, .lengths = {covered, 1, 1}}, true, 0.0);
+    const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
     // A linear displacement of the master: its weighted gaps are those of a rigid slave under it.
-    const auto& master = assembly.bodies[1]->mesh();
+    const auto& master = assembly.bodies()[1].mesh();
     Eigen::VectorXd u(3 * static_cast<Eigen::Index>(master.nodes.size()));
     for (std::size_t i = 0; i < master.nodes.size(); ++i) u.segment<3>(3 * static_cast<Eigen::Index>(i)) << 0, 0, 1.0;
     const Eigen::VectorXd gap = coupling.master_rows * u;
@@ -113,8 +113,8 @@ TEST(Mortar, PatchTestHoldsWhereTheSlaveSticksOut) {
 }
 
 TEST(Mortar, GapIsGivenAsFunctionOfPlaceAndTime) {
-  const test::Assembly assembly({.divisions = {3, 2, 1}}, {.divisions = {2, 3, 1}}, true, 0.0);
-  const contact::MortarCoupling& coupling = assembly.interface->pairs()[0].coupling;
+  const test::Boxes assembly({.divisions = {3, 2, 1}}, {.divisions = {2, 3, 1}}, true, 0.0);
+  const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
   const Eigen::VectorXd constant = coupling.given_gap(Function::expression("0.5*t", {"t"}), 2.0);
   const Eigen::VectorXd linear = coupling.given_gap(Function::expression("x*t", {"x", "t"}), 3.0);
   EXPECT_NEAR(constant.sum(), 1.0, 1e-12);
@@ -123,9 +123,10 @@ TEST(Mortar, GapIsGivenAsFunctionOfPlaceAndTime) {
 }
 
 TEST(Mortar, SurfacesThatDoNotFaceEachOtherAreAnError) {
-  const test::Assembly assembly({}, {}, true, 0.0);
+  const test::Boxes assembly({}, {}, true, 0.0);
   try {
-    contact::mortar_coupling(assembly.surface(0, "z0"), assembly.surface(1, "z0"), ContactType::unilateral);
+    contact::mortar_coupling(assembly.surface(assembly.bodies()[0], "z0"), assembly.surface(assembly.bodies()[1], "z0"),
+                             ContactType::unilateral);
     FAIL();
   } catch (const ModelError& error) {
     EXPECT_NE(std::string(error.what()).find("do not face each other"), std::string::npos);
@@ -133,8 +134,9 @@ TEST(Mortar, SurfacesThatDoNotFaceEachOtherAreAnError) {
 }
 
 TEST(Mortar, CoarserSurfaceIsTheBetterSlaveAndSofterWinsOverBoth) {
-  const test::Assembly assembly({.divisions = {4, 4, 1}}, {.divisions = {2, 2, 1}}, true, 0.0);
-  contact::Surface fine = assembly.surface(0, "z1"), coarse = assembly.surface(1, "z0");
+  const test::Boxes assembly({.divisions = {4, 4, 1}}, {.divisions = {2, 2, 1}}, true, 0.0);
+  contact::Surface fine = assembly.surface(assembly.bodies()[0], "z1"),
+                   coarse = assembly.surface(assembly.bodies()[1], "z0");
   EXPECT_FALSE(contact::first_is_better_slave(fine, coarse));
   EXPECT_TRUE(contact::first_is_better_slave(coarse, fine));
   coarse.young_modulus = 100;
@@ -142,17 +144,19 @@ TEST(Mortar, CoarserSurfaceIsTheBetterSlaveAndSofterWinsOverBoth) {
 }
 
 TEST(Mortar, HeldSurfaceIsNoSlave) {
-  const test::Assembly assembly({.divisions = {2, 2, 1}}, {.divisions = {4, 4, 1}}, true, 0.0);
-  const contact::Surface held = assembly.surface(0, "z0"), movable = assembly.surface(1, "z0");
+  const test::Boxes assembly({.divisions = {2, 2, 1}}, {.divisions = {4, 4, 1}}, true, 0.0);
+  const contact::Surface held = assembly.surface(assembly.bodies()[0], "z0"),
+                         movable = assembly.surface(assembly.bodies()[1], "z0");
   EXPECT_FALSE(contact::first_is_better_slave(held, movable)) << "though it is coarser";
   EXPECT_TRUE(contact::first_is_better_slave(movable, held));
 }
 
 /// A foot so small on a large face that it covers no multiplier of that face by a tenth.
 TEST(Mortar, SmallFootOnALargeFace) {
-  const test::Assembly assembly({.divisions = {1, 1, 1}, .distortion = 0},
-                                {.divisions = {2, 2, 1}, .lengths = {0.2, 0.2, 0.1}, .distortion = 0}, false, 0.0);
-  const contact::Surface floor = assembly.surface(0, "z1"), foot = assembly.surface(1, "z0");
+  const test::Boxes assembly({.divisions = {1, 1, 1}, .distortion = 0},
+                             {.divisions = {2, 2, 1}, .lengths = {0.2, 0.2, 0.1}, .distortion = 0}, false, 0.0);
+  const contact::Surface floor = assembly.surface(assembly.bodies()[0], "z1"),
+                         foot = assembly.surface(assembly.bodies()[1], "z0");
   EXPECT_TRUE(contact::first_is_better_slave(foot, floor)) << "though it is finer";
   for (const auto& coupling : {contact::mortar_coupling(floor, foot, ContactType::unilateral),
                                contact::mortar_coupling(foot, floor, ContactType::unilateral)}) {
@@ -168,18 +172,18 @@ TEST(Mortar, SmallFootOnALargeFace) {
 }
 
 TEST(Mortar, TiedBoxesCarryTension) {
-  test::Assembly assembly({.type = CellType::hex20, .divisions = {3, 2, 1}}, {.divisions = {2, 3, 2}}, true, 0.02,
-                          ContactType::tied);
-  const auto solver = contact::schwarz_solver(assembly.interface->problem(), {});
+  test::Boxes assembly({.type = CellType::hex20, .divisions = {3, 2, 1}}, {.divisions = {2, 3, 2}}, true, 0.02,
+                       ContactType::tied);
+  const auto solver = contact::schwarz_solver(assembly.interface().problem(), {});
   assembly.solve(*solver);
   for (const auto& stress : assembly.stress)
     for (std::size_t p = 0; p < stress.size(); p += 6) EXPECT_NEAR(stress[p + 2], 2.0, 1e-7);
 }
 
 TEST(Mortar, BodiesOpenWhenPulledAndCloseWhenPushed) {
-  test::Assembly assembly({.divisions = {2, 2, 2}}, {.divisions = {3, 3, 2}}, false,
-                          Function::expression("0.01*cos(t)", {"t"}));
-  const auto solver = contact::schwarz_solver(assembly.interface->problem(), {});
+  test::Boxes assembly({.divisions = {2, 2, 2}}, {.divisions = {3, 3, 2}}, false,
+                       Function::expression("0.01*cos(t)", {"t"}));
+  const auto solver = contact::schwarz_solver(assembly.interface().problem(), {});
   assembly.solve(*solver, 0.0);
   EXPECT_TRUE(assembly.result.state.active.empty());
   EXPECT_EQ(assembly.result.state.multiplier.norm(), 0.0);

@@ -3,7 +3,7 @@
 // the two pairs alone ends inside facets of the long body.
 #include <gtest/gtest.h>
 
-#include "assembly.hpp"
+#include "boxes.hpp"
 
 namespace creepcontact {
 namespace {
@@ -60,13 +60,12 @@ class Overhang : public testing::TestWithParam<OverhangCase> {
     return GetParam().curved_edges ? made : straightened(std::move(made));
   }
 
-  static std::unique_ptr<mechanics::Body> body(std::size_t b, double squeeze) {
+  static mechanics::Body body(std::size_t b, double squeeze) {
     mesh::Mesh made = box(b);
     std::vector<mechanics::Support> supports{
         test::support(made, "x0", Vector3::UnitX()), test::support(made, "y0", Vector3::UnitY()),
         test::support(made, b == 0 ? "z0" : "z1", Vector3::UnitZ(), b == 0 ? 0.0 : -squeeze)};
-    return std::make_unique<mechanics::Body>(std::to_string(b), std::move(made), test::elastic_material(),
-                                             std::move(supports), std::nullopt);
+    return {std::to_string(b), std::move(made), test::elastic_material(), std::move(supports), std::nullopt};
   }
 
   static contact::Surface surface(const mechanics::Body& body, const char* group) {
@@ -101,18 +100,18 @@ Eigen::VectorXd pressure_forces(const mesh::Mesh& mesh, const char* group) {
 
 TEST_P(Overhang, UnitPressureGivesTheConsistentNodalForces) {
   const auto lower = body(0, 0.0);
-  Eigen::VectorXd on_lower = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(lower->mesh().nodes.size()));
+  Eigen::VectorXd on_lower = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(lower.mesh().nodes.size()));
   for (const std::size_t b : {1, 2}) {
     const auto upper = body(b, 0.0);
-    const MortarCoupling coupling = couple(*lower, *upper);
+    const MortarCoupling coupling = couple(lower, upper);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(coupling.n_rows());
     const contact::RowMatrix& lower_rows = GetParam().lower_is_slave ? coupling.slave_rows : coupling.master_rows;
     const contact::RowMatrix& upper_rows = GetParam().lower_is_slave ? coupling.master_rows : coupling.slave_rows;
     on_lower += lower_rows.transpose() * ones;
-    const Eigen::VectorXd exact = pressure_forces(upper->mesh(), "z0");
+    const Eigen::VectorXd exact = pressure_forces(upper.mesh(), "z0");
     EXPECT_LT((upper_rows.transpose() * ones - exact).cwiseAbs().maxCoeff(), tolerance() * exact.cwiseAbs().maxCoeff());
   }
-  const Eigen::VectorXd exact = pressure_forces(lower->mesh(), "z1");
+  const Eigen::VectorXd exact = pressure_forces(lower.mesh(), "z1");
   EXPECT_LT((on_lower - exact).cwiseAbs().maxCoeff(), tolerance() * exact.cwiseAbs().maxCoeff());
 }
 
@@ -120,7 +119,7 @@ class OverhangState : public Overhang {};
 
 TEST_P(OverhangState, IsUniform) {
   constexpr double squeeze = 0.02, pressure = 200.0 * squeeze / 2;
-  std::vector<std::unique_ptr<mechanics::Body>> bodies;
+  std::vector<mechanics::Body> bodies;
   for (const std::size_t b : {0, 1, 2}) bodies.push_back(body(b, squeeze));
   std::vector<contact::Pair> pairs;
   for (const std::size_t b : {1, 2}) {
@@ -128,12 +127,11 @@ TEST_P(OverhangState, IsUniform) {
     pair.name = std::to_string(b);
     pair.slave_body = GetParam().lower_is_slave ? 0 : b;
     pair.master_body = GetParam().lower_is_slave ? b : 0;
-    pair.coupling = couple(*bodies[0], *bodies[b]);
+    pair.coupling = couple(bodies[0], bodies[b]);
     pairs.push_back(std::move(pair));
   }
-  contact::CondensedInterface interface(bodies, std::move(pairs));
-  const test::Equilibrium state =
-      test::equilibrium(bodies, interface, *contact::active_set_solver(interface.problem()), 0);
+  test::Condensed condensed(std::move(bodies), std::move(pairs));
+  const test::ContactEquilibrium state = condensed.solve(*contact::active_set_solver(condensed.interface.problem()));
   const Eigen::VectorXd& multiplier = state.result.state.multiplier;
   for (int i = 0; i < multiplier.size(); ++i) EXPECT_NEAR(multiplier[i], pressure, tolerance() * pressure) << i;
   for (std::size_t b = 0; b < 3; ++b) {

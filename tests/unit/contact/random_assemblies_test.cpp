@@ -1,6 +1,6 @@
 /// Schwarz and active set on assemblies of finite elements: random ones, and bodies as dissimilar as they come.
 #include "accelerations.hpp"
-#include "assembly.hpp"
+#include "boxes.hpp"
 #include "problems.hpp"
 #include "random_assembly.hpp"
 
@@ -30,7 +30,7 @@ TEST(RandomAssemblies, SchwarzAgreesWithTheActiveSetMethod) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     RandomAssembly assembly(seed);
     SCOPED_TRACE(testing::Message() << "seed " << seed << ": " << assembly.description);
-    const ContactProblem& problem = assembly.interface->problem();
+    const ContactProblem& problem = assembly.condensed->interface.problem();
     const ContactLoad load = assembly.load();
     testing::internal::CaptureStderr();
     const ContactResult direct = active_set_solver(problem)->solve(load, {});
@@ -67,9 +67,9 @@ TEST_P(DissimilarBodies, AgreeInEveryAcceleration) {
                             Dissimilar{"cube on layer", layer, cube}, Dissimilar{"cube on column", column, cube}})
     for (const bool lower_is_slave : {true, false}) {
       bodies.upper.young_modulus = GetParam() * bodies.lower.young_modulus;
-      Assembly assembly(bodies.lower, bodies.upper, lower_is_slave, -0.01, contact::ContactType::unilateral,
-                        Function::expression("0.01*(x - 0.3*y - 0.2)", {"x", "y", "z", "t"}));
-      const auto direct = active_set_solver(assembly.interface->problem());
+      Boxes assembly(bodies.lower, bodies.upper, lower_is_slave, -0.01, contact::ContactType::unilateral,
+                     Function::expression("0.01*(x - 0.3*y - 0.2)", {"x", "y", "z", "t"}));
+      const auto direct = active_set_solver(assembly.interface().problem());
       assembly.solve(*direct);
       const ContactState reference = assembly.result.state;
       EXPECT_GT(reference.active.size(), 3u);
@@ -77,13 +77,13 @@ TEST_P(DissimilarBodies, AgreeInEveryAcceleration) {
         SCOPED_TRACE(testing::Message() << bodies.name << ", slave " << (lower_is_slave ? "below" : "above")
                                         << ", acceleration " << static_cast<int>(acceleration));
         testing::internal::CaptureStderr();
-        const auto schwarz = schwarz_solver(assembly.interface->problem(), accelerated(acceleration));
+        const auto schwarz = schwarz_solver(assembly.interface().problem(), accelerated(acceleration));
         assembly.solve(*schwarz);
         const std::string warnings = testing::internal::GetCapturedStderr();
         if (acceleration == Acceleration::cg) {
           EXPECT_EQ(warnings, "");
         }
-        EXPECT_LT(difference(assembly.interface->problem(), assembly.result.state, reference), 1e-8);
+        EXPECT_LT(difference(assembly.interface().problem(), assembly.result.state, reference), 1e-8);
       }
     }
 }

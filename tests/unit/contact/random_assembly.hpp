@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "creepcontact/contact/condensed_interface.hpp"
+#include "boxes.hpp"
 #include "creepcontact/mechanics/loads.hpp"
 #include "unit/mechanics/meshes.hpp"
 #include "unit/mechanics/solve.hpp"
@@ -31,25 +31,15 @@ class RandomAssembly {
     }
     for (int b = 1; b < n_bodies; ++b)
       add_pair(columns ? 0 : static_cast<std::size_t>(b - 1), static_cast<std::size_t>(b));
-    interface = std::make_unique<contact::CondensedInterface>(bodies, std::move(pairs_));
+    condensed = std::make_unique<Condensed>(std::move(bodies_), std::move(pairs_));
   }
 
   contact::ContactLoad load() {
-    contact::InterfaceLoad load = interface->initial_load(0);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      bodies[b]->set_time(0);
-      std::vector<double> y(static_cast<std::size_t>(bodies[b]->constraints().n_free()));
-      bodies[b]->right_hand_side({}, y);
-      bodies[b]->clear_pins(y);
-      interface->add_resultant(b, load);
-      bodies[b]->factor().forward(y, y);
-      interface->add_trace(b, y, load);
-    }
-    return interface->contact_load(load);
+    std::vector<std::vector<double>> y;
+    return condensed->load(0, y);
   }
 
-  std::vector<std::unique_ptr<mechanics::Body>> bodies;
-  std::unique_ptr<contact::CondensedInterface> interface;
+  std::unique_ptr<Condensed> condensed;
   std::string description;
 
  private:
@@ -78,13 +68,13 @@ class RandomAssembly {
     else if (!floats)
       supports.push_back(support(mesh, is_top ? "z1" : "x1", Vector3::UnitZ(), is_top ? squeeze : 0.2 * squeeze));
     const std::vector<mesh::Face> head = mesh::boundary_faces(mesh, "z1");
-    bodies.push_back(std::make_unique<mechanics::Body>(fmt::format("body {}", number), std::move(mesh),
-                                                       elastic_material(modulus), std::move(supports), std::nullopt));
+    bodies_.emplace_back(fmt::format("body {}", number), std::move(mesh), elastic_material(modulus),
+                         std::move(supports), std::nullopt);
     // Pressed within the middle third, so that the body does not tilt off.
     const Vector3 middle = origin + lengths / 2;
     if (is_top && floats)
-      bodies.back()->add_load(mechanics::pressure_load(
-          bodies.back()->mesh(), head,
+      bodies_.back().add_load(mechanics::pressure_load(
+          bodies_.back().mesh(), head,
           Function::expression(fmt::format("{}*(1 + {}*(x - {}) + {}*(y - {}))", 1e-3, uniform(-0.5, 0.5), middle.x(),
                                            uniform(-0.5, 0.5), middle.y()),
                                {"x", "y", "z", "t"})));
@@ -95,8 +85,8 @@ class RandomAssembly {
 
   void add_pair(std::size_t lower, std::size_t upper) {
     const auto surface = [&](std::size_t b, const char* name) {
-      return contact::Surface{name, &bodies[b]->mesh(), &bodies[b]->constraints(),
-                              mesh::boundary_faces(bodies[b]->mesh(), name), 1.0};
+      return contact::Surface{name, &bodies_[b].mesh(), &bodies_[b].constraints(),
+                              mesh::boundary_faces(bodies_[b].mesh(), name), 1.0};
     };
     const contact::Surface low = surface(lower, "z1"), up = surface(upper, "z0");
     const bool lower_is_slave = one_of(2) == 0;
@@ -122,6 +112,7 @@ class RandomAssembly {
 
   std::mt19937 generator_;
   double strain_ = 1e-3;
+  std::vector<mechanics::Body> bodies_;
   std::vector<contact::Pair> pairs_;
 };
 

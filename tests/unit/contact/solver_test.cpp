@@ -165,6 +165,7 @@ TEST(Schwarz, AndersonMustBeHandedOver) {
 
 TEST(ContactSolver, RecorderSeesEveryIteration) {
   struct Recorder final : IterationRecorder {
+    void begin_solve(double /*time*/) override {}
     void record(const Iteration& iteration) override { seen.push_back(iteration); }
     std::vector<Iteration> seen;
   };

@@ -3,10 +3,10 @@
 #include <csignal>
 #include <random>
 
-#include "../../../src/simulation/time_loop.hpp"
-#include "running.hpp"
+#include "../../../src/run/time_loop.hpp"
+#include "unit/run/running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// Both moduli of both bodies change, each in its own way, and not alike everywhere.
@@ -77,22 +77,22 @@ TEST_P(ChangingStiffness, HasTheEquilibriumOfItsTimeWithAnyFactor) {
     before.rate.rate(t, y, same);
     EXPECT_LT(relative_difference(rate, same), 1e-8) << "t = " << t;
     for (std::size_t b = 0; b < 2; ++b) {
-      const BodyState &exact = now.elasticity.states()[b], &iterated = before.elasticity.states()[b];
+      const BodyState &exact = now.equilibrium().bodies[b], &iterated = before.equilibrium().bodies[b];
       EXPECT_LT(relative_difference(exact.stress, iterated.stress), 1e-9) << "t = " << t;
       EXPECT_LT(relative_difference(exact.displacement, iterated.displacement), 1e-9) << "t = " << t;
     }
-    EXPECT_LT(relative_difference(now.elasticity.multipliers(), before.elasticity.multipliers()), 1e-9);
-    EXPECT_EQ(now.elasticity.active_set(), before.elasticity.active_set());
+    EXPECT_LT(relative_difference(now.equilibrium().contact.multiplier, before.equilibrium().contact.multiplier), 1e-9);
+    EXPECT_EQ(now.equilibrium().contact.active, before.equilibrium().contact.active);
   }
-  EXPECT_EQ(before.elasticity.counters().factorizations, 2) << "its bound is not reached";
-  EXPECT_GE(now.elasticity.counters().factorizations, 2 * 4) << "one a body and time";
+  EXPECT_EQ(before.solver.counters().factorizations, 2) << "its bound is not reached";
+  EXPECT_GE(now.solver.counters().factorizations, 2 * 4) << "one a body and time";
 }
 
 TEST_P(ChangingStiffness, IsQuickerFromAnAcceptedStepAndNotElsewhere) {
   System cold(config(0.5)), warm(config(0.5));
   const std::vector<double> y = random_vector(cold, 0.3, 1);
   std::vector<double> rate(y.size()), same(y.size());
-  const auto solves = [](const System& system) { return system.elasticity.counters().elastic_solves; };
+  const auto solves = [](const System& system) { return system.solver.counters().elastic_solves; };
   for (System* system : {&cold, &warm}) system->rate.rate(1.0, y, rate);
   warm.rate.accept(1.0, y);
   const std::int64_t cold_before = solves(cold), warm_before = solves(warm);
@@ -148,8 +148,9 @@ TEST(ChangingStiffnessOfARow, HasTheEquilibriumOfItsTimeWithAnyFactor) {
   before.rate.rate(1.0, y, same);
   EXPECT_LT(relative_difference(rate, same), 1e-8);
   for (std::size_t b = 0; b < 2; ++b)
-    EXPECT_LT(relative_difference(now.elasticity.states()[b].displacement, before.elasticity.states()[b].displacement),
-              1e-8);
+    EXPECT_LT(
+        relative_difference(now.equilibrium().bodies[b].displacement, before.equilibrium().bodies[b].displacement),
+        1e-8);
 }
 
 /// If all moduli change by one factor, one elastic solve is enough, whatever the factor.
@@ -159,12 +160,12 @@ TEST(ChangingStiffnessOfAll, NeedsNoIteration) {
                                    "materials.hard.young_modulus='200-0.16*T'"}));
   const std::vector<double> y = random_vector(system, 0.3, 1);
   std::vector<double> rate(y.size());
-  const auto before = system.elasticity.counters();
+  const auto before = system.solver.counters();
   system.rate.rate(0.9, y, rate);
-  EXPECT_EQ(system.elasticity.counters().elastic_solves, before.elastic_solves + 1);
-  EXPECT_EQ(system.elasticity.counters().factorizations, 2);
+  EXPECT_EQ(system.solver.counters().elastic_solves, before.elastic_solves + 1);
+  EXPECT_EQ(system.solver.counters().factorizations, 2);
   double force = 0;
-  for (const double multiplier : system.elasticity.multipliers()) force = std::max(force, multiplier);
+  for (const double multiplier : system.equilibrium().contact.multiplier) force = std::max(force, multiplier);
   EXPECT_LT(force, 1);
   EXPECT_GT(force, 0.1) << "28 % of the stiffness press with 28 % of the pressure";
 }
@@ -178,7 +179,8 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
   ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
   {
     System system(config);
-    TimeLoop loop(config, system.rate, system.watch, parts, false, true);
+    TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, parts, false,
+                  true);
     int outputs = 3;
     loop.after_output = [&] {
       if (--outputs == 0) std::raise(SIGINT);
@@ -192,4 +194,4 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

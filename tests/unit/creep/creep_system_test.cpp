@@ -2,10 +2,10 @@
 #include <cmath>
 #include <random>
 
-#include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
+#include "unit/model/blocks.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// Noise of these sizes in the creep strains makes the stress of every point another one.
@@ -32,7 +32,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return difference / size;
 }
 
-TEST(CreepRateOverflow, StressBeyondAllBoundsIsNoRate) {
+TEST(CreepSystemOverflow, StressBeyondAllBoundsIsNoRate) {
   const Case blocks;
   System system(blocks.config(""));
   for (const double huge : {1e306, 1e308}) {
@@ -51,9 +51,9 @@ struct JacobianCase {
   std::vector<std::string> overrides;
 };
 
-class CreepRateJacobian : public testing::TestWithParam<JacobianCase> {};
+class CreepSystemJacobian : public testing::TestWithParam<JacobianCase> {};
 
-TEST_P(CreepRateJacobian, IsTheDerivativeOfTheRate) {
+TEST_P(CreepSystemJacobian, IsTheDerivativeOfTheRate) {
   std::vector<std::string> overrides = GetParam().overrides;
   overrides.emplace_back(direct_contact);
   const Case blocks;
@@ -62,8 +62,8 @@ TEST_P(CreepRateJacobian, IsTheDerivativeOfTheRate) {
 
   std::vector<double> product(y.size());
   system.rate.jacobian_times(0, y, v, product);
-  const std::size_t active = system.elasticity.active_contacts();
-  const auto rows = static_cast<std::size_t>(system.elasticity.interface().n_rows());
+  const std::size_t active = system.equilibrium().contact.active.size();
+  const auto rows = static_cast<std::size_t>(system.solver.interface().n_rows());
   if (GetParam().active < 0)
     EXPECT_TRUE(active > 0 && active < rows) << active << " of " << rows;
   else
@@ -76,15 +76,15 @@ TEST_P(CreepRateJacobian, IsTheDerivativeOfTheRate) {
     minus[i] -= h * v[i];
   }
   plus = rate_at(system, 0, plus);
-  ASSERT_EQ(system.elasticity.active_contacts(), active);
+  ASSERT_EQ(system.equilibrium().contact.active.size(), active);
   minus = rate_at(system, 0, minus);
-  ASSERT_EQ(system.elasticity.active_contacts(), active);
+  ASSERT_EQ(system.equilibrium().contact.active.size(), active);
   for (std::size_t i = 0; i < y.size(); ++i) difference[i] = (plus[i] - minus[i]) / (2 * h);
   EXPECT_LT(largest_difference(product, difference), 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Contacts, CreepRateJacobian,
+    Contacts, CreepSystemJacobian,
     testing::Values(JacobianCase{"closed", 12, {}}, JacobianCase{"partly_open", -1, partly_open},
                     // four nodes in the plane y = 0, which neither body leaves
                     JacobianCase{"tied", 32, {"contacts.0.type=tied"}}, JacobianCase{"quadratic", 12, {"mesh.order=2"}},
@@ -92,9 +92,9 @@ INSTANTIATE_TEST_SUITE_P(
                     JacobianCase{"hot", 12, {"temperature.value=100+10*z", "materials.soft.creep.0.A=1e-5*T"}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-class CreepRatePurity : public testing::TestWithParam<const char*> {};
+class CreepSystemPurity : public testing::TestWithParam<const char*> {};
 
-TEST_P(CreepRatePurity, EvaluationsInBetweenChangeNothing) {
+TEST_P(CreepSystemPurity, EvaluationsInBetweenChangeNothing) {
   const Case blocks;
   std::vector<std::string> overrides = partly_open;
   overrides.push_back(std::string("contact_solver.method=") + GetParam());
@@ -117,7 +117,7 @@ TEST_P(CreepRatePurity, EvaluationsInBetweenChangeNothing) {
   EXPECT_EQ(rate_at(system, 0, y), first);
 }
 
-TEST_P(CreepRatePurity, AcceptedStepsChangeTheCostOnly) {
+TEST_P(CreepSystemPurity, AcceptedStepsChangeTheCostOnly) {
   const Case blocks;
   std::vector<std::string> overrides = partly_open;
   overrides.push_back(std::string("contact_solver.method=") + GetParam());
@@ -130,7 +130,7 @@ TEST_P(CreepRatePurity, AcceptedStepsChangeTheCostOnly) {
   EXPECT_LT(largest_difference(rate_at(system, 0, y), first), 1e-12);
 }
 
-TEST(CreepRate, AcceptMakesTheNextContactSolveCheaper) {
+TEST(CreepSystem, AcceptMakesTheNextContactSolveCheaper) {
   const Case blocks;
   System system(blocks.config("", partly_open));
   const std::vector<double> y = random_state(system, 0.3, 1), other(y.size());
@@ -145,22 +145,22 @@ TEST(CreepRate, AcceptMakesTheNextContactSolveCheaper) {
   EXPECT_LT(iterations(y), cold);
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, CreepRatePurity, testing::Values("schwarz", "active_set"),
+INSTANTIATE_TEST_SUITE_P(Methods, CreepSystemPurity, testing::Values("schwarz", "active_set"),
                          [](const auto& tested) { return std::string(tested.param); });
 
-TEST(CreepRate, ScaleIsTypicalStressOverYoungsModulus) {
+TEST(CreepSystem, ScaleIsTypicalStressOverYoungsModulus) {
   const Case blocks;
   const System system(blocks.config());
   const StateLayout& layout = system.rate.layout();
   ASSERT_EQ(layout.size(), system.rate.scale().size());
   for (std::size_t b = 0; b < 2; ++b) {
-    const std::size_t n = layout.stride(b) * system.model.bodies[b]->discretization().n_points();
+    const std::size_t n = layout.stride(b) * system.model.bodies()[b].discretization().n_points();
     for (std::size_t i = 0; i < n; ++i)
       ASSERT_NEAR(system.rate.scale()[layout.offset(b) + i], b == 0 ? 1.0 / 100 : 1.0 / 200, 1e-11);
   }
 }
 
-TEST(CreepRate, ScaleSeesLoadsThatComeLater) {
+TEST(CreepSystem, ScaleSeesLoadsThatComeLater) {
   const Case blocks;
   const System ramp(blocks.config("", {"supports.3.displacement.z=-0.025*t", "time.end=2"}));
   EXPECT_NEAR(ramp.rate.scale()[0], 2.0 / 100, 1e-11);
@@ -169,7 +169,7 @@ TEST(CreepRate, ScaleSeesLoadsThatComeLater) {
   EXPECT_NEAR(peak.rate.scale()[0], 3.0 / 100, 1e-11);
 }
 
-TEST(CreepRate, ScaleOfABodyAtRestIsAShareOfTheLargest) {
+TEST(CreepSystem, ScaleOfABodyAtRestIsAShareOfTheLargest) {
   const Case blocks;
   const std::string load = "[[loads]]\non = \"side_x\"\nbody = \"lower\"\npressure = 2\n";
   const System system(blocks.config(load, {"contacts.0.gap=1", "supports.3.displacement.z=0"}));
@@ -177,13 +177,13 @@ TEST(CreepRate, ScaleOfABodyAtRestIsAShareOfTheLargest) {
   EXPECT_NEAR(system.rate.scale()[system.rate.layout().offset(1)], 0.01 * 2.0 / 200, 1e-13);
 }
 
-TEST(CreepRate, NothingThatLoadsIsAMistake) {
+TEST(CreepSystem, NothingThatLoadsIsAMistake) {
   const Case blocks;
   const config::Config config = blocks.config("", {"supports.3.displacement.z=0"});
   EXPECT_TRUE(contains(message_of<ModelError>([&] { const System system(config); }), "nothing loads the bodies"));
 }
 
-TEST(CreepRate, StableStepIsCormeaus) {
+TEST(CreepSystem, StableStepIsCormeaus) {
   const Case blocks;
   // The step of the upper, stiffer block limits: 4 (1 + nu) / (3 E n A q^(n-1)) at q = 2
   System system(blocks.config("", {"supports.3.displacement.z=-0.05"}));
@@ -195,17 +195,17 @@ TEST(CreepRate, StableStepIsCormeaus) {
   EXPECT_TRUE(std::isinf(at_rest.rate.stable_step(0, y)));
 }
 
-TEST(CreepRate, ElasticBodiesTakeNoPlaceInTheState) {
+TEST(CreepSystem, ElasticBodiesTakeNoPlaceInTheState) {
   const Case blocks;
   const System both(blocks.config()), lower(blocks.config("", {"materials.hard.creep=[]"})),
       none(blocks.config("", {"materials.hard.creep=[]", "materials.soft.creep=[]"}));
-  EXPECT_EQ(lower.rate.size(), 6 * lower.model.bodies[0]->discretization().n_points());
-  EXPECT_EQ(both.rate.size(), lower.rate.size() + 6 * both.model.bodies[1]->discretization().n_points());
+  EXPECT_EQ(lower.rate.size(), 6 * lower.model.bodies()[0].discretization().n_points());
+  EXPECT_EQ(both.rate.size(), lower.rate.size() + 6 * both.model.bodies()[1].discretization().n_points());
   EXPECT_EQ(none.rate.size(), 0U);
-  EXPECT_FALSE(none.model.creeps());
+  EXPECT_FALSE(none.model.assembly.creeps());
 }
 
-TEST(CreepRate, OverflowMayBeMendedByASmallerStep) {
+TEST(CreepSystem, OverflowMayBeMendedByASmallerStep) {
   const Case blocks;
   System system(blocks.config());
   std::vector<double> y(system.rate.size(), 0.0), rate(y.size());
@@ -217,7 +217,7 @@ TEST(CreepRate, OverflowMayBeMendedByASmallerStep) {
   EXPECT_TRUE(std::all_of(rate.begin(), rate.end(), [](double value) { return std::isfinite(value); }));
 }
 
-TEST(CreepRate, CountsWhatItCosts) {
+TEST(CreepSystem, CountsWhatItCosts) {
   const Case blocks;
   System system(blocks.config());
   const ode::System::Counters before = system.rate.counters();
@@ -234,7 +234,7 @@ TEST(CreepRate, CountsWhatItCosts) {
 }
 
 /// The top jumps from -0.025 to -0.05 at t = 1, written with < or with <=, or as a table.
-TEST(CreepRateSegments, LoadsAtTheirEndsAreLimitsFromWithin) {
+TEST(CreepSystemSegments, LoadsAtTheirEndsAreLimitsFromWithin) {
   const Case blocks;
   for (const char* value :
        {"'t<1 ? -0.025 : -0.05'", "'t<=1 ? -0.025 : -0.05'", "{t=[0,1,1,2],values=[-0.025,-0.025,-0.05,-0.05]}"}) {
@@ -244,30 +244,30 @@ TEST(CreepRateSegments, LoadsAtTheirEndsAreLimitsFromWithin) {
     const auto pressure = [&](double begin, double end) {
       system.rate.begin_segment(begin, end);
       rate_at(system, 1, y);
-      return system.elasticity.multipliers().maxCoeff();
+      return system.equilibrium().contact.multiplier.maxCoeff();
     };
     EXPECT_NEAR(pressure(0, 1), 1, 1e-9) << value;
     EXPECT_NEAR(pressure(1, 4), 2, 1e-9) << value;
   }
 }
 
-TEST(CreepRateMemory, MakesTheNextEvaluationTheSame) {
+TEST(CreepSystemMemory, MakesTheNextEvaluationTheSame) {
   const Case blocks;
   const config::Config config = blocks.config("", partly_open);
   System one(config), other(config);
   const std::vector<double> y = random_state(one, 0.3, 1), next = random_state(one, 0.3, 2);
   rate_at(one, 0, y);
   one.rate.accept(0, y);
-  ContactElasticity::Memory memory;
-  one.elasticity.save(memory);
-  other.elasticity.restore(memory);
+  creep::Memory memory;
+  one.rate.save(memory);
+  other.rate.restore(memory);
   EXPECT_EQ(rate_at(other, 0, next), rate_at(one, 0, next));
-  EXPECT_EQ(one.elasticity.multipliers(), other.elasticity.multipliers());
+  EXPECT_EQ(one.equilibrium().contact.multiplier, other.equilibrium().contact.multiplier);
   memory.erase("contact.active");
-  EXPECT_THROW(other.elasticity.restore(memory), std::out_of_range);
+  EXPECT_THROW(other.rate.restore(memory), std::out_of_range);
 }
 
-TEST(CreepRateMemory, ForgottenEvaluationsAreMadeAnew) {
+TEST(CreepSystemMemory, ForgottenEvaluationsAreMadeAnew) {
   const Case blocks;
   System system(blocks.config());
   const std::vector<double> y(system.rate.size(), 0.0);
@@ -282,4 +282,4 @@ TEST(CreepRateMemory, ForgottenEvaluationsAreMadeAnew) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

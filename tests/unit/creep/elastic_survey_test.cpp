@@ -1,7 +1,7 @@
-#include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
+#include "unit/model/blocks.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 TEST(CreepRateUnits, ThatDoNotFitTogether) {
@@ -35,4 +35,4 @@ TEST(CreepRateUnits, FastStartsAreNoMistake) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

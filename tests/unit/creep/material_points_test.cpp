@@ -2,14 +2,16 @@
 
 #include <random>
 
-#include "blocks.hpp"
+#include "unit/model/blocks.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// The point-wise part of the Jacobian, -C H, column by column from the laws' own derivative.
 std::vector<Matrix6> local_jacobians(const System& system, const MaterialPoints& points, std::span<const double> y) {
-  const mechanics::Body& body = *system.model.bodies[0];
+  const mechanics::Body& body = system.model.bodies()[0];
+  const Evaluation& at = system.rate.step_evaluation();
+  const mechanics::ElasticState elastic = at.equilibrium.conditions[0].elastic();
   const std::size_t n = body.discretization().n_points();
   std::vector<Matrix6> result(n, Matrix6::Zero());
   std::vector<double> d_stress(6 * n), d_state(6 * n), d_rate(6 * n);
@@ -18,9 +20,10 @@ std::vector<Matrix6> local_jacobians(const System& system, const MaterialPoints&
     for (std::size_t p = 0; p < n; ++p) {
       const Tensor6 unit = Tensor6::Unit(j);
       Eigen::Map<Tensor6>(d_state.data() + 6 * p) = unit;
-      Eigen::Map<Tensor6>(d_stress.data() + 6 * p) = material::stress(body.elastic().at(p), -unit);
+      Eigen::Map<Tensor6>(d_stress.data() + 6 * p) = material::stress(elastic.at(p), -unit);
     }
-    points.derivative(system.elasticity.states()[0].stress, y.data(), d_stress, d_state.data(), d_rate.data());
+    points.derivative({at.laws[0], elastic, at.equilibrium.bodies[0].stress, y.data()}, d_stress, d_state.data(),
+                      d_rate.data());
     for (std::size_t p = 0; p < n; ++p) result[p].col(j) = Eigen::Map<const Tensor6>(d_rate.data() + 6 * p);
   }
   return result;
@@ -44,7 +47,7 @@ TEST_P(Preconditioner, IsTheInverseOfTheLocalPart) {
     r[i] = number(generator);
   }
   system.rate.prepare_preconditioner(0, y);
-  MaterialPoints points(*system.model.bodies[0]);
+  const MaterialPoints points(system.model.bodies()[0]);
   const std::vector<Matrix6> jacobians = local_jacobians(system, points, y);
 
   // Steps far below and far above the stable one.
@@ -75,13 +78,15 @@ TEST(MaterialPoints, ParametersFollowTheTemperature) {
   const Case blocks;
   const System system(
       blocks.config("", {"temperature.value=100*(1+t)", "materials.soft.creep.0.A={T=[100,200],values=[1e-3,5e-3]}"}));
-  MaterialPoints points(*system.model.bodies[0]);
-  const std::size_t n = system.model.bodies[0]->discretization().n_points();
+  const MaterialPoints points(system.model.bodies()[0]);
+  const std::size_t n = system.model.bodies()[0].discretization().n_points();
   std::vector<double> stress(6 * n), y(6 * n), rate(6 * n);
   for (std::size_t p = 0; p < n; ++p) stress[6 * p + 2] = -2;
+  LawParameters laws;
   for (const auto& [t, A] : {std::pair(0.0, 1e-3), std::pair(1.0, 5e-3), std::pair(0.5, 3e-3), std::pair(0.0, 1e-3)}) {
-    points.set_time(t);
-    points.rate(stress, y.data(), rate.data());
+    const mechanics::BodyConditions at = system.model.bodies()[0].at(t);
+    points.update(at, laws);
+    points.rate({laws, at.elastic(), stress, y.data()}, rate.data());
     for (std::size_t p = 0; p < n; ++p) {
       ASSERT_NEAR(rate[6 * p + 2], -A * 16, 1e-12);
       ASSERT_NEAR(rate[6 * p], A * 8, 1e-12);
@@ -92,9 +97,9 @@ TEST(MaterialPoints, ParametersFollowTheTemperature) {
 TEST(MaterialPoints, ElasticMaterialHasNone) {
   const Case blocks;
   const System system(blocks.config("", {"materials.soft.creep=[]"}));
-  EXPECT_TRUE(MaterialPoints(*system.model.bodies[0]).empty());
-  EXPECT_FALSE(MaterialPoints(*system.model.bodies[1]).empty());
+  EXPECT_TRUE(MaterialPoints(system.model.bodies()[0]).empty());
+  EXPECT_FALSE(MaterialPoints(system.model.bodies()[1]).empty());
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -8,7 +8,7 @@
 #include "unit/mechanics/meshes.hpp"
 #include "unit/mechanics/solve.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::creep::test {
 namespace {
 
 using creepcontact::test::box_mesh;
@@ -72,15 +72,14 @@ using Laws = std::vector<std::shared_ptr<const material::CreepLaw>>;
 class StateElimination : public testing::TestWithParam<Laws> {};
 
 /// I - gamma (A - C H) of one point, from the law's derivative.
-Eigen::MatrixXd newton_matrix(const MaterialPoints& points, std::size_t p, double gamma,
-                              const std::vector<double>& stress, const std::vector<double>& state) {
+Eigen::MatrixXd newton_matrix(const MaterialPoints& points, std::size_t p, double gamma, const PointsState& at) {
   const auto n = static_cast<Eigen::Index>(points.stride());
   Eigen::MatrixXd matrix(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j);
-    const Tensor6 d_stress = material::stress(points.elastic().at(p), -unit.head<6>());
+    const Tensor6 d_stress = material::stress(at.elastic.at(p), -unit.head<6>());
     Eigen::VectorXd d_rate(n);
-    points.derivative_at(p, stress, state.data(), d_stress.data(), unit.data(), d_rate.data());
+    points.derivative_at(p, at, d_stress.data(), unit.data(), d_rate.data());
     matrix.col(j) = unit - gamma * d_rate;
   }
   return matrix;
@@ -91,29 +90,33 @@ TEST_P(StateElimination, SolvesThePointsOwnPartOfTheNewtonSystem) {
   material.creep = GetParam();
   mechanics::Body body("body", box_mesh(mesh::CellType::hex8, {1, 1, 1}), material, {}, std::nullopt);
   const MaterialPoints points(body);
+  const mechanics::BodyConditions conditions = body.at(0);
+  LawParameters laws;
+  points.update(conditions, laws);
   const std::size_t n = points.size(), stride = points.stride();
   const std::vector<double> stress = random_numbers(6 * n, -3, 3, 1), state = random_numbers(stride * n, 0.5, 2, 2),
                             r = random_numbers(stride * n, -1, 1, 3), strain = random_numbers(6 * n, -1, 1, 4);
   const std::vector<double> no_state_change(stride, 0.0);
+  const PointsState at{laws, conditions.elastic(), stress, state.data()};
   for (const double gamma : {1e-3, 1.0, 1e2}) {
     MaterialTangent tangent(points);
-    tangent.prepare(gamma, stress, state.data());
+    tangent.prepare(gamma, at);
     std::vector<double> z(stride * n), initial(6 * n);
     tangent.solution(r.data(), strain, z.data());
     tangent.initial_stress(r.data(), initial);
     for (std::size_t p = 0; p < n; ++p) {
       const auto solution = Eigen::VectorXd::Map(&z[stride * p], static_cast<Eigen::Index>(stride));
       // What the strain of the body adds to the right-hand side: gamma C H B du
-      const Tensor6 imposed = material::stress(body.elastic().at(p), Tensor6::Map(&strain[6 * p]));
+      const Tensor6 imposed = material::stress(at.elastic.at(p), Tensor6::Map(&strain[6 * p]));
       Eigen::VectorXd right(solution.size());
-      points.derivative_at(p, stress, state.data(), imposed.data(), no_state_change.data(), right.data());
+      points.derivative_at(p, at, imposed.data(), no_state_change.data(), right.data());
       right = gamma * right + Eigen::VectorXd::Map(&r[stride * p], solution.size());
-      const Eigen::VectorXd exact = newton_matrix(points, p, gamma, stress, state).partialPivLu().solve(right);
+      const Eigen::VectorXd exact = newton_matrix(points, p, gamma, at).partialPivLu().solve(right);
       EXPECT_LT((solution - exact).norm(), 1e-10 * (1 + exact.norm())) << gamma;
       // The same change of stress by the modulus, D (B du - e), and by Hooke's law.
       const Tensor6 by_modulus = tangent.moduli()[p] * Tensor6::Map(&strain[6 * p]) - Tensor6::Map(&initial[6 * p]);
       const Tensor6 elastic = Tensor6::Map(&strain[6 * p]) - exact.head<6>();
-      EXPECT_LT((by_modulus - material::stress(body.elastic().at(p), elastic)).norm(), 1e-10 * 200) << gamma;
+      EXPECT_LT((by_modulus - material::stress(at.elastic.at(p), elastic)).norm(), 1e-10 * 200) << gamma;
     }
   }
 }
@@ -128,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, StateElimination,
                          });
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::creep::test

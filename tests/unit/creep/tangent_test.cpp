@@ -3,12 +3,12 @@
 #include <cmath>
 #include <random>
 
-#include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/run/run.hpp"
-#include "running.hpp"
+#include "unit/model/blocks.hpp"
+#include "unit/run/running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 constexpr const char* direct_contact = "contact_solver.method=active_set";
@@ -178,4 +178,4 @@ TEST(Tangent, NeedsTheMatricesOfTheContactZones) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -77,21 +77,21 @@ inline Problem random_sparse(int n, unsigned seed) {
   return problem;
 }
 
-inline Eigen::VectorXd forward(SupernodalCholesky& solver, const Eigen::VectorXd& b) {
+inline Eigen::VectorXd forward(StiffnessSolver& solver, const Eigen::VectorXd& b) {
   Eigen::VectorXd y(b.size());
   solver.forward(std::span(b.data(), static_cast<std::size_t>(b.size())),
                  std::span(y.data(), static_cast<std::size_t>(y.size())));
   return y;
 }
 
-inline Eigen::VectorXd backward(SupernodalCholesky& solver, const Eigen::VectorXd& y) {
+inline Eigen::VectorXd backward(StiffnessSolver& solver, const Eigen::VectorXd& y) {
   Eigen::VectorXd x(y.size());
   solver.backward(std::span(y.data(), static_cast<std::size_t>(y.size())),
                   std::span(x.data(), static_cast<std::size_t>(x.size())));
   return x;
 }
 
-inline Eigen::VectorXd solve(SupernodalCholesky& solver, const Eigen::VectorXd& b) {
+inline Eigen::VectorXd solve(StiffnessSolver& solver, const Eigen::VectorXd& b) {
   return backward(solver, forward(solver, b));
 }
 

@@ -62,7 +62,6 @@ double error_of(CellType type, int n) {
       std::nullopt);
   const auto component = [&](int i) { return Function::expression(times_wave(force[i]), {"x", "y", "z"}); };
   body.add_load(mechanics::volume_load(body.discretization(), {component(0), component(1), component(2)}));
-  body.factorize({});
   return l2_error(cube, solve(body));
 }
 

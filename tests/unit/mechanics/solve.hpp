@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "creepcontact/mechanics/body.hpp"
+#include "creepcontact/mechanics/factored_body.hpp"
 
 namespace creepcontact::test {
 
@@ -37,22 +37,36 @@ inline std::vector<mechanics::Support> symmetry_supports(const mesh::Mesh& mesh)
           support(mesh, "z0", Vector3::UnitZ())};
 }
 
-/// Displacement of a factored body at its set time.
-inline std::vector<double> solve(mechanics::Body& body, mechanics::CreepStrainView creep = {}) {
-  const auto& constraints = body.constraints();
-  std::vector<double> free(static_cast<std::size_t>(constraints.n_free())), work(free.size());
-  std::vector<double> u(static_cast<std::size_t>(constraints.n_full()));
-  body.right_hand_side(creep, free);
-  body.factor().forward(free, work);
-  body.factor().backward(work, free);
-  constraints.expand(free, body.prescribed(), u);
+inline mechanics::FactoredBody factored(const mechanics::Body& body, const std::vector<std::int64_t>& trailing = {},
+                                        double t = 0) {
+  const mechanics::BodyConditions at = body.at(t);
+  mechanics::FactoredBody result(body, at, trailing);
+  result.factorize(at);
+  return result;
+}
+
+/// K^-1 of a vector over the free unknowns, in place.
+inline void solve_in_place(mechanics::FactoredBody& factored, std::vector<double>& free) {
+  factored.solver().forward(free, free);
+  factored.solver().backward(free, free);
+}
+
+/// Displacement at a time, with the stiffness of that time.
+inline std::vector<double> solve(const mechanics::Body& body, double t = 0, mechanics::CreepStrainView creep = {}) {
+  mechanics::FactoredBody factor = factored(body, {}, t);
+  const mechanics::BodyConditions at = body.at(t);
+  std::vector<double> free(static_cast<std::size_t>(body.constraints().n_free()));
+  std::vector<double> u(static_cast<std::size_t>(body.constraints().n_full()));
+  body.right_hand_side(at, creep, free);
+  solve_in_place(factor, free);
+  body.constraints().expand(free, at.prescribed, u);
   return u;
 }
 
-inline std::vector<double> stress_of(const mechanics::Body& body, const std::vector<double>& u,
+inline std::vector<double> stress_of(const mechanics::Body& body, const std::vector<double>& u, double t = 0,
                                      mechanics::CreepStrainView creep = {}) {
   std::vector<double> stress(6 * body.discretization().n_points());
-  body.discretization().stress(u, body.elastic(), creep, stress);
+  body.discretization().stress(u, body.at(t).elastic(), creep, stress);
   return stress;
 }
 

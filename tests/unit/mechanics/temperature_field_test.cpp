@@ -15,7 +15,8 @@ TemperatureField heated() {
 double at(const TemperatureField& field, double x, double t) {
   const std::vector<Vector3> place{{x, 3, 4}};
   std::vector<double> value(1);
-  field.at(place)->evaluate(t, value);
+  mechanics::TemperatureMemo memo;
+  field.at(place)->evaluate(t, value, memo);
   EXPECT_DOUBLE_EQ(value[0], field({.x = x, .y = 3, .z = 4, .t = t}));
   return value[0];
 }
@@ -36,8 +37,9 @@ TEST(TemperatureField, KeepsTheRightTimes) {
   const TemperatureField field = heated();
   const auto places = field.at(line);
   std::vector<double> values(3);
+  mechanics::TemperatureMemo memo;
   for (const double t : {15.0, 45.0, 12.0, 25.0, 5.0, 19.0}) {
-    places->evaluate(t, values);
+    places->evaluate(t, values, memo);
     for (std::size_t p = 0; p < 3; ++p) EXPECT_DOUBLE_EQ(values[p], field({.x = line[p][0], .t = t})) << t;
   }
 }

@@ -11,11 +11,16 @@
 
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/model/model.hpp"
+#include "creepcontact/results/snapshot.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "unit/io/temporary_directory.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 
+using namespace creep;    // NOLINT(google-build-using-namespace): tests of all modules of a run
+using namespace model;    // NOLINT(google-build-using-namespace)
+using namespace results;  // NOLINT(google-build-using-namespace)
 using io::test::contains;
 using io::test::message_of;
 using io::test::read_text;
@@ -142,13 +147,16 @@ class Case {
 struct System {
   explicit System(const config::Config& config)
       : model(build_model(config)),
-        elasticity(model, watch),
-        rate(elasticity, watch, config.time.output, config.time.tolerance) {}
+        solver(model.assembly, model.solver, watch),
+        rate(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints), config.time.tolerance,
+             watch) {}
+  /// Of the last evaluation of the rate.
+  const creep::Equilibrium& equilibrium() const { return rate.step_evaluation().equilibrium; }
 
   Stopwatch watch;
   Model model;
-  ContactElasticity elasticity;
-  CreepRate rate;
+  creep::EquilibriumSolver solver;
+  creep::CreepSystem rate;
 };
 
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -1,5 +1,5 @@
 /// Kinks and jumps of expressions in time.
-#include "../../../src/simulation/kinks.hpp"
+#include "../../../src/model/kinks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace creepcontact::simulation {
+namespace creepcontact::model {
 namespace {
 
 const std::vector<Vector3> places{{1.0, 0.7, 0.3}, {0.2, 3.1, 0.9}};
@@ -113,4 +113,4 @@ TEST(Kinks, TablesKnowTheirOwn) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::model

@@ -6,7 +6,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/run/check.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 using Indices = std::vector<std::size_t>;
@@ -14,63 +14,63 @@ using Indices = std::vector<std::size_t>;
 TEST(Model, BodiesAndPairsOfTheConfiguration) {
   const Case blocks;
   const Model model = build_model(blocks.config());
-  ASSERT_EQ(model.bodies.size(), 2U);
-  EXPECT_EQ(model.find_body("upper"), 1U);
-  EXPECT_EQ(model.find_body("none"), 2U);
-  EXPECT_EQ(model.bodies_with("symmetry_x"), (Indices{0, 1}));
-  EXPECT_EQ(model.bodies_with("top"), Indices{1});
-  EXPECT_EQ(model.bodies_with("none"), Indices{});
-  EXPECT_EQ(model.bodies[0]->discretization().n_elements(), 12U);
-  EXPECT_EQ(model.bodies[1]->discretization().n_elements(), 16U);
-  ASSERT_EQ(model.pairs.size(), 1U);
-  EXPECT_EQ(model.pairs[0].name, "lower_top-upper_bottom");
-  EXPECT_EQ(model.pairs[0].slave_surface, "lower_top");
-  EXPECT_EQ(model.pairs[0].slave_body, 0U);
-  EXPECT_EQ(model.pairs[0].master_body, 1U);
+  ASSERT_EQ(model.bodies().size(), 2U);
+  EXPECT_EQ(find_body(model.bodies(), "upper"), 1U);
+  EXPECT_EQ(find_body(model.bodies(), "none"), 2U);
+  EXPECT_EQ(bodies_with(model.bodies(), "symmetry_x"), (Indices{0, 1}));
+  EXPECT_EQ(bodies_with(model.bodies(), "top"), Indices{1});
+  EXPECT_EQ(bodies_with(model.bodies(), "none"), Indices{});
+  EXPECT_EQ(model.bodies()[0].discretization().n_elements(), 12U);
+  EXPECT_EQ(model.bodies()[1].discretization().n_elements(), 16U);
+  ASSERT_EQ(model.pairs().size(), 1U);
+  EXPECT_EQ(model.pairs()[0].name, "lower_top-upper_bottom");
+  EXPECT_EQ(model.pairs()[0].slave_surface, "lower_top");
+  EXPECT_EQ(model.pairs()[0].slave_body, 0U);
+  EXPECT_EQ(model.pairs()[0].master_body, 1U);
 }
 
 TEST(Model, SlaveAsAskedForOrTheCoarserSide) {
   const Case blocks;
-  EXPECT_EQ(build_model(blocks.config("", {"contacts.0.slave=upper_bottom"})).pairs[0].slave_body, 1U);
+  EXPECT_EQ(build_model(blocks.config("", {"contacts.0.slave=upper_bottom"})).pairs()[0].slave_body, 1U);
   // the lower block has 2 x 3 faces in the joint, the upper one 2 x 4
-  EXPECT_EQ(build_model(blocks.config("", {"contacts.0.slave=auto"})).pairs[0].slave_body, 0U);
+  EXPECT_EQ(build_model(blocks.config("", {"contacts.0.slave=auto"})).pairs()[0].slave_body, 0U);
   // a body softer by more than ten times goes first, however fine
   EXPECT_EQ(
-      build_model(blocks.config("", {"contacts.0.slave=auto", "materials.hard.young_modulus=1"})).pairs[0].slave_body,
+      build_model(blocks.config("", {"contacts.0.slave=auto", "materials.hard.young_modulus=1"})).pairs()[0].slave_body,
       1U);
 }
 
 TEST(Model, ContactSolverAsConfigured) {
   const Case blocks;
   const Model usual = build_model(blocks.config());
-  EXPECT_TRUE(usual.use_schwarz);
-  EXPECT_EQ(usual.schwarz.acceleration, contact::SchwarzOptions::Acceleration::cg);
-  EXPECT_EQ(usual.schwarz.alpha, (std::vector<std::optional<double>>(2)));
-  EXPECT_EQ(usual.schwarz.damping, 1.0);
+  EXPECT_TRUE(usual.solver.use_schwarz);
+  EXPECT_EQ(usual.solver.schwarz.acceleration, contact::SchwarzOptions::Acceleration::cg);
+  EXPECT_EQ(usual.solver.schwarz.alpha, (std::vector<std::optional<double>>(2)));
+  EXPECT_EQ(usual.solver.schwarz.damping, 1.0);
   const Model other = build_model(
       blocks.config("[contact_solver]\nalpha = 0.3\nacceleration = 'aitken'\ntolerance = 1e-6\nmax_iterations = 17\n"));
-  EXPECT_EQ(other.schwarz.acceleration, contact::SchwarzOptions::Acceleration::aitken);
-  EXPECT_EQ(other.schwarz.alpha, (std::vector<std::optional<double>>{0.3, 0.3}));
-  EXPECT_EQ(other.schwarz.tolerance, 1e-6);
-  EXPECT_EQ(other.schwarz.max_iterations, 17);
+  EXPECT_EQ(other.solver.schwarz.acceleration, contact::SchwarzOptions::Acceleration::aitken);
+  EXPECT_EQ(other.solver.schwarz.alpha, (std::vector<std::optional<double>>{0.3, 0.3}));
+  EXPECT_EQ(other.solver.schwarz.tolerance, 1e-6);
+  EXPECT_EQ(other.solver.schwarz.max_iterations, 17);
   const Model apart = build_model(blocks.config("[contact_solver]\nalpha = { upper = 0.4 }\ndamping = 0.5\n"));
-  EXPECT_EQ(apart.schwarz.alpha, (std::vector<std::optional<double>>{{}, 0.4}));
-  EXPECT_EQ(apart.schwarz.damping, 0.5);
-  EXPECT_FALSE(build_model(blocks.config("[contact_solver]\nmethod = 'active_set'\n")).use_schwarz);
+  EXPECT_EQ(apart.solver.schwarz.alpha, (std::vector<std::optional<double>>{{}, 0.4}));
+  EXPECT_EQ(apart.solver.schwarz.damping, 0.5);
+  EXPECT_FALSE(build_model(blocks.config("[contact_solver]\nmethod = 'active_set'\n")).solver.use_schwarz);
 }
 
 TEST(Model, SurfaceMeshedOnceBetweenTwoBodies) {
   const Case blocks(joined_blocks());
   for (const char* slave : {"lower_top", "upper_bottom"}) {
     const Model model = build_model(blocks.config("", {std::string("contacts.0.slave=") + slave}));
-    EXPECT_EQ(model.bodies_with("lower_top"), (Indices{0, 1}));
-    ASSERT_EQ(model.pairs.size(), 1U);
-    EXPECT_NE(model.pairs[0].slave_body, model.pairs[0].master_body);
-    EXPECT_EQ(model.pairs[0].slave_surface, slave);
-    EXPECT_EQ(model.pairs[0].slave_body, slave == std::string("lower_top") ? 0U : 1U);
+    EXPECT_EQ(bodies_with(model.bodies(), "lower_top"), (Indices{0, 1}));
+    ASSERT_EQ(model.pairs().size(), 1U);
+    EXPECT_NE(model.pairs()[0].slave_body, model.pairs()[0].master_body);
+    EXPECT_EQ(model.pairs()[0].slave_surface, slave);
+    EXPECT_EQ(model.pairs()[0].slave_body, slave == std::string("lower_top") ? 0U : 1U);
     // each body has nodes of its own there
-    EXPECT_EQ(model.bodies[0]->mesh().nodes.size(), 27U);
-    EXPECT_EQ(model.bodies[1]->mesh().nodes.size(), 27U);
+    EXPECT_EQ(model.bodies()[0].mesh().nodes.size(), 27U);
+    EXPECT_EQ(model.bodies()[1].mesh().nodes.size(), 27U);
   }
 }
 
@@ -183,14 +183,14 @@ slave = "side_y"
 TEST(ModelMistakes, PointForceWithinItsTolerance) {
   const Case blocks;
   const Model model = build_model(blocks.config("[[loads]]\nat = [2, 1, 0.9]\nforce = [0, 0, 1]\ntolerance = 0.2\n"));
-  std::vector<double> forces(3 * model.bodies[1]->mesh().nodes.size());
-  model.bodies[1]->set_time(0);
-  const auto external = model.bodies[1]->external_forces();
+  std::vector<double> forces(3 * model.bodies()[1].mesh().nodes.size());
+  const mechanics::BodyConditions at = model.bodies()[1].at(0);
+  const auto external = at.external_forces();
   double sum = 0;
   for (std::size_t i = 2; i < external.size(); i += 3) {
     sum += external[i];
     if (external[i] != 0) {
-      EXPECT_EQ(model.bodies[1]->mesh().nodes[i / 3], Vector3(2, 1, 1));
+      EXPECT_EQ(model.bodies()[1].mesh().nodes[i / 3], Vector3(2, 1, 1));
     }
   }
   EXPECT_EQ(sum, 1);
@@ -259,4 +259,4 @@ TEST(Check, LooksAtTheProbesToo) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -1,8 +1,8 @@
 #include "creepcontact/base/error.hpp"
-#include "probing.hpp"
-#include "running.hpp"
+#include "unit/results/probing.hpp"
+#include "unit/run/running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// Four blocks around the z axis, cut from one mesh: "a", "b", "c", "d" against the clock, from z = 0 to 1.
@@ -98,10 +98,10 @@ TEST(SharedNodes, AContactCoversThem) {
   EXPECT_TRUE(contains(mistakes(blocks, common + two), "share 21 nodes"));
   for (const char* type : {"type = 'tied'\n", ""}) {
     const Model model = build_model(blocks.parse(common + two + contact + type));
-    EXPECT_EQ(model.pairs.size(), 1u);
+    EXPECT_EQ(model.pairs().size(), 1u);
   }
   testing::internal::CaptureStderr();
-  EXPECT_EQ(build_model(blocks.parse(common + two + contact, {tie})).pairs.size(), 1u);
+  EXPECT_EQ(build_model(blocks.parse(common + two + contact, {tie})).pairs().size(), 1u);
   EXPECT_TRUE(contains(testing::internal::GetCapturedStderr(), "mesh.share_nodes = \"tie\" glues nothing"));
 }
 
@@ -113,7 +113,7 @@ TEST(SharedNodes, AContactCoversAPart) {
   const std::string said = mistakes(blocks, common + halves + contact);
   EXPECT_TRUE(contains(said, "bodies 'right' and 'left' share 37 nodes of the mesh, and no contact covers 16 of these"))
       << said;
-  EXPECT_EQ(build_model(blocks.parse(common + halves + contact, {tie})).pairs.size(), 2u);
+  EXPECT_EQ(build_model(blocks.parse(common + halves + contact, {tie})).pairs().size(), 2u);
 }
 
 TEST(SharedNodes, AnEdgeHoldsNothing) {
@@ -168,4 +168,4 @@ TEST(SharedNodes, TiedBodiesMoveAsOne) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -1,12 +1,13 @@
 /// Temperatures from files and of places on the model; tables in T that end.
-#include "../../../src/simulation/temperature.hpp"
+#include "creepcontact/model/temperature.hpp"
 
 #include <fmt/format.h>
 
+#include "creepcontact/model/table_range_monitor.hpp"
 #include "creepcontact/run/check.hpp"
-#include "running.hpp"
+#include "unit/run/running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// Hot at the top, from t = 1 on twice as much: T = 100 (z + 2), z from -2 to 1.
@@ -24,7 +25,11 @@ class Temperatures : public testing::Test {
     testing::internal::CaptureStderr();
     System system(of);
     std::vector<double> state(system.rate.size()), rate(system.rate.size());
-    for (const double t : times) system.rate.rate(t, state, rate);
+    TableRangeMonitor monitor(of);
+    for (const double t : times) {
+      system.rate.rate(t, state, rate);
+      monitor.see(t, system.model.bodies(), system.equilibrium().conditions);
+    }
     return testing::internal::GetCapturedStderr();
   }
 
@@ -35,11 +40,11 @@ TEST_F(Temperatures, ComeFromAFile) {
   const config::Config given = config(csv);
   const Model model = build_model(given);
   EXPECT_EQ(model.breakpoints, (std::vector<double>{1, 3}));
-  for (const auto& body : model.bodies)
+  for (const mechanics::Body& body : model.bodies())
     for (const auto& [t, factor] : std::vector<std::pair<double, double>>{{0, 100}, {2, 150}, {4, 200}}) {
-      const auto values = body->temperature(t);
+      const std::vector<double> values = body.at(t).temperature;
       for (std::size_t p = 0; p < values.size(); ++p)
-        EXPECT_NEAR(values[p], factor * (body->discretization().point_coordinates()[p][2] + 2), 1e-9);
+        EXPECT_NEAR(values[p], factor * (body.discretization().point_coordinates()[p][2] + 2), 1e-9);
     }
   std::ostringstream report;
   check(given, report);
@@ -97,4 +102,4 @@ TEST_F(Temperatures, RoundingIsNotOutsideATable) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

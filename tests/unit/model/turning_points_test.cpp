@@ -1,9 +1,9 @@
 /// Times at which expressions turn back.
-#include "../../../src/simulation/turning_points.hpp"
+#include "../../../src/model/turning_points.hpp"
 
 #include <gtest/gtest.h>
 
-namespace creepcontact::simulation {
+namespace creepcontact::model {
 namespace {
 
 std::vector<double> turns(const char* expression, double end) {
@@ -36,4 +36,4 @@ TEST(TurningPoints, VibrationsAndWhatIsNoNumberHaveNone) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::model

@@ -1,6 +1,6 @@
 #include "probing.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 class ContactSides : public testing::TestWithParam<const char*> {
@@ -111,4 +111,4 @@ TEST(ContactProbes, ReactionsBalanceTheLoads) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -1,4 +1,4 @@
-#include "../../../src/simulation/contact_width.hpp"
+#include "creepcontact/results/contact_width.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "unit/contact/curved_pair.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::results::test {
 namespace {
 
 using Force = std::function<double(double, double)>;
@@ -65,4 +65,4 @@ TEST(ContactWidth, NarrowestOfTheZonesThatCarry) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::results::test

@@ -4,7 +4,7 @@
 #include "creepcontact/results/quantities.hpp"
 #include "probing.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// Linear in the place, 20 at the origin.
@@ -186,7 +186,7 @@ TEST(FieldProbes, APointInTwoBodies) {
   const auto message = [&](const std::string& place) {
     const config::Config config = blocks.parse(probe_tables({{"p", "von_mises", place}}) + case_text);
     const Model model = build_model(config);
-    return message_of<ModelError>([&] { make_probes(config, model, model.pairs); });
+    return message_of<ModelError>([&] { make_probes(config, model); });
   };
   EXPECT_TRUE(contains(message("at = [0.7, 0.2, 0]"),
                        "probes[0]: the point (0.7, 0.2, 0) lies in body 'lower' and in body 'upper'; say which one is "
@@ -204,15 +204,14 @@ TEST(FieldProbes, CreepStrainsOfTheState) {
                                                            {"elsewhere", "creep_strain_xy", "body = 'upper'"}}) +
                                              case_text);
   System system(config);
-  const auto probes = make_probes(config, system.model, system.elasticity.interface().pairs());
+  const auto probes = make_probes(config, system.model);
   std::vector<double> y(system.rate.size());
   Matrix3 strain;
   strain << 2, 0.5, 0.25, 0.5, -1, 0, 0.25, 0, -1;
   strain *= 1e-3;
   for (std::size_t i = 0; i < system.rate.layout().offset(1); i += 6)
     Eigen::Map<Tensor6>(y.data() + i) = tensor::from_matrix(strain);
-  system.rate.equilibrium(0, y);
-  const Snapshot snapshot(system.elasticity, system.rate.layout(), 0, y);
+  Snapshot snapshot(system.rate, 0, system.rate.evaluate_output(0, y));
   const double equivalent = std::sqrt(2.0 / 3.0) * strain.norm();
   const double expected[] = {0.5e-3, 0.25e-3, equivalent, 0};
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(probes[i]->value(snapshot), expected[i], 1e-14) << i;
@@ -240,7 +239,7 @@ TEST(FieldProbes, EveryMistakeWithItsPlace) {
                                          {"g", "von_mises", "at = [1, 0.5, 0.5]"}});
   const config::Config config = blocks.parse(text + case_text);
   const Model model = build_model(config);
-  const std::string message = message_of<ModelError>([&] { make_probes(config, model, model.pairs); });
+  const std::string message = message_of<ModelError>([&] { make_probes(config, model); });
   const std::string file = (blocks / "case.toml").string();
   for (const char* part :
        {":2:3: probes[0]: no body has a group 'topp'; there are 'bottom', 'lower_top', ",
@@ -255,4 +254,4 @@ TEST(FieldProbes, EveryMistakeWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

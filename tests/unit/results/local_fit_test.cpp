@@ -1,10 +1,10 @@
-#include "../../../src/simulation/local_fit.hpp"
+#include "../../../src/results/local_fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include "unit/mechanics/meshes.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::results::test {
 namespace {
 
 using creepcontact::test::box_mesh;
@@ -77,4 +77,4 @@ TEST(LocalFitOfOneLayer, LinearFieldsOfQuadraticElements) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::results::test

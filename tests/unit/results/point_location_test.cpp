@@ -1,4 +1,4 @@
-#include "../../../src/simulation/point_location.hpp"
+#include "../../../src/results/point_location.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "unit/mechanics/meshes.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::results::test {
 namespace {
 
 using creepcontact::test::box_mesh;
@@ -88,4 +88,4 @@ TEST(LocateCurved, PointsOfTheTrueCircleOutsideItsChords) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::results::test

@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
-#include "blocks.hpp"
 #include "creepcontact/results/probes.hpp"
+#include "unit/model/blocks.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 
 struct ProbeTable {
   std::string name, quantity, place;  ///< place: the keys on, at, body as TOML, separated by commas
@@ -29,10 +29,9 @@ inline std::map<std::string, double> probe(const Case& blocks, const std::vector
                                            double t = 0) {
   const config::Config config = blocks.parse(probe_tables(probes) + case_text + more, overrides);
   System system(config);
-  const auto made = make_probes(config, system.model, system.elasticity.interface().pairs());
+  const auto made = make_probes(config, system.model);
   const std::vector<double> y(system.rate.size());
-  system.rate.equilibrium(t, y);
-  const Snapshot snapshot(system.elasticity, system.rate.layout(), t, y);
+  Snapshot snapshot(system.rate, t, system.rate.evaluate_output(t, y));
   std::map<std::string, double> values;
   for (std::size_t i = 0; i < made.size(); ++i) values[config.probes[i].name] = made[i]->value(snapshot);
   return values;
@@ -47,4 +46,4 @@ inline void expect_values(const std::map<std::string, double>& found, const std:
   }
 }
 
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

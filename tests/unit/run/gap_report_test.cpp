@@ -1,11 +1,13 @@
-#include "../../../src/simulation/gap_report.hpp"
+#include "../../../src/run/gap_report.hpp"
+
+#include <fmt/format.h>
 
 #include <sstream>
 
-#include "blocks.hpp"
 #include "creepcontact/run/check.hpp"
+#include "unit/model/blocks.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 std::string check_of(const Case& blocks, const std::vector<std::string>& overrides = {}) {
@@ -49,4 +51,4 @@ TEST(GapReport, BoundsOfTheWarning) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

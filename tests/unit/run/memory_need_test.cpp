@@ -1,38 +1,43 @@
-#include "../../../src/simulation/memory_need.hpp"
+#include "../../../src/run/memory_need.hpp"
 
 #include "creepcontact/base/error.hpp"
 #include "running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 TEST(Memory, IsComparedBeforeAnythingIsFactored) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe);
-  Model model = build_model(config);
+  const Model model = build_model(config);
   Stopwatch watch;
   double contact = 0, factors = 0;
-  const ContactElasticity elasticity(model, watch, [&](double contact_bytes) {
-    contact = contact_bytes;
-    for (const auto& body : model.bodies) {
-      EXPECT_EQ(body->factor().rcond(), 0) << "it has been factored";
-      factors += static_cast<double>(body->factor().factor_bytes());
-      EXPECT_GT(body->factor().work_bytes(), 0);
-    }
-    EXPECT_NO_THROW(require_memory(config, model, contact_bytes));
-  });
-  EXPECT_EQ(contact, elasticity.interface().dense_bytes());
-  for (const auto& body : model.bodies) factors -= static_cast<double>(body->factor().factor_bytes());
+  const EquilibriumSolver solver(
+      model.assembly, model.solver, watch, [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
+        contact = contact_bytes;
+        for (std::size_t b = 0; b < 2; ++b) {
+          const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
+          EXPECT_EQ(of_body.rcond(), 0) << "it has been factored";
+          factors += static_cast<double>(of_body.factor_bytes());
+          EXPECT_GT(of_body.work_bytes(), 0);
+        }
+        EXPECT_NO_THROW(require_memory(config, model, contact_bytes, [](std::size_t) { return 1e6; }));
+      });
+  EXPECT_EQ(contact, solver.interface().dense_bytes());
+  for (std::size_t b = 0; b < 2; ++b)
+    factors -= static_cast<double>(solver.interface().factored(b).solver().factor_bytes());
   EXPECT_EQ(factors, 0);
 }
 
 TEST(Memory, AModelBeyondAllMachinesIsRefusedWithNumbers) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe);
-  Model model = build_model(config);
+  const Model model = build_model(config);
   Stopwatch watch;
   const auto refused = [&] {
-    const ContactElasticity elasticity(model, watch, [&](double) { require_memory(config, model, 1e18); });
+    const EquilibriumSolver solver(model.assembly, model.solver, watch, [&](const auto&, double) {
+      require_memory(config, model, 1e18, [](std::size_t) { return 1e6; });
+    });
   };
   const std::string message = message_of<ModelError>(refused);
   EXPECT_TRUE(contains(message, "blocks.geo: the model needs about 1000000000.0 GB of memory more (factors "))
@@ -46,7 +51,7 @@ TEST(Memory, TangentsTakeMore) {
   const auto need = [&](const std::vector<std::string>& overrides) {
     const config::Config config = blocks.config(pressure_probe, overrides);
     const Model model = build_model(config);
-    return memory_need(config, model, 1e6, [](mechanics::Body&) { return 1e6; });
+    return memory_need(config, model, 1e6, [](std::size_t) { return 1e6; });
   };
   const MemoryNeed plain = need({}), tangent = need({"time.linear_solver=tangent"});
   EXPECT_EQ(plain.factors, 2e6);
@@ -58,4 +63,4 @@ TEST(Memory, TangentsTakeMore) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -3,11 +3,11 @@
 #include <chrono>
 #include <map>
 
-#include "../../../src/simulation/time_loop.hpp"
+#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 struct FileState {
@@ -107,4 +107,4 @@ TEST(ResumeFinished, AnotherModelIsRefused) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

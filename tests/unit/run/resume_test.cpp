@@ -1,17 +1,18 @@
 #include <csignal>
 
-#include "../../../src/simulation/time_loop.hpp"
+#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 /// Begins a run and interrupts it, as Ctrl-C does, right after an output time. @returns the time it reached
 double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs,
                        bool resume = false) {
   System system(config);
-  TimeLoop loop(config, system.rate, system.watch, directory, resume, true);
+  TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, directory, resume,
+                true);
   loop.after_output = [&] {
     if (--outputs == 0) std::raise(SIGINT);
   };
@@ -209,7 +210,8 @@ TEST(ResumeMistakes, ANewRunForgetsTheOldCheckpoints) {
   ASSERT_TRUE(std::filesystem::exists(out / "checkpoint.previous.h5"));
   {
     System system(config);
-    const TimeLoop loop(config, system.rate, system.watch, out, false, true);  // killed before its first step
+    const TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, out, false,
+                        true);  // killed before its first step
   }
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.h5"));
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.previous.h5"));
@@ -273,4 +275,4 @@ TEST(Interrupts, HandlersOfTheCallerComeBack) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

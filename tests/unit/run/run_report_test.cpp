@@ -1,5 +1,5 @@
 /// The table at the end of a run says what the summary holds; advice comes where it is due, and only there.
-#include "../../../src/simulation/run_report.hpp"
+#include "../../../src/run/run_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace creepcontact::simulation {
+namespace creepcontact::run {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -100,4 +100,4 @@ TEST(Advice, TellsOfDearContactSolves) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation
+}  // namespace creepcontact::run

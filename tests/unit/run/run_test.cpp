@@ -1,7 +1,7 @@
 #include "creepcontact/base/error.hpp"
 #include "running.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 namespace {
 
 struct RunCase {
@@ -162,4 +162,4 @@ TEST(RunOutput, DirectoryOfTheConfigurationAndNoFields) {
 }
 
 }  // namespace
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "blocks.hpp"
 #include "creepcontact/run/run.hpp"
+#include "unit/model/blocks.hpp"
 
-namespace creepcontact::simulation::test {
+namespace creepcontact::run::test {
 
 struct Csv {
   std::vector<std::string> columns;
@@ -58,4 +58,4 @@ inline double number_in(const std::string& json, const std::string& key) {
   return std::stod(json.substr(at + begin.size()));
 }
 
-}  // namespace creepcontact::simulation::test
+}  // namespace creepcontact::run::test
