@@ -2,111 +2,136 @@
 /// The inner displacement a of one element with a bubble (fem/bubble.hpp), eliminated where it stands.
 ///
 /// With the gradient g of the bubble at a point, less its mean over the element (which is zero but for quadrature: so
-/// the patch test is exact with any rule), and its projection v on the linear functions,
+/// the patch test is exact with any rule), and its projection v = sum of m_j l_j on the linear functions l,
 ///   P B_b a = sym(g a) + 1/3 (v . a - g . a) I.
-
-#include <array>
-#include <cstddef>
 
 #include "element_block.hpp"
 
 namespace creepcontact::mechanics {
 
-template <std::size_t P>
+/// Values at the points of an element.
+template <int P>
+using Lanes = Eigen::Array<double, P, 1>;
+/// Tensors at the points of an element.
+template <int P>
+using LaneTensors = Eigen::Array<double, P, 6>;
+
+inline constexpr double third = 1.0 / 3;
+
+/// Isotropic moduli at the points of an element.
+template <int P>
+struct LaneModuli {
+  LaneModuli(const ElasticState& elastic, std::size_t first) : uniform(elastic.moduli.size() == 1) {
+    for (std::size_t p = 0; p < P; ++p) {
+      const Moduli& h = elastic.at(first + p);
+      lambda[static_cast<Eigen::Index>(p)] = h.lambda;
+      twice_mu[static_cast<Eigen::Index>(p)] = 2 * h.mu;
+    }
+  }
+  Lanes<P> bulk() const { return lambda + third * twice_mu; }
+
+  bool uniform;
+  Lanes<P> lambda, twice_mu;
+};
+
+template <int P>
 class BubbleTerms {
  public:
-  /// @param at, linear  of the P points of the element @param derivatives  of the bubble in reference coordinates, P x
-  /// 3
-  BubbleTerms(const PointGeometry* at, const LinearFunctions* linear, const double* derivatives) : at_(at) {
-    std::array<double, 3> mean{};
-    double volume = 0;
-    for (std::size_t p = 0; p < P; ++p) {
-      const double* d = derivatives + 3 * p;
-      const double* inverse = at[p].inverse;
-      for (std::size_t i = 0; i < 3; ++i) {
-        gradient_[p][i] = inverse[i] * d[0] + inverse[3 + i] * d[1] + inverse[6 + i] * d[2];
-        mean[i] += at[p].weight * gradient_[p][i];
-      }
-      volume += at[p].weight;
-    }
-    std::array<std::array<double, 3>, 3> moments{};  // of linear function j and gradient component i
-    for (std::size_t p = 0; p < P; ++p)
-      for (std::size_t i = 0; i < 3; ++i) {
-        gradient_[p][i] -= mean[i] / volume;
-        for (std::size_t j = 0; j < 3; ++j) moments[j][i] += at[p].weight * linear[p][j] * gradient_[p][i];
-      }
-    for (std::size_t p = 0; p < P; ++p)
-      for (std::size_t i = 0; i < 3; ++i)
-        projected_[p][i] = linear[p][0] * moments[0][i] + linear[p][1] * moments[1][i] + linear[p][2] * moments[2][i];
+  using Values = Eigen::Map<const Lanes<P>>;
+  using Vectors = Eigen::Map<const Eigen::Array<double, P, 3>>;
+
+  /// @param inverse  n_points x 9 @param weight  of the points @param linear, derivatives  n_points x 3
+  BubbleTerms(const Bubble& bubble, const double* inverse, const double* weight, const double* linear,
+              const double* derivatives)
+      : bubble_(bubble), weight_(weight), linear_(linear) {
+    const Vectors d(derivatives);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      gradient_.col(i) = Values(inverse + i * P) * d.col(0) + Values(inverse + (3 + i) * P) * d.col(1) +
+                         Values(inverse + (6 + i) * P) * d.col(2) - bubble.mean_gradient[i];
   }
 
-  /// Adds to the stress of isotropic moduli(p) what balances it with the force on the bubble. @param stress P x 6
-  template <typename ModuliAt>
-  void balance(const ModuliAt& moduli, const std::array<double, 3>& force, double* stress) const {
-    Matrix3 stiffness = Matrix3::Zero();
-    Vector3 residual(force[0], force[1], force[2]);
-    for (std::size_t p = 0; p < P; ++p) {
-      const Moduli& h = moduli(p);
-      const Vector3 g = gradient(p), v = projected(p);
-      const double mu = at_[p].weight * h.mu, bulk = at_[p].weight * (h.lambda + 2.0 / 3.0 * h.mu);
-      stiffness += (mu / 3 * g) * g.transpose() + (bulk * v) * v.transpose();
-      stiffness.diagonal().array() += mu * g.squaredNorm();
-      residual -= at_[p].weight * work(p, stress + 6 * p);
-    }
-    const Vector3 a = stiffness.inverse() * residual;
-    for (std::size_t p = 0; p < P; ++p) {
-      const Moduli& h = moduli(p);
-      const Tensor6 strain = strain_at(p, a);
-      const double spherical = h.lambda * (strain[0] + strain[1] + strain[2]);
-      for (Eigen::Index i = 0; i < 6; ++i)
-        stress[6 * p + static_cast<std::size_t>(i)] += 2 * h.mu * strain[i] + (i < 3 ? spherical : 0.0);
-    }
+  /// strain += P B_b a, a in equilibrium with the stress H strain and the force on the bubble.
+  void add_strain(const LaneModuli<P>& moduli, const Vector3& force, LaneTensors<P>& strain) const {
+    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+    const Matrix3 flexibility = stiffness(moduli).inverse();  // first, for it does not wait for the sums
+    const Lanes<P> bulk = weight_ * moduli.bulk(), twice_mu = weight_ * moduli.twice_mu;
+    const Lanes<P> trace = strain.col(0) + strain.col(1) + strain.col(2), mean = third * trace, pressure = bulk * trace;
+    const Lanes<P> x = twice_mu * gradient_.col(0), y = twice_mu * gradient_.col(1), z = twice_mu * gradient_.col(2);
+    const Lanes<P> xy = half_sqrt2 * strain.col(3), yz = half_sqrt2 * strain.col(4), zx = half_sqrt2 * strain.col(5);
+    const Vector3 deviatoric(((strain.col(0) - mean) * x + xy * y + zx * z).sum(),
+                             (xy * x + (strain.col(1) - mean) * y + yz * z).sum(),
+                             (zx * x + yz * y + (strain.col(2) - mean) * z).sum());
+    const Vector3 volumetric((pressure * linear_.col(0)).sum(), (pressure * linear_.col(1)).sum(),
+                             (pressure * linear_.col(2)).sum());
+    const Vector3 residual = force - deviatoric - bubble_.moments.transpose() * volumetric;
+    add_strain(flexibility * residual, strain);
   }
 
   /// strain += P B_b a, a in equilibrium with moduli strain - initial stress. @param moduli  P symmetric matrices
-  /// @param initial_stress  P x 6 @param strain  P x 6
-  void add_strain(const Matrix6* moduli, const double* initial_stress, double* strain) const {
+  /// @param initial_stress  P x 6
+  void add_strain(const Matrix6* moduli, const double* initial_stress, LaneTensors<P>& strain) const {
     Matrix3 stiffness = Matrix3::Zero();
     Vector3 residual = Vector3::Zero();
-    for (std::size_t p = 0; p < P; ++p) {
-      Eigen::Matrix<double, 6, 3> matrix;
-      for (Eigen::Index i = 0; i < 3; ++i) matrix.col(i) = strain_at(p, Vector3::Unit(i));
-      const Tensor6 stress =
-          moduli[p] * Eigen::Map<const Tensor6>(strain + 6 * p) - Eigen::Map<const Tensor6>(initial_stress + 6 * p);
-      stiffness += at_[p].weight * matrix.transpose() * moduli[p] * matrix;
-      residual -= at_[p].weight * matrix.transpose() * stress;
+    for (Eigen::Index p = 0; p < P; ++p) {
+      const Eigen::Matrix<double, 6, 3> matrix = strain_matrix(p), stress = moduli[p] * matrix;
+      stiffness += weight_[p] * matrix.transpose() * stress;
+      residual += weight_[p] * (matrix.transpose() * Eigen::Map<const Tensor6>(initial_stress + 6 * p) -
+                                stress.transpose() * strain.row(p).matrix().transpose());
     }
-    const Vector3 a = stiffness.inverse() * residual;
-    for (std::size_t p = 0; p < P; ++p) Eigen::Map<Tensor6>(strain + 6 * p) += strain_at(p, a);
+    add_strain(stiffness.inverse() * residual, strain);
   }
 
  private:
-  Eigen::Map<const Vector3> gradient(std::size_t p) const { return Eigen::Map<const Vector3>(gradient_[p].data()); }
-  Eigen::Map<const Vector3> projected(std::size_t p) const { return Eigen::Map<const Vector3>(projected_[p].data()); }
-
-  Tensor6 strain_at(std::size_t p, const Vector3& a) const {
-    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-    const auto g = gradient(p);
-    Tensor6 strain;
-    strain << g[0] * a[0], g[1] * a[1], g[2] * a[2], half_sqrt2 * (g[0] * a[1] + g[1] * a[0]),
-        half_sqrt2 * (g[1] * a[2] + g[2] * a[1]), half_sqrt2 * (g[2] * a[0] + g[0] * a[2]);
-    strain.head<3>().array() += (projected(p) - g).dot(a) / 3;
-    return strain;
+  Matrix3 stiffness(const LaneModuli<P>& moduli) const {
+    const Matrix3& m = bubble_.moments;
+    if (moduli.uniform) return moduli.twice_mu[0] / 2 * bubble_.shear + moduli.bulk()[0] * (m.transpose() * m);
+    const Matrix3 squares = weighted_squares(gradient_, weight_ * moduli.twice_mu / 2);
+    return third * squares + squares.trace() * Matrix3::Identity() +
+           m.transpose() * weighted_squares(linear_, weight_ * moduli.bulk()) * m;
   }
 
-  /// (P B_b)^T stress at a point.
-  Vector3 work(std::size_t p, const double* s) const {
-    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-    const double mean = (s[0] + s[1] + s[2]) / 3;
-    const double xy = half_sqrt2 * s[3], yz = half_sqrt2 * s[4], zx = half_sqrt2 * s[5];
-    const auto g = gradient(p);
-    return Vector3((s[0] - mean) * g[0] + xy * g[1] + zx * g[2], xy * g[0] + (s[1] - mean) * g[1] + yz * g[2],
-                   zx * g[0] + yz * g[1] + (s[2] - mean) * g[2]) +
-           mean * projected(p);
+  /// Sum over the points of weight x x^T.
+  template <typename X>
+  static Matrix3 weighted_squares(const X& x, const Lanes<P>& weight) {
+    Matrix3 result;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Lanes<P> weighted = weight * x.col(i);
+      for (Eigen::Index j = 0; j <= i; ++j) result(i, j) = result(j, i) = (weighted * x.col(j)).sum();
+    }
+    return result;
   }
 
-  const PointGeometry* at_;
-  std::array<std::array<double, 3>, P> gradient_, projected_;
+  void add_strain(const Vector3& a, LaneTensors<P>& strain) const {
+    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+    const auto x = gradient_.col(0), y = gradient_.col(1), z = gradient_.col(2);
+    const Vector3 slopes = third * (bubble_.moments * a), b = half_sqrt2 * a;
+    const Lanes<P> xx = a[0] * x, yy = a[1] * y, zz = a[2] * z;
+    const Lanes<P> mean =
+        slopes[0] * linear_.col(0) + slopes[1] * linear_.col(1) + slopes[2] * linear_.col(2) - third * (xx + yy + zz);
+    strain.col(0) += xx + mean;
+    strain.col(1) += yy + mean;
+    strain.col(2) += zz + mean;
+    strain.col(3) += b[1] * x + b[0] * y;
+    strain.col(4) += b[2] * y + b[1] * z;
+    strain.col(5) += b[0] * z + b[2] * x;
+  }
+
+  /// P B_b at a point.
+  Eigen::Matrix<double, 6, 3> strain_matrix(Eigen::Index p) const {
+    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+    const double x = gradient_(p, 0), y = gradient_(p, 1), z = gradient_(p, 2);
+    const double xy = half_sqrt2 * x, yy = half_sqrt2 * y, zy = half_sqrt2 * z;
+    Eigen::Matrix<double, 6, 3> result;
+    result << x, 0, 0, 0, y, 0, 0, 0, z, yy, xy, 0, 0, zy, yy, zy, 0, xy;
+    const Eigen::RowVector3d mean = (linear_.row(p).matrix() * bubble_.moments - gradient_.row(p).matrix()) / 3;
+    result.topRows<3>().rowwise() += mean;
+    return result;
+  }
+
+  const Bubble& bubble_;
+  Values weight_;
+  Vectors linear_;
+  Eigen::Array<double, P, 3> gradient_;
 };
 
 }  // namespace creepcontact::mechanics

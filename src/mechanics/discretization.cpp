@@ -29,9 +29,11 @@ Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.siz
     n_elements_ += block.n_elements();
     n_points_ += block.n_elements() * block.n_points();
     n_inner_ += block.n_inner();
-    for (const PointGeometry& at : block.geometry()) weights_.push_back(at.weight);
-    for (std::size_t e = 0; e < block.n_elements(); ++e)
+    for (std::size_t e = 0; e < block.n_elements(); ++e) {
+      const auto weights = block.weights(e);
+      weights_.insert(weights_.end(), weights.begin(), weights.end());
       for (std::size_t p = 0; p < block.n_points(); ++p) coordinates_.push_back(block.point(e, p, mesh.nodes));
+    }
   }
   if (blocks_.empty()) throw ModelError("the mesh has no volume elements");
   n_entries_ = node_of_entry.size();

@@ -81,6 +81,7 @@ ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vecto
 void ElementBlock::tabulate() {
   shape_.resize(static_cast<Eigen::Index>(n_nodes_), static_cast<Eigen::Index>(n_points_));
   derivatives_.resize(n_points_ * n_nodes_ * 3);
+  if (fem::has_bubble(type())) bubble_derivatives_.resize(static_cast<Eigen::Index>(n_points_), 3);
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
   for (std::size_t p = 0; p < n_points_; ++p) {
@@ -90,9 +91,9 @@ void ElementBlock::tabulate() {
     for (std::size_t a = 0; a < n_nodes_; ++a)
       for (std::size_t k = 0; k < 3; ++k)
         derivatives_[(p * n_nodes_ + a) * 3 + k] = gradient(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k));
-    if (!fem::has_bubble(type())) continue;
+    if (!has_bubble()) continue;
     const Vector3 bubble = fem::bubble_gradient(type(), xi), from_middle = xi - middle;
-    bubble_derivatives_.insert(bubble_derivatives_.end(), bubble.begin(), bubble.end());
+    bubble_derivatives_.row(static_cast<Eigen::Index>(p)) = bubble.transpose();
     // Integral of N = - integral of xi . grad N / 3. By quadrature, only this balances the stress whose divergence the
     // force is.
     bubble_values_.push_back(-from_middle.dot(bubble) / 3);
@@ -100,9 +101,10 @@ void ElementBlock::tabulate() {
 }
 
 void ElementBlock::measure(const std::vector<Vector3>& nodes) {
-  geometry_.resize(n_elements() * n_points_);
+  geometry_.resize(10 * n_elements() * n_points_);
   for (std::size_t e = 0; e < n_elements(); ++e) {
     const auto cell = this->nodes(e);
+    double* geometry = &geometry_[10 * n_points_ * e];
     for (std::size_t p = 0; p < n_points_; ++p) {
       Matrix3 jacobian = Matrix3::Zero();  // d x_i / d xi_k
       for (std::size_t a = 0; a < n_nodes_; ++a) {
@@ -117,35 +119,43 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
                         "Jacobian {:.3g}; mend the mesh there",
                         start_.element + e, mesh::name(type()), x[0], x[1], x[2], determinant));
       }
-      PointGeometry& at = geometry_[e * n_points_ + p];
-      Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(at.inverse) = jacobian.inverse();
-      at.weight = determinant * reference_.rule().weights[static_cast<Eigen::Index>(p)];
+      const Matrix3 inverse = jacobian.inverse();
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t j = 0; j < 3; ++j)
+          geometry[(3 * k + j) * n_points_ + p] = inverse(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
+      geometry[9 * n_points_ + p] = determinant * reference_.rule().weights[static_cast<Eigen::Index>(p)];
     }
   }
   if (reference_.volumetric_strain() == Projection::linear) find_linear_functions(nodes);
+  if (has_bubble()) measure_bubbles();
   if (fits_mean_stress()) measure_distortion();
 }
 
+Matrix3 ElementBlock::inverse_jacobian(std::size_t e, std::size_t p) const {
+  Matrix3 result;
+  for (std::size_t i = 0; i < 9; ++i)
+    result(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) = geometry(e)[i * n_points_ + p];
+  return result;
+}
+
 void ElementBlock::measure_distortion() {
-  using Inverse = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
   constexpr double least = 0.2, most = 0.3;  // relative change of the inverse Jacobian: no projection, all of it
   for (std::size_t e = 0; e < n_elements(); ++e) {
-    const PointGeometry* at = &geometry_[e * n_points_];
     Matrix3 mean = Matrix3::Zero();
-    for (std::size_t p = 0; p < n_points_; ++p) mean += Inverse(at[p].inverse) / static_cast<double>(n_points_);
+    for (std::size_t p = 0; p < n_points_; ++p) mean += inverse_jacobian(e, p) / static_cast<double>(n_points_);
     const Matrix3 jacobian = mean.inverse();
     double change = 0;
     for (std::size_t p = 0; p < n_points_; ++p)
-      change = std::max(change, (Inverse(at[p].inverse) * jacobian - Matrix3::Identity()).norm());
+      change = std::max(change, (inverse_jacobian(e, p) * jacobian - Matrix3::Identity()).norm());
     unprojected_part_.push_back(std::clamp((most - change) / (most - least), 0.0, 1.0));
   }
 }
 
 void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
-  linear_functions_.resize(geometry_.size());
-  Eigen::MatrixX3d places(n_points_, 3);
+  linear_functions_.resize(3 * n_elements() * n_points_);
   for (std::size_t e = 0; e < n_elements(); ++e) {
-    const Eigen::VectorXd weight = weights(e);
+    const auto weight = weights(e);
+    Eigen::Map<Eigen::MatrixX3d> places(&linear_functions_[3 * n_points_ * e], weight.size(), 3);
     for (std::size_t p = 0; p < n_points_; ++p) places.row(static_cast<Eigen::Index>(p)) = point(e, p, nodes);
     places.rowwise() -= (weight.transpose() * places / weight.sum()).eval();
     // Gram and Schmidt, twice: flat elements too.
@@ -155,16 +165,24 @@ void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
           places.col(j) -= places.col(k).cwiseProduct(weight).dot(places.col(j)) * places.col(k);
       places.col(j) /= std::sqrt(places.col(j).cwiseAbs2().dot(weight));
     }
-    for (std::size_t p = 0; p < n_points_; ++p)
-      Vector3::Map(linear_functions_[e * n_points_ + p].data()) = places.row(static_cast<Eigen::Index>(p));
   }
 }
 
-Eigen::VectorXd ElementBlock::weights(std::size_t e) const {
-  Eigen::VectorXd result(n_points_);
-  for (std::size_t p = 0; p < n_points_; ++p)
-    result[static_cast<Eigen::Index>(p)] = geometry_[e * n_points_ + p].weight;
-  return result;
+void ElementBlock::measure_bubbles() {
+  Eigen::MatrixX3d gradients(n_points_, 3);
+  for (std::size_t e = 0; e < n_elements(); ++e) {
+    for (std::size_t p = 0; p < n_points_; ++p) {
+      const auto row = static_cast<Eigen::Index>(p);
+      gradients.row(row) = bubble_derivatives_.row(row) * inverse_jacobian(e, p);
+    }
+    const auto weight = weights(e);
+    const Vector3 mean = gradients.transpose() * weight / weight.sum();
+    gradients.rowwise() -= mean.transpose();
+    const Eigen::Map<const Eigen::MatrixX3d> linear(linear_functions(e), weight.size(), 3);
+    const Matrix3 squares = gradients.transpose() * weight.asDiagonal() * gradients;
+    bubbles_.push_back({mean, linear.transpose() * weight.asDiagonal() * gradients,
+                        squares / 3 + squares.trace() * Matrix3::Identity()});
+  }
 }
 
 Eigen::MatrixXd ElementBlock::basis(std::size_t e) const {
@@ -175,8 +193,7 @@ Eigen::MatrixXd ElementBlock::basis(std::size_t e) const {
   if (projection == Projection::constant) return Eigen::MatrixXd::Constant(n_p, 1, constant);
   Eigen::MatrixXd basis(n_p, 4);
   basis.col(0).setConstant(constant);
-  for (std::size_t p = 0; p < n_points_; ++p)
-    basis.row(static_cast<Eigen::Index>(p)).tail<3>() = Vector3::Map(linear_functions_[e * n_points_ + p].data());
+  basis.rightCols<3>() = Eigen::Map<const Eigen::MatrixX3d>(linear_functions(e), n_p, 3);
   return basis;
 }
 
@@ -214,12 +231,9 @@ void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<
                                         static_cast<Eigen::Index>(n_nodes_));
     forces.setZero();
     for (std::size_t p = 0; p < n_points_; ++p) {
-      const std::size_t q = e * n_points_ + p;
-      forces +=
-          geometry_[q].weight * force_density[start_.point + q] * shape_.col(static_cast<Eigen::Index>(p)).transpose();
-      if (has_bubble())
-        Vector3::Map(&inner_forces[3 * (start_.inner + e)]) +=
-            geometry_[q].weight * bubble_values_[p] * force_density[start_.point + q];
+      const Vector3 force = weights(e)[static_cast<Eigen::Index>(p)] * force_density[start_.point + e * n_points_ + p];
+      forces += force * shape_.col(static_cast<Eigen::Index>(p)).transpose();
+      if (has_bubble()) Vector3::Map(&inner_forces[3 * (start_.inner + e)]) += bubble_values_[p] * force;
     }
   }
 }

@@ -2,10 +2,10 @@
 /// The volume elements of one type with the geometry of their integration points.
 ///
 /// Kept per point: inverse Jacobian and weight (80 bytes) rather than all shape-function gradients (480 bytes for
-/// hex20). The loops are bound by memory, so multiplying the table of reference derivatives, which stays in the
-/// cache, by the inverse Jacobian is cheaper than reading the products.
+/// hex20). Multiplying the table of reference derivatives, which stays in the cache, by the inverse Jacobian is cheaper
+/// than reading the products. Numbers of one kind stand together for all points of an element: the points are the
+/// vector lanes of the loops.
 
-#include <array>
 #include <memory>
 
 #include "creepcontact/fem/reference_element.hpp"
@@ -14,14 +14,12 @@
 
 namespace creepcontact::mechanics {
 
-struct PointGeometry {
-  double inverse[9];  ///< d xi_k / d x_j at [3 k + j]
-  double weight;      ///< volume that belongs to the point
+/// What the bubble of an element has in common at all its points; g is its gradient less the mean.
+struct Bubble {
+  Vector3 mean_gradient;
+  Matrix3 moments;  ///< sum of w l_j g_i at (j, i), with the linear functions l_j: the projection of g_i is their sum
+  Matrix3 shear;    ///< sum of w (g g^T / 3 + g . g I): stiffness of the deviator for a shear modulus of 1
 };
-
-/// Values at a point of the three functions that, with 1/sqrt(volume), are an orthonormal basis of the linear functions
-/// of the place with respect to the weights of the element's points.
-using LinearFunctions = std::array<double, 3>;
 
 /// Where the block starts in the numbering of the body.
 struct BlockStart {
@@ -47,8 +45,6 @@ class ElementBlock {
   const BlockStart& start() const { return start_; }
   std::span<const std::int64_t> nodes(std::size_t e) const { return {connectivity_.data() + e * n_nodes_, n_nodes_}; }
   const std::vector<std::int64_t>& connectivity() const { return connectivity_; }
-  /// n_elements x n_points of this block
-  const std::vector<PointGeometry>& geometry() const { return geometry_; }
   /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
   /// corners, or onto all shape functions where there are as many points.
   const Eigen::MatrixXd& extrapolation() const { return extrapolation_; }
@@ -60,7 +56,9 @@ class ElementBlock {
   /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
   virtual void fit_mean_stress(std::span<double> stress) const = 0;
   /// Volumes that belong to the points of an element.
-  Eigen::VectorXd weights(std::size_t e) const;
+  Eigen::Map<const Eigen::VectorXd> weights(std::size_t e) const {
+    return {geometry(e) + 9 * n_points_, static_cast<Eigen::Index>(n_points_)};
+  }
   /// Coordinates of a point of an element.
   Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;
 
@@ -88,18 +86,23 @@ class ElementBlock {
   const fem::ReferenceElement& reference() const { return reference_; }
   /// Reference derivatives, n_points x n_nodes x 3.
   const std::vector<double>& derivatives() const { return derivatives_; }
-  /// n_elements x n_points; empty where nothing is projected on linear functions.
-  const std::vector<LinearFunctions>& linear_functions() const { return linear_functions_; }
+  /// d xi_k / d x_j at column 3 k + j, then weights: n_points x 10, column by column.
+  const double* geometry(std::size_t e) const { return geometry_.data() + 10 * n_points_ * e; }
+  /// The three functions that, with 1/sqrt(volume), are an orthonormal basis of the linear functions of the place with
+  /// respect to the weights: n_points x 3, column by column. Precondition: the type is projected on linear functions
+  const double* linear_functions(std::size_t e) const { return linear_functions_.data() + 3 * n_points_ * e; }
   /// Share of the volumetric strain of an element that stays as it is, the rest being projected; see
   /// ReferenceElement::projects_distorted_elements_only(). Precondition: fits_mean_stress()
   double unprojected_part(std::size_t e) const { return unprojected_part_[e]; }
   /// Reference derivatives of the bubble, n_points x 3; empty without one.
-  const std::vector<double>& bubble_derivatives() const { return bubble_derivatives_; }
+  const Eigen::MatrixX3d& bubble_derivatives() const { return bubble_derivatives_; }
+  const Bubble& bubble(std::size_t e) const { return bubbles_[e]; }
 
  private:
   /// Functions of the place, orthonormal with respect to the weights of an element: n_points x 0, 1 or 4.
   Eigen::MatrixXd basis(std::size_t e) const;
-  bool has_bubble() const { return !bubble_derivatives_.empty(); }
+  bool has_bubble() const { return bubble_derivatives_.rows() > 0; }
+  Matrix3 inverse_jacobian(std::size_t e, std::size_t p) const;
   /// Gradients of the shape functions at the points of an element, one column per point, three numbers per node; those
   /// of the bubble, less their mean, come last.
   Eigen::MatrixXd gradients(std::size_t e) const;
@@ -111,17 +114,20 @@ class ElementBlock {
   void measure(const std::vector<Vector3>& nodes);
   void measure_distortion();
   void find_linear_functions(const std::vector<Vector3>& nodes);
+  void measure_bubbles();
 
   const fem::ReferenceElement& reference_;
   BlockStart start_;
   std::size_t n_nodes_, n_points_;
   std::vector<std::int64_t> connectivity_;
-  std::vector<PointGeometry> geometry_;
-  std::vector<LinearFunctions> linear_functions_;
+  std::vector<double> geometry_;
+  std::vector<double> linear_functions_;
   std::vector<double> unprojected_part_;
+  std::vector<Bubble> bubbles_;
   std::vector<double> derivatives_;
-  std::vector<double> bubble_derivatives_, bubble_values_;  // at the points; values for integrals of body forces
-  Eigen::MatrixXd shape_;                                   // n_nodes x n_points
+  Eigen::MatrixX3d bubble_derivatives_;
+  std::vector<double> bubble_values_;  // at the points, for integrals of body forces
+  Eigen::MatrixXd shape_;              // n_nodes x n_points
   Eigen::MatrixXd extrapolation_;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 /// The element loops of one element type, with the numbers of nodes and points known to the compiler.
 ///
-/// Displacement gradient at a point: du_i/dx_j = sum_k (sum_a u_ai dN_a/dxi_k) dxi_k/dx_j. The three displacement
-/// components (padded to four) are the vector lanes, so no reduction has to be reassociated.
+/// Displacement gradient at a point: du_i/dx_j = sum_k (sum_a u_ai dN_a/dxi_k) dxi_k/dx_j. The points of an element
+/// are the vector lanes.
 ///
 /// Elastic strain e = P (B u + B_b a - eps_0), where P replaces the volumetric strain at the points by its projection
 /// on few functions (fem::Projection) and a is the inner displacement of elements with a bubble. a follows from its
@@ -22,22 +22,23 @@ class ElementLoops final : public ElementBlock {
  public:
   ElementLoops(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
       : ElementBlock(cells, nodes, start) {
-    std::copy(derivatives().begin(), derivatives().end(), table_.begin());
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t p = 0; p < P; ++p) table_[(3 * a + k) * P + p] = derivatives()[(p * N + a) * 3 + k];
   }
 
   void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
               std::span<double> stress) const override {
     for_each_element([&](std::size_t e) {
-      Values strain;
-      element_strain(e, u.data(), strain.data());
-      element_stress(e, elastic, creep, strain, stress.data() + first_component(e));
+      Tensors values = element_strain(e, u.data());
+      to_stress(e, elastic, creep, values);
+      write(values, stress, e);
     });
   }
 
   void internal_force(std::span<const double> stress, std::span<double> element_forces) const override {
     for_each_element([&](std::size_t e) {
-      Values values;
-      std::copy_n(stress.data() + first_component(e), values.size(), values.data());
+      Tensors values = read(stress, e);
       element_force(e, values, element_forces.data());
     });
   }
@@ -45,38 +46,43 @@ class ElementLoops final : public ElementBlock {
   void initial_strain_force(const ElasticState& elastic, CreepStrainView creep,
                             std::span<double> element_forces) const override {
     for_each_element([&](std::size_t e) {
-      Values strain{}, stress;
-      element_stress(e, elastic, creep, strain, stress.data());
-      for (double& component : stress) component = -component;
-      element_force(e, stress, element_forces.data());
+      Tensors values = Tensors::Zero();
+      to_stress(e, elastic, creep, values);
+      values = -values;
+      element_force(e, values, element_forces.data());
     });
   }
 
   void fit_mean_stress(std::span<double> stress) const override {
     if (!fits_mean_stress()) return;
-    for_each_element([&](std::size_t e) { project_trace(e, stress.data() + first_component(e), 0.0); });
+    for_each_element([&](std::size_t e) {
+      Tensors values = read(stress, e);
+      project_trace(e, values, 0.0);
+      write(values, stress, e);
+    });
   }
 
   void tangent_strain(std::span<const double> u, std::span<const Matrix6> moduli,
                       std::span<const double> initial_stress, std::span<double> strain) const override {
     for_each_element([&](std::size_t e) {
-      double* out = strain.data() + first_component(e);
-      element_strain(e, u.data(), out);
-      project_trace(e, out);
-      add_bubble_strain(e, moduli, initial_stress, out);
+      Tensors values = element_strain(e, u.data());
+      project_trace(e, values);
+      add_bubble_strain(e, moduli, initial_stress, values);
+      write(values, strain, e);
     });
   }
 
   void initial_stress_force(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
                             std::span<double> element_forces) const override {
     for_each_element([&](std::size_t e) {
-      Values stress, strain{};
-      std::copy_n(initial_stress.data() + first_component(e), stress.size(), stress.data());
+      Tensors stress = read(initial_stress, e);
       if constexpr (with_bubble) {
-        add_bubble_strain(e, moduli, initial_stress, strain.data());
-        for (std::size_t p = 0; p < P; ++p)
-          Eigen::Map<Tensor6>(&stress[6 * p]) -=
-              moduli[start().point + e * P + p] * Eigen::Map<const Tensor6>(&strain[6 * p]);
+        Tensors strain = Tensors::Zero();
+        add_bubble_strain(e, moduli, initial_stress, strain);
+        for (std::size_t p = 0; p < P; ++p) {
+          const auto row = static_cast<Eigen::Index>(p);
+          stress.row(row) -= (moduli[first_point(e) + p] * strain.row(row).matrix().transpose()).transpose().array();
+        }
       }
       element_force(e, stress, element_forces.data());
     });
@@ -84,156 +90,137 @@ class ElementLoops final : public ElementBlock {
 
  private:
   static constexpr std::size_t N = n_nodes_v, P = n_points_v;
-  using Values = std::array<double, 6 * P>;  // a tensor at every point of an element
-  using Lanes = Eigen::Array4d;
+  using Values = Lanes<n_points_v>;
+  using Tensors = LaneTensors<n_points_v>;
+  using ConstValues = Eigen::Map<const Values>;
+  using Points = Eigen::Array<double, 6, n_points_v>;  // tensors at the points as callers see them
 
   template <typename Work>
   void for_each_element(const Work& work) const {
     numerics::for_each_index(n_elements(), numerics::parallel_elements, work);
   }
 
-  std::size_t first_component(std::size_t e) const { return 6 * (start().point + e * P); }
+  std::size_t first_point(std::size_t e) const {
+    return start().point + e * P;
+  }
+
+  Tensors read(std::span<const double> values, std::size_t e) const {
+    return Eigen::Map<const Points>(values.data() + 6 * first_point(e)).transpose();
+  }
+  void write(const Tensors& from, std::span<double> values, std::size_t e) const {
+    Eigen::Map<Points>(values.data() + 6 * first_point(e)) = from.transpose();
+  }
+
+  ConstValues inverse(std::size_t e, std::size_t k, std::size_t j) const {
+    return ConstValues(geometry(e) + (3 * k + j) * P);
+  }
+  ConstValues weight(std::size_t e) const {
+    return ConstValues(geometry(e) + 9 * P);
+  }
+  /// dN_a/dxi_k at the points.
+  ConstValues derivative(std::size_t a, std::size_t k) const {
+    return ConstValues(&table_[(3 * a + k) * P]);
+  }
 
   /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
-  void project_trace(std::size_t e, double* values) const {
+  void project_trace(std::size_t e, Tensors& values) const {
     project_trace(e, values, n_nodes_v == 20 ? unprojected_part(e) : 0.0);
   }
 
   /// @param kept  share of the trace that stays as it is
-  void project_trace(std::size_t e, double* values, double kept) const {
+  void project_trace(std::size_t e, Tensors& values, double kept) const {
     if constexpr (volumetric == fem::Projection::none) return;
     if (kept == 1) return;
-    const PointGeometry* at = geometry().data() + e * P;
-    double sum = 0, volume = 0;
-    for (std::size_t p = 0; p < P; ++p) {
-      const double* v = values + 6 * p;
-      sum += at[p].weight * (v[0] + v[1] + v[2]);
-      volume += at[p].weight;
-    }
-    const double mean = sum / volume;
-    std::array<double, 3> slope{};
-    [[maybe_unused]] const LinearFunctions* linear = nullptr;
+    const Values trace = values.col(0) + values.col(1) + values.col(2), weighted = weight(e) * trace;
+    Values shift = weighted.sum() / weight(e).sum() - trace;
     if constexpr (volumetric == fem::Projection::linear) {
-      linear = linear_functions().data() + e * P;
-      for (std::size_t p = 0; p < P; ++p) {
-        const double* v = values + 6 * p;
-        const double weighted = at[p].weight * (v[0] + v[1] + v[2]);
-        for (std::size_t j = 0; j < 3; ++j) slope[j] += linear[p][j] * weighted;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const ConstValues linear(linear_functions(e) + j * P);
+        shift += (linear * weighted).sum() * linear;
       }
     }
-    for (std::size_t p = 0; p < P; ++p) {
-      double* v = values + 6 * p;
-      double projected = mean;
-      if constexpr (volumetric == fem::Projection::linear)
-        projected += slope[0] * linear[p][0] + slope[1] * linear[p][1] + slope[2] * linear[p][2];
-      const double shift = (1 - kept) * (projected - (v[0] + v[1] + v[2])) / 3.0;
-      for (std::size_t i = 0; i < 3; ++i) v[i] += shift;
-    }
+    shift *= (1 - kept) / 3;
+    for (Eigen::Index i = 0; i < 3; ++i) values.col(i) += shift;
   }
 
   /// B u without projection.
-  void element_strain(std::size_t e, const double* u, double* strain) const {
-    std::array<Lanes, N> nodal;
+  Tensors element_strain(std::size_t e, const double* u) const {
+    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
     const std::int64_t* cell = connectivity().data() + e * N;
-    for (std::size_t a = 0; a < N; ++a) {
-      const double* at_node = u + 3 * cell[a];
-      nodal[a] = Lanes(at_node[0], at_node[1], at_node[2], 0.0);
-    }
-    const PointGeometry* at = geometry().data() + e * P;
-    for (std::size_t p = 0; p < P; ++p) {
-      Lanes d0 = Lanes::Zero(), d1 = Lanes::Zero(), d2 = Lanes::Zero();
-      const double* table = table_.data() + p * N * 3;
-      for (std::size_t a = 0; a < N; ++a, table += 3) {
-        d0 += table[0] * nodal[a];
-        d1 += table[1] * nodal[a];
-        d2 += table[2] * nodal[a];
+    std::array<std::array<double, N>, 3> nodal;
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < 3; ++i) nodal[i][a] = u[3 * cell[a] + static_cast<std::int64_t>(i)];
+    std::array<std::array<Values, 3>, 3> gradient;  // du_i/dx_j
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::array<Values, 3> by_xi;
+      for (std::size_t k = 0; k < 3; ++k) {
+        Values sum = Values::Zero();
+        for (std::size_t a = 0; a < N; ++a) sum += nodal[i][a] * derivative(a, k);
+        by_xi[k] = sum;
       }
-      const double* inverse = at[p].inverse;
-      const Lanes x = inverse[0] * d0 + inverse[3] * d1 + inverse[6] * d2;  // du/dx
-      const Lanes y = inverse[1] * d0 + inverse[4] * d1 + inverse[7] * d2;
-      const Lanes z = inverse[2] * d0 + inverse[5] * d1 + inverse[8] * d2;
-      constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-      double* out = strain + 6 * p;
-      out[0] = x[0];
-      out[1] = y[1];
-      out[2] = z[2];
-      out[3] = half_sqrt2 * (x[1] + y[0]);
-      out[4] = half_sqrt2 * (y[2] + z[1]);
-      out[5] = half_sqrt2 * (z[0] + x[2]);
+      for (std::size_t j = 0; j < 3; ++j)
+        gradient[i][j] = inverse(e, 0, j) * by_xi[0] + inverse(e, 1, j) * by_xi[1] + inverse(e, 2, j) * by_xi[2];
     }
+    Tensors strain;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      strain.col(static_cast<Eigen::Index>(i)) = gradient[i][i];
+      strain.col(static_cast<Eigen::Index>(3 + i)) = half_sqrt2 * (gradient[i][j] + gradient[j][i]);
+    }
+    return strain;
   }
 
-  /// From the strain of the nodal displacement, which becomes the elastic strain (without the bubble's part).
-  void element_stress(std::size_t e, const ElasticState& elastic, CreepStrainView creep, Values& strain,
-                      double* stress) const {
-    const std::size_t first = start().point + e * P;
+  /// @param values  the strain of the nodal displacement, which becomes the stress
+  void to_stress(std::size_t e, const ElasticState& elastic, CreepStrainView creep, Tensors& values) const {
+    const std::size_t first = first_point(e);
     if (creep.data != nullptr) {
-      for (std::size_t p = 0; p < P; ++p) {
-        const double* c = creep.data + (first + p) * creep.stride;
-        for (std::size_t i = 0; i < 6; ++i) strain[6 * p + i] -= c[i];
-      }
+      using Strided = Eigen::Map<const Points, 0, Eigen::OuterStride<>>;
+      values -=
+          Strided(creep.data + first * creep.stride, Eigen::OuterStride<>(static_cast<Eigen::Index>(creep.stride)))
+              .transpose();
     }
     if (!elastic.thermal_strain.empty()) {
-      for (std::size_t p = 0; p < P; ++p)
-        for (std::size_t i = 0; i < 3; ++i) strain[6 * p + i] -= elastic.thermal_strain[first + p];
+      const ConstValues thermal(elastic.thermal_strain.data() + first);
+      for (Eigen::Index i = 0; i < 3; ++i) values.col(i) -= thermal;
     }
-    project_trace(e, strain.data());
-    for (std::size_t p = 0; p < P; ++p) {
-      const Moduli& h = elastic.at(first + p);
-      const double* in = strain.data() + 6 * p;
-      double* out = stress + 6 * p;
-      const double spherical = h.lambda * (in[0] + in[1] + in[2]);
-      for (std::size_t i = 0; i < 6; ++i) out[i] = 2.0 * h.mu * in[i] + (i < 3 ? spherical : 0.0);
-    }
+    project_trace(e, values);
+    const LaneModuli<n_points_v> moduli(elastic, first);
     if constexpr (with_bubble) {
-      const BubbleTerms<P> bubble = bubble_terms(e);
-      const auto moduli = [&](std::size_t p) -> const Moduli& { return elastic.at(first + p); };
-      std::array<double, 3> force{};
-      if (!elastic.inner_force.empty()) std::copy_n(&elastic.inner_force[3 * (start().inner + e)], 3, force.data());
-      bubble.balance(moduli, force, stress);
+      Vector3 force = Vector3::Zero();
+      if (!elastic.inner_force.empty()) force = Vector3::Map(&elastic.inner_force[3 * (start().inner + e)]);
+      bubble_terms(e).add_strain(moduli, force, values);
     }
+    const Values spherical = moduli.lambda * (values.col(0) + values.col(1) + values.col(2));
+    for (Eigen::Index i = 0; i < 6; ++i) values.col(i) *= moduli.twice_mu;
+    for (Eigen::Index i = 0; i < 3; ++i) values.col(i) += spherical;
   }
 
-  void element_force(std::size_t e, Values& stress, double* element_forces) const {
-    const PointGeometry* at = geometry().data() + e * P;
-    project_trace(e, stress.data());
-    std::array<Lanes, 3 * P> flux;  // weight * stress . grad xi_k
-    for (std::size_t p = 0; p < P; ++p) {
-      constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-      const double* s = stress.data() + 6 * p;
-      const double xy = half_sqrt2 * s[3], yz = half_sqrt2 * s[4], zx = half_sqrt2 * s[5];
-      const Lanes x = at[p].weight * Lanes(s[0], xy, zx, 0.0);
-      const Lanes y = at[p].weight * Lanes(xy, s[1], yz, 0.0);
-      const Lanes z = at[p].weight * Lanes(zx, yz, s[2], 0.0);
-      const double* inverse = at[p].inverse;
+  void element_force(std::size_t e, Tensors& stress, double* element_forces) const {
+    constexpr double half_sqrt2 = tensor::sqrt2 / 2;
+    constexpr std::array<std::array<Eigen::Index, 3>, 3> column{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
+    project_trace(e, stress);
+    for (Eigen::Index i = 0; i < 6; ++i) stress.col(i) *= (i < 3 ? 1 : half_sqrt2) * weight(e);
+    std::array<std::array<Values, 3>, 3> flux;  // weight * component i of stress . grad xi_k
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)
-        flux[3 * p + k] = inverse[3 * k] * x + inverse[3 * k + 1] * y + inverse[3 * k + 2] * z;
-    }
+        flux[i][k] = inverse(e, k, 0) * stress.col(column[i][0]) + inverse(e, k, 1) * stress.col(column[i][1]) +
+                     inverse(e, k, 2) * stress.col(column[i][2]);
     double* out = element_forces + 3 * (start().entry + e * N);
-    for (std::size_t a = 0; a < N; ++a, out += 3) {
-      Lanes force = Lanes::Zero();
-      for (std::size_t p = 0; p < P; ++p) {
-        const double* table = table_.data() + (p * N + a) * 3;
-        force += table[0] * flux[3 * p] + table[1] * flux[3 * p + 1] + table[2] * flux[3 * p + 2];
-      }
-      out[0] = force[0];
-      out[1] = force[1];
-      out[2] = force[2];
-    }
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < 3; ++i)
+        *out++ = (derivative(a, 0) * flux[i][0] + derivative(a, 1) * flux[i][1] + derivative(a, 2) * flux[i][2]).sum();
   }
 
   /// strain += P B_b a with the a that balances D strain - initial stress.
   void add_bubble_strain([[maybe_unused]] std::size_t e, [[maybe_unused]] std::span<const Matrix6> moduli,
                          [[maybe_unused]] std::span<const double> initial_stress,
-                         [[maybe_unused]] double* strain) const {
-    if constexpr (with_bubble) {
-      const std::size_t first = start().point + e * P;
-      bubble_terms(e).add_strain(moduli.data() + first, initial_stress.data() + 6 * first, strain);
-    }
+                         [[maybe_unused]] Tensors& strain) const {
+    if constexpr (with_bubble)
+      bubble_terms(e).add_strain(moduli.data() + first_point(e), initial_stress.data() + 6 * first_point(e), strain);
   }
 
-  BubbleTerms<P> bubble_terms(std::size_t e) const {
-    return BubbleTerms<P>(geometry().data() + e * P, linear_functions().data() + e * P, bubble_derivatives().data());
+  BubbleTerms<n_points_v> bubble_terms(std::size_t e) const {
+    return {bubble(e), geometry(e), geometry(e) + 9 * P, linear_functions(e), bubble_derivatives().data()};
   }
 
   std::array<double, P * N * 3> table_{};

@@ -11,17 +11,14 @@ Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
   const auto n = static_cast<Eigen::Index>(n_nodes_), inner = static_cast<Eigen::Index>(has_bubble() ? 3 : 0);
   Eigen::MatrixXd result(3 * n + inner, static_cast<Eigen::Index>(n_points_));
   for (std::size_t p = 0; p < n_points_; ++p) {
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> inverse(geometry_[e * n_points_ + p].inverse);
+    const Matrix3 inverse = inverse_jacobian(e, p);
     const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[p * n_nodes_ * 3], 3, n);
     Eigen::Map<Eigen::Matrix3Xd>(result.col(static_cast<Eigen::Index>(p)).data(), 3, n).noalias() =
         inverse.transpose() * table;
     if (has_bubble())
       result.col(static_cast<Eigen::Index>(p)).tail<3>() =
-          inverse.transpose() * Vector3::Map(&bubble_derivatives_[3 * p]);
-  }
-  if (has_bubble()) {
-    const Eigen::VectorXd weight = weights(e);
-    result.bottomRows<3>().colwise() -= (result.bottomRows<3>() * weight / weight.sum()).eval();
+          inverse.transpose() * bubble_derivatives_.row(static_cast<Eigen::Index>(p)).transpose() -
+          bubbles_[e].mean_gradient;
   }
   return result;
 }
@@ -45,7 +42,7 @@ Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
   const auto n_p = static_cast<Eigen::Index>(n_points_);
   const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
-  const Eigen::VectorXd weight = weights(e);
+  const auto weight = weights(e);
   Eigen::VectorXd mu(n_p), bulk(n_p);
   for (Eigen::Index p = 0; p < n_p; ++p) {
     const Moduli& h = elastic.at(start_.point + e * n_points_ + static_cast<std::size_t>(p));
@@ -67,7 +64,7 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const M
   const auto n_p = static_cast<Eigen::Index>(n_points_);
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
   const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
-  const Eigen::VectorXd weight = weights(e);
+  const auto weight = weights(e);
   const Eigen::Index n_dofs = gradients.rows();
   // B of all points on top of each other: strain in Mandel order, one column per unknown.
   Eigen::MatrixXd strain = Eigen::MatrixXd::Zero(6 * n_p, n_dofs);
