@@ -2,201 +2,155 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 
 #include "creepcontact/contact/geometry/facet.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
-constexpr int rings = 3;    // of open rows around the contact that the fit sees
-constexpr int passes = 12;  // of the fit; each reduces its error to about a third
-
-// Elements bend less sharply at the edge than the surface does, so that a node closes when the edge is still a third of
-// an element away. What that does to the fitted distance, in elements: fitted to elastic and viscoelastic contacts
-// whose edge is known (docs/results.md; quadratic hexahedra).
-constexpr double at_all = 0.015;
-constexpr double near_end = 0.6, near_rate = 0.35;
-constexpr double far_begin = 1.03, far_rate = 0.45;
-constexpr double farthest = 1.36;  // beyond it the row inside would be open
-constexpr double step = 1.6;       // fitted distances beyond it: the gap begins with a step
-
-double calibrated(double fitted) {
-  if (!(fitted <= step)) return 0.5;  // no smooth opening: the edge is halfway
-  const double distance =
-      fitted + near_rate * std::max(0.0, near_end - fitted) + far_rate * std::max(0.0, fitted - far_begin);
-  return std::min(distance - at_all, farthest);
-}
-
-constexpr double weight_of_no_curvature = 0.1;
-constexpr double bend_of_rounding = 0.02;  // of the slope, over an element: what elements make of a straight line
-
-double to_two_thirds(double x) {
-  return x > 0 ? std::cbrt(x * x) : 0.0;
-}
-
-/// A row from which the distances of its neighbours inside are continued.
-struct Known {
-  Vector3 outward;  // normal of the edge
-  double distance;
-};
+constexpr int rows_fitted = 5;        // outwards, ...
+constexpr double reach = 4.5;         // ... in elements: fewer where these grow
+constexpr double half_width = 1.5;    // in elements: of the strip across the edge whose rows are fitted
+constexpr double punch = 0.1;         // in elements: how far the closed rows, as a punch, reach beyond the last of them
+constexpr double weight_next = 0.1;   // of rows next to closed ones
+constexpr double weight_small = 0.1;  // of unknowns being small, where the rows do not tell them
+constexpr double farthest = 1.5;      // in elements: beyond it the last closed row would be open
+constexpr double step = 2;  // in elements: where the gap, to the power of 2/3, is zero further inside, it jumps
 
 }  // namespace
 
-std::vector<ContactEdge::OpenRow> ContactEdge::open_rows(const std::vector<char>& closed,
-                                                         const Eigen::VectorXd& gap) const {
-  const auto is_closed = [&](int row) { return closed[static_cast<std::size_t>(row)] != 0; };
-  std::vector<int> index(grid_.places.size(), -1);
-  std::vector<OpenRow> open;
-  const auto add = [&](int row, int ring) {
-    if (is_closed(row) || index[static_cast<std::size_t>(row)] >= 0) return;
-    index[static_cast<std::size_t>(row)] = static_cast<int>(open.size());
-    OpenRow made{row, ring, {}, 0, 0, Vector3::Zero()};
-    made.measured = to_two_thirds(gap[row] / coupling_.area[static_cast<std::size_t>(row)]);
-    made.root = made.measured;
-    open.push_back(std::move(made));
+struct ContactEdge::State {
+  std::vector<char> closed;
+  Eigen::VectorXd gap;  // mean
+
+  bool is_closed(int row) const { return closed[static_cast<std::size_t>(row)] != 0; }
+};
+
+/// The row itself first.
+std::vector<int> ContactEdge::open_around(int row, int steps, const State& state) const {
+  std::vector<int> found{row};
+  std::size_t begin = 0;
+  for (int i = 0; i < steps; ++i) {
+    const std::size_t end = found.size();
+    for (; begin < end; ++begin)
+      for (const int other : grid_.around(found[begin]))
+        if (!state.is_closed(other) && std::ranges::find(found, other) == found.end()) found.push_back(other);
+  }
+  return found;
+}
+
+/// Least squares: gap^(2/3) as a plane, bent across its slope since lines of equal gap are curved.
+ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
+  Edge edge{Vector3::Zero()};
+  for (const int other : grid_.around(row)) {
+    const Vector3 out = grid_.place(row) - grid_.place(other);
+    if (state.is_closed(other)) edge.outward += out / out.squaredNorm();
+  }
+  edge.outward.normalize();
+  const auto set_length = [&] {
+    edge.length = 0;
+    for (const int other : grid_.around(row))
+      if (state.is_closed(other))
+        edge.length = std::max(edge.length, edge.outward.dot(grid_.place(row) - grid_.place(other)));
   };
-  for (int row = 0; row < static_cast<int>(grid_.places.size()); ++row)
-    if (std::ranges::any_of(grid_.around(row), is_closed)) add(row, 1);
-  for (std::size_t i = 0; i < open.size() && open[i].ring < rings; ++i)
-    for (const int other : std::vector<int>(grid_.around(open[i].row))) add(other, open[i].ring + 1);
-  for (OpenRow& row : open) {
-    std::set<int> near;
-    for (const int first : grid_.around(row.row)) {
-      if (is_closed(first)) continue;
-      near.insert(index[static_cast<std::size_t>(first)]);
-      for (const int second : grid_.around(first)) near.insert(index[static_cast<std::size_t>(second)]);
+  set_length();
+
+  const std::vector<int> near = open_around(row, 2, state);
+  const auto n = static_cast<Eigen::Index>(near.size());
+  const contact::Plane plane =
+      contact::Plane::through(grid_.place(row), coupling_.nodes[static_cast<std::size_t>(row)].normal);
+  Eigen::MatrixX4d matrix = Eigen::MatrixX4d::Zero(n + 1, 4);
+  Eigen::VectorXd roots = Eigen::VectorXd::Zero(n + 1);
+  Eigen::Vector2d across = Eigen::Vector2d::Zero();
+  Eigen::Vector4d fit;
+  for (int pass = 0; pass < 2; ++pass) {
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const Eigen::Vector2d x = plane.project(grid_.place(near[static_cast<std::size_t>(k)])) / edge.length;
+      matrix.row(k) << 1, x.x(), x.y(), across.dot(x) * across.dot(x) / 2;
+      roots[k] = std::cbrt(std::pow(std::max(0.0, state.gap[near[static_cast<std::size_t>(k)]]), 2));
     }
-    near.erase(index[static_cast<std::size_t>(row.row)]);
-    near.erase(-1);
-    row.near.assign(near.begin(), near.end());
+    matrix(n, 3) = weight_small;
+    fit = matrix.completeOrthogonalDecomposition().solve(roots);
+    const Eigen::Vector2d slope = fit.segment<2>(1);
+    if (slope.norm() > 0) across = Eigen::Vector2d(-slope.y(), slope.x()).normalized();
   }
-  return open;
+  const Vector3 slope = fit[1] * plane.axis1 + fit[2] * plane.axis2;
+  const double size = slope.norm();
+  edge.smooth = size > 0 && fit[0] < step * size && slope.dot(edge.outward) > 0.3 * size;
+  if (edge.smooth) {
+    edge.outward = slope / size;
+    edge.curvature = fit[3] / (size * edge.length);
+    set_length();
+  }
+  return edge;
 }
 
-/// Least squares through the row's own value; across the slope a parabola, since lines of equal gap are curved.
-void ContactEdge::fit_slope(OpenRow& open, const std::vector<OpenRow>& all) const {
-  const Vector3 normal = coupling_.nodes[static_cast<std::size_t>(open.row)].normal;
-  const contact::Plane plane = contact::Plane::through(grid_.place(open.row), normal);
-  const Eigen::Vector2d before = plane.project_direction(open.slope);
-  const Eigen::Vector2d across =
-      before.norm() > 0 ? Eigen::Vector2d(-before.y(), before.x()).normalized() : Eigen::Vector2d::Zero();
-  const auto n = static_cast<Eigen::Index>(open.near.size());
-  if (n == 0) return;
-  Eigen::MatrixX3d matrix(n + 1, 3);
-  Eigen::VectorXd values(n + 1);
-  double shortest = std::numeric_limits<double>::infinity();
+/// Of an open row next to a closed one, outwards from the edge.
+double ContactEdge::distance_to(int row, const Edge& edge, const State& state) const {
+  const double to_punch = 1 - punch;
+  const auto from_punch = [&](const Vector3& place) {
+    const Vector3 x = (place - grid_.place(row)) / edge.length;
+    const double out = edge.outward.dot(x);
+    return to_punch + out + edge.curvature * edge.length * (x.squaredNorm() - out * out) / 2;
+  };
+  std::vector<int> fitted;
+  for (const int other : open_around(row, rows_fitted - 1, state)) {
+    const Vector3 x = grid_.place(other) - grid_.place(row);
+    const double out = edge.outward.dot(x);
+    // Around a hole of the contact the normals of the edge meet.
+    if ((x - out * edge.outward).norm() < half_width * edge.length && from_punch(grid_.place(other)) > 0.9 * to_punch &&
+        1 + edge.curvature * out > 0.5 && out < reach * edge.length)
+      fitted.push_back(other);
+  }
+  const auto n = static_cast<Eigen::Index>(fitted.size());
+  Eigen::MatrixX3d matrix = Eigen::MatrixX3d::Zero(n + 1, 3);
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(n + 1);
+  double scale = 0;
   for (Eigen::Index k = 0; k < n; ++k) {
-    const OpenRow& other = all[static_cast<std::size_t>(open.near[static_cast<std::size_t>(k)])];
-    const Eigen::Vector2d x = plane.project(grid_.place(other.row));
-    const double length = x.norm();
-    shortest = std::min(shortest, length);
-    matrix.row(k) << x.x() / length, x.y() / length, across.dot(x) * across.dot(x) / (2 * length);
-    values[k] = (other.root - open.root) / length;
-  }
-  matrix.col(2) /= shortest;
-  // Rows on one side alone, as in a slice, do not tell a curvature from a slope.
-  matrix.row(n) << 0, 0, weight_of_no_curvature;
-  values[n] = 0;
-  const Eigen::Vector3d fit = matrix.completeOrthogonalDecomposition().solve(values);
-  open.slope = fit.x() * plane.axis1 + fit.y() * plane.axis2;
-}
-
-/// Least squares with the slope's size left open, from the rows that lie outwards rather than sidewards.
-void ContactEdge::fit_bend(OpenRow& open, const std::vector<OpenRow>& all) const {
-  const double slope = open.slope.norm();
-  if (!(slope > 0)) return;
-  Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d right = Eigen::Vector2d::Zero();
-  for (const int index : open.near) {
-    const OpenRow& other = all[static_cast<std::size_t>(index)];
-    const Vector3 x = grid_.place(other.row) - grid_.place(open.row);
-    const double out = open.slope.dot(x) / slope;
-    if (out < 0.9 * x.norm()) continue;
-    const Eigen::Vector2d columns(1, out / 2);
-    normal += columns * columns.transpose();
-    right += (other.root - open.root) / out * columns;
-  }
-  if (!(normal.determinant() > 1e-6 * normal(0, 0) * normal(1, 1))) return;
-  open.bend = normal.inverse().row(1).dot(right);
-  open.lever = normal(0, 1) / normal(0, 0);
-}
-
-/// The weighted mean of the gap that root and slope give, to the power of 2/3.
-double ContactEdge::weighted_root(const OpenRow& open) const {
-  double sum = 0;
-  for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, open.row); it; ++it) {
-    const Vector3& x = coupling_.gap_points[static_cast<std::size_t>(it.col())];
-    const double root = open.root + open.slope.dot(x - grid_.place(open.row));
-    if (root > 0) sum += it.value() * root * std::sqrt(root);
-  }
-  sum /= coupling_.area[static_cast<std::size_t>(open.row)];
-  return sum > 0 ? to_two_thirds(sum) : -to_two_thirds(-sum);
-}
-
-void ContactEdge::add_distances(const std::vector<OpenRow>& open, const std::vector<char>& closed,
-                                Eigen::VectorXd& distance) const {
-  const auto is_closed = [&](int row) { return closed[static_cast<std::size_t>(row)] != 0; };
-  double mean_slope = 0;
-  int n_slopes = 0;
-  std::vector<std::pair<int, Known>> known;
-  std::vector<const OpenRow*> first_ring;
-  for (const OpenRow& row : open) {
-    if (row.ring > 1) continue;
-    first_ring.push_back(&row);
-    if (row.slope.norm() > 0) mean_slope += row.slope.norm(), ++n_slopes;
-  }
-  if (n_slopes > 0) mean_slope /= n_slopes;
-
-  for (const OpenRow* row : first_ring) {
-    Vector3 outward = Vector3::Zero();
-    for (const int other : grid_.around(row->row))
-      if (is_closed(other))
-        outward +=
-            (grid_.place(row->row) - grid_.place(other)) / (grid_.place(row->row) - grid_.place(other)).squaredNorm();
-    // A gap that does not grow away from the contact has no slope to follow.
-    const bool grows = row->slope.dot(outward) > 0.3 * row->slope.norm() * outward.norm();
-    outward = (grows ? row->slope : outward).normalized();
-    double length = 0;  // of the elements across the edge
-    for (const int other : grid_.around(row->row))
-      if (is_closed(other)) length = std::max(length, outward.dot(grid_.place(row->row) - grid_.place(other)));
-    const double slope = grows ? row->slope.norm() : mean_slope;
-    double fitted = slope > 0 ? row->root / (slope * length) : std::numeric_limits<double>::infinity();
-    if (grows && fitted <= step) {
-      // Where elements grow quickly outwards, the rows reach to where the line is bent.
-      const double bend = std::max(0.0, row->bend * length / slope - bend_of_rounding);
-      fitted /= std::max(0.5, 1 - bend * row->lever / length);
-      fitted *= 1 + bend * fitted / 2;
+    const int other = fitted[static_cast<std::size_t>(k)];
+    for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, other); it; ++it) {
+      const double d = from_punch(coupling_.gap_points[static_cast<std::size_t>(it.col())]);
+      if (d > 0) matrix.row(k) += it.value() * std::sqrt(d) * Eigen::RowVector3d(d, 1, d * d);
     }
-    distance[row->row] = -calibrated(fitted) * length;
-    known.push_back({row->row, {outward, distance[row->row]}});
+    matrix.row(k) /= coupling_.area[static_cast<std::size_t>(other)];
+    const bool next = std::ranges::any_of(grid_.around(other), [&](int r) { return state.is_closed(r); });
+    const double d = from_punch(grid_.place(other)), weight = (next ? weight_next : 1) / (d * std::sqrt(d));
+    matrix.row(k) *= weight;
+    gaps[k] = weight * state.gap[other];
   }
+  matrix(n, 2) = weight_small;
+  const Eigen::Vector3d fit = matrix.completeOrthogonalDecomposition().solve(gaps);
+  if (!(fit[0] > 0)) return 0.5 * edge.length;
+  return std::clamp(to_punch + fit[1] / (1.5 * fit[0]), 0.0, farthest) * edge.length;
+}
 
-  // Inwards along the normals of the edge, row by row: the edge may lie beyond the first closed row.
+/// Along the normals of the edge, row by row: the edge may lie beyond the first closed row.
+/// @param known  rows whose distance is known, with the outward normals of the edge
+void ContactEdge::continue_inwards(std::vector<std::pair<int, Vector3>> known, Eigen::VectorXd& distance) const {
+  struct Sum {
+    double weight = 0, distance = 0;
+    Vector3 outward = Vector3::Zero();
+  };
   for (int ring = 0; ring < 2; ++ring) {
-    std::map<int, std::pair<double, Known>> found;  // by row, with its weight
-    for (const auto& [row, from] : known)
+    std::map<int, Sum> sums;
+    for (const auto& [row, outward] : known)
       for (const int other : grid_.around(row)) {
         if (distance[other] < far_distance()) continue;
         const Vector3 inwards = grid_.place(row) - grid_.place(other);
-        const double depth = from.outward.dot(inwards);
+        const double depth = outward.dot(inwards);
         if (!(depth > 0)) continue;
         const double weight = depth * depth / (inwards.squaredNorm() * inwards.squaredNorm());
-        auto& [sum, next] = found.try_emplace(other, 0.0, Known{Vector3::Zero(), 0.0}).first->second;
-        sum += weight;
-        next.outward += weight * from.outward;
-        next.distance += weight * (from.distance + depth);
+        Sum& sum = sums[other];
+        sum.weight += weight;
+        sum.outward += weight * outward;
+        sum.distance += weight * (distance[row] + depth);
       }
     known.clear();
-    for (auto& [row, weighed] : found) {
-      auto& [sum, next] = weighed;
-      next.distance /= sum;
-      next.outward.normalize();
-      distance[row] = next.distance;
-      known.push_back({row, next});
+    for (const auto& [row, sum] : sums) {
+      distance[row] = sum.distance / sum.weight;
+      known.emplace_back(row, sum.outward.normalized());
     }
   }
 }
@@ -207,22 +161,23 @@ double ContactEdge::far_distance() const {
 
 Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
   const double far = far_distance();
-  std::vector<char> closed(grid_.places.size());
+  State state{std::vector<char>(grid_.places.size()), gap};
   Eigen::VectorXd distance(pressure.size());
   for (Eigen::Index i = 0; i < pressure.size(); ++i) {
-    closed[static_cast<std::size_t>(i)] = pressure[i] > 0 ? 1 : 0;
+    state.closed[static_cast<std::size_t>(i)] = pressure[i] > 0 ? 1 : 0;
+    state.gap[i] /= coupling_.area[static_cast<std::size_t>(i)];
     distance[i] = pressure[i] > 0 ? far : -far;
   }
-  std::vector<OpenRow> open = open_rows(closed, gap);
-  for (int pass = 0; pass < passes; ++pass) {
-    for (OpenRow& row : open) fit_slope(row, open);
-    for (OpenRow& row : open) row.root += 0.7 * (row.measured - weighted_root(row));
+  std::vector<std::pair<int, Vector3>> known;
+  for (int row = 0; row < static_cast<int>(pressure.size()); ++row) {
+    if (state.is_closed(row) ||
+        std::ranges::none_of(grid_.around(row), [&](int other) { return state.is_closed(other); }))
+      continue;
+    const Edge edge = edge_near(row, state);
+    distance[row] = -(edge.smooth ? distance_to(row, edge, state) : 0.5 * edge.length);
+    known.emplace_back(row, edge.outward);
   }
-  for (OpenRow& row : open) {
-    fit_slope(row, open);
-    fit_bend(row, open);
-  }
-  add_distances(open, closed, distance);
+  continue_inwards(std::move(known), distance);
   return distance;
 }
 

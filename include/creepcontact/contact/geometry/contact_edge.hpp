@@ -10,11 +10,17 @@ namespace creepcontact::contact {
 
 /// Signed distances of the multiplier nodes (rows) of one unilateral pair from the edge of contact.
 ///
-/// The gap tells where the edge is, not the pressure: the surfaces part like distance^(3/2) from an edge at which
-/// smooth bodies touch, whether the contact is elastic or has grown by creep (the displacement outside of a growing
-/// contact is that of an elastic one: E. H. Lee and J. R. M. Radok, J. Appl. Mech. 27, 1960), while the pressure inside
-/// depends on the whole history. So gap^(2/3), as the weighted gaps see it, is continued linearly from the open rows to
-/// zero.
+/// The gap tells where the edge is, not the pressure: outside an edge at which smooth bodies touch, the gap is a series
+/// in half-integer powers of the distance from it, whether the contact is elastic or has grown by linear
+/// viscoelasticity (the displacement outside a growing contact is that of an elastic one: E. H. Lee and J. R. M. Radok,
+/// J. Appl. Mech. 27, 1960), while the pressure inside depends on the whole history.
+///
+/// The edge moves smoothly, but the set of closed rows by whole rows. Between two sets the closed rows act like a punch
+/// whose end stands still, at the distance d = 0. A punch that ends k inside the edge of the smooth contact opens the
+/// gap
+///   d^(3/2) - 3/2 k d^(1/2) + b d^(5/2) + ...
+/// (M. L. Williams, J. Appl. Mech. 24, 1957), linear in what is unknown and thus fitted by least squares to the
+/// weighted gaps. Elements do not resolve the first open row, so it counts little.
 class ContactEdge {
  public:
   /// @param coupling, grid  of the pair; must outlive the object
@@ -23,28 +29,23 @@ class ContactEdge {
   /// Positive inside, negative outside. Rows further than two rows from the edge: plus or minus the size of the
   /// surface.
   /// @param pressure, gap  of all rows; the gaps are the weighted ones
-  /// Cost: the quadrature points of the rows near the edge.
+  /// Cost: the quadrature points of the rows near the edge, for each open row next to it.
   Eigen::VectorXd distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
 
  private:
-  /// An open row near the edge: gap^(2/3) is root + slope . (x - place) around it.
-  struct OpenRow {
-    int row = 0, ring = 0;  // 1: next to a closed row
-    std::vector<int> near;  // other open rows within two facets, as indices of open rows
-    double measured = 0;    // weighted mean of the gap, to the power of 2/3
-    double root = 0;
-    Vector3 slope = Vector3::Zero();
-    double bend = 0;   // second derivative along the slope ...
-    double lever = 0;  // ... and how far outside the slope is the derivative
+  struct State;  // of all rows: open or closed, mean gap
+  /// The edge near an open row next to a closed one.
+  struct Edge {
+    Vector3 outward;
+    double length = 0;     // of the elements across the edge
+    double curvature = 0;  // of lines of equal gap; positive around a round contact
+    bool smooth = false;   // the gap opens smoothly along the normal
   };
-  std::vector<OpenRow> open_rows(const std::vector<char>& closed, const Eigen::VectorXd& gap) const;
-  void fit_slope(OpenRow& open, const std::vector<OpenRow>& all) const;
-  void fit_bend(OpenRow& open, const std::vector<OpenRow>& all) const;
-  double weighted_root(const OpenRow& open) const;
+  std::vector<int> open_around(int row, int steps, const State& state) const;
+  Edge edge_near(int row, const State& state) const;
+  double distance_to(int row, const Edge& edge, const State& state) const;
+  void continue_inwards(std::vector<std::pair<int, Vector3>> known, Eigen::VectorXd& distance) const;
   double far_distance() const;
-  /// Sets the distances of the rows on both sides of the edge, and of the next rows inside.
-  void add_distances(const std::vector<OpenRow>& open, const std::vector<char>& closed,
-                     Eigen::VectorXd& distance) const;
 
   const contact::MortarCoupling& coupling_;
   const ContactGrid& grid_;
