@@ -1,6 +1,6 @@
 # cmake --install: program, its manual page, completion in bash, documentation, example configurations, headers,
 # libraries and the CMake package `creepcontact`
-# (find_package(creepcontact), targets creepcontact::base, creepcontact::simulation, ...).
+# (find_package(creepcontact), targets creepcontact::base, creepcontact::run, ...).
 include(CMakePackageConfigHelpers)
 
 if(TARGET creepcontact)

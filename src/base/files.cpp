@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
 
 #include "creepcontact/base/error.hpp"
@@ -45,6 +47,24 @@ std::string why_unreadable(const fs::path& path) {
     default:
       return "is a device or a socket; expected a file";
   }
+}
+
+FileBytes read_file(const fs::path& path, std::size_t most_bytes) {
+  FileBytes result{{}, why_unreadable(path)};
+  if (!result.failure.empty()) return result;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return {{}, std::strerror(errno)};
+  std::error_code ignored;
+  const bool is_pipe = fs::status(path, ignored).type() == fs::file_type::fifo;
+  const std::size_t most = is_pipe ? std::min(most_bytes, most_from_pipes) : most_bytes;
+  std::string part(std::size_t{1} << 16, '\0');
+  while (stream.read(part.data(), static_cast<std::streamsize>(part.size())), stream.gcount() > 0) {
+    result.bytes.append(part, 0, static_cast<std::size_t>(stream.gcount()));
+    if (result.bytes.size() > most)
+      return {{}, fmt::format("longer than {:.4g} MB", static_cast<double>(most) / (1 << 20))};
+  }
+  if (stream.bad()) return {{}, std::strerror(errno)};
+  return result;
 }
 
 }  // namespace creepcontact

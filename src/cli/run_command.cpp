@@ -2,9 +2,12 @@
 
 #include "command.hpp"
 #include "creepcontact/base/cores.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
+#include "run_progress.hpp"
+#include "thread_settings.hpp"
 
 namespace creepcontact::cli {
 
@@ -12,29 +15,39 @@ namespace po = boost::program_options;
 
 int run(const Command& self, const Arguments& arguments) {
   run::RunOptions options;
+  int threads = 0;
+  bool quiet = false;
   CommandLine line(self);
   add_overrides(line);
   line.add_options()("output,o", po::value(&options.output)->value_name("DIR"),
                      "where results go, instead of the configuration's directory");
-  line.add_options()("threads,j", po::value(&options.threads)->value_name("N"),
+  line.add_options()("threads,j", po::value(&threads)->value_name("N"),
                      "number of threads; not given: as many as there are cores");
   line.add_options()("resume", po::bool_switch(&options.resume), "go on from the checkpoint in the output directory");
   line.add_options()("log-contact", po::value(&options.log_contact)->value_name("FILE.csv"),
                      "write a row of every iteration of the contact solver");
-  line.add_options()("quiet,q", po::bool_switch(&options.quiet), "warnings and errors only");
+  line.add_options()("quiet,q", po::bool_switch(&quiet), "warnings and errors only");
   add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
-  if (line.has("threads")) line.require_within("threads", options.threads, cores());
+  if (line.has("threads")) line.require_within("threads", threads, cores());
 
   config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
+  use_threads(threads);
+  if (quiet) log::set_level(log::Level::warning);
+  RunProgress progress(config.time.output, quiet);
+  options.observer = &progress;
   const run::RunResult result = run::run(config, options);
   if (!result.message.empty()) {
     if (result.exit_status != 0) {
       std::cerr << "error: " << result.message << '\n';
-    } else if (!options.quiet) {
+    } else if (!quiet) {
       std::cout << result.message << '\n';
     }
+  }
+  if (!quiet) {
+    std::cout << result.report;
+    for (const std::string& line : result.advice) log::warning("{}", line);
   }
   return result.exit_status;
 }

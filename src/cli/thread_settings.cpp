@@ -1,10 +1,13 @@
 #include "thread_settings.hpp"
 
+#include <omp.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
 #include "creepcontact/platform/interrupt.hpp"
+#include "creepcontact/platform/useful_threads.hpp"
+#include "creepcontact/run/threads.hpp"
 
 namespace creepcontact::cli {
 
@@ -16,6 +19,11 @@ void set_threads(char** arguments) {
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   const platform::BlockedSignals until_handled_again;
   execv("/proc/self/exe", arguments);  // returns only where that cannot be done: then the libraries do as they like
+}
+
+void use_threads(int wanted) {
+  omp_set_num_threads(run::affordable_threads(wanted > 0 ? wanted : omp_get_max_threads()));
+  if (wanted == 0) omp_set_num_threads(platform::useful_threads());
 }
 
 }  // namespace creepcontact::cli

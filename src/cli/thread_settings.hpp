@@ -9,4 +9,7 @@ namespace creepcontact::cli {
 /// @param arguments  of main
 void set_threads(char** arguments);
 
+/// Sets the threads of OpenMP. @param wanted  0: as many as there are cores that other programs leave free
+void use_threads(int wanted);
+
 }  // namespace creepcontact::cli

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <vector>
 
 #include "table.hpp"
 
@@ -24,22 +25,54 @@ std::string path_part(std::string_view key) {
   return needs_marks ? '"' + std::string(key) + '"' : std::string(key);
 }
 
-/// In one line, as an override and a table of results need it.
-std::string toml_text(const toml::node& node) {
+std::string leaf_text(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number_text(number->get());
-  std::string text;
-  if (const auto* array = node.as_array()) {
-    for (const toml::node& one : *array) text += (text.empty() ? "" : ", ") + toml_text(one);
-    return '[' + text + ']';
-  }
-  if (const auto* table = node.as_table()) {
-    for (const auto& [key, one] : *table)
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", path_part(key.str()), toml_text(one));
-    return "{ " + text + " }";
-  }
   std::ostringstream stream;
   node.visit([&](const auto& one) { stream << one; });
   return stream.str();
+}
+
+/// In one line, as an override and a table of results need it. Without recursion: dotted keys nest thousands of levels.
+std::string toml_text(const toml::node& node) {
+  struct Open {
+    const toml::array* array;
+    const toml::table* table;
+    toml::table::const_iterator at;  // in a table
+    std::size_t n_done = 0;
+  };
+  std::string text;
+  std::vector<Open> open;
+  const auto append = [&](const toml::node& one) {
+    if (const auto* array = one.as_array()) {
+      text += '[';
+      open.push_back({array, nullptr, {}});
+    } else if (const auto* table = one.as_table()) {
+      text += "{ ";
+      open.push_back({nullptr, table, table->begin()});
+    } else {
+      text += leaf_text(one);
+    }
+  };
+  append(node);
+  while (!open.empty()) {
+    Open& last = open.back();
+    if (last.n_done == (last.array != nullptr ? last.array->size() : last.table->size())) {
+      text += last.array != nullptr ? "]" : " }";
+      open.pop_back();
+      continue;
+    }
+    if (last.n_done > 0) text += ", ";
+    const std::size_t number = last.n_done++;
+    if (last.array != nullptr) {
+      append(*last.array->get(number));
+    } else {
+      const auto& [key, value] = *last.at;
+      ++last.at;
+      text.append(path_part(key.str())).append(" = ");
+      append(value);
+    }
+  }
+  return text;
 }
 
 StudyValue study_value(const Item& item) {

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <iterator>
-#include <system_error>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
@@ -22,18 +19,9 @@ constexpr std::size_t most_bytes = std::size_t{1} << 26;
 }  // namespace
 
 std::string read_text(const std::filesystem::path& file) {
-  std::string reason = why_unreadable(file);
-  std::ifstream stream(file, std::ios::binary);
-  if (reason.empty() && !stream) reason = std::generic_category().message(errno);
-  if (!reason.empty()) throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(), reason));
-  std::string text;
-  std::string part(std::size_t{1} << 16, '\0');
-  while (stream.read(part.data(), static_cast<std::streamsize>(part.size())), stream.gcount() > 0) {
-    text.append(part, 0, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > most_bytes)
-      throw ConfigError(
-          fmt::format("{}: longer than {} MB; is that a configuration?", file.string(), most_bytes >> 20));
-  }
+  auto [text, failure] = read_file(file, most_bytes);
+  if (failure.starts_with("longer")) failure += "; is that a configuration?";
+  if (!failure.empty()) throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(), failure));
   return text;
 }
 

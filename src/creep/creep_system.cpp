@@ -233,9 +233,9 @@ void CreepSystem::restore(const Memory& memory) {
   scale_.restore(memory.at("strain_scale"));
 }
 
-ode::System::Counters CreepSystem::counters() const {
+RunCounters CreepSystem::run_counters() const {
   const EquilibriumSolver::Counters elastic = solver_.counters();
-  Counters result;
+  RunCounters result;
   result.rate_evaluations = rate_evaluations_;
   result.jacobian_products = jacobian_products_;
   result.elastic_solves = elastic.elastic_solves;

@@ -2,13 +2,10 @@
 
 #include <fmt/ranges.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/io/msh_reader.hpp"
+#include "file_text.hpp"
 #include "geo_scan.hpp"
 #include "mesher_process.hpp"
 
@@ -55,13 +52,6 @@ mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& option
   return read_msh(run_mesher(request, options.time_limit), file.string());
 }
 
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream) throw ModelError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  return bytes;
-}
-
 }  // namespace
 
 mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& options) {
@@ -71,7 +61,7 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
   if (const std::string reason = why_unreadable(file); !reason.empty())
     throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);
-  return is_geo ? mesh_geo(file, options) : read_msh(bytes_of(file), file.string());
+  return is_geo ? mesh_geo(file, options) : read_msh(file_text<ModelError>(file), file.string());
 }
 
 }  // namespace creepcontact::io

@@ -140,7 +140,7 @@ AutoIntegrator::Method AutoIntegrator::choose(double step) {
   if (method_ == Method::functional && free(Method::krylov)) return Method::krylov;
   const bool moderate = step <= most_stable_steps * system_.stable_step(time(), state());
   if (free(Method::stabilized) && moderate) return Method::stabilized;
-  if (free(Method::tangent) && system_.offers_tangent()) return Method::tangent;
+  if (free(Method::tangent) && system_.newton_solver() != nullptr) return Method::tangent;
   if (free(Method::krylov)) return Method::krylov;
   return free(Method::stabilized) && method_ != Method::stabilized ? Method::stabilized : method_;
 }

@@ -64,7 +64,7 @@ std::unique_ptr<Integrator> make_integrator(const std::string& name, System& sys
   const auto& all = integrators();
   const auto found = std::ranges::find(all, name, &IntegratorInfo::name);
   if (found == all.end()) throw std::out_of_range(fmt::format("no integrator named '{}'", name));
-  if (system.may_start_singular() && !found->isochronous)
+  if (system.singular_rate() != nullptr && !found->isochronous)
     return std::make_unique<SingularStart>(*found, system, options);
   return found->make(system, options);
 }

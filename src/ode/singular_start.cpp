@@ -42,7 +42,7 @@ void SingularStart::initialize(double t, std::span<const double> y, double step)
 
 double SingularStart::increment_size(double stress_time, double duration) {
   std::ranges::fill(change_, 0.0);
-  system_.start_increment(time_, start_, stress_time, duration, change_);
+  system_.singular_rate()->start_increment(time_, start_, stress_time, duration, change_);
   ErrorNorm norm(options_.tolerance);
   norm.set_scale(system_.scale());
   return norm([&](std::size_t begin, std::size_t n) { return piece(std::as_const(change_).data(), begin, n); });
@@ -67,7 +67,7 @@ bool SingularStart::has_fixed_steps() const {
 }
 
 void SingularStart::begin(double t_limit) {
-  const double exponent = system_.start_exponent(time_, start_);
+  const double exponent = system_.singular_rate()->start_exponent(time_, start_);
   started_.start(time_, std::min(exponent, 1.0));
   if (!(exponent < 1)) {
     first_ = 0;

@@ -28,13 +28,13 @@ void StartedSystem::rate(double s, std::span<const double> y, std::span<double> 
 
 void StartedSystem::jacobian_times(double s, std::span<const double> y, std::span<const double> v,
                                    std::span<double> product) {
-  system_.jacobian_times(t(s), y, v, product);
+  system_.jacobian()->jacobian_times(t(s), y, v, product);
   const double factor = speed(s);
   for_each_index(product.size(), [&](std::size_t i) { product[i] *= factor; });
 }
 
 void StartedSystem::prepare_preconditioner(double s, std::span<const double> y) {
-  system_.prepare_preconditioner(t(s), y);
+  system_.jacobian()->prepare_preconditioner(t(s), y);
   prepared_speed_ = speed(s);
 }
 

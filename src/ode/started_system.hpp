@@ -6,7 +6,7 @@
 namespace creepcontact::ode {
 
 /// dy/ds = f dt/ds. With the exponent 1 nothing changes but the sign's place: s = t.
-class StartedSystem final : public System {
+class StartedSystem final : public System, public JacobianProducts, public NewtonSolver {
  public:
   /// @param system  must outlive the object
   explicit StartedSystem(System& system) : system_(system) {}
@@ -34,13 +34,16 @@ class StartedSystem final : public System {
                       std::span<double> product) override;
   void prepare_preconditioner(double s, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override {
-    system_.precondition(gamma * prepared_speed_, r, z);
+    system_.jacobian()->precondition(gamma * prepared_speed_, r, z);
   }
-  bool offers_tangent() const override { return system_.offers_tangent(); }
+  JacobianProducts* jacobian() override { return system_.jacobian() != nullptr ? this : nullptr; }
+  NewtonSolver* newton_solver() override { return system_.newton_solver() != nullptr ? this : nullptr; }
   void prepare_tangent(double s, std::span<const double> y, double gamma) override {
-    system_.prepare_tangent(t(s), y, gamma * speed(s));
+    system_.newton_solver()->prepare_tangent(t(s), y, gamma * speed(s));
   }
-  void solve_tangent(std::span<const double> r, std::span<double> z) override { system_.solve_tangent(r, z); }
+  void solve_tangent(std::span<const double> r, std::span<double> z) override {
+    system_.newton_solver()->solve_tangent(r, z);
+  }
   double stable_step(double s, std::span<const double> y) override;
   std::span<const double> scale() const override { return system_.scale(); }
   void accept(double s, std::span<const double> y) override { system_.accept(t(s), y); }

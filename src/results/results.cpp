@@ -45,8 +45,7 @@ void Results::sync() {
   steps_->sync();
 }
 
-void Results::step(const ode::StepReport& report, const ode::System::Counters& before,
-                   const ode::System::Counters& after) {
+void Results::step(const ode::StepReport& report, const creep::RunCounters& before, const creep::RunCounters& after) {
   steps_->write({.time = report.time,
                  .step = report.step,
                  .order = report.order,

@@ -1,7 +1,6 @@
 #include "creepcontact/run/check.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <ostream>
 
@@ -36,7 +35,6 @@ std::string contact_text(const contact::Pair& pair, const config::Contact& conta
 }  // namespace
 
 void check(const config::Config& config, std::ostream& report) {
-  omp_set_num_threads(affordable_threads(omp_get_max_threads()));
   const model::Model model = model::build_model(config);
   results::make_probes(config, model);
   const creep::StateLayout layout(model.assembly);

@@ -9,6 +9,7 @@
 #include "creepcontact/creep/state_layout.hpp"
 #include "creepcontact/linalg/blas_address_space.hpp"
 #include "creepcontact/platform/memory.hpp"
+#include "creepcontact/run/threads.hpp"
 
 namespace creepcontact::run {
 namespace {

@@ -23,10 +23,6 @@ struct MemoryNeed {
 MemoryNeed memory_need(const config::Config& config, const model::Model& model, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor);
 
-/// The number of threads that a limited address space has place for, `wanted` at most: each may take some hundred MB of
-/// it in the BLAS. 1 may still be too many.
-int affordable_threads(int wanted);
-
 /// Between the analysis of all bodies and their factorisation: refuses a model for which there is no memory before
 /// anything of it is taken.
 /// @throws ModelError with the need, what there is, and what bounds it

@@ -1,10 +1,8 @@
 #include "creepcontact/run/run.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <filesystem>
-#include <iostream>
 #include <new>
 #include <optional>
 
@@ -15,7 +13,6 @@
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
-#include "creepcontact/platform/useful_threads.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/check.hpp"
 #include "creepcontact/run/contact_log.hpp"
@@ -41,7 +38,7 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   summary.method = loop.method();
   summary.time_reached = loop.time();
   const ode::Integrator::Counters steps = loop.integrator_counters();
-  const ode::System::Counters counters = loop.system_counters();
+  const creep::RunCounters counters = loop.system_counters();
   summary.steps = steps.steps;
   summary.rejected_steps = steps.rejected_steps;
   summary.convergence_failures = steps.convergence_failures;
@@ -76,20 +73,20 @@ Suspects suspects(const creep::CreepSystem& system) {
   return result;
 }
 
-void print_report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop,
-                  const creep::CreepSystem& system) {
-  if (loop.step_statistics().empty()) return;
-  std::cout << run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
-  if (loop.resumed()) std::cout << "  (lengths, orders and errors of steps, and the time: since the resume)\n";
-  for (const std::string& line : advice(summary, loop.step_statistics(), suspects(system))) log::warning("{}", line);
+std::string report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop,
+                   const std::string& end, const std::filesystem::path& directory) {
+  std::string text = fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
+                                 end, summary.steps, summary.elastic_solves, summary.schwarz_iterations,
+                                 summary.wall_seconds.total, directory.string());
+  if (loop.step_statistics().empty()) return text;
+  text += run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
+  if (loop.resumed()) text += "  (lengths, orders and errors of steps, and the time: since the resume)\n";
+  return text;
 }
 
 }  // namespace
 
 RunResult run(const config::Config& config, const RunOptions& options) {
-  omp_set_num_threads(affordable_threads(options.threads > 0 ? options.threads : omp_get_max_threads()));
-  if (options.threads == 0) omp_set_num_threads(platform::useful_threads());
-  if (options.quiet) log::set_level(log::Level::warning);
   Stopwatch watch;
   const std::filesystem::path directory =
       options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
@@ -139,7 +136,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
   if (!lock) lock.emplace(directory);
-  TimeLoop loop(config, model, system, std::move(probes), watch, directory, options.resume, options.quiet);
+  TimeLoop loop(config, model, system, std::move(probes), watch, directory, options.resume, options.observer);
 
   const auto write_summary = [&](io::Summary::Status status, const std::string& message) {
     const auto lap = watch.lap(Part::output);
@@ -182,15 +179,9 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   } catch (const std::bad_alloc&) {
     return failed(SolverError::status, platform::out_of_memory);
   }
-  if (!options.quiet) {
-    std::cout << fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
-                             result.exit_status != 0 ? "interrupted"
-                             : summary.rupture       ? "ruptured"
-                                                     : "done",
-                             summary.steps, summary.elastic_solves, summary.schwarz_iterations,
-                             summary.wall_seconds.total, directory.string());
-    print_report(config, summary, loop, system);
-  }
+  const char* const end = result.exit_status != 0 ? "interrupted" : summary.rupture ? "ruptured" : "done";
+  result.report = report(config, summary, loop, end, directory);
+  if (!loop.step_statistics().empty()) result.advice = advice(summary, loop.step_statistics(), suspects(system));
   return result;
 }
 

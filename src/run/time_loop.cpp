@@ -60,13 +60,13 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
 
 TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, creep::CreepSystem& system,
                    std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
-                   const std::filesystem::path& directory, bool resume, bool quiet)
+                   const std::filesystem::path& directory, bool resume, RunObserver* observer)
     : config_(config),
       model_(model),
       system_(system),
       watch_(watch),
       checkpoints_(config, model, directory),
-      progress_(config.time.output, quiet),
+      observer_(observer),
       life_(system),
       table_ranges_(config),
       state_(system.size(), 0.0) {
@@ -93,7 +93,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
 io::Checkpoint TimeLoop::checkpoint() const {
   io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
   life_.save(checkpoint.arrays);
-  const ode::System::Counters of_system = system_counters();
+  const creep::RunCounters of_system = system_counters();
   const ode::Integrator::Counters of_integrator = integrator_counters();
   checkpoint.counters = {{"steps", of_integrator.steps},
                          {"rejected_steps", of_integrator.rejected_steps},
@@ -137,8 +137,8 @@ ode::Integrator::Counters TimeLoop::integrator_counters() const {
   return result;
 }
 
-ode::System::Counters TimeLoop::system_counters() const {
-  ode::System::Counters result = system_.counters();
+creep::RunCounters TimeLoop::system_counters() const {
+  creep::RunCounters result = system_.run_counters();
   const auto earlier = [&](const char* name) { return earlier_.contains(name) ? earlier_.at(name) : 0; };
   result.rate_evaluations += earlier("rate_evaluations");
   result.jacobian_products += earlier("jacobian_products");
@@ -210,7 +210,7 @@ void TimeLoop::begin_segment() {
 void TimeLoop::report_rupture(double time, const creep::CreepSystem::Extreme& where) {
   ruptured_ = true;
   life_.rupture(time, where);
-  progress_.clear();
+  if (observer_ != nullptr) observer_->before_message();
   log::info("body '{}' ruptures at t = {:.6g}: damage {:.3g} at ({:.6g}, {:.6g}, {:.6g})",
             model_.bodies()[where.body].name(), time, where.value, where.place.x(), where.place.y(), where.place.z());
 }
@@ -264,15 +264,15 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     keep_restart_point();
     const double stop = next_break_ != last_break ? *next_break_ : end;
     const bool may_pass_outputs = integrator_->interpolates() || next_output_ == config_.time.output.end();
-    const ode::System::Counters before = system_.counters();
+    const creep::RunCounters before = system_.run_counters();
     const ode::StepReport report = integrator_->step(may_pass_outputs ? stop : std::min(stop, *next_output_));
     settled_ = false;
     time_ = integrator_->time();
-    results_->step(report, before, system_.counters());
+    results_->step(report, before, system_.run_counters());
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
     table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
-    progress_.step(time_, integrator_counters().steps, system_counters().elastic_solves);
+    if (observer_ != nullptr) observer_->step(time_, integrator_counters().steps, system_counters().elastic_solves);
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());
     if (ruptured(time_ - report.step)) return;
@@ -285,7 +285,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     }
     settled_ = true;
   }
-  progress_.clear();
+  if (observer_ != nullptr) observer_->before_message();
 }
 
 void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {

@@ -14,7 +14,7 @@
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/results/damage_monitor.hpp"
 #include "creepcontact/results/results.hpp"
-#include "progress.hpp"
+#include "creepcontact/run/run.hpp"
 #include "run_report.hpp"
 
 namespace creepcontact::run {
@@ -23,11 +23,11 @@ class TimeLoop {
  public:
   enum class End { completed, ruptured, interrupted };
 
-  /// @param resume  start from the checkpoint in the directory
+  /// @param resume  start from the checkpoint in the directory @param observer  may be null
   /// @param probes  those of the configuration
   TimeLoop(const config::Config& config, const model::Model& model, creep::CreepSystem& system,
            std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
-           const std::filesystem::path& directory, bool resume, bool quiet);
+           const std::filesystem::path& directory, bool resume, RunObserver* observer = nullptr);
 
   /// @throws SolverError if the run cannot go on; what was computed is on disk, a checkpoint too
   End run();
@@ -36,7 +36,7 @@ class TimeLoop {
   /// False if the run failed before its first output.
   bool has_output() const { return has_output_; }
   ode::Integrator::Counters integrator_counters() const;
-  ode::System::Counters system_counters() const;
+  creep::RunCounters system_counters() const;
   const results::Results& results() const { return *results_; }
   const results::DamageMonitor& life() const { return life_; }
   /// Of the steps since the start or the resume.
@@ -74,7 +74,7 @@ class TimeLoop {
   Checkpoints checkpoints_;
   std::unique_ptr<ode::Integrator> integrator_;
   std::unique_ptr<results::Results> results_;
-  Progress progress_;
+  RunObserver* observer_;
   results::DamageMonitor life_;
   model::TableRangeMonitor table_ranges_;
   StepStatistics step_statistics_;

@@ -113,7 +113,7 @@ inline Outcome run_case(const std::string& toml, const std::string& geo, const s
   config::Config config = directory.config(toml, overrides);
   config.output.fields = false;
   const auto results = directory.path() / "results";
-  const run::RunResult result = run::run(config, {.output = results.string(), .quiet = true});
+  const run::RunResult result = run::run(config, {.output = results.string()});
   Outcome outcome{result.exit_status, result.message, read_history(results / "history.csv"),
                   read_text(results / "summary.json"), read_history(results / "steps.csv")};
   EXPECT_EQ(outcome.exit_status, 0) << outcome.message;

@@ -23,7 +23,7 @@ void expect_area_of_example(const std::vector<std::string>& changes) {
   config::Config config = config::read(CREEPCONTACT_CONFIGS "/viscoelastic_indenter.toml", run::vocabulary(), changes);
   config.output.fields = false;
   const auto results = directory.path() / "results";
-  ASSERT_EQ(run::run(config, {.output = results.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run::run(config, {.output = results.string()}).exit_status, 0);
   const History history = read_history(results / "history.csv");
   for (const double t : history.times()) {
     const double compliance = 0.21834 + 0.77151 * (1 - std::exp(-t / 161.326)) + 0.84837 * (1 - std::exp(-t / 17288));

@@ -48,19 +48,19 @@ class StressRuns {
     std::vector<double> state(system.size(), 0.0);
     integrator->initialize(0, state);
     StressHistory history;
-    const std::int64_t before = system.counters().elastic_solves;
+    const std::int64_t before = system.run_counters().elastic_solves;
     std::int64_t for_output = 0;
     for (auto next = time_.output.begin() + 1; next != time_.output.end();) {
       integrator->step(time_.end);
       for (; next != time_.output.end() && *next <= integrator->time(); ++next) {
-        const std::int64_t solves = system.counters().elastic_solves;
+        const std::int64_t solves = system.run_counters().elastic_solves;
         integrator->interpolate(*next, state);
         const creep::Evaluation& at = system.evaluate_output(*next, state);
-        for_output += system.counters().elastic_solves - solves;
+        for_output += system.run_counters().elastic_solves - solves;
         history.stress.push_back(all_stress(at.equilibrium));
       }
     }
-    history.elastic_solves = system.counters().elastic_solves - before - for_output;
+    history.elastic_solves = system.run_counters().elastic_solves - before - for_output;
     history.steps = integrator->counters();
     return history;
   }

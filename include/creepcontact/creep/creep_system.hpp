@@ -29,9 +29,23 @@ struct Evaluation {
   bool valid = false;
 };
 
+/// All work so far, for reports.
+struct RunCounters {
+  std::int64_t rate_evaluations = 0;
+  std::int64_t jacobian_products = 0;
+  std::int64_t elastic_solves = 0;
+  std::int64_t contact_solves = 0;
+  std::int64_t schwarz_iterations = 0;
+  std::int64_t factorizations = 0;
+  std::int64_t active_contacts = 0;  ///< at the last evaluation
+};
+
 /// The rate is a pure function of (t, y) and of the history of accepted steps. Evaluations for outputs
 /// (evaluate_output) change nothing that steps see.
-class CreepSystem final : public ode::System {
+class CreepSystem final : public ode::System,
+                          public ode::JacobianProducts,
+                          public ode::NewtonSolver,
+                          public ode::SingularRate {
  public:
   /// @param solver, watch must outlive the object
   /// @param survey  of the same solver
@@ -46,12 +60,13 @@ class CreepSystem final : public ode::System {
                       std::span<double> product) override;
   void prepare_preconditioner(double t, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
+  ode::JacobianProducts* jacobian() override { return this; }
   /// Only where contact is condensed to dense matrices.
-  bool offers_tangent() const override { return solver_.interface().is_dense(); }
+  ode::NewtonSolver* newton_solver() override { return solver_.interface().is_dense() ? this : nullptr; }
+  ode::SingularRate* singular_rate() override { return may_start_singular_ ? this : nullptr; }
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;
   void solve_tangent(std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;
-  bool may_start_singular() const override { return may_start_singular_; }
   double start_exponent(double t, std::span<const double> y) override;
   void start_increment(double t, std::span<const double> y, double stress_time, double duration,
                        std::span<double> change) override;
@@ -60,7 +75,8 @@ class CreepSystem final : public ode::System {
   /// The last evaluation of the steps, which is at or beside the accepted point, becomes part of the history.
   void accept(double t, std::span<const double> y) override;
   void forget_evaluations() override;
-  Counters counters() const override;
+  ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
+  RunCounters run_counters() const;
 
   /// Loads, supports, gaps and temperatures may jump at both ends of the time from `begin` to `end`: from now on
   /// they are, at these times, their limits from within.

@@ -1,5 +1,6 @@
 #pragma once
-/// A system of ordinary differential equations dy/dt = f(t, y) as the integrators see it.
+/// A system of ordinary differential equations dy/dt = f(t, y) as the integrators see it: what each of them needs
+/// (System), and what some can make use of where it is offered.
 
 #include <cstdint>
 #include <span>
@@ -12,6 +13,43 @@ struct RecoverableError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Products with the Jacobian and a preconditioner, for Krylov methods.
+class JacobianProducts {
+ public:
+  virtual ~JacobianProducts() = default;
+  /// product = (df/dy)(t, y) v. Called at the point of the last rate() as a rule; another point is evaluated first.
+  virtual void jacobian_times(double t, std::span<const double> y, std::span<const double> v,
+                              std::span<double> product) = 0;
+  /// Keeps what precondition() needs about the point (t, y); the point of the last rate() as a rule.
+  virtual void prepare_preconditioner(double t, std::span<const double> y) = 0;
+  /// z = (I - gamma J_local)^-1 r, J_local the point-wise part of df/dy at the prepared point.
+  virtual void precondition(double gamma, std::span<const double> r, std::span<double> z) = 0;
+};
+
+/// Newton systems solved directly.
+class NewtonSolver {
+ public:
+  virtual ~NewtonSolver() = default;
+  /// Factors I - gamma J at the point (t, y) for solve_tangent(); the point of the last rate() as a rule.
+  /// @throws RecoverableError, as where the matrix is singular
+  virtual void prepare_tangent(double t, std::span<const double> y, double gamma) = 0;
+  /// z = (I - gamma J)^-1 r with gamma and J of the last prepare_tangent(), but for what of J may follow the last
+  /// rate() at no cost. @throws RecoverableError
+  virtual void solve_tangent(std::span<const double> r, std::span<double> z) = 0;
+};
+
+/// Rates that are infinite where loads begin or jump.
+class SingularRate {
+ public:
+  virtual ~SingularRate() = default;
+  /// y is smooth in (t' - t)^exponent from t on; 1: the rate is finite.
+  virtual double start_exponent(double t, std::span<const double> y) = 0;
+  /// Change of y from (t, y) on over `duration`, by the closed forms of what is singular there, at the stress that y
+  /// has at `stress_time` and that stays as it is. @throws RecoverableError
+  virtual void start_increment(double t, std::span<const double> y, double stress_time, double duration,
+                               std::span<double> change) = 0;
+};
+
 /// f is a pure function of (t, y): what accept() stores may change the cost of an evaluation, not its value.
 class System {
  public:
@@ -21,36 +59,8 @@ class System {
   /// rate = f(t, y). @throws RecoverableError; any other exception ends the run.
   virtual void rate(double t, std::span<const double> y, std::span<double> rate) = 0;
 
-  /// product = (df/dy)(t, y) v. Called at the point of the last rate() as a rule; another point is evaluated first.
-  virtual void jacobian_times(double t, std::span<const double> y, std::span<const double> v,
-                              std::span<double> product) = 0;
-
-  /// Keeps what precondition() needs about the point (t, y); the point of the last rate() as a rule.
-  virtual void prepare_preconditioner(double t, std::span<const double> y) = 0;
-  /// z = (I - gamma J_local)^-1 r, J_local the point-wise part of df/dy at the prepared point.
-  virtual void precondition(double gamma, std::span<const double> r, std::span<double> z) = 0;
-
-  /// False if the two functions below cannot be called.
-  virtual bool offers_tangent() const { return true; }
-  /// Factors I - gamma J at the point (t, y) for solve_tangent(); the point of the last rate() as a rule.
-  /// @throws RecoverableError, as where the matrix is singular
-  virtual void prepare_tangent(double t, std::span<const double> y, double gamma) = 0;
-  /// z = (I - gamma J)^-1 r with gamma and J of the last prepare_tangent(), but for what of J may follow the last
-  /// rate() at no cost. @throws RecoverableError
-  virtual void solve_tangent(std::span<const double> r, std::span<double> z) = 0;
-
   /// Largest step at which explicit Euler is stable at (t, y) (Cormeau 1975); infinity if nothing creeps.
   virtual double stable_step(double t, std::span<const double> y) = 0;
-
-  /// True if start_exponent() may be below 1 at some time.
-  virtual bool may_start_singular() const { return false; }
-  /// Where loads begin or jump at t the rate may be infinite. Then y is smooth in (t' - t)^exponent from there on;
-  /// 1: the rate is finite.
-  virtual double start_exponent(double /*t*/, std::span<const double> /*y*/) { return 1; }
-  /// Change of y from (t, y) on over `duration`, by the closed forms of what is singular there, at the stress that y
-  /// has at `stress_time` and that stays as it is. Only where start_exponent() may be below 1. @throws RecoverableError
-  virtual void start_increment(double t, std::span<const double> y, double stress_time, double duration,
-                               std::span<double> change);
 
   /// Error of y_i that the user takes for one unit of relative accuracy: absolute tolerance = tolerance * scale()[i].
   /// May change with accept().
@@ -62,15 +72,15 @@ class System {
   /// has stored alone. Integrators call it where they begin anew.
   virtual void forget_evaluations() {}
 
-  // Counters of all that was asked so far, for reports.
+  // What is not offered is null.
+  virtual JacobianProducts* jacobian() { return nullptr; }
+  virtual NewtonSolver* newton_solver() { return nullptr; }
+  virtual SingularRate* singular_rate() { return nullptr; }
+
+  /// Of all that was asked so far.
   struct Counters {
     std::int64_t rate_evaluations = 0;
     std::int64_t jacobian_products = 0;
-    std::int64_t elastic_solves = 0;
-    std::int64_t contact_solves = 0;
-    std::int64_t schwarz_iterations = 0;
-    std::int64_t factorizations = 0;
-    std::int64_t active_contacts = 0;  ///< at the last evaluation
   };
   virtual Counters counters() const = 0;
 };

@@ -25,7 +25,7 @@ class Results {
   /// A row of history.csv, and files of the fields in the bodies and on the contact surfaces.
   void output(Snapshot& snapshot);
   /// A row of steps.csv. @param before, after  counters around the step
-  void step(const ode::StepReport& report, const ode::System::Counters& before, const ode::System::Counters& after);
+  void step(const ode::StepReport& report, const creep::RunCounters& before, const creep::RunCounters& after);
   /// Waits until all rows are on the disk itself; field files are when they are written.
   void sync();
   /// Last row of history.csv.

@@ -51,7 +51,7 @@ struct NewtonIteration::Krylov {
   /// correction = (I - gamma J)^-1 residual. @returns the Euclidean norm of what is left of the residual
   double solve(const Equation& of, std::span<const double> residual, double tolerance) {
     equation = &of;
-    system.prepare_preconditioner(of.t, of.point);
+    system.jacobian()->prepare_preconditioner(of.t, of.point);
     std::ranges::copy(residual, view(right.get(), size).begin());
     N_VConst(0.0, correction.get());
     SUNLinSolSetZeroGuess(solver.get(), SUNTRUE);
@@ -80,14 +80,15 @@ struct NewtonIteration::Krylov {
     return me.guarded([&] {
       const std::span<const double> in = view(v, me.size);
       const std::span<double> out = view(product, me.size);
-      me.system.jacobian_times(me.equation->t, me.equation->point, in, out);
+      me.system.jacobian()->jacobian_times(me.equation->t, me.equation->point, in, out);
       const double gamma = me.equation->gamma;
       for_each_index(me.size, [&](std::size_t i) { out[i] = in[i] - gamma * out[i]; });
     });
   }
   static int precondition(void* self, N_Vector r, N_Vector z, realtype, int) {
     Krylov& me = *static_cast<Krylov*>(self);
-    return me.guarded([&] { me.system.precondition(me.equation->gamma, view(r, me.size), view(z, me.size)); });
+    return me.guarded(
+        [&] { me.system.jacobian()->precondition(me.equation->gamma, view(r, me.size), view(z, me.size)); });
   }
 
   System& system;

@@ -43,7 +43,7 @@ int SundialsCallbacks::jacobian_times(N_Vector v, N_Vector product, realtype t, 
                                       N_Vector) {
   SundialsCallbacks& me = object(self);
   return me.guarded(
-      [&] { me.system_.jacobian_times(t, view(y, me.size_), view(v, me.size_), view(product, me.size_)); });
+      [&] { me.system_.jacobian()->jacobian_times(t, view(y, me.size_), view(v, me.size_), view(product, me.size_)); });
 }
 
 int SundialsCallbacks::prepare_preconditioner(realtype t, N_Vector y, N_Vector, booleantype reuse, booleantype* renewed,
@@ -52,20 +52,20 @@ int SundialsCallbacks::prepare_preconditioner(realtype t, N_Vector y, N_Vector, 
   if (reuse) return 0;  // only gamma has changed, and precondition() is told of it
   SundialsCallbacks& me = object(self);
   *renewed = SUNTRUE;
-  return me.guarded([&] { me.system_.prepare_preconditioner(t, view(y, me.size_)); });
+  return me.guarded([&] { me.system_.jacobian()->prepare_preconditioner(t, view(y, me.size_)); });
 }
 
 int SundialsCallbacks::precondition(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype gamma, realtype, int,
                                     void* self) {
   SundialsCallbacks& me = object(self);
-  return me.guarded([&] { me.system_.precondition(gamma, view(r, me.size_), view(z, me.size_)); });
+  return me.guarded([&] { me.system_.jacobian()->precondition(gamma, view(r, me.size_), view(z, me.size_)); });
 }
 
 int SundialsCallbacks::prepare_tangent(realtype t, N_Vector y, N_Vector, SUNMatrix, booleantype, booleantype* renewed,
                                        realtype gamma, void* self, N_Vector, N_Vector, N_Vector) {
   SundialsCallbacks& me = object(self);
   *renewed = SUNTRUE;  // also where only gamma has changed: the factorisation is the cost, not the Jacobian
-  return me.guarded([&] { me.system_.prepare_tangent(t, view(y, me.size_), gamma); });
+  return me.guarded([&] { me.system_.newton_solver()->prepare_tangent(t, view(y, me.size_), gamma); });
 }
 
 int SundialsCallbacks::prepare_tangent_with_mass(realtype t, N_Vector y, N_Vector rate, SUNMatrix matrix, SUNMatrix,
@@ -75,7 +75,7 @@ int SundialsCallbacks::prepare_tangent_with_mass(realtype t, N_Vector y, N_Vecto
 }
 
 int SundialsCallbacks::solve_tangent(N_Vector r, N_Vector z) noexcept {
-  return guarded([&] { system_.solve_tangent(view(r, size_), view(z, size_)); });
+  return guarded([&] { system_.newton_solver()->solve_tangent(view(r, size_), view(z, size_)); });
 }
 
 void SundialsCallbacks::message(int code, const char*, const char*, char* text, void* self) {

@@ -19,4 +19,5 @@ endif()
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${CXX}
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix -D SANITIZE=${SANITIZE})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/consumer)
+run(${CMAKE_COMMAND} -E env CREEPCONTACT_MESHER=${WORK_DIR}/prefix/libexec/creepcontact/creepcontact-mesher
+    ${WORK_DIR}/build/consumer ${WORK_DIR}/results ${WORK_DIR}/prefix/share/creepcontact/configs/pressed_blocks.toml)

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <thread>
 
 #include "creepcontact/base/error.hpp"
 
@@ -55,6 +57,22 @@ TEST_F(Files, WhyOneCannotBeRead) {
   EXPECT_EQ(why_unreadable(directory_ / std::string(300, 'n')), "File name too long");
   EXPECT_EQ(why_unreadable(directory_), "is a directory; expected a file");
   EXPECT_EQ(why_unreadable("/dev/zero"), "is a device or a socket; expected a file");
+}
+
+TEST_F(Files, AreReadWholeUpToTheirBound) {
+  std::ofstream(directory_ / "long") << std::string(200'000, 'x');
+  EXPECT_EQ(read_file(directory_ / "long").bytes, std::string(200'000, 'x'));
+  const FileBytes refused = read_file(directory_ / "long", 1 << 17);
+  EXPECT_EQ(refused.bytes, "");
+  EXPECT_EQ(refused.failure, "longer than 0.125 MB");
+  EXPECT_EQ(read_file(directory_ / "none").failure, "No such file or directory");
+}
+
+TEST_F(Files, PipesAreReadToTheirEnd) {
+  ASSERT_EQ(mkfifo((directory_ / "pipe").c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(directory_ / "pipe") << std::string(300'000, 'y'); });
+  EXPECT_EQ(read_file(directory_ / "pipe").bytes, std::string(300'000, 'y'));
+  writer.join();
 }
 
 }  // namespace

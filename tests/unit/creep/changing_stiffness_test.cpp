@@ -176,18 +176,17 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
       pressure_probe, with(hot, {"time.integrator=arkode_dirk", "time.tolerance=1e-6", "time.output=[0.5, 1, 1.6, 3]",
                                  "temperature.value='100*sin(t)*(1+0.3*x+0.2*z)'", refactor_change(0.03)}));
   const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
-  ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
   {
     System system(config);
-    TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, parts, false,
-                  true);
+    TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, parts, false);
     int outputs = 3;
     loop.after_output = [&] {
       if (--outputs == 0) std::raise(SIGINT);
     };
     ASSERT_EQ(loop.run(), TimeLoop::End::interrupted);
   }
-  ASSERT_EQ(run(config, {.output = parts.string(), .resume = true, .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
   EXPECT_EQ(read_text(parts / "history.csv"), read_text(whole / "history.csv"));
   EXPECT_EQ(read_text(parts / "steps.csv"), read_text(whole / "steps.csv"));
   EXPECT_GT(number_in(read_text(whole / "summary.json"), "factorizations"), 4) << "the stiffness is factored anew";

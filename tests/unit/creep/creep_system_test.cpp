@@ -135,9 +135,9 @@ TEST(CreepSystem, AcceptMakesTheNextContactSolveCheaper) {
   System system(blocks.config("", partly_open));
   const std::vector<double> y = random_state(system, 0.3, 1), other(y.size());
   const auto iterations = [&](const std::vector<double>& at) {
-    const std::int64_t before = system.rate.counters().schwarz_iterations;
+    const std::int64_t before = system.rate.run_counters().schwarz_iterations;
     rate_at(system, 0, at);
-    return system.rate.counters().schwarz_iterations - before;
+    return system.rate.run_counters().schwarz_iterations - before;
   };
   const std::int64_t cold = iterations(y);
   system.rate.accept(0, y);
@@ -220,12 +220,12 @@ TEST(CreepSystem, OverflowMayBeMendedByASmallerStep) {
 TEST(CreepSystem, CountsWhatItCosts) {
   const Case blocks;
   System system(blocks.config());
-  const ode::System::Counters before = system.rate.counters();
+  const creep::RunCounters before = system.rate.run_counters();
   const std::vector<double> y = random_state(system, 0.1, 1);
   std::vector<double> product(y.size());
   rate_at(system, 0, y);
   system.rate.jacobian_times(0, y, y, product);  // at the same point: one linear solve more
-  const ode::System::Counters after = system.rate.counters();
+  const creep::RunCounters after = system.rate.run_counters();
   EXPECT_EQ(after.rate_evaluations - before.rate_evaluations, 1);
   EXPECT_EQ(after.jacobian_products - before.jacobian_products, 1);
   EXPECT_EQ(after.elastic_solves - before.elastic_solves, 2);
@@ -272,7 +272,7 @@ TEST(CreepSystemMemory, ForgottenEvaluationsAreMadeAnew) {
   System system(blocks.config());
   const std::vector<double> y(system.rate.size(), 0.0);
   rate_at(system, 0, y);
-  const auto solves = [&] { return system.rate.counters().elastic_solves; };
+  const auto solves = [&] { return system.rate.run_counters().elastic_solves; };
   const auto before = solves();
   rate_at(system, 0, y);
   EXPECT_EQ(solves(), before);

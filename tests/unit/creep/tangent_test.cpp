@@ -141,12 +141,12 @@ TEST(Tangent, CountsWhatItCosts) {
   System system(blocks.config("", {"materials.hard.creep=[]"}));
   Eigen::VectorXd y = random_vector(system, 0.3, 1), z(y.size());
   system.rate.rate(0, span(y), span(z));
-  const ode::System::Counters before = system.rate.counters();
+  const creep::RunCounters before = system.rate.run_counters();
   EXPECT_EQ(before.factorizations, 2);
   system.rate.prepare_tangent(0, span(y), 1.0);
   system.rate.solve_tangent(span(y), span(z));
   system.rate.solve_tangent(span(y), span(z));
-  const ode::System::Counters after = system.rate.counters();
+  const creep::RunCounters after = system.rate.run_counters();
   EXPECT_EQ(after.factorizations, 3) << "the elastic body keeps its factor";
   EXPECT_EQ(after.elastic_solves - before.elastic_solves, 2);
   EXPECT_EQ(after.rate_evaluations, before.rate_evaluations);
@@ -158,7 +158,7 @@ TEST(Tangent, RelaxesTheBlocksLikeTheClosedForm) {
     const config::Config config =
         blocks.config(pressure_probe, {"time.linear_solver=tangent", std::string("time.integrator=") + integrator,
                                        "time.end=100", "time.tolerance=1e-5", "time.output=[1,10]"});
-    ASSERT_EQ(run(config, {.output = (blocks / "results").string(), .quiet = true}).exit_status, 0);
+    ASSERT_EQ(run(config, {.output = (blocks / "results").string()}).exit_status, 0);
     const Csv history(blocks / "results" / "history.csv");
     for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 1e-4) << integrator;
     const std::string summary = read_text(blocks / "results" / "summary.json");
@@ -171,7 +171,7 @@ TEST(Tangent, RelaxesTheBlocksLikeTheClosedForm) {
 TEST(Tangent, NeedsTheMatricesOfTheContactZones) {
   const Case blocks;
   const config::Config config = blocks.config("", {"time.linear_solver=tangent", "contact_solver.dense_limit_mb=1e-6"});
-  const RunOptions options{.output = (blocks / "results").string(), .quiet = true};
+  const RunOptions options{.output = (blocks / "results").string()};
   const std::string message = message_of<ConfigError>([&] { run(config, options); });
   EXPECT_TRUE(contains(message, "contact_solver.dense_limit_mb = 1e-06")) << message;
   EXPECT_TRUE(contains(message, "or use \"krylov\"")) << message;

@@ -146,7 +146,6 @@ Csv history(const Case& blocks, const std::string& bodies, const std::string& jo
                                            {"creep", "creep_strain_equivalent", "at = [-1.4, 0.9, 0.1]"},
                                            {"reaction", "reaction_x", "on = 'end'"}});
   RunOptions options;
-  options.quiet = true;
   const RunResult result = run(blocks.parse(probes + common + bodies, overrides), options);
   EXPECT_EQ(result.exit_status, 0) << result.message;
   return Csv(blocks / "results" / "history.csv");

@@ -121,13 +121,8 @@ TEST_P(Limits, StartsAnewAfterAJump) {
     System* now;
     std::size_t size() const override { return 1; }
     void rate(double t, std::span<const double> y, std::span<double> r) override { now->rate(t, y, r); }
-    void jacobian_times(double t, std::span<const double> y, std::span<const double> v, std::span<double> p) override {
-      now->jacobian_times(t, y, v, p);
-    }
-    void prepare_preconditioner(double t, std::span<const double> y) override { now->prepare_preconditioner(t, y); }
-    void precondition(double g, std::span<const double> r, std::span<double> z) override { now->precondition(g, r, z); }
-    void prepare_tangent(double t, std::span<const double> y, double g) override { now->prepare_tangent(t, y, g); }
-    void solve_tangent(std::span<const double> r, std::span<double> z) override { now->solve_tangent(r, z); }
+    JacobianProducts* jacobian() override { return now->jacobian(); }
+    NewtonSolver* newton_solver() override { return now->newton_solver(); }
     double stable_step(double t, std::span<const double> y) override { return now->stable_step(t, y); }
     std::span<const double> scale() const override { return now->scale(); }
     void accept(double t, std::span<const double> y) override { now->accept(t, y); }

@@ -8,12 +8,12 @@ namespace {
 
 /// NAFEMS R0027 1B with primary creep, eps = A q^n t^m at constant stress, m = 1/2: a held bar relaxes.
 /// State: creep strain; with strain hardening it is the hardening variable too. Loading begins at t0.
-class PrimaryBar : public TestSystem {
+class PrimaryBar : public TestSystem, public SingularRate {
  public:
   static constexpr double E = 2e5, A = 3.125e-14, n = 5, m = 0.5, s0 = 200;
   PrimaryBar(bool strain_hardening, double t0) : TestSystem(1, s0 / E), hardening_(strain_hardening), t0_(t0) {}
 
-  bool may_start_singular() const override { return true; }
+  SingularRate* singular_rate() override { return this; }
   double start_exponent(double t, std::span<const double>) override { return t == t0_ ? m : 1; }
   void start_increment(double t, std::span<const double> y, double, double duration,
                        std::span<double> change) override {

@@ -17,7 +17,7 @@ namespace creepcontact::ode {
 using Values = std::vector<double>;
 
 /// Counts calls and records where they were made. A test system defines f, its Jacobian product and the diagonal.
-class TestSystem : public System {
+class TestSystem : public System, public JacobianProducts, public NewtonSolver {
  public:
   TestSystem(std::size_t size, double scale) : scale_(size, scale) {}
 
@@ -48,7 +48,7 @@ class TestSystem : public System {
     for (std::size_t i = 0; i < r.size(); ++i) z[i] = r[i] / (1 - gamma * diagonal_[i]);
   }
   void prepare_tangent(double t, std::span<const double> y, double gamma) override {
-    ++counters_.factorizations;
+    ++factorizations;
     if (tangent_interceptor) tangent_interceptor(gamma);
     if (!at_last_rate(t, y)) ++calls_elsewhere;
     gammas.push_back(gamma);
@@ -79,6 +79,8 @@ class TestSystem : public System {
     accepted_times.push_back(t);
     accepted.assign(y.begin(), y.end());
   }
+  JacobianProducts* jacobian() override { return this; }
+  NewtonSolver* newton_solver() override { return this; }
   Counters counters() const override { return counters_; }
 
   /// Called before every rate evaluation; may throw.
@@ -88,6 +90,7 @@ class TestSystem : public System {
   int calls_elsewhere = 0;  ///< Jacobian products and preparations at another point than the last rate evaluation
   int preparations = 0;
   int tangent_solves = 0;
+  int factorizations = 0;
   Values gammas;
   Values accepted_times;
   Values accepted;

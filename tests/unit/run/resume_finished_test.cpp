@@ -41,7 +41,7 @@ TEST(ResumeFinished, ACompletedRunIsLeftAsItIs) {
     const config::Config config = blocks.config(
         pressure_probe, {std::string("time.integrator=") + integrator, "time.output=[1, 3]", "time.step=0.5"});
     const std::filesystem::path out = blocks / integrator;
-    ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+    ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
     EXPECT_GT(number_in(read_text(out / "summary.json"), "final_normal_force"), 0);
     expect_left_alone(config, out, "the run is complete up to t = 4; a later time.end prolongs it");
     expect_left_alone(blocks.config(pressure_probe, {"time.end=3"}), out, "the run is complete up to t = 4");
@@ -52,7 +52,7 @@ TEST(ResumeFinished, AnElasticRunToo) {
   const Case blocks;
   const config::Config config =
       blocks.config(pressure_probe, {"materials.soft.creep=[]", "materials.hard.creep=[]", "time.output=[1, 3]"});
-  ASSERT_EQ(run(config, {.output = (blocks / "out").string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = (blocks / "out").string()}).exit_status, 0);
   expect_left_alone(config, blocks / "out", "the run is complete up to t = 4");
 }
 
@@ -63,7 +63,7 @@ TEST(ResumeFinished, ARupturedRunIsLeftAsItIs) {
       pressure_probe, {"contacts.0.type=tied", "materials.soft.creep=" + damage, "materials.hard.creep=" + damage,
                        "supports.3.displacement.z={t=[0, 100], values=[-0.025, -5]}", "time.end=100"});
   const std::filesystem::path out = blocks / "out";
-  ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
   ASSERT_TRUE(contains(read_text(out / "summary.json"), "\"status\": \"ruptured\"")) << read_text(out / "summary.json");
   expect_left_alone(config, out, "the run ended by rupture at t = ");
 }
@@ -73,7 +73,7 @@ TEST(ResumeFinished, AMissingSummaryIsWritten) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe, {"time.output=[1, 3]"});
   const std::filesystem::path out = blocks / "out";
-  ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
   const std::string summary = read_text(out / "summary.json");
   std::string killed = summary;
   killed.replace(killed.find("completed"), 9, "interrupted");
@@ -83,7 +83,7 @@ TEST(ResumeFinished, AMissingSummaryIsWritten) {
     else
       io::test::write_text(out / "summary.json", left);
     auto before = files_in(out);
-    ASSERT_EQ(run(config, {.output = out.string(), .resume = true, .quiet = true}).exit_status, 0);
+    ASSERT_EQ(run(config, {.output = out.string(), .resume = true}).exit_status, 0);
     const std::string found = read_text(out / "summary.json");
     EXPECT_TRUE(contains(found, "\"status\": \"completed\"")) << found;
     for (const char* name : {"time_reached", "steps", "largest_normal_force"})
@@ -100,9 +100,9 @@ TEST(ResumeFinished, AMissingSummaryIsWritten) {
 TEST(ResumeFinished, AnotherModelIsRefused) {
   const Case blocks;
   const std::filesystem::path out = blocks / "out";
-  ASSERT_EQ(run(blocks.config(pressure_probe), {.output = out.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(blocks.config(pressure_probe), {.output = out.string()}).exit_status, 0);
   const config::Config other = blocks.config(pressure_probe, {"materials.soft.young_modulus=101"});
-  const auto resume = [&] { run(other, {.output = out.string(), .resume = true, .quiet = true}); };
+  const auto resume = [&] { run(other, {.output = out.string(), .resume = true}); };
   EXPECT_TRUE(contains(message_of<ConfigError>(resume), "the checkpoint is of another model"));
 }
 

@@ -11,8 +11,7 @@ namespace {
 double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs,
                        bool resume = false) {
   System system(config);
-  TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, directory, resume,
-                true);
+  TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, directory, resume);
   loop.after_output = [&] {
     if (--outputs == 0) std::raise(SIGINT);
   };
@@ -35,13 +34,13 @@ TEST_P(Resume, EndsAsTheUninterruptedRun) {
   overrides.emplace_back("time.output=[0.5, 1, 1.6, 3]");
   const config::Config config = blocks.config(pressure_probe, overrides);
   const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
-  ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
 
   const double reached = interrupted_run(config, parts, 3);  // at 0, 0.5, 1
   EXPECT_GE(reached, 0.5);
   EXPECT_LT(reached, 4);
   const std::string begin = read_text(parts / "history.csv");
-  const RunResult result = run(config, {.output = parts.string(), .resume = true, .quiet = true});
+  const RunResult result = run(config, {.output = parts.string(), .resume = true});
   ASSERT_EQ(result.exit_status, 0) << result.message;
   const std::string resumed = read_text(parts / "history.csv");
   EXPECT_EQ(resumed.substr(0, begin.size()), begin);
@@ -106,10 +105,10 @@ TEST(ResumeTwice, LeavesTheStepsOfTheUninterruptedRun) {
       blocks.config(pressure_probe, {"time.integrator=arkode_dirk", "time.tolerance=1e-8", "time.breakpoints=[1.2]",
                                      "time.output=[0.5, 1, 1.6, 3]", "output.checkpoint_seconds=0"});
   const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
-  ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
   interrupted_run(config, parts, 2);
   for (int more : {1, 2}) interrupted_run(config, parts, more, true);
-  ASSERT_EQ(run(config, {.output = parts.string(), .resume = true, .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
   for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
     EXPECT_EQ(read_text(parts / file), read_text(whole / file)) << file;
   EXPECT_GT(Csv(whole / "steps.csv").rows.size(), 60U);
@@ -120,7 +119,7 @@ TEST(ResumeAtOnce, FromAnInterruptionBeforeTheFirstStep) {
   const config::Config config = blocks.config(pressure_probe, {"time.output=[1]"});
   EXPECT_EQ(interrupted_run(config, blocks / "out", 1), 0);
   EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), std::vector<double>{0});
-  ASSERT_EQ(run(config, {.output = (blocks / "out").string(), .resume = true, .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = (blocks / "out").string(), .resume = true}).exit_status, 0);
   EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), (std::vector<double>{0, 1, 4}));
 }
 
@@ -150,8 +149,7 @@ TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
   io::test::write_text(blocks / "moved.geo", moved);
   for (const auto& [change, text] : changes) {
     const config::Config config = blocks.config(pressure_probe + loads, {change});
-    const std::string message =
-        message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true, .quiet = true}); });
+    const std::string message = message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true}); });
     EXPECT_TRUE(contains(message, (out / "checkpoint.h5").string() + ": the checkpoint is of another model"))
         << change << ": " << message;
     EXPECT_TRUE(contains(message, text)) << change << ": " << message;
@@ -170,8 +168,7 @@ TEST(ResumeChanges, TolerancesTimesAndIntegratorsMay) {
     interrupted_run(blocks.config(pressure_probe, outputs), out, 2);
     std::vector<std::string> changed = outputs;
     changed.emplace_back(change);
-    const RunResult result =
-        run(blocks.config(pressure_probe, changed), {.output = out.string(), .resume = true, .quiet = true});
+    const RunResult result = run(blocks.config(pressure_probe, changed), {.output = out.string(), .resume = true});
     EXPECT_EQ(result.exit_status, 0) << change << ": " << result.message;
     for (const auto& row : Csv(out / "history.csv").rows)
       EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 2e-2) << change << " at " << row[0];
@@ -188,11 +185,9 @@ TEST(ResumeChanges, ALaterEndProlongsACompletedRun) {
       overrides->push_back(std::string("time.integrator=") + integrator);
       overrides->emplace_back("time.step=0.0625");
     }
-    ASSERT_EQ(run(blocks.config(pressure_probe, first), {.output = out.string(), .quiet = true}).exit_status, 0);
+    ASSERT_EQ(run(blocks.config(pressure_probe, first), {.output = out.string()}).exit_status, 0);
     const std::string steps = read_text(out / "steps.csv");
-    ASSERT_EQ(
-        run(blocks.config(pressure_probe, second), {.output = out.string(), .resume = true, .quiet = true}).exit_status,
-        0);
+    ASSERT_EQ(run(blocks.config(pressure_probe, second), {.output = out.string(), .resume = true}).exit_status, 0);
     const Csv history(out / "history.csv");
     EXPECT_EQ(history.column("time"), (std::vector<double>{0, 1, 3, 4, 5, 6, 7})) << "the old end stays";
     for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 5e-3) << integrator << row[0];
@@ -206,12 +201,12 @@ TEST(ResumeMistakes, ANewRunForgetsTheOldCheckpoints) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe, {"output.checkpoint_seconds=0"});
   const std::filesystem::path out = blocks / "out";
-  ASSERT_EQ(run(config, {.output = out.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
   ASSERT_TRUE(std::filesystem::exists(out / "checkpoint.previous.h5"));
   {
     System system(config);
-    const TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, out, false,
-                        true);  // killed before its first step
+    const TimeLoop loop(config, system.model, system.rate, make_probes(config, system.model), system.watch, out,
+                        false);  // killed before its first step
   }
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.h5"));
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.previous.h5"));
@@ -223,22 +218,21 @@ TEST(ResumeMistakes, DamagedCheckpoints) {
       pressure_probe,
       {"output.checkpoint_seconds=0", "time.integrator=beta_euler", "time.step=0.25", "time.output=[0.5, 1, 1.6, 3]"});
   const std::filesystem::path whole = blocks / "whole", out = blocks / "out";
-  ASSERT_EQ(run(config, {.output = whole.string(), .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
   interrupted_run(config, out, 3);
   std::string newest = read_text(out / "checkpoint.h5");
   newest[newest.size() / 2] = static_cast<char>(newest[newest.size() / 2] ^ 1);
   io::test::write_text(out / "checkpoint.h5", newest);
   const std::string older = read_text(out / "checkpoint.previous.h5");
   io::test::write_text(out / "checkpoint.previous.h5", older.substr(0, older.size() - 100));
-  const std::string message =
-      message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true, .quiet = true}); });
+  const std::string message = message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true}); });
   for (const char* text : {"checkpoint.h5' is cut short or damaged", "checkpoint.previous.h5' is cut short or damaged",
                            "run without --resume to begin anew"})
     EXPECT_TRUE(contains(message, text)) << message;
 
   io::test::write_text(out / "checkpoint.previous.h5", older);
   testing::internal::CaptureStderr();
-  EXPECT_EQ(run(config, {.output = out.string(), .resume = true, .quiet = true}).exit_status, 0);
+  EXPECT_EQ(run(config, {.output = out.string(), .resume = true}).exit_status, 0);
   const std::string warning = testing::internal::GetCapturedStderr();
   EXPECT_TRUE(contains(warning, "damaged")) << warning;
   EXPECT_TRUE(contains(warning, "the run goes on from the previous one")) << warning;
@@ -248,8 +242,8 @@ TEST(ResumeMistakes, DamagedCheckpoints) {
 
 TEST(ResumeMistakes, NoCheckpoint) {
   const Case blocks;
-  const std::string message = message_of<ConfigError>(
-      [&] { run(blocks.config(), {.output = (blocks / "out").string(), .resume = true, .quiet = true}); });
+  const std::string message =
+      message_of<ConfigError>([&] { run(blocks.config(), {.output = (blocks / "out").string(), .resume = true}); });
   EXPECT_TRUE(contains(message, "checkpoint.h5")) << message;
 }
 
@@ -258,7 +252,7 @@ TEST(ResumeMistakes, OtherProbes) {
   const std::filesystem::path out = blocks / "out";
   interrupted_run(blocks.config(pressure_probe), out, 1);
   const std::string message =
-      message_of<ConfigError>([&] { run(blocks.config(), {.output = out.string(), .resume = true, .quiet = true}); });
+      message_of<ConfigError>([&] { run(blocks.config(), {.output = out.string(), .resume = true}); });
   EXPECT_TRUE(contains(message, "probes changed: 'pressure' was")) << message;
 }
 

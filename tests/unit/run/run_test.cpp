@@ -17,8 +17,7 @@ TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
   std::vector<std::string> overrides = GetParam().overrides;
   overrides.push_back(std::string("time.integrator=") + GetParam().integrator);
   overrides.emplace_back("time.output=[0.1, 1, 1.7, 3]");
-  const RunResult result =
-      run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string(), .quiet = true});
+  const RunResult result = run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string()});
   ASSERT_EQ(result.exit_status, 0) << result.message;
 
   const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
@@ -74,7 +73,7 @@ TEST(RunBreakpoints, AreEndsOfSteps) {
     std::vector<std::string> all = overrides;
     all.push_back(std::string("time.integrator=") + integrator);
     const std::filesystem::path out = blocks / integrator;
-    ASSERT_EQ(run(blocks.config(pressure_probe, all), {.output = out.string(), .quiet = true}).exit_status, 0);
+    ASSERT_EQ(run(blocks.config(pressure_probe, all), {.output = out.string()}).exit_status, 0);
     const Csv history(out / "history.csv"), steps(out / "steps.csv");
     EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.5, 1, 2, 2.75, 4}));
     const std::vector<double> times = steps.column("time");
@@ -93,7 +92,7 @@ TEST(RunElastic, HistoryFollowsTheLoads) {
       blocks.config(pressure_probe, {"materials.soft.creep=[]", "materials.hard.creep=[]", "time.output=[0.5, 1, 3]",
                                      "supports.3.displacement.z=-0.025*t", "contacts.0.gap=0.025"});
   for (const bool resume : {false, true}) {  // a run that has ended may be resumed: nothing is left to do
-    const RunResult result = run(config, {.output = (blocks / "out").string(), .resume = resume, .quiet = true});
+    const RunResult result = run(config, {.output = (blocks / "out").string(), .resume = resume});
     ASSERT_EQ(result.exit_status, 0) << result.message;
     const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
     EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.5, 1, 3, 4}));
@@ -112,7 +111,7 @@ TEST(RunFailure, KeepsWhatWasComputed) {
   const config::Config config =
       blocks.config(pressure_probe, {"time.integrator=beta_euler", "time.step=0.25", "time.output=[1, 2, 3]",
                                      "supports.3.displacement.z={t=[0,2,4],values=[-0.025,-0.025,-0.25]}"});
-  const RunResult result = run(config, {.output = (blocks / "out").string(), .quiet = true});
+  const RunResult result = run(config, {.output = (blocks / "out").string()});
   EXPECT_EQ(result.exit_status, 4);
   EXPECT_TRUE(contains(result.message, "beta_euler: the inner iterations")) << result.message;
   EXPECT_TRUE(contains(result.message, (blocks / "out").string())) << result.message;
@@ -131,7 +130,7 @@ TEST(RunFailure, KeepsWhatWasComputed) {
   // Mended, it goes on from there.
   config::Config mended = config;
   mended.time.integrator = "cvode_bdf";
-  const RunResult resumed = run(mended, {.output = (blocks / "out").string(), .resume = true, .quiet = true});
+  const RunResult resumed = run(mended, {.output = (blocks / "out").string(), .resume = true});
   EXPECT_EQ(resumed.exit_status, 0) << resumed.message;
   EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), (std::vector<double>{0, 1, 2, 3, 4}));
   EXPECT_TRUE(contains(read_text(blocks / "out/summary.json"), "\"status\": \"completed\""));
@@ -141,21 +140,21 @@ TEST(RunMistakes, OutputDirectoryThatCannotBe) {
   const Case blocks;
   io::test::write_text(blocks / "file", "");
   const std::string message =
-      message_of<ConfigError>([&] { run(blocks.config(), {.output = (blocks / "file/out").string(), .quiet = true}); });
+      message_of<ConfigError>([&] { run(blocks.config(), {.output = (blocks / "file/out").string()}); });
   EXPECT_TRUE(contains(message, (blocks / "file/out").string())) << message;
 }
 
 TEST(RunMistakes, ProbesAreLookedAtBeforeAnythingIsWritten) {
   const Case blocks;
   const config::Config config = blocks.config("[[probes]]\nname = 'q'\nquantity = 'von_mises'\non = 'tpo'\n");
-  EXPECT_THROW(run(config, {.output = (blocks / "out").string(), .quiet = true}), ModelError);
+  EXPECT_THROW(run(config, {.output = (blocks / "out").string()}), ModelError);
   EXPECT_FALSE(std::filesystem::exists(blocks / "out"));
 }
 
 TEST(RunOutput, DirectoryOfTheConfigurationAndNoFields) {
   const Case blocks;
   const config::Config config = blocks.config("", {"output.fields=false", "time.end=0.01"});
-  ASSERT_EQ(run(config, {.output = "", .quiet = true}).exit_status, 0);
+  ASSERT_EQ(run(config, {.output = ""}).exit_status, 0);
   for (const char* file : {"history.csv", "steps.csv", "summary.json", "checkpoint.h5"})
     EXPECT_TRUE(std::filesystem::exists(blocks / "results" / file)) << file;
   EXPECT_FALSE(std::filesystem::exists(blocks / "results/fields.pvd"));

@@ -1,4 +1,4 @@
-#include "progress.hpp"
+#include "run_progress.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 
 #include "creepcontact/base/log.hpp"
 
-namespace creepcontact::run {
+namespace creepcontact::cli {
 namespace {
 
 constexpr double seconds_between_draws = 0.1;
@@ -24,15 +24,15 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(const std::vector<double>& output_times, bool quiet)
+RunProgress::RunProgress(const std::vector<double>& output_times, bool quiet)
     : output_times_(output_times), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
-  clear();
+RunProgress::~RunProgress() {
+  before_message();
 }
 
 /// By output intervals: where creep slows down users space them out, and steps grow alike.
-double Progress::share_done(double time) const {
+double RunProgress::share_done(double time) const {
   const auto next = std::upper_bound(output_times_.begin(), output_times_.end(), time);
   if (next == output_times_.begin() || next == output_times_.end()) return next == output_times_.begin() ? 0 : 1;
   const double within = (time - *(next - 1)) / (*next - *(next - 1));
@@ -40,7 +40,7 @@ double Progress::share_done(double time) const {
          static_cast<double>(output_times_.size() - 1);
 }
 
-void Progress::step(double time, std::int64_t steps, std::int64_t elastic_solves) {
+void RunProgress::step(double time, std::int64_t steps, std::int64_t elastic_solves) {
   if (quiet_) return;
   const Clock::time_point now = Clock::now();
   const double since = std::chrono::duration<double>(now - last_).count();
@@ -66,9 +66,9 @@ void Progress::step(double time, std::int64_t steps, std::int64_t elastic_solves
   drawn_ = true;
 }
 
-void Progress::clear() {
+void RunProgress::before_message() {
   if (drawn_) std::fputs("\r\033[K", stderr);
   drawn_ = false;
 }
 
-}  // namespace creepcontact::run
+}  // namespace creepcontact::cli

@@ -1,0 +1,35 @@
+#pragma once
+/// Tells the user how far a run is: a bar on a terminal, plain lines elsewhere.
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "creepcontact/run/run.hpp"
+
+namespace creepcontact::cli {
+
+class RunProgress final : public run::RunObserver {
+ public:
+  /// @param output_times  ascending, the last is the end of the run
+  RunProgress(const std::vector<double>& output_times, bool quiet);
+  ~RunProgress() override;
+  RunProgress(const RunProgress&) = delete;
+  RunProgress& operator=(const RunProgress&) = delete;
+
+  /// Draws at most some times per second.
+  void step(double time, std::int64_t steps, std::int64_t elastic_solves) override;
+  /// Ends the bar's line.
+  void before_message() override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double share_done(double time) const;
+
+  std::vector<double> output_times_;
+  bool quiet_, terminal_;
+  bool drawn_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace creepcontact::cli
