@@ -100,9 +100,7 @@ class ElementLoops final : public ElementBlock {
     numerics::for_each_index(n_elements(), numerics::parallel_elements, work);
   }
 
-  std::size_t first_point(std::size_t e) const {
-    return start().point + e * P;
-  }
+  std::size_t first_point(std::size_t e) const { return start().point + e * P; }
 
   Tensors read(std::span<const double> values, std::size_t e) const {
     return Eigen::Map<const Points>(values.data() + 6 * first_point(e)).transpose();
@@ -114,13 +112,9 @@ class ElementLoops final : public ElementBlock {
   ConstValues inverse(std::size_t e, std::size_t k, std::size_t j) const {
     return ConstValues(geometry(e) + (3 * k + j) * P);
   }
-  ConstValues weight(std::size_t e) const {
-    return ConstValues(geometry(e) + 9 * P);
-  }
+  ConstValues weight(std::size_t e) const { return ConstValues(geometry(e) + 9 * P); }
   /// dN_a/dxi_k at the points.
-  ConstValues derivative(std::size_t a, std::size_t k) const {
-    return ConstValues(&table_[(3 * a + k) * P]);
-  }
+  ConstValues derivative(std::size_t a, std::size_t k) const { return ConstValues(&table_[(3 * a + k) * P]); }
 
   /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
   void project_trace(std::size_t e, Tensors& values) const {

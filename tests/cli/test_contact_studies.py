@@ -164,7 +164,8 @@ class LineContactMeshStudy(unittest.TestCase):
         self.assertLess(max(coarse, fine), 0.08)  # at the plane of symmetry alone
 
     def test_width(self):
-        for element, mesh_order, bound in ((0, 1, 0.05), (0, 2, 0.05), (1, 1, 0.06), (1, 2, 0.05)):
+        # Linear wedges lock: the contact itself is off by as much.
+        for element, mesh_order, bound in ((0, 1, 0.03), (0, 2, 0.005), (1, 1, 0.075), (1, 2, 0.005)):
             for error in self.errors(element, mesh_order, "area"):
                 self.assertLess(error, bound, f"element {element}, order {mesh_order}")
 
