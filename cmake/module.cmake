@@ -1,16 +1,17 @@
-# Headers whose parsing takes most of the time of a compilation, parsed once a target. Sources include what they need all
-# the same: -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.
+# Headers whose parsing takes most of the time of a compilation, parsed once for all targets of the same flags. Sources
+# include what they need all the same: -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.
 set(creepcontact_common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span>
     <string> <vector> <fmt/format.h> <fmt/ranges.h>)
-function(creepcontact_precompile target)
-  get_target_property(sources ${target} SOURCES)
-  list(LENGTH sources n_sources)
-  if(n_sources GREATER 6)
-    target_precompile_headers(${target} PRIVATE ${creepcontact_common_headers} ${ARGN})
-  endif()
+file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
+# creepcontact_precompiled(name LIBRARIES <whose flags count> HEADERS <more headers>)
+function(creepcontact_precompiled name)
+  cmake_parse_arguments(arg "" "" "LIBRARIES;HEADERS" ${ARGN})
+  add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(${name} PRIVATE creepcontact_options creepcontact_base ${arg_LIBRARIES})
+  target_precompile_headers(${name} PRIVATE ${creepcontact_common_headers} ${arg_HEADERS})
 endfunction()
 
-# creepcontact_module(name USES <public libraries> PRIVATE_USES <implementation only> PRECOMPILE <headers>)
+# creepcontact_module(name USES <public libraries> PRIVATE_USES <implementation only> [PRECOMPILE <headers of its own>])
 # Static library creepcontact_<name> from src/<name>/*.cpp and its subfolders; a module of headers alone becomes an interface
 # library. The modules among USES and PRIVATE_USES are those that it may include: tests/style reads them here.
 function(creepcontact_module name)
@@ -22,7 +23,13 @@ function(creepcontact_module name)
     add_library(${target} STATIC ${sources})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE creepcontact_options ${arg_PRIVATE_USES})
-    creepcontact_precompile(${target} ${arg_PRECOMPILE})
+    if(arg_PRECOMPILE)
+      target_precompile_headers(${target} PRIVATE ${creepcontact_common_headers} ${arg_PRECOMPILE})
+    elseif(arg_PRIVATE_USES MATCHES "OpenMP")
+      target_precompile_headers(${target} REUSE_FROM creepcontact_precompiled_parallel)
+    elseif(NOT name STREQUAL base)
+      target_precompile_headers(${target} REUSE_FROM creepcontact_precompiled_serial)
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

@@ -116,12 +116,12 @@ std::vector<io::FieldData> ContactSurfaces::on_bodies(const creep::Equilibrium& 
   for (const Surface& surface : surfaces_) {
     const Values on_surface = values(surface, at);
     for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
-      const std::size_t at = first_node[pair(surface).slave_body] + static_cast<std::size_t>(surface.nodes[i]);
+      const std::size_t node = first_node[pair(surface).slave_body] + static_cast<std::size_t>(surface.nodes[i]);
       if (std::isnan(on_surface.gap[i]) && on_surface.pressure[i] == 0) continue;
-      if (known[at] && std::abs(on_surface.pressure[i]) <= std::abs(pressure.values[at])) continue;
-      known[at] = true;
-      pressure.values[at] = on_surface.pressure[i];
-      gap.values[at] = std::isnan(on_surface.gap[i]) ? 0.0 : on_surface.gap[i];
+      if (known[node] && std::abs(on_surface.pressure[i]) <= std::abs(pressure.values[node])) continue;
+      known[node] = true;
+      pressure.values[node] = on_surface.pressure[i];
+      gap.values[node] = std::isnan(on_surface.gap[i]) ? 0.0 : on_surface.gap[i];
     }
   }
   return {pressure, gap};

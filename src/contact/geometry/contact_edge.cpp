@@ -10,13 +10,16 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr int rows_fitted = 5;        // outwards, ...
-constexpr double reach = 4.5;         // ... in elements: fewer where these grow
-constexpr double half_width = 1.5;    // in elements: of the strip across the edge whose rows are fitted
-constexpr double punch = 0.1;         // in elements: how far the closed rows, as a punch, reach beyond the last of them
-constexpr double weight_next = 0.1;   // of rows next to closed ones
-constexpr double weight_small = 0.1;  // of unknowns being small, where the rows do not tell them
-constexpr double farthest = 1.5;      // in elements: beyond it the last closed row would be open
+constexpr int rows_fitted = 5;       // outwards, ...
+constexpr double reach = 4.5;        // ... in elements: fewer where these grow
+constexpr double half_width = 1.5;   // in elements: of the strip across the edge whose rows are fitted
+constexpr double punch = 0.1;        // in elements: how far the closed rows, as a punch, reach beyond the last of them
+constexpr double beside_most = 2;    // in elements: over which the end of the punch is averaged along the edge
+constexpr double uneven_most = 1.6;  // in elements: how unevenly it may end
+constexpr double least_to_punch = 0.1;  // in elements: nearer rows tell nothing
+constexpr double weight_next = 0.1;     // of rows next to closed ones
+constexpr double weight_small = 0.1;    // of unknowns being small, where the rows do not tell them
+constexpr double farthest = 1.5;        // in elements beyond the closed row: further out that would be open
 constexpr double step = 2;  // in elements: where the gap, to the power of 2/3, is zero further inside, it jumps
 
 }  // namespace
@@ -71,7 +74,7 @@ ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
       matrix.row(k) << 1, x.x(), x.y(), across.dot(x) * across.dot(x) / 2;
       roots[k] = std::cbrt(std::pow(std::max(0.0, state.gap[near[static_cast<std::size_t>(k)]]), 2));
     }
-    matrix(n, 3) = weight_small;
+    matrix(n, 3) = weight_small * std::max(1.0, matrix.col(3).head(n).maxCoeff());
     fit = matrix.completeOrthogonalDecomposition().solve(roots);
     const Eigen::Vector2d slope = fit.segment<2>(1);
     if (slope.norm() > 0) across = Eigen::Vector2d(-slope.y(), slope.x()).normalized();
@@ -87,9 +90,23 @@ ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
   return edge;
 }
 
+double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) const {
+  const Edge& own = edges.at(row);
+  double sum = 0, weights = 0;
+  for (const auto& [other, edge] : edges) {
+    const Vector3 x = (grid_.place(other) - grid_.place(row)) / own.length;
+    const double out = own.outward.dot(x), beside = (x - out * own.outward).norm();
+    if (beside >= beside_most || std::abs(out) >= uneven_most || !edge.smooth) continue;
+    const double weight = 1 - beside / beside_most;
+    sum += weight * ((1 - punch) * edge.length / own.length - out - own.curvature * own.length * beside * beside / 2);
+    weights += weight;
+  }
+  return weights > 0 ? std::max(sum / weights, least_to_punch) : 1 - punch;
+}
+
 /// Of an open row next to a closed one, outwards from the edge.
 double ContactEdge::distance_to(int row, const Edge& edge, const State& state) const {
-  const double to_punch = 1 - punch;
+  const double to_punch = edge.to_punch;
   const auto from_punch = [&](const Vector3& place) {
     const Vector3 x = (place - grid_.place(row)) / edge.length;
     const double out = edge.outward.dot(x);
@@ -100,14 +117,14 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
     const Vector3 x = grid_.place(other) - grid_.place(row);
     const double out = edge.outward.dot(x);
     // Around a hole of the contact the normals of the edge meet.
-    if ((x - out * edge.outward).norm() < half_width * edge.length && from_punch(grid_.place(other)) > 0.9 * to_punch &&
-        1 + edge.curvature * out > 0.5 && out < reach * edge.length)
+    if ((x - out * edge.outward).norm() < half_width * edge.length &&
+        from_punch(grid_.place(other)) > 0.9 * std::min(to_punch, 1 - punch) && 1 + edge.curvature * out > 0.5 &&
+        out < reach * edge.length)
       fitted.push_back(other);
   }
   const auto n = static_cast<Eigen::Index>(fitted.size());
   Eigen::MatrixX3d matrix = Eigen::MatrixX3d::Zero(n + 1, 3);
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(n + 1);
-  double scale = 0;
   for (Eigen::Index k = 0; k < n; ++k) {
     const int other = fitted[static_cast<std::size_t>(k)];
     for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, other); it; ++it) {
@@ -169,11 +186,15 @@ Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Ei
     distance[i] = pressure[i] > 0 ? far : -far;
   }
   std::vector<std::pair<int, Vector3>> known;
+  std::map<int, Edge> edges;
   for (int row = 0; row < static_cast<int>(pressure.size()); ++row) {
     if (state.is_closed(row) ||
         std::ranges::none_of(grid_.around(row), [&](int other) { return state.is_closed(other); }))
       continue;
-    const Edge edge = edge_near(row, state);
+    edges.emplace(row, edge_near(row, state));
+  }
+  for (auto& [row, edge] : edges) edge.to_punch = mean_to_punch(row, edges);
+  for (const auto& [row, edge] : edges) {
     distance[row] = -(edge.smooth ? distance_to(row, edge, state) : 0.5 * edge.length);
     known.emplace_back(row, edge.outward);
   }

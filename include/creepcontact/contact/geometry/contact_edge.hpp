@@ -2,6 +2,7 @@
 /// Where the edge of contact runs between the multiplier nodes.
 
 #include <Eigen/Dense>
+#include <map>
 #include <vector>
 
 #include "creepcontact/contact/geometry/contact_grid.hpp"
@@ -40,10 +41,13 @@ class ContactEdge {
     double length = 0;     // of the elements across the edge
     double curvature = 0;  // of lines of equal gap; positive around a round contact
     bool smooth = false;   // the gap opens smoothly along the normal
+    double to_punch = 0;   // from the row inwards to the end of the punch, in lengths
   };
   std::vector<int> open_around(int row, int steps, const State& state) const;
   Edge edge_near(int row, const State& state) const;
   double distance_to(int row, const Edge& edge, const State& state) const;
+  /// Mean over the rows beside it: closed rows may end unevenly along the edge.
+  double mean_to_punch(int row, const std::map<int, Edge>& edges) const;
   void continue_inwards(std::vector<std::pair<int, Vector3>> known, Eigen::VectorXd& distance) const;
   double far_distance() const;
 
