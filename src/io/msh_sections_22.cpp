@@ -92,7 +92,9 @@ void read_elements_22(MshInput& input, MshContent& content) {
     if (n_following == 0 || n_following > n_elements - read)
       input.fail("{} elements of one type follow where {} are left; the file is damaged: write it anew", n_following,
                  n_elements - read);
-    input.expect_room(n_following, {1 + static_cast<std::uint64_t>(n_tags + element.n_nodes), 0}, "elements");
+    input.expect_room(n_following,
+                      {1 + static_cast<std::uint64_t>(n_tags) + static_cast<std::uint64_t>(element.n_nodes), 0},
+                      "elements");
     for (std::uint64_t i = 0; i < n_following; ++i)
       read_element(input, input.non_negative("the number of an element"), element, type, n_tags, blocks);
     read += n_following;

@@ -15,7 +15,7 @@ using Actions = std::array<struct sigaction, signals.size()>;
 
 // All that the handler reads; it may run in any thread.
 std::atomic<int> owners = 0, delays = 0;                   // living Interrupts and DelayedSignals
-std::atomic<int> delayed = 0;                              // the signal that waits
+std::atomic<int> waiting = 0;                              // the signal that waits
 std::array<std::atomic<bool>, signals.size()> requests{};  // by signal
 std::atomic<pid_t> process = 0;                            // that the handlers were made for
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
@@ -48,7 +48,7 @@ extern "C" void heed(int signal) {
   } else if (owners > 0) {
     if (requests[index_of(signal)].exchange(true)) end_at_once(signal, true);
   } else if (delays > 0) {
-    delayed = signal;
+    waiting = signal;
   } else {
     end_at_once(signal, false);
   }
@@ -120,8 +120,8 @@ DelayedSignals::DelayedSignals() {
 }
 
 DelayedSignals::~DelayedSignals() {
-  if (--delays > 0 || delayed == 0) return;
-  const int signal = delayed.exchange(0);
+  if (--delays > 0 || waiting == 0) return;
+  const int signal = waiting.exchange(0);
   if (owners == 0) end_at_once(signal, false);
 }
 

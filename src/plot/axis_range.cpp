@@ -8,7 +8,7 @@ namespace creepcontact::plot {
 namespace {
 
 // Beyond these magnitudes decades and margins are no numbers any more.
-constexpr double most = 1e250, least = 1e-250;
+constexpr double greatest = 1e250, least = 1e-250;
 constexpr double rounding = 1e-6;  // of the values: what differs by less is the same on paper
 
 /// Of the coordinate `pick(x, y)` of all points that are drawn; [0, 1] if there are none.
@@ -50,7 +50,7 @@ Range with_margin(Range range) {
 
 bool is_drawn(double x, double y, const Axis& x_axis, const Axis& y_axis) {
   // A NaN is not at most anything.
-  if (!(std::abs(x) <= most && std::abs(y) <= most)) return false;
+  if (!(std::abs(x) <= greatest && std::abs(y) <= greatest)) return false;
   const bool x_fits = !x_axis.logarithmic || x >= least || (x == 0 && x_axis.zero_at_left);
   return x_fits && (!y_axis.logarithmic || y >= least);
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "creepcontact/contact/geometry/facet.hpp"
+#include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -75,7 +76,7 @@ ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
       roots[k] = std::cbrt(std::pow(std::max(0.0, state.gap[near[static_cast<std::size_t>(k)]]), 2));
     }
     matrix(n, 3) = weight_small * std::max(1.0, matrix.col(3).head(n).maxCoeff());
-    fit = matrix.completeOrthogonalDecomposition().solve(roots);
+    fit = linalg::least_squares(matrix, roots);
     const Eigen::Vector2d slope = fit.segment<2>(1);
     if (slope.norm() > 0) across = Eigen::Vector2d(-slope.y(), slope.x()).normalized();
   }
@@ -138,7 +139,7 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
     gaps[k] = weight * state.gap[other];
   }
   matrix(n, 2) = weight_small;
-  const Eigen::Vector3d fit = matrix.completeOrthogonalDecomposition().solve(gaps);
+  const Eigen::Vector3d fit = linalg::least_squares(matrix, gaps);
   if (!(fit[0] > 0)) return 0.5 * edge.length;
   return std::clamp(to_punch + fit[1] / (1.5 * fit[0]), 0.0, farthest) * edge.length;
 }

@@ -2,6 +2,7 @@
 /// Thick cylinder under internal pressure with a temperature T(r), thermal strain and Norton creep whose A follows the
 /// temperature. Axisymmetric, plane strain. Radial elements of high degree, as in RingFit: stress' = M f(stress, r).
 
+#include <Eigen/Dense>
 #include <functional>
 #include <vector>
 

@@ -3,6 +3,7 @@
 /// Axisymmetric, plane strain or plane stress. Radial elements of high degree; the creep strains are eliminated: with
 /// the interference held, stress' = M f(stress), M = D (B K^-1 B^T D - 1) constant.
 
+#include <Eigen/Dense>
 #include <vector>
 
 #include "verification/reference/norton_point.hpp"
