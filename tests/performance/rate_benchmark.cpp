@@ -52,8 +52,8 @@ class Scene {
 
   void pass() {
     for (std::size_t b = 0; b < vectors_.size(); ++b) {
-      model_.bodies[b]->factor().forward(vectors_[b], vectors_[b]);
-      model_.bodies[b]->factor().backward(vectors_[b], vectors_[b]);
+      factors_[b]->forward(vectors_[b], vectors_[b]);
+      factors_[b]->backward(vectors_[b], vectors_[b]);
     }
   }
   void rate() {
