@@ -33,8 +33,9 @@ struct StepChoice {
   double length = 0;  ///< fixed
 
   StepChoice() = default;
-  StepChoice(StepMode how) : mode(how) {}
-  StepChoice(double fixed) : mode(StepMode::fixed), length(fixed) {}
+  // A mode or a length is a choice.
+  StepChoice(StepMode how) : mode(how) {}                             // NOLINT(google-explicit-constructor)
+  StepChoice(double fixed) : mode(StepMode::fixed), length(fixed) {}  // NOLINT(google-explicit-constructor)
 };
 
 /// How beta_euler solves for the new state.
