@@ -1,7 +1,6 @@
 #include "blas_threads.hpp"
 
 #include <algorithm>
-#include <mutex>
 
 #include "creepcontact/base/cores.hpp"
 #include "creepcontact/linalg/blas_address_space.hpp"
@@ -16,8 +15,7 @@ namespace creepcontact::linalg {
 
 namespace {
 
-std::mutex mutex;
-int running = 0;
+std::shared_mutex mutex;
 
 void set_threads(int n) {
   if (openblas_set_num_threads) openblas_set_num_threads(n);
@@ -30,25 +28,20 @@ int all_cores() {
 
 }  // namespace
 
-BlasThreads::BlasThreads() {
-  const std::lock_guard lock(mutex);
-  if (running++ == 0) set_threads(all_cores());
+BlasFactorization::BlasFactorization() : lock_(mutex) {
+  set_threads(all_cores());
 }
 
-BlasThreads::~BlasThreads() {
-  const std::lock_guard lock(mutex);
-  if (--running == 0) set_threads(1);
+BlasFactorization::~BlasFactorization() {
+  set_threads(1);
 }
+
+BlasSolve::BlasSolve() : lock_(mutex) {}
 
 double blas_address_space(int threads) {
   constexpr double buffer = 128.0 * (1 << 20), stack = 8.0 * (1 << 20);  // of OpenBLAS on x86-64, elsewhere less
   if (!openblas_set_num_threads) return 0;
   return buffer + std::max(0, threads - 1) * (2 * buffer + 2 * stack);
-}
-
-void BlasThreads::initialize() {
-  const std::lock_guard lock(mutex);
-  if (running == 0) set_threads(1);
 }
 
 }  // namespace creepcontact::linalg

@@ -1,6 +1,7 @@
 #include "ordering.hpp"
 
 #include <algorithm>
+#include <mutex>
 
 namespace creepcontact::linalg {
 
@@ -58,7 +59,12 @@ Indices elimination_order(const SparseMatrix& lower, std::span<const std::int64_
   const SparseMatrix graph = block_graph(lower, blocks);
   cholmod_sparse graph_view = view(graph);
   Indices block_order(blocks.members.size());
-  cholmod_l_metis(&graph_view, nullptr, 0, 1, cholmod_integers(block_order.data()), context.get());
+  {
+    // METIS draws from rand(), one sequence for the process: two calls at once would change each other's order.
+    static std::mutex mutex;
+    const std::lock_guard alone(mutex);
+    cholmod_l_metis(&graph_view, nullptr, 0, 1, cholmod_integers(block_order.data()), context.get());
+  }
   context.check("order");
 
   std::vector<bool> is_trailing(block_of.size(), false);

@@ -57,7 +57,6 @@ SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::i
                                std::span<const std::int64_t> trailing)
     : n_entries(lower.nonZeros()), n_trailing(std::ssize(trailing)) {
   if (lower.rows() == 0) return;  // no factor; CHOLMOD takes no empty matrix
-  BlasThreads::initialize();
   const std::vector<std::int64_t> order = elimination_order(lower, block_of, trailing, context);
   const SparseMatrix links = missing_links(lower, order, trailing.size(), context);
   const SparseMatrix linked = links.nonZeros() > 0 ? SparseMatrix(lower + links) : SparseMatrix();
@@ -97,7 +96,7 @@ void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
   rcond = 0;
   cholmod_sparse matrix = view(lower);
   {
-    const BlasThreads threads;
+    const BlasFactorization all_cores;
     cholmod_l_factorize(&matrix, factor.get(), context.get());
   }
   context.check("factorise");
@@ -174,6 +173,7 @@ void SupernodalCholesky::forward(std::span<const double> b, std::span<double> y)
   std::vector<double>& work = impl_->vector;
   const std::int64_t* permutation = impl_->permutation();
   for (std::size_t k = 0; k < work.size(); ++k) work[k] = b[at(permutation[k])];
+  const BlasSolve one_thread;
   cholmod_l_super_lsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
   std::copy(work.begin(), work.end(), y.begin());
 }
@@ -183,6 +183,7 @@ void SupernodalCholesky::backward(std::span<const double> y, std::span<double> x
   std::vector<double>& work = impl_->vector;
   const std::int64_t* permutation = impl_->permutation();
   std::copy_n(y.begin(), work.size(), work.begin());
+  const BlasSolve one_thread;
   cholmod_l_super_ltsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
   for (std::size_t k = 0; k < work.size(); ++k) x[at(permutation[k])] = work[k];
 }

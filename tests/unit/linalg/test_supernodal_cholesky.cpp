@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numeric>
 #include <optional>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "matrices.hpp"
 
@@ -194,6 +197,26 @@ TEST(SupernodalCholesky, moves) {
   second = SupernodalCholesky(problem.lower, problem.node_of, {});  // a moved-from object takes a new value
   second.factorize(problem.lower);
   EXPECT_LT((testing::solve(second, b) - x).norm(), 1e-11 * x.norm());
+}
+
+TEST(SupernodalCholesky, has_the_same_bits_whatever_other_threads_do) {
+  const Problem problem = testing::grid(8);
+  const Eigen::VectorXd b = testing::random_vector(problem.lower.rows(), 1);
+  const auto solved = [&] {
+    SupernodalCholesky solver(problem.lower, problem.node_of, Indices{7, 3});
+    solver.factorize(problem.lower);
+    return testing::solve(solver, b);
+  };
+  const Eigen::VectorXd alone = solved();
+  std::atomic<int> different = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 10; ++k) different += solved() != alone;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(different, 0);
 }
 
 }  // namespace
