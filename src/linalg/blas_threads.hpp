@@ -8,8 +8,8 @@
 
 namespace creepcontact::linalg {
 
-/// While one lives, the BLAS uses all cores OpenMP may use, and no other thread is in the BLAS. Without OpenBLAS only the
-/// latter.
+/// While one lives, the BLAS uses all cores OpenMP may use, and no other thread is in the BLAS. Without OpenBLAS only
+/// the latter.
 class BlasFactorization {
  public:
   BlasFactorization();
