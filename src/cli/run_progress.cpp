@@ -56,8 +56,7 @@ void RunProgress::step(double time, std::int64_t steps, std::int64_t elastic_sol
     return;
   }
   const int full = static_cast<int>(share * bar_width);
-  const std::string bar =
-      std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(bar_width - full), '.');
+  const std::string bar = std::string(full, '#') + std::string(bar_width - full, '.');
   // fmt::print throws where the terminal is gone.
   const std::string line = fmt::format("\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time,
                                        end, steps, elastic_solves, clock_text(left));

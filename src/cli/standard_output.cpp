@@ -40,7 +40,7 @@ int StandardOutput::sync() {
 
 void StandardOutput::write() {
   for (const char* text = pbase(); text < pptr() && error_ == 0;) {
-    const ssize_t written = ::write(STDOUT_FILENO, text, static_cast<std::size_t>(pptr() - text));
+    const ssize_t written = ::write(STDOUT_FILENO, text, pptr() - text);
     if (written >= 0)
       text += written;
     else if (errno != EINTR)

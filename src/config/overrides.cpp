@@ -116,7 +116,7 @@ class Override {
     if (!is_value(next) && (existing.is_table() || existing.is_array())) {
       put(*next.as_table(), existing, fmt::format("{}[{}]", path, index));
     } else {
-      into.replace(into.cbegin() + static_cast<std::ptrdiff_t>(index), std::move(next));
+      into.replace(into.cbegin() + index, std::move(next));
     }
   }
 

@@ -97,7 +97,7 @@ std::vector<PlannedRun> plan(const Study& study) {
       PlannedRun& run = runs.emplace_back(PlannedRun{"", all[p].settings, p, point});
       for (std::size_t a = 0; a < point.size(); ++a) {
         const Axis& axis = all[p].axes[a];
-        run.settings.push_back({axis.key.name, axis.key.location, axis.values[static_cast<std::size_t>(point[a])]});
+        run.settings.push_back({axis.key.name, axis.key.location, axis.values[point[a]]});
       }
     }
   for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = fmt::format("run_{:03}", i + 1);

@@ -81,7 +81,7 @@ std::string decimal_comma(const std::string& line, std::size_t column) {
   static const std::regex with_comma(R"(([+-]?\d+),(\d+(?:[eE][+-]?\d+)?))");
   for (auto found = std::sregex_iterator(line.begin(), line.end(), with_comma); found != std::sregex_iterator();
        ++found) {
-    const auto begin = static_cast<std::size_t>(found->position());
+    const std::size_t begin = found->position();
     if (column < begin || column > begin + static_cast<std::size_t>(found->length())) continue;
     return fmt::format("'{}' has a decimal comma; write {}.{}", found->str(), (*found)[1].str(), (*found)[2].str());
   }

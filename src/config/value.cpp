@@ -122,7 +122,7 @@ std::optional<std::size_t> read_choice(const Item& item, Context& context, const
                                        const std::vector<std::string>& names) {
   const auto* word = item.node->as_string();
   const auto found = word ? std::find(names.begin(), names.end(), word->get()) : names.end();
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  if (found != names.end()) return found - names.begin();
   if (word) {
     context.errors.add_unknown(item.location, fmt::format("unknown {} '{}'", what, word->get()), word->get(), names);
   } else {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
 #include "factored_flexibility.hpp"
 
@@ -21,13 +22,13 @@ constexpr double imbalance_of_meshes = 1e-4;  // what an asymmetric mesh may lea
 }  // namespace
 
 std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
-  std::vector<char> used(static_cast<std::size_t>(reduced.cols()), 0);
+  std::vector<char> used(reduced.cols(), 0);
   for (int r = 0; r < reduced.outerSize(); ++r)
     for (RowMatrix::InnerIterator it(reduced, r); it; ++it)
-      if (it.value() != 0) used[static_cast<std::size_t>(it.col())] = 1;
+      if (it.value() != 0) used[it.col()] = 1;
   std::vector<std::int64_t> unknowns;
   for (std::size_t i = 0; i < used.size(); ++i)
-    if (used[i]) unknowns.push_back(static_cast<std::int64_t>(i));
+    if (used[i]) unknowns.push_back(i);
   return unknowns;
 }
 
@@ -72,28 +73,25 @@ void CondensedInterface::make_problem() {
 }
 
 void CondensedInterface::make_rows() {
-  const double n_all = n_rows();
+  const auto n_all = static_cast<double>(n_rows());
   dense_bytes_ = 8 * n_all * n_all;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const mechanics::Body& body = bodies_[b];
     BodyRows rows;
     sides_[b].full_rows = body_rows(pairs_, b, body.mesh().nodes.size(), rows.rows);
     rows.reduced = body.constraints().reduce_rows(sides_[b].full_rows);
-    std::vector<char> is_pin(static_cast<std::size_t>(rows.reduced.cols()), 0);
-    for (const std::int64_t pin : body.pins()) is_pin[static_cast<std::size_t>(pin)] = 1;
+    std::vector<char> is_pin(rows.reduced.cols(), 0);
+    for (const std::int64_t pin : body.pins()) is_pin[pin] = 1;
     // Components that are rounding would make unknowns of the whole surface's nodes trailing ones.
     const double least = rows.reduced.nonZeros() > 0 ? no_component * rows.reduced.coeffs().cwiseAbs().maxCoeff() : 0.0;
-    rows.reduced.prune([&](auto, auto column, double value) {
-      return std::abs(value) > least && !is_pin[static_cast<std::size_t>(column)];
-    });
-    for (const int row : rows.rows)
-      rows.is_slaves.push_back(problem_.slave_body[static_cast<std::size_t>(row)] == static_cast<int>(b));
+    rows.reduced.prune([&](auto, auto column, double value) { return std::abs(value) > least && !is_pin[column]; });
+    for (const int row : rows.rows) rows.is_slaves.push_back(problem_.slave_body[row] == static_cast<int>(b));
     sides_[b].trailing = contact_unknowns(rows.reduced);
     const auto n = static_cast<double>(rows.rows.size()), n_trailing = static_cast<double>(sides_[b].trailing.size());
     dense_bytes_ += 8 * (n_trailing * (n + 1.5 * n_trailing) + n * n);  // G, L22 in the factor and copied, F_b
 
-    const auto n_motions = static_cast<Eigen::Index>(body.free_motions().size());
-    const auto held = floating_.held().middleRows(static_cast<Eigen::Index>(floating_.first_of_body(b)), n_motions);
+    const Index n_motions = body.free_motions().size();
+    const auto held = floating_.held().middleRows(floating_.first_of_body(b), n_motions);
     problem_.rigid_of_body[b] = floating_.gaps(b, pairs_)(rows.rows, Eigen::all) * held;
     problem_.rigid(rows.rows, Eigen::all) += problem_.rigid_of_body[b];
     problem_.bodies[b].rows = rows.rows;
@@ -151,7 +149,7 @@ InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
     const std::vector<double>& prescribed = at[b].prescribed;
     const std::vector<int>& rows = rows_[b].rows;
     if (rows.empty() || !bodies_[b].constraints().has_nonzero_values()) continue;
-    const Eigen::Map<const Eigen::VectorXd> u(prescribed.data(), static_cast<Eigen::Index>(prescribed.size()));
+    const Eigen::Map<const Eigen::VectorXd> u(prescribed.data(), prescribed.size());
     const Eigen::VectorXd moved = sides_[b].full_rows * u;
     load.gap(rows) += moved;
   }
@@ -164,7 +162,7 @@ void CondensedInterface::add_resultant(std::size_t body, const mechanics::BodyCo
   if (n_motions == 0) return;
   const std::size_t first = floating_.first_of_body(body);
   const double force = bodies_[body].external_resultant(at, {load.work.data() + first, n_motions});
-  load.force.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(n_motions)).setConstant(force);
+  load.force.segment(first, n_motions).setConstant(force);
 }
 
 void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
@@ -173,8 +171,8 @@ void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
     if (pair.coupling.type == ContactType::tied) continue;
     double deepest = 0;
     for (const int row : immovable_)
-      if (const int r = row - pair.first_row; r >= 0 && r < pair.coupling.n_rows())
-        deepest = std::min(deepest, load.gap[row] / pair.coupling.area[static_cast<std::size_t>(r)]);
+      if (const Index r = row - pair.first_row; r >= 0 && r < pair.coupling.n_rows())
+        deepest = std::min(deepest, load.gap[row] / pair.coupling.area[r]);
     if (-deepest <= overlap_of_rounding * std::sqrt(pair.coupling.area.front())) continue;
     overlap_warned_ = true;
     log::warning(
@@ -189,7 +187,7 @@ ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   warn_of_held_overlaps(load);
   const Eigen::VectorXd idle = floating_.idle().transpose() * load.work;
   const Eigen::VectorXd force = floating_.idle().cwiseAbs().transpose() * load.force;
-  for (Eigen::Index j = 0; j < idle.size(); ++j) {
+  for (Index j = 0; j < idle.size(); ++j) {
     if (std::abs(idle[j]) <= idle_work * force[j]) continue;
     const std::string motion = floating_.describe(floating_.idle().col(j));
     if (std::abs(idle[j]) > imbalance_of_meshes * force[j])
@@ -238,7 +236,7 @@ void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd
     Eigen::VectorXd forces = rows.reduced.transpose() * own;
     const std::span<double> in_place(forces.data(), y.size());
     factored_[body].solver().forward(in_place, in_place);
-    Eigen::Map<Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())) += forces;
+    Eigen::Map<Eigen::VectorXd>(y.data(), y.size()) += forces;
     return;
   }
   sides_[body].condensed.add_forces(own, y);
@@ -248,9 +246,7 @@ void CondensedInterface::add_rigid_motion(std::size_t body, const Eigen::VectorX
                                           std::span<double> displacement) const {
   const std::size_t n_motions = bodies_[body].free_motions().size();
   if (n_motions == 0 || rigid.size() == 0) return;
-  const Eigen::VectorXd own = floating_.held().middleRows(static_cast<Eigen::Index>(floating_.first_of_body(body)),
-                                                          static_cast<Eigen::Index>(n_motions)) *
-                              rigid;
+  const Eigen::VectorXd own = floating_.held().middleRows(floating_.first_of_body(body), n_motions) * rigid;
   bodies_[body].add_free_motions({own.data(), n_motions}, displacement);
 }
 
@@ -258,7 +254,7 @@ void CondensedInterface::add_contact_forces(std::size_t body, const Eigen::Vecto
                                             std::span<double> forces) const {
   const std::vector<int>& rows = rows_[body].rows;
   if (rows.empty()) return;
-  Eigen::Map<Eigen::VectorXd>(forces.data(), static_cast<Eigen::Index>(forces.size())) +=
+  Eigen::Map<Eigen::VectorXd>(forces.data(), forces.size()) +=
       sides_[body].full_rows.transpose() * Eigen::VectorXd(multiplier(rows));
 }
 

@@ -14,10 +14,10 @@ constexpr double rounding = 1e-12;
 Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& place, int n) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::int64_t column = 0; column < lower.outerSize(); ++column) {
-    const int j = place[static_cast<std::size_t>(column)];
+    const int j = place[column];
     if (j < 0) continue;
     for (linalg::SparseMatrix::InnerIterator it(lower, column); it; ++it) {
-      const int i = place[static_cast<std::size_t>(it.row())];
+      const int i = place[it.row()];
       if (i < 0) continue;
       entries.emplace_back(i, j, it.value());
       if (i != j) entries.emplace_back(j, i, it.value());
@@ -30,13 +30,12 @@ Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& pla
 
 /// Entries of a sparse matrix in chosen rows and columns.
 Sparse submatrix(const Sparse& matrix, const std::vector<int>& chosen) {
-  std::vector<int> place(static_cast<std::size_t>(matrix.rows()), -1);
-  for (std::size_t k = 0; k < chosen.size(); ++k) place[static_cast<std::size_t>(chosen[k])] = static_cast<int>(k);
+  std::vector<int> place(matrix.rows(), -1);
+  for (std::size_t k = 0; k < chosen.size(); ++k) place[chosen[k]] = static_cast<int>(k);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (Sparse::InnerIterator it(matrix, chosen[k]); it; ++it)
-      if (const int i = place[static_cast<std::size_t>(it.row())]; i >= 0)
-        entries.emplace_back(i, static_cast<int>(k), it.value());
+      if (const int i = place[it.row()]; i >= 0) entries.emplace_back(i, static_cast<int>(k), it.value());
   const auto n = static_cast<int>(chosen.size());
   Sparse result(n, n);
   result.setFromTriplets(entries.begin(), entries.end());
@@ -57,17 +56,16 @@ FactoredFlexibility::FactoredFlexibility(std::span<mechanics::FactoredBody> bodi
     : bodies_(bodies), rows_(rows), diagonal_(Eigen::VectorXd::Zero(n_rows)) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const BodyRows& own = rows[b];
-    work_.emplace_back(static_cast<std::size_t>(own.reduced.cols()));
+    work_.emplace_back(own.reduced.cols());
     if (own.rows.empty()) continue;
-    std::vector<int> place(static_cast<std::size_t>(own.reduced.cols()), -1);
+    std::vector<int> place(own.reduced.cols(), -1);
     int n_touched = 0;
     for (int r = 0; r < own.reduced.outerSize(); ++r)
       for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it)
-        if (place[static_cast<std::size_t>(it.col())] < 0) place[static_cast<std::size_t>(it.col())] = n_touched++;
+        if (place[it.col()] < 0) place[it.col()] = n_touched++;
     std::vector<Eigen::Triplet<double>> entries;
     for (int r = 0; r < own.reduced.outerSize(); ++r)
-      for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it)
-        entries.emplace_back(r, place[static_cast<std::size_t>(it.col())], it.value());
+      for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it) entries.emplace_back(r, place[it.col()], it.value());
     Sparse touched(static_cast<int>(own.rows.size()), n_touched);
     touched.setFromTriplets(entries.begin(), entries.end());
 
@@ -77,13 +75,13 @@ FactoredFlexibility::FactoredFlexibility(std::span<mechanics::FactoredBody> bodi
     const double least = rounding * square.diagonal().maxCoeff();
     Lumped lumped;
     std::vector<int> as_slave;
-    for (int r = 0; r < static_cast<int>(own.rows.size()); ++r) {
+    for (int r = 0; r < std::ssize(own.rows); ++r) {
       const double s = square.coeff(r, r), k = stiffness.coeff(r, r);
       if (!(s > least && k > 0)) continue;
-      diagonal_[own.rows[static_cast<std::size_t>(r)]] += s * s / k;  // <= F_ii, by Cauchy and Schwarz
-      if (!own.is_slaves[static_cast<std::size_t>(r)]) continue;
+      diagonal_[own.rows[r]] += s * s / k;  // <= F_ii, by Cauchy and Schwarz
+      if (!own.is_slaves[r]) continue;
       as_slave.push_back(r);
-      lumped.rows.push_back(own.rows[static_cast<std::size_t>(r)]);
+      lumped.rows.push_back(own.rows[r]);
     }
     lumped.stiffness = submatrix(stiffness, as_slave);
     lumped.square = submatrix(square, as_slave);

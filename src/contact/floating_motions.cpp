@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::contact {
@@ -41,14 +42,14 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
     result.conservativeResize(Eigen::NoChange, result.cols() + 1);
     result.rightCols(1) = v;
   };
-  for (Eigen::Index j = 0; j < basis.rows(); ++j) {
+  for (Index j = 0; j < basis.rows(); ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(basis.rows(), j);
     if ((basis * (basis.transpose() * unit) - unit).norm() < no_part) take(unit);
   }
   if (result.cols() < basis.cols()) {
     rest -= result * (result.transpose() * rest);
     const Eigen::MatrixXd left = linalg::singular_values(rest).left;
-    for (Eigen::Index j = 0; result.cols() < basis.cols(); ++j) take(left.col(j));
+    for (Index j = 0; result.cols() < basis.cols(); ++j) take(left.col(j));
   }
   return result;
 }
@@ -61,25 +62,24 @@ FloatingMotions::FloatingMotions(Bodies bodies, std::span<const Pair> pairs) : b
     first_.push_back(n_motions);
     n_motions += body.free_motions().size();
   }
-  const auto n = static_cast<Eigen::Index>(n_motions);
+  const Index n = n_motions;
   rates_.setZero(n, n);
   if (n == 0) return;
-  int n_rows = 0;
+  Index n_rows = 0;
   Eigen::VectorXd scale;  // makes gaps of weighted rows, and of those their part in the mean of the pair
   for (const Pair& pair : pairs) {
-    const int width = pair.coupling.n_rows() / static_cast<int>(pair.coupling.nodes.size());
+    const Index width = pair.coupling.n_rows() / std::ssize(pair.coupling.nodes);
     double total = 0;
     for (const double area : pair.coupling.area) total += area;
     n_rows += pair.coupling.n_rows();
     scale.conservativeResize(n_rows);
     for (int r = 0; r < pair.coupling.n_rows(); ++r)
-      scale[pair.first_row + r] = 1 / std::sqrt(pair.coupling.area[static_cast<std::size_t>(r / width)] * total);
+      scale[pair.first_row + r] = 1 / std::sqrt(pair.coupling.area[r / width] * total);
   }
   Eigen::MatrixXd rates(n_rows, n);
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    rates.middleCols(static_cast<Eigen::Index>(first_[b]), static_cast<Eigen::Index>(bodies[b].free_motions().size())) =
-        scale.asDiagonal() * gaps(b, pairs);
-  if (n_rows > 0) rates_.topRows(std::min<Eigen::Index>(n_rows, n)) = linalg::triangular_factor(rates);
+    rates.middleCols(first_[b], bodies[b].free_motions().size()) = scale.asDiagonal() * gaps(b, pairs);
+  if (n_rows > 0) rates_.topRows(std::min<Index>(n_rows, n)) = linalg::triangular_factor(rates);
   idle_ = readable_basis(combinations_below(idle_rate, &held_));
 }
 
@@ -99,19 +99,19 @@ void FloatingMotions::require_contact(std::span<const Pair> pairs) const {
 
 Eigen::MatrixXd FloatingMotions::combinations_below(double limit, Eigen::MatrixXd* others) const {
   const auto [values, vectors] = linalg::right_singular_vectors(rates_);
-  const Eigen::Index above = (values.array() >= limit).count();
+  const Index above = (values.array() >= limit).count();
   if (others != nullptr) *others = vectors.leftCols(above);
   return vectors.rightCols(rates_.cols() - above);
 }
 
 Eigen::MatrixXd FloatingMotions::gaps(std::size_t body, std::span<const Pair> pairs) const {
   const auto& motions = bodies_[body].free_motions();
-  int n_rows = 0;
+  Index n_rows = 0;
   for (const Pair& pair : pairs) n_rows += pair.coupling.n_rows();
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_rows, static_cast<Eigen::Index>(motions.size()));
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_rows, motions.size());
   for (std::size_t j = 0; j < motions.size(); ++j)
     for (const Pair& pair : pairs) {
-      auto part = result.col(static_cast<Eigen::Index>(j)).segment(pair.first_row, pair.coupling.n_rows());
+      auto part = result.col(j).segment(pair.first_row, pair.coupling.n_rows());
       if (pair.slave_body == body) part += pair.coupling.slave_rows * motions[j].displacement;
       if (pair.master_body == body) part += pair.coupling.master_rows * motions[j].displacement;
     }
@@ -122,7 +122,7 @@ std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
   std::string text;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const auto& motions = bodies_[b].free_motions();
-    Eigen::VectorXd own = amplitudes.segment(static_cast<Eigen::Index>(first_[b]), std::ssize(motions));
+    Eigen::VectorXd own = amplitudes.segment(first_[b], std::ssize(motions));
     own = (own.array().abs() > no_part * amplitudes.cwiseAbs().maxCoeff()).select(own, 0.0);
     if (own.size() == 0 || own.isZero(0)) continue;
     std::string words;
@@ -130,7 +130,7 @@ std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
       words = rigid->tidied(size_of(bodies_[b])).describe();
     } else {
       for (std::size_t j = 0; j < motions.size(); ++j)
-        if (own[static_cast<Eigen::Index>(j)] != 0 && words.find(motions[j].description) == std::string::npos)
+        if (own[j] != 0 && words.find(motions[j].description) == std::string::npos)
           words += (words.empty() ? "" : " with ") + motions[j].description;
     }
     text += fmt::format("{}body '{}': {}", text.empty() ? "" : " and ", bodies_[b].name(), words);
@@ -140,7 +140,7 @@ std::string FloatingMotions::describe(const Eigen::VectorXd& amplitudes) const {
 
 std::vector<std::string> FloatingMotions::describe_idle() const {
   std::vector<std::string> result;
-  for (Eigen::Index j = 0; j < idle_.cols(); ++j) {
+  for (Index j = 0; j < idle_.cols(); ++j) {
     std::string words = describe(idle_.col(j));
     if (std::find(result.begin(), result.end(), words) == result.end()) result.push_back(std::move(words));
   }
@@ -153,11 +153,10 @@ std::vector<std::vector<RigidMotion>> FloatingMotions::sliding(std::span<const P
   const Eigen::MatrixXd combinations = combinations_below(sliding_rate, nullptr);
   if (combinations.cols() == idle_.cols()) return result;  // idle already
   for (std::size_t p = 0; p < pairs.size(); ++p)
-    for (Eigen::Index j = 0; j < combinations.cols(); ++j) {
+    for (Index j = 0; j < combinations.cols(); ++j) {
       const auto part = [&](std::size_t b) {
         const auto& motions = bodies_[b].free_motions();
-        return rigid_part(motions,
-                          combinations.col(j).segment(static_cast<Eigen::Index>(first_[b]), std::ssize(motions)));
+        return rigid_part(motions, combinations.col(j).segment(first_[b], std::ssize(motions)));
       };
       const auto master = part(pairs[p].master_body), slave = part(pairs[p].slave_body);
       if (!master || !slave) continue;

@@ -160,7 +160,7 @@ void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
   std::vector<int> changed;
   std::ranges::set_symmetric_difference(history.contact.active, at.contact.active, std::back_inserter(changed));
   auto row = changed.begin();
-  int end = 0;
+  Index end = 0;
   for (std::size_t p = 0; p < assembly_.pairs().size() && !history.contact.active.empty(); ++p) {
     end += assembly_.pairs()[p].coupling.n_rows();
     const auto next = std::lower_bound(row, changed.end(), end);

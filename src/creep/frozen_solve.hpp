@@ -21,8 +21,8 @@ struct FrozenSide {
 /// @param for_each_factor  as EquilibriumSolver::for_each_factor()
 /// @param contact  add_trace(body, y, gap), close(gap) -> ContactState, add_multipliers(body, multiplier, y)
 template <typename ForEachFactor, typename Contact>
-contact::ContactState frozen_solve(std::span<const FrozenSide> sides, int n_rows, const ForEachFactor& for_each_factor,
-                                   Contact& contact, Stopwatch& watch) {
+contact::ContactState frozen_solve(std::span<const FrozenSide> sides, Index n_rows,
+                                   const ForEachFactor& for_each_factor, Contact& contact, Stopwatch& watch) {
   for_each_factor([&](std::size_t b) {
     if (sides[b].solver != nullptr) sides[b].solver->forward(sides[b].free, sides[b].free);
   });

@@ -49,7 +49,7 @@ namespace {
 /// Product of a plane rule with Gauss-Legendre in the third direction; the plane rule runs fastest.
 QuadratureRule extrude(const QuadratureRule& plane, int n_line) {
   const QuadratureRule line = gauss_line(n_line);
-  const int n = plane.size();
+  const Index n = plane.size();
   QuadratureRule rule{Eigen::MatrixX3d(n * n_line, 3), Eigen::VectorXd(n * n_line)};
   for (int k = 0; k < n_line; ++k) {
     rule.points.middleRows(k * n, n) = plane.points;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::fem {
 
 namespace {
@@ -20,9 +22,9 @@ Powers derivatives(double x) {
 
 void evaluate(const std::vector<Exponents>& monomials, const Powers& x, const Powers& y, const Powers& z,
               Values& values) {
-  for (Eigen::Index k = 0; k < values.size(); ++k) {
-    const auto [a, b, c] = monomials[static_cast<std::size_t>(k)];
-    values[k] = x[static_cast<std::size_t>(a)] * y[static_cast<std::size_t>(b)] * z[static_cast<std::size_t>(c)];
+  for (Index k = 0; k < values.size(); ++k) {
+    const auto [a, b, c] = monomials[k];
+    values[k] = x[a] * y[b] * z[c];
   }
 }
 
@@ -76,11 +78,11 @@ std::vector<Exponents> monomials(CellType type) {
 PolynomialElement::PolynomialElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces,
                                      QuadratureRule rule)
     : ReferenceElement(type, std::move(nodes), std::move(faces), std::move(rule)), monomials_(fem::monomials(type)) {
-  const auto n = static_cast<Eigen::Index>(monomials_.size());
+  const Index n = monomials_.size();
   if (n != this->nodes().rows() || n > max_nodes) throw std::logic_error("monomials and nodes differ in number");
   Eigen::MatrixXd vandermonde(n, n);  // (k, j): monomial k at node j
   Values values(n);
-  for (Eigen::Index j = 0; j < n; ++j) {
+  for (Index j = 0; j < n; ++j) {
     const auto xi = this->nodes().row(j);
     evaluate(monomials_, powers(xi[0]), powers(xi[1]), powers(xi[2]), values);
     vandermonde.col(j) = values;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
 
 namespace creepcontact::fem {
@@ -34,11 +35,11 @@ std::vector<Vector3> corners(CellType type) {
 
 Eigen::MatrixX3d reference_nodes(CellType type) {
   const std::vector<Vector3> corner = corners(type);
-  const Eigen::Index n_corners = mesh::n_corners(type), n_nodes = mesh::n_nodes(type);
+  const Index n_corners = mesh::n_corners(type), n_nodes = mesh::n_nodes(type);
   Eigen::MatrixX3d nodes = Eigen::MatrixX3d::Zero(n_nodes, 3);  // a node in the middle of a quad9 or hex27 stays there
-  for (Eigen::Index i = 0; i < n_corners; ++i) nodes.row(i) = corner[static_cast<std::size_t>(i)];
+  for (Index i = 0; i < n_corners; ++i) nodes.row(i) = corner[i];
   if (mesh::order(type) == 1) return nodes;
-  Eigen::Index node = n_corners;
+  Index node = n_corners;
   for (const auto& [a, b] : mesh::cell_edges(type)) nodes.row(node++) = 0.5 * (nodes.row(a) + nodes.row(b));
   for (const mesh::LocalFace& face : mesh::cell_faces(type)) {
     if (face.type != CellType::quad9) continue;

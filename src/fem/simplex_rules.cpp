@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/quadrature.hpp"
 
 namespace creepcontact::fem {
@@ -26,11 +27,11 @@ class SymmetricRule {
   }
 
   QuadratureRule get() const {
-    const auto n = static_cast<Eigen::Index>(points_.size());
+    const Index n = points_.size();
     QuadratureRule rule{Eigen::MatrixX3d(n, 3), Eigen::VectorXd(n)};
-    for (Eigen::Index i = 0; i < n; ++i) {
-      rule.points.row(i) = points_[static_cast<std::size_t>(i)];
-      rule.weights[i] = weights_[static_cast<std::size_t>(i)];
+    for (Index i = 0; i < n; ++i) {
+      rule.points.row(i) = points_[i];
+      rule.weights[i] = weights_[i];
     }
     return rule;
   }

@@ -31,7 +31,7 @@ std::string csv_cell(const std::string& text) {
 
 const std::vector<double>* CsvTable::column(const std::string& name) const {
   const auto found = std::ranges::find(names, name);
-  return found == names.end() ? nullptr : &columns[static_cast<std::size_t>(found - names.begin())];
+  return found == names.end() ? nullptr : &columns[found - names.begin()];
 }
 
 CsvTable parse_csv_table(std::string_view text, const std::string& name, UnendedRow unended) {

@@ -40,7 +40,7 @@ std::vector<Token> tokens(std::string_view text) {
     } else if (!std::isspace(static_cast<unsigned char>(rest[0]))) {
       result.push_back({std::string(rest.substr(0, 1)), line});
     }
-    line += static_cast<int>(std::count(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(length), '\n'));
+    line += static_cast<int>(std::count(rest.begin(), rest.begin() + length, '\n'));
     i += length;
   }
   return result;

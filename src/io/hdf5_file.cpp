@@ -65,7 +65,7 @@ std::vector<std::string> member_names(hid_t group) {
       const ssize_t length =
           hdf5().H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, size, H5P_DEFAULT);
       if (length < 0) throw Hdf5Error("cannot list a group");
-      return static_cast<std::size_t>(length);
+      return length;
     };
     std::string name(get(nullptr, 0), '\0');
     get(name.data(), name.size() + 1);
@@ -80,7 +80,7 @@ std::vector<std::size_t> extents(hid_t parent, const std::string& name) {
   const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose, action);
   const int rank = hdf5().H5Sget_simple_extent_ndims(space);
   if (rank < 0) throw Hdf5Error("cannot " + action);
-  std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+  std::vector<hsize_t> sizes(rank);
   hdf5().H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
   return {sizes.begin(), sizes.end()};
 }
@@ -105,7 +105,7 @@ std::vector<T> read_array(hid_t parent, const std::string& name) {
   const Hdf5Handle file(hdf5().H5Iget_file_id(set), hdf5().H5Fclose, action);
   if (!can_hold(file, size, sizeof(T)))
     throw Hdf5Error(fmt::format("'{}' claims {} entries, more than the file can hold", name, size));
-  std::vector<T> values(static_cast<std::size_t>(size));
+  std::vector<T> values(size);
   if (!values.empty() && hdf5().H5Dread(set, native(T{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     throw Hdf5Error("cannot " + action);
   return values;

@@ -19,7 +19,7 @@ using Key = MshContent::Key;
 
 constexpr std::array kinds{"point", "curve", "surface", "volume"};
 const char* kind(int dimension) {
-  return kinds.at(static_cast<std::size_t>(dimension));
+  return kinds.at(dimension);
 }
 
 struct PhysicalGroup {
@@ -72,8 +72,8 @@ struct Cells {
 /// the lowest tag stays, and bears the entities of all.
 mesh::CellBlock number_cells(CellType type, const Cells& cells, std::size_t block,
                              std::map<Key, std::vector<mesh::CellRef>>& cells_of) {
-  const auto n = static_cast<std::ptrdiff_t>(mesh::n_nodes(type));
-  const auto row = [&](std::size_t cell) { return cells.nodes.begin() + static_cast<std::ptrdiff_t>(cell) * n; };
+  const std::ptrdiff_t n = mesh::n_nodes(type);
+  const auto row = [&](std::size_t cell) { return cells.nodes.begin() + cell * n; };
   const auto same = [&](std::size_t a, std::size_t b) { return std::equal(row(a), row(a) + n, row(b)); };
   std::vector<std::size_t> order(cells.tags.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -116,7 +116,7 @@ std::map<CellType, Cells> collect(const MshContent& content, const std::vector<P
     Cells& cells = all[*element.cell];
     cells.tags.insert(cells.tags.end(), elements.tags.begin(), elements.tags.end());
     cells.entities.insert(cells.entities.end(), elements.tags.size(), elements.entity);
-    const auto n = static_cast<std::size_t>(element.n_nodes);
+    const std::size_t n = element.n_nodes;
     for (std::size_t i = 0; i < elements.nodes.size(); ++i)
       cells.nodes.push_back(nodes.use(elements.nodes[i], elements.tags[i / n]));
   }

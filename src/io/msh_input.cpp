@@ -68,7 +68,7 @@ T MshInput::raw(const char* what) {
   if (bytes_.size() - position_ < sizeof(T))
     fail("the file ends before {}; it is incomplete: write or copy it anew", what);
   std::array<char, sizeof(T)> value;
-  std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(position_), sizeof(T), value.begin());
+  std::copy_n(bytes_.begin() + position_, sizeof(T), value.begin());
   if (swapped_) std::reverse(value.begin(), value.end());
   position_ += sizeof(T);
   T result;
@@ -85,7 +85,7 @@ T MshInput::parsed(const char* what) {
   T value{};
   const auto [after, failure] = std::from_chars(begin + (*begin == '+' && begin + 1 < end ? 1 : 0), end, value);
   if (failure != std::errc() || (after < end && !is_blank(*after))) fail_at_value(what);
-  position_ += static_cast<std::size_t>(after - begin);
+  position_ += after - begin;
   return value;
 }
 

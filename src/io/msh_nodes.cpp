@@ -33,7 +33,7 @@ std::int64_t MshNodes::use(std::uint64_t tag, std::uint64_t element) {
   // most meshes number their nodes without gaps
   std::size_t number = tags_.empty() ? 0 : static_cast<std::size_t>(tag - tags_.front());
   if (number >= tags_.size() || tags_[number] != tag)
-    number = static_cast<std::size_t>(std::lower_bound(tags_.begin(), tags_.end(), tag) - tags_.begin());
+    number = std::lower_bound(tags_.begin(), tags_.end(), tag) - tags_.begin();
   if (number == tags_.size() || tags_[number] != tag) {
     throw ModelError(
         fmt::format("{}: element {} has the node {}, which is not among the nodes; the mesh is damaged: "
@@ -41,7 +41,7 @@ std::int64_t MshNodes::use(std::uint64_t tag, std::uint64_t element) {
                     file_, element, tag));
   }
   used_[number] = true;
-  return static_cast<std::int64_t>(number);
+  return number;
 }
 
 std::vector<Vector3> MshNodes::take_used(std::vector<mesh::CellBlock>& blocks) const {
@@ -53,7 +53,7 @@ std::vector<Vector3> MshNodes::take_used(std::vector<mesh::CellBlock>& blocks) c
     nodes.push_back(content_.nodes[place_[i]]);
   }
   for (mesh::CellBlock& block : blocks) {
-    for (std::int64_t& node : block.connectivity) node = number[static_cast<std::size_t>(node)];
+    for (std::int64_t& node : block.connectivity) node = number[node];
   }
   return nodes;
 }

@@ -63,7 +63,7 @@ class Writer {
     std::map<MshContent::Key, std::vector<int>> entities = content.physicals;
     for (const auto& elements : content.elements) entities.try_emplace(elements.entity);
     std::array<std::size_t, 4> counts{};
-    for (const auto& [entity, physicals] : entities) ++counts.at(static_cast<std::size_t>(entity.dimension));
+    for (const auto& [entity, physicals] : entities) ++counts.at(entity.dimension);
     text_ += "$Entities\n";
     for (std::size_t count : counts) add_size(count);
     for (const auto& [entity, physicals] : entities) {

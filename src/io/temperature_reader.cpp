@@ -28,7 +28,7 @@ Columns find_columns(const std::string& file, const std::vector<std::string>& na
   const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - names.begin());
+    return found - names.begin();
   };
   Columns columns{{}, find("t")};
   constexpr std::array<std::string_view, 4> wanted{"x", "y", "z", "T"};

@@ -54,7 +54,7 @@ std::span<const int> vtk_order(CellType type) {
     std::iota(numbers.begin(), numbers.end(), 0);
     return numbers;
   }();
-  const auto n = static_cast<std::size_t>(mesh::n_nodes(type));
+  const std::size_t n = mesh::n_nodes(type);
   switch (type) {
     case CellType::tet10:
       return tet10;

@@ -28,9 +28,9 @@ void CholmodContext::check(const char* task) const {
 
 cholmod_sparse view(const SparseMatrix& lower) {
   cholmod_sparse matrix{};
-  matrix.nrow = static_cast<std::size_t>(lower.rows());
-  matrix.ncol = static_cast<std::size_t>(lower.cols());
-  matrix.nzmax = static_cast<std::size_t>(lower.nonZeros());
+  matrix.nrow = lower.rows();
+  matrix.ncol = lower.cols();
+  matrix.nzmax = lower.nonZeros();
   matrix.p = const_cast<std::int64_t*>(lower.outerIndexPtr());
   matrix.i = const_cast<std::int64_t*>(lower.innerIndexPtr());
   matrix.x = const_cast<double*>(lower.valuePtr());

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::linalg {
 namespace {
 
@@ -41,7 +43,7 @@ Eigen::MatrixXd triangular_factor(const Eigen::MatrixXd& matrix) {
 }
 
 RightSingularVectors right_singular_vectors(const Eigen::MatrixXd& matrix) {
-  const Eigen::Index n = matrix.cols();
+  const Index n = matrix.cols();
   Eigen::MatrixXd square = Eigen::MatrixXd::Zero(n, n);
   if (matrix.rows() > 0) square.topRows(std::min(matrix.rows(), n)) = triangular_factor(matrix);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(square, Eigen::ComputeFullV);
@@ -51,7 +53,7 @@ RightSingularVectors right_singular_vectors(const Eigen::MatrixXd& matrix) {
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix, double tolerance) {
   if (matrix.rows() == 0) return Eigen::MatrixXd::Identity(matrix.cols(), matrix.cols());
   const RightSingularVectors right = right_singular_vectors(matrix);
-  const Eigen::Index rank = (right.values.array() > tolerance * std::max(1.0, right.values[0])).count();
+  const Index rank = (right.values.array() > tolerance * std::max(1.0, right.values[0])).count();
   return right.vectors.rightCols(matrix.cols() - rank);
 }
 

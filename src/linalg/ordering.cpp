@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <mutex>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::linalg {
 
 namespace {
 
 using Indices = std::vector<std::int64_t>;
 using Triplet = Eigen::Triplet<double, std::int64_t>;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Blocks renumbered from 0 without holes, and the unknowns of each.
 struct Blocks {
@@ -23,7 +21,7 @@ struct Blocks {
     members.resize(numbers.size());
     for (std::size_t i = 0; i < of.size(); ++i) {
       of[i] = std::lower_bound(numbers.begin(), numbers.end(), block_of[i]) - numbers.begin();
-      members[at(of[i])].push_back(static_cast<std::int64_t>(i));
+      members[of[i]].push_back(i);
     }
   }
 
@@ -33,15 +31,15 @@ struct Blocks {
 
 /// Pattern of the blocks, lower triangle.
 SparseMatrix block_graph(const SparseMatrix& lower, const Blocks& blocks) {
-  const auto n = static_cast<std::int64_t>(blocks.members.size());
+  const std::int64_t n = blocks.members.size();
   Indices last_seen(blocks.members.size(), -1);
   std::vector<Triplet> edges;
   for (std::int64_t block = 0; block < n; ++block) {
-    for (const std::int64_t column : blocks.members[at(block)]) {
+    for (const std::int64_t column : blocks.members[block]) {
       for (SparseMatrix::InnerIterator entry(lower, column); entry; ++entry) {
-        const std::int64_t other = blocks.of[at(entry.row())];
-        if (last_seen[at(other)] == block) continue;
-        last_seen[at(other)] = block;
+        const std::int64_t other = blocks.of[entry.row()];
+        if (last_seen[other] == block) continue;
+        last_seen[other] = block;
         edges.emplace_back(std::max(block, other), std::min(block, other), 1.0);
       }
     }
@@ -68,12 +66,12 @@ Indices elimination_order(const SparseMatrix& lower, std::span<const std::int64_
   context.check("order");
 
   std::vector<bool> is_trailing(block_of.size(), false);
-  for (const std::int64_t unknown : trailing) is_trailing[at(unknown)] = true;
+  for (const std::int64_t unknown : trailing) is_trailing[unknown] = true;
   Indices order;
   order.reserve(block_of.size());
   for (const std::int64_t block : block_order) {
-    for (const std::int64_t unknown : blocks.members[at(block)]) {
-      if (!is_trailing[at(unknown)]) order.push_back(unknown);
+    for (const std::int64_t unknown : blocks.members[block]) {
+      if (!is_trailing[unknown]) order.push_back(unknown);
     }
   }
   order.insert(order.end(), trailing.begin(), trailing.end());
@@ -82,7 +80,7 @@ Indices elimination_order(const SparseMatrix& lower, std::span<const std::int64_
 
 SparseMatrix missing_links(const SparseMatrix& lower, const Indices& order, std::size_t n_trailing,
                            CholmodContext& context) {
-  const std::size_t n = order.size(), first = n - n_trailing;
+  const Index n = order.size(), first = n - n_trailing;
   SparseMatrix links(lower.rows(), lower.cols());
   if (n_trailing == 0) return links;
 
@@ -99,12 +97,12 @@ SparseMatrix missing_links(const SparseMatrix& lower, const Indices& order, std:
     entries.emplace_back(std::max(order[i], order[j]), std::min(order[i], order[j]), 0.0);
   };
   // A leading root that hangs at a later trailing unknown, or at none, goes below the first one.
-  for (std::size_t j = 0; j < first; ++j) {
-    if (parent[j] < 0 || at(parent[j]) > first) link(first, j);
+  for (Index j = 0; j < first; ++j) {
+    if (parent[j] < 0 || parent[j] > first) link(first, j);
   }
   const bool moved = !entries.empty();
-  for (std::size_t j = first; j + 1 < n; ++j) {
-    if (moved || parent[j] < 0 || at(parent[j]) != j + 1) link(j + 1, j);
+  for (Index j = first; j + 1 < n; ++j) {
+    if (moved || parent[j] < 0 || parent[j] != j + 1) link(j + 1, j);
   }
   links.setFromTriplets(entries.begin(), entries.end());
   return links;

@@ -6,6 +6,7 @@
 
 #include "blas_threads.hpp"
 #include "cholmod_context.hpp"
+#include "creepcontact/base/index.hpp"
 #include "ordering.hpp"
 
 namespace creepcontact::linalg {
@@ -14,20 +15,16 @@ namespace {
 
 constexpr double least_rcond = 1e-12;
 
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
 void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                      std::span<const std::int64_t> trailing) {
   if (lower.rows() != lower.cols()) throw std::invalid_argument("the matrix must be square");
   if (!lower.isCompressed()) throw std::invalid_argument("the matrix must be compressed");
-  if (block_of.size() != at(lower.rows())) throw std::invalid_argument("one block number an unknown is needed");
+  if (std::ssize(block_of) != lower.rows()) throw std::invalid_argument("one block number an unknown is needed");
   std::vector<bool> seen(block_of.size(), false);
   for (const std::int64_t unknown : trailing) {
     if (unknown < 0 || unknown >= lower.rows()) throw std::invalid_argument("trailing unknown outside the matrix");
-    if (seen[at(unknown)]) throw std::invalid_argument("trailing unknown named twice");
-    seen[at(unknown)] = true;
+    if (seen[unknown]) throw std::invalid_argument("trailing unknown named twice");
+    seen[unknown] = true;
   }
 }
 
@@ -90,7 +87,8 @@ void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
     rcond = 1;
     return;
   }
-  if (!factor || at(lower.rows()) != factor->n || lower.nonZeros() != n_entries || !lower.isCompressed()) {
+  if (!factor || lower.rows() != static_cast<Index>(factor->n) || lower.nonZeros() != n_entries ||
+      !lower.isCompressed()) {
     throw std::invalid_argument("the pattern is not the one analysed");
   }
   rcond = 0;
@@ -117,7 +115,7 @@ void SupernodalCholesky::Impl::for_each_column(std::int64_t first, Visit visit) 
     const std::int64_t n_rows = row_start[s + 1] - row_start[s];
     for (std::int64_t column = std::max(first, start[s]); column < start[s + 1]; ++column) {
       const std::int64_t k = column - start[s];  // the columns of a supernode are the first of its rows
-      const auto length = at(n_rows - k);
+      const auto length = n_rows - k;
       visit(column, std::span(rows + row_start[s] + k, length),
             std::span(values + value_start[s] + k * (n_rows + 1), length));
     }
@@ -172,7 +170,7 @@ void SupernodalCholesky::forward(std::span<const double> b, std::span<double> y)
   if (!impl_->factor) return;
   std::vector<double>& work = impl_->vector;
   const std::int64_t* permutation = impl_->permutation();
-  for (std::size_t k = 0; k < work.size(); ++k) work[k] = b[at(permutation[k])];
+  for (std::size_t k = 0; k < work.size(); ++k) work[k] = b[permutation[k]];
   const BlasSolve one_thread;
   cholmod_l_super_lsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
   std::copy(work.begin(), work.end(), y.begin());
@@ -185,7 +183,7 @@ void SupernodalCholesky::backward(std::span<const double> y, std::span<double> x
   std::copy_n(y.begin(), work.size(), work.begin());
   const BlasSolve one_thread;
   cholmod_l_super_ltsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
-  for (std::size_t k = 0; k < work.size(); ++k) x[at(permutation[k])] = work[k];
+  for (std::size_t k = 0; k < work.size(); ++k) x[permutation[k]] = work[k];
 }
 
 Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {

@@ -65,18 +65,18 @@ const std::vector<std::int64_t>& Body::pins() const {
 }
 
 void Body::clear_pins(std::span<double> right_hand_side) const {
-  for (const std::int64_t pin : impl_->pins) right_hand_side[static_cast<std::size_t>(pin)] = 0;
+  for (const std::int64_t pin : impl_->pins) right_hand_side[pin] = 0;
 }
 
 void Body::add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const {
-  Eigen::Map<Eigen::VectorXd> u(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
+  Eigen::Map<Eigen::VectorXd> u(displacement.data(), displacement.size());
   for (std::size_t i = 0; i < impl_->pins.size(); ++i) u += amplitudes[i] * impl_->free_motions[i].displacement;
 }
 
 double Body::external_resultant(const BodyConditions& at, std::span<double> resultant) const {
   if (impl_->pins.empty()) return 0;
   const std::span<const double> forces = at.external_forces();
-  const Eigen::Map<const Eigen::VectorXd> external(forces.data(), static_cast<Eigen::Index>(forces.size()));
+  const Eigen::Map<const Eigen::VectorXd> external(forces.data(), forces.size());
   for (std::size_t i = 0; i < impl_->pins.size(); ++i)
     resultant[i] += impl_->free_motions[i].displacement.dot(external);
   return external.cwiseAbs().sum();
@@ -118,13 +118,11 @@ linalg::SparseMatrix Body::full_stiffness(const BodyConditions& at) const {
 linalg::SparseMatrix Body::on_free_unknowns(const linalg::SparseMatrix& full) const {
   linalg::SparseMatrix stiffness = impl_->constraints.reduce(full);
   if (impl_->pins.empty()) return stiffness;
-  std::vector<char> pinned(static_cast<std::size_t>(impl_->constraints.n_free()), 0);
-  for (const std::int64_t pin : impl_->pins) pinned[static_cast<std::size_t>(pin)] = 1;
+  std::vector<char> pinned(impl_->constraints.n_free(), 0);
+  for (const std::int64_t pin : impl_->pins) pinned[pin] = 1;
   for (std::int64_t column = 0; column < stiffness.outerSize(); ++column)
     for (linalg::SparseMatrix::InnerIterator it(stiffness, column); it; ++it)
-      if (it.row() != column &&
-          (pinned[static_cast<std::size_t>(it.row())] || pinned[static_cast<std::size_t>(column)]))
-        it.valueRef() = 0;
+      if (it.row() != column && (pinned[it.row()] || pinned[column])) it.valueRef() = 0;
   return stiffness;
 }
 

@@ -27,7 +27,7 @@ bool moduli_depend_on_temperature(const material::Material& material) {
 }
 
 void require_finite(const std::string& body, std::span<const double> values, double t) {
-  if (Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())).allFinite()) return;
+  if (Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).allFinite()) return;
   throw ModelError(fmt::format(
       "body '{}': its loads, supports or temperature give no finite number at t = {:.6g}; look for divisions "
       "by zero and roots or logarithms of negative numbers in their expressions",
@@ -80,7 +80,7 @@ void Body::update(double t, BodyConditions& at) const {
   for (const auto& load : impl_->loads) load->add(t, at.external);
   require_finite(impl_->name, at.external, t);
   require_finite(impl_->name, at.thermal_strain, t);
-  const auto end_of_nodes = at.external.begin() + static_cast<std::ptrdiff_t>(n_full);
+  const auto end_of_nodes = at.external.begin() + n_full;
   at.has_inner_force = std::any_of(end_of_nodes, at.external.end(), [](double force) { return force != 0; });
   at.known.assign(at.external.begin(), end_of_nodes);
   at.prescribed.resize(n_full);

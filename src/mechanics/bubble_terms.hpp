@@ -5,6 +5,7 @@
 /// the patch test is exact with any rule), and its projection v = sum of m_j l_j on the linear functions l,
 ///   P B_b a = sym(g a) + 1/3 (v . a - g . a) I.
 
+#include "creepcontact/base/index.hpp"
 #include "element_block.hpp"
 
 namespace creepcontact::mechanics {
@@ -24,8 +25,8 @@ struct LaneModuli {
   LaneModuli(const ElasticState& elastic, std::size_t first) : uniform(elastic.moduli.size() == 1) {
     for (std::size_t p = 0; p < P; ++p) {
       const Moduli& h = elastic.at(first + p);
-      lambda[static_cast<Eigen::Index>(p)] = h.lambda;
-      twice_mu[static_cast<Eigen::Index>(p)] = 2 * h.mu;
+      lambda[p] = h.lambda;
+      twice_mu[p] = 2 * h.mu;
     }
   }
   Lanes<P> bulk() const { return lambda + third * twice_mu; }
@@ -45,7 +46,7 @@ class BubbleTerms {
               const double* derivatives)
       : bubble_(bubble), weight_(weight), linear_(linear) {
     const Vectors d(derivatives);
-    for (Eigen::Index i = 0; i < 3; ++i)
+    for (Index i = 0; i < 3; ++i)
       gradient_.col(i) = Values(inverse + i * P) * d.col(0) + Values(inverse + (3 + i) * P) * d.col(1) +
                          Values(inverse + (6 + i) * P) * d.col(2) - bubble.mean_gradient[i];
   }
@@ -72,7 +73,7 @@ class BubbleTerms {
   void add_strain(const Matrix6* moduli, const double* initial_stress, LaneTensors<P>& strain) const {
     Matrix3 stiffness = Matrix3::Zero();
     Vector3 residual = Vector3::Zero();
-    for (Eigen::Index p = 0; p < P; ++p) {
+    for (Index p = 0; p < P; ++p) {
       const Eigen::Matrix<double, 6, 3> matrix = strain_matrix(p), stress = moduli[p] * matrix;
       stiffness += weight_[p] * matrix.transpose() * stress;
       residual += weight_[p] * (matrix.transpose() * Eigen::Map<const Tensor6>(initial_stress + 6 * p) -
@@ -94,9 +95,9 @@ class BubbleTerms {
   template <typename X>
   static Matrix3 weighted_squares(const X& x, const Lanes<P>& weight) {
     Matrix3 result;
-    for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Index i = 0; i < 3; ++i) {
       const Lanes<P> weighted = weight * x.col(i);
-      for (Eigen::Index j = 0; j <= i; ++j) result(i, j) = result(j, i) = (weighted * x.col(j)).sum();
+      for (Index j = 0; j <= i; ++j) result(i, j) = result(j, i) = (weighted * x.col(j)).sum();
     }
     return result;
   }
@@ -117,7 +118,7 @@ class BubbleTerms {
   }
 
   /// P B_b at a point.
-  Eigen::Matrix<double, 6, 3> strain_matrix(Eigen::Index p) const {
+  Eigen::Matrix<double, 6, 3> strain_matrix(Index p) const {
     constexpr double half_sqrt2 = tensor::sqrt2 / 2;
     const double x = gradient_(p, 0), y = gradient_(p, 1), z = gradient_(p, 2);
     const double xy = half_sqrt2 * x, yy = half_sqrt2 * y, zy = half_sqrt2 * z;

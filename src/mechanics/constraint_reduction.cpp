@@ -30,7 +30,7 @@ class BlockColumn {
 }  // namespace
 
 linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) const {
-  const auto n_nodes = static_cast<std::int64_t>(frame_of_node_.size());
+  const std::int64_t n_nodes = frame_of_node_.size();
   linalg::SparseMatrix reduced(n_free(), n_free());
   std::int64_t* column_start = reduced.outerIndexPtr();
   for (std::int64_t b = 0; b < n_nodes; ++b) {
@@ -38,7 +38,7 @@ linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) cons
     std::int64_t rows = 0;
     for (std::int64_t i = 0; i < column.size(); ++i) rows += 3 - n_held(column.row_node(i));
     for (int j = n_held(b); j < 3; ++j, --rows) {
-      const std::int64_t free = free_index(b)[static_cast<std::size_t>(j)];
+      const std::int64_t free = free_index(b)[j];
       column_start[free + 1] = column_start[free] + rows;
     }
   }
@@ -51,7 +51,7 @@ linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) cons
     const BlockColumn column(lower, b);
     const Frame* frame_b = frame_or_null(b);
     std::array<std::int64_t, 3> next{};
-    for (std::size_t j = static_cast<std::size_t>(held_b); j < 3; ++j) next[j] = column_start[free_index(b)[j]];
+    for (std::size_t j = held_b; j < 3; ++j) next[j] = column_start[free_index(b)[j]];
     for (std::int64_t i = 0; i < column.size(); ++i) {
       const std::int64_t a = column.row_node(i);
       const Frame* frame_a = frame_or_null(a);
@@ -59,9 +59,9 @@ linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) cons
       if (frame_a) block = (frame_a->axes.transpose() * block).eval();
       if (frame_b) block = (block * frame_b->axes).eval();
       for (int j = held_b; j < 3; ++j) {
-        std::int64_t& position = next[static_cast<std::size_t>(j)];
+        std::int64_t& position = next[j];
         for (int k = a == b ? j : n_held(a); k < 3; ++k, ++position) {
-          reduced.innerIndexPtr()[position] = free_index(a)[static_cast<std::size_t>(k)];
+          reduced.innerIndexPtr()[position] = free_index(a)[k];
           reduced.valuePtr()[position] = block(k, j);
         }
       }
@@ -80,11 +80,11 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> Constraints::reduce_rows(
       const Matrix3 axes = frame(node);
       for (int k = n_held(node); k < 3; ++k) {
         const double value = it.value() * axes(it.col() % 3, k);
-        if (value != 0) entries.emplace_back(i, static_cast<int>(free_index(node)[static_cast<std::size_t>(k)]), value);
+        if (value != 0) entries.emplace_back(i, static_cast<int>(free_index(node)[k]), value);
       }
     }
   }
-  Rows reduced(rows.rows(), static_cast<int>(n_free()));
+  Rows reduced(rows.rows(), n_free());
   reduced.setFromTriplets(entries.begin(), entries.end());
   return reduced;
 }

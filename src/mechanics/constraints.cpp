@@ -64,48 +64,48 @@ Constraints::Constraints(const std::vector<Vector3>& nodes, const std::vector<Su
       candidates[supports[s].nodes[i]].push_back({s, directions[directions.size() == 1 ? 0 : i].normalized()});
   }
   for (const auto& [node, list] : candidates) {
-    const Vector3& place = nodes[static_cast<std::size_t>(node)];
+    const Vector3& place = nodes[node];
     NodeConditions conditions;
     for (const Candidate& candidate : list) {
       if (const auto dependent = conditions.add(candidate.support, candidate.direction))
         require_consistent(supports, candidate.support, *dependent, candidate.direction, place);
     }
-    frame_of_node_[static_cast<std::size_t>(node)] = static_cast<std::int64_t>(frames_.size());
+    frame_of_node_[node] = static_cast<std::int64_t>(frames_.size());
     frames_.push_back({conditions.frame(), conditions.n_held()});
     const Eigen::Matrix3Xd displacements = conditions.displacements();
     for (int i = 0; i < conditions.n_held(); ++i)
       supports_[conditions.label(i)].conditions.push_back({node, place, displacements.col(i)});
   }
-  number_free(static_cast<std::int64_t>(nodes.size()));
+  number_free(nodes.size());
 }
 
 void Constraints::number_free(std::int64_t n_nodes) {
-  free_index_.assign(static_cast<std::size_t>(n_nodes), {-1, -1, -1});
+  free_index_.assign(n_nodes, {-1, -1, -1});
   for (std::int64_t node = 0; node < n_nodes; ++node) {
     for (int k = n_held(node); k < 3; ++k) {
-      free_index_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)] = n_free();
+      free_index_[node][k] = n_free();
       node_of_free_.push_back(node);
     }
   }
 }
 
 const Constraints::Frame* Constraints::frame_or_null(std::int64_t node) const {
-  const std::int64_t index = frame_of_node_[static_cast<std::size_t>(node)];
-  return index < 0 ? nullptr : &frames_[static_cast<std::size_t>(index)];
+  const std::int64_t index = frame_of_node_[node];
+  return index < 0 ? nullptr : &frames_[index];
 }
 
 std::int64_t Constraints::n_free() const {
-  return static_cast<std::int64_t>(node_of_free_.size());
+  return node_of_free_.size();
 }
 std::int64_t Constraints::n_full() const {
-  return 3 * static_cast<std::int64_t>(frame_of_node_.size());
+  return 3 * frame_of_node_.size();
 }
 const std::vector<std::int64_t>& Constraints::node_of_free() const {
   return node_of_free_;
 }
 
 const std::array<std::int64_t, 3>& Constraints::free_index(std::int64_t node) const {
-  return free_index_[static_cast<std::size_t>(node)];
+  return free_index_[node];
 }
 
 Matrix3 Constraints::frame(std::int64_t node) const {
@@ -126,7 +126,7 @@ void Constraints::restrict_to_free(std::span<const double> full, std::span<doubl
       for (std::size_t i = 0; i < 3; ++i) free[next++] = f[i];
       continue;
     }
-    const Frame& frame = frames_[static_cast<std::size_t>(frame_of_node_[node])];
+    const Frame& frame = frames_[frame_of_node_[node]];
     const Eigen::Map<const Vector3> force(f);
     for (int k = frame.n_held; k < 3; ++k) free[next++] = frame.axes.col(k).dot(force);
   }
@@ -141,7 +141,7 @@ void Constraints::expand(std::span<const double> free, std::span<const double> p
       for (std::size_t i = 0; i < 3; ++i) u[i] = free[next++];
       continue;
     }
-    const Frame& frame = frames_[static_cast<std::size_t>(frame_of_node_[node])];
+    const Frame& frame = frames_[frame_of_node_[node]];
     Eigen::Map<Vector3> displacement(u);
     displacement.setZero();
     if (!prescribed.empty()) displacement = Eigen::Map<const Vector3>(prescribed.data() + 3 * node);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/linalg/dense.hpp"
 #include "element_loops.hpp"
@@ -32,7 +33,7 @@ Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
   const auto values_at = [&](const Eigen::MatrixX3d& places) {
     Eigen::MatrixXd values(places.rows(), basis.n_nodes());
     Eigen::VectorXd shape(basis.n_nodes());
-    for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    for (Index i = 0; i < places.rows(); ++i) {
       basis.shape(places.row(i).transpose(), shape);
       values.row(i) = shape.transpose();
     }
@@ -70,8 +71,8 @@ std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& ce
 ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
     : reference_(fem::reference_element(cells.type)),
       start_(start),
-      n_nodes_(static_cast<std::size_t>(reference_.n_nodes())),
-      n_points_(static_cast<std::size_t>(reference_.rule().size())),
+      n_nodes_(reference_.n_nodes()),
+      n_points_(reference_.rule().size()),
       connectivity_(cells.connectivity),
       extrapolation_(extrapolation_matrix(reference_)) {
   tabulate();
@@ -79,21 +80,20 @@ ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vecto
 }
 
 void ElementBlock::tabulate() {
-  shape_.resize(static_cast<Eigen::Index>(n_nodes_), static_cast<Eigen::Index>(n_points_));
+  shape_.resize(n_nodes_, n_points_);
   derivatives_.resize(n_points_ * n_nodes_ * 3);
-  if (fem::has_bubble(type())) bubble_derivatives_.resize(static_cast<Eigen::Index>(n_points_), 3);
+  if (fem::has_bubble(type())) bubble_derivatives_.resize(n_points_, 3);
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
   for (std::size_t p = 0; p < n_points_; ++p) {
-    const Vector3 xi = reference_.rule().points.row(static_cast<Eigen::Index>(p)).transpose();
-    reference_.shape(xi, shape_.col(static_cast<Eigen::Index>(p)));
+    const Vector3 xi = reference_.rule().points.row(p).transpose();
+    reference_.shape(xi, shape_.col(p));
     reference_.gradient(xi, gradient);
     for (std::size_t a = 0; a < n_nodes_; ++a)
-      for (std::size_t k = 0; k < 3; ++k)
-        derivatives_[(p * n_nodes_ + a) * 3 + k] = gradient(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(k));
+      for (std::size_t k = 0; k < 3; ++k) derivatives_[(p * n_nodes_ + a) * 3 + k] = gradient(a, k);
     if (!has_bubble()) continue;
     const Vector3 bubble = fem::bubble_gradient(type(), xi), from_middle = xi - middle;
-    bubble_derivatives_.row(static_cast<Eigen::Index>(p)) = bubble.transpose();
+    bubble_derivatives_.row(p) = bubble.transpose();
     // Integral of N = - integral of xi . grad N / 3. By quadrature, only this balances the stress whose divergence the
     // force is.
     bubble_values_.push_back(-from_middle.dot(bubble) / 3);
@@ -109,7 +109,7 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       Matrix3 jacobian = Matrix3::Zero();  // d x_i / d xi_k
       for (std::size_t a = 0; a < n_nodes_; ++a) {
         const Eigen::Map<const Vector3> derivative(&derivatives_[(p * n_nodes_ + a) * 3]);
-        jacobian += nodes[static_cast<std::size_t>(cell[a])] * derivative.transpose();
+        jacobian += nodes[cell[a]] * derivative.transpose();
       }
       const double determinant = jacobian.determinant();
       if (!(determinant > 0)) {
@@ -121,9 +121,8 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       }
       const Matrix3 inverse = jacobian.inverse();
       for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t j = 0; j < 3; ++j)
-          geometry[(3 * k + j) * n_points_ + p] = inverse(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
-      geometry[9 * n_points_ + p] = determinant * reference_.rule().weights[static_cast<Eigen::Index>(p)];
+        for (std::size_t j = 0; j < 3; ++j) geometry[(3 * k + j) * n_points_ + p] = inverse(k, j);
+      geometry[9 * n_points_ + p] = determinant * reference_.rule().weights[p];
     }
   }
   if (reference_.volumetric_strain() == Projection::linear) find_linear_functions(nodes);
@@ -133,8 +132,7 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
 
 Matrix3 ElementBlock::inverse_jacobian(std::size_t e, std::size_t p) const {
   Matrix3 result;
-  for (std::size_t i = 0; i < 9; ++i)
-    result(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) = geometry(e)[i * n_points_ + p];
+  for (std::size_t i = 0; i < 9; ++i) result(i / 3, i % 3) = geometry(e)[i * n_points_ + p];
   return result;
 }
 
@@ -156,12 +154,12 @@ void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
   for (std::size_t e = 0; e < n_elements(); ++e) {
     const auto weight = weights(e);
     Eigen::Map<Eigen::MatrixX3d> places(&linear_functions_[3 * n_points_ * e], weight.size(), 3);
-    for (std::size_t p = 0; p < n_points_; ++p) places.row(static_cast<Eigen::Index>(p)) = point(e, p, nodes);
+    for (std::size_t p = 0; p < n_points_; ++p) places.row(p) = point(e, p, nodes);
     places.rowwise() -= (weight.transpose() * places / weight.sum()).eval();
     // Gram and Schmidt, twice: flat elements too.
-    for (Eigen::Index j = 0; j < 3; ++j) {
+    for (Index j = 0; j < 3; ++j) {
       for (int pass = 0; pass < 2; ++pass)
-        for (Eigen::Index k = 0; k < j; ++k)
+        for (Index k = 0; k < j; ++k)
           places.col(j) -= places.col(k).cwiseProduct(weight).dot(places.col(j)) * places.col(k);
       places.col(j) /= std::sqrt(places.col(j).cwiseAbs2().dot(weight));
     }
@@ -172,7 +170,7 @@ void ElementBlock::measure_bubbles() {
   Eigen::MatrixX3d gradients(n_points_, 3);
   for (std::size_t e = 0; e < n_elements(); ++e) {
     for (std::size_t p = 0; p < n_points_; ++p) {
-      const auto row = static_cast<Eigen::Index>(p);
+      const Index row = p;
       gradients.row(row) = bubble_derivatives_.row(row) * inverse_jacobian(e, p);
     }
     const auto weight = weights(e);
@@ -187,7 +185,7 @@ void ElementBlock::measure_bubbles() {
 
 Eigen::MatrixXd ElementBlock::basis(std::size_t e) const {
   const Projection projection = reference_.volumetric_strain();
-  const auto n_p = static_cast<Eigen::Index>(n_points_);
+  const Index n_p = n_points_;
   if (projection == Projection::none) return Eigen::MatrixXd(n_p, 0);
   const double constant = 1 / std::sqrt(weights(e).sum());
   if (projection == Projection::constant) return Eigen::MatrixXd::Constant(n_p, 1, constant);
@@ -204,35 +202,31 @@ bool ElementBlock::fits_mean_stress() const {
 Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
   const Eigen::MatrixXd basis = this->basis(e);
   const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points
-  const auto n = static_cast<Eigen::Index>(n_nodes_);
+  const Index n = n_nodes_;
   // The functions are linear in the place: their values at the points give those at the nodes.
   Eigen::MatrixX4d at_points(n_points_, 4), at_nodes(n, 4);
   const Vector3 origin = point(e, 0, nodes);
-  for (std::size_t p = 0; p < n_points_; ++p)
-    at_points.row(static_cast<Eigen::Index>(p)) << 1, (point(e, p, nodes) - origin).transpose();
+  for (std::size_t p = 0; p < n_points_; ++p) at_points.row(p) << 1, (point(e, p, nodes) - origin).transpose();
   const auto cell = this->nodes(e);
-  for (std::size_t a = 0; a < n_nodes_; ++a)
-    at_nodes.row(static_cast<Eigen::Index>(a)) << 1, (nodes[static_cast<std::size_t>(cell[a])] - origin).transpose();
+  for (std::size_t a = 0; a < n_nodes_; ++a) at_nodes.row(a) << 1, (nodes[cell[a]] - origin).transpose();
   return at_nodes * at_points.colPivHouseholderQr().solve(basis) * fit;
 }
 
 Vector3 ElementBlock::point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const {
   Vector3 x = Vector3::Zero();
   const auto cell = this->nodes(e);
-  for (std::size_t a = 0; a < n_nodes_; ++a)
-    x += shape_(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(p)) * nodes[static_cast<std::size_t>(cell[a])];
+  for (std::size_t a = 0; a < n_nodes_; ++a) x += shape_(a, p) * nodes[cell[a]];
   return x;
 }
 
 void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<double> element_forces,
                               std::span<double> inner_forces) const {
   for (std::size_t e = 0; e < n_elements(); ++e) {
-    Eigen::Map<Eigen::Matrix3Xd> forces(&element_forces[3 * (start_.entry + e * n_nodes_)], 3,
-                                        static_cast<Eigen::Index>(n_nodes_));
+    Eigen::Map<Eigen::Matrix3Xd> forces(&element_forces[3 * (start_.entry + e * n_nodes_)], 3, n_nodes_);
     forces.setZero();
     for (std::size_t p = 0; p < n_points_; ++p) {
-      const Vector3 force = weights(e)[static_cast<Eigen::Index>(p)] * force_density[start_.point + e * n_points_ + p];
-      forces += force * shape_.col(static_cast<Eigen::Index>(p)).transpose();
+      const Vector3 force = weights(e)[p] * force_density[start_.point + e * n_points_ + p];
+      forces += force * shape_.col(p).transpose();
       if (has_bubble()) Vector3::Map(&inner_forces[3 * (start_.inner + e)]) += bubble_values_[p] * force;
     }
   }

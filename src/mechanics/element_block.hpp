@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
 #include "creepcontact/numerics/parallel.hpp"
@@ -57,7 +58,7 @@ class ElementBlock {
   virtual void fit_mean_stress(std::span<double> stress) const = 0;
   /// Volumes that belong to the points of an element.
   Eigen::Map<const Eigen::VectorXd> weights(std::size_t e) const {
-    return {geometry(e) + 9 * n_points_, static_cast<Eigen::Index>(n_points_)};
+    return {geometry(e) + 9 * n_points_, static_cast<Index>(n_points_)};
   }
   /// Coordinates of a point of an element.
   Vector3 point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const;

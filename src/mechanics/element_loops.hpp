@@ -13,6 +13,7 @@
 #include <array>
 
 #include "bubble_terms.hpp"
+#include "creepcontact/base/index.hpp"
 #include "element_block.hpp"
 
 namespace creepcontact::mechanics {
@@ -80,7 +81,7 @@ class ElementLoops final : public ElementBlock {
         Tensors strain = Tensors::Zero();
         add_bubble_strain(e, moduli, initial_stress, strain);
         for (std::size_t p = 0; p < P; ++p) {
-          const auto row = static_cast<Eigen::Index>(p);
+          const Index row = p;
           stress.row(row) -= (moduli[first_point(e) + p] * strain.row(row).matrix().transpose()).transpose().array();
         }
       }
@@ -134,7 +135,7 @@ class ElementLoops final : public ElementBlock {
       }
     }
     shift *= (1 - kept) / 3;
-    for (Eigen::Index i = 0; i < 3; ++i) values.col(i) += shift;
+    for (Index i = 0; i < 3; ++i) values.col(i) += shift;
   }
 
   /// B u without projection.
@@ -158,8 +159,8 @@ class ElementLoops final : public ElementBlock {
     Tensors strain;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
-      strain.col(static_cast<Eigen::Index>(i)) = gradient[i][i];
-      strain.col(static_cast<Eigen::Index>(3 + i)) = half_sqrt2 * (gradient[i][j] + gradient[j][i]);
+      strain.col(i) = gradient[i][i];
+      strain.col(3 + i) = half_sqrt2 * (gradient[i][j] + gradient[j][i]);
     }
     return strain;
   }
@@ -169,13 +170,11 @@ class ElementLoops final : public ElementBlock {
     const std::size_t first = first_point(e);
     if (creep.data != nullptr) {
       using Strided = Eigen::Map<const Points, 0, Eigen::OuterStride<>>;
-      values -=
-          Strided(creep.data + first * creep.stride, Eigen::OuterStride<>(static_cast<Eigen::Index>(creep.stride)))
-              .transpose();
+      values -= Strided(creep.data + first * creep.stride, Eigen::OuterStride<>(creep.stride)).transpose();
     }
     if (!elastic.thermal_strain.empty()) {
       const ConstValues thermal(elastic.thermal_strain.data() + first);
-      for (Eigen::Index i = 0; i < 3; ++i) values.col(i) -= thermal;
+      for (Index i = 0; i < 3; ++i) values.col(i) -= thermal;
     }
     project_trace(e, values);
     const LaneModuli<n_points_v> moduli(elastic, first);
@@ -185,15 +184,15 @@ class ElementLoops final : public ElementBlock {
       bubble_terms(e).add_strain(moduli, force, values);
     }
     const Values spherical = moduli.lambda * (values.col(0) + values.col(1) + values.col(2));
-    for (Eigen::Index i = 0; i < 6; ++i) values.col(i) *= moduli.twice_mu;
-    for (Eigen::Index i = 0; i < 3; ++i) values.col(i) += spherical;
+    for (Index i = 0; i < 6; ++i) values.col(i) *= moduli.twice_mu;
+    for (Index i = 0; i < 3; ++i) values.col(i) += spherical;
   }
 
   void element_force(std::size_t e, Tensors& stress, double* element_forces) const {
     constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-    constexpr std::array<std::array<Eigen::Index, 3>, 3> column{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
+    constexpr std::array<std::array<Index, 3>, 3> column{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
     project_trace(e, stress);
-    for (Eigen::Index i = 0; i < 6; ++i) stress.col(i) *= (i < 3 ? 1 : half_sqrt2) * weight(e);
+    for (Index i = 0; i < 6; ++i) stress.col(i) *= (i < 3 ? 1 : half_sqrt2) * weight(e);
     std::array<std::array<Values, 3>, 3> flux;  // weight * component i of stress . grad xi_k
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
 #include "hourglass.hpp"
 
@@ -91,7 +92,7 @@ void FactoredBody::residual(const BodyConditions& at, std::span<const double> st
                             std::span<double> residual) const {
   body_->residual(at, stress, residual);
   if (!stabilized_) return;
-  const auto n = static_cast<Eigen::Index>(free.size());
+  const Index n = free.size();
   Eigen::Map<Eigen::VectorXd>(residual.data(), n) -=
       hourglass_.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(free.data(), n);
 }
@@ -100,8 +101,8 @@ void FactoredBody::report_singular(const linalg::SingularMatrix& error) const {
   const Constraints& constraints = body_->constraints();
   std::string place;
   if (error.row >= 0 && error.row < constraints.n_free()) {
-    const std::int64_t node = constraints.node_of_free()[static_cast<std::size_t>(error.row)];
-    const Vector3& x = body_->mesh().nodes[static_cast<std::size_t>(node)];
+    const std::int64_t node = constraints.node_of_free()[error.row];
+    const Vector3& x = body_->mesh().nodes[node];
     place = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
   }
   throw ModelError(

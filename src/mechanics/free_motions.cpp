@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::mechanics {
@@ -15,7 +16,7 @@ using Nodes = std::vector<std::int64_t>;
 constexpr double not_held = 1e-9;  // singular value of the conditions on a motion
 
 Vector3 place(const mesh::Mesh& mesh, std::int64_t node) {
-  return mesh.nodes[static_cast<std::size_t>(node)];
+  return mesh.nodes[node];
 }
 
 Vector3 centre_of(const mesh::Mesh& mesh, const Nodes& nodes) {
@@ -27,15 +28,14 @@ Vector3 centre_of(const mesh::Mesh& mesh, const Nodes& nodes) {
 /// @returns the length by which the displacement was divided
 double normalize(Eigen::VectorXd& displacement) {
   double largest = 0;
-  for (Eigen::Index i = 0; i < displacement.size(); i += 3)
-    largest = std::max(largest, displacement.segment<3>(i).norm());
+  for (Index i = 0; i < displacement.size(); i += 3) largest = std::max(largest, displacement.segment<3>(i).norm());
   displacement /= largest;
   return largest;
 }
 
 FreeMotion motion_of_nodes(const mesh::Mesh& mesh, const Nodes& nodes, const RigidMotion& rigid) {
   FreeMotion motion;
-  motion.displacement.setZero(3 * static_cast<Eigen::Index>(mesh.nodes.size()));
+  motion.displacement.setZero(3 * mesh.nodes.size());
   for (const std::int64_t node : nodes)
     motion.displacement.segment<3>(3 * node) = rigid.displacement(place(mesh, node));
   const double length = normalize(motion.displacement);
@@ -59,7 +59,7 @@ std::vector<FreeMotion> motions_of_hinged_parts(const mesh::Mesh& mesh, const Co
     m << Matrix3::Identity(), Vector3::UnitX().cross(r), Vector3::UnitY().cross(r), Vector3::UnitZ().cross(r);
     return m;
   };
-  const auto n_unknowns = 6 * static_cast<Eigen::Index>(parts.size());
+  const Index n_unknowns = 6 * parts.size();
   std::vector<Eigen::RowVectorXd> rows;
   std::map<std::int64_t, std::size_t> first_part;
   for (std::size_t p = 0; p < parts.size(); ++p)
@@ -69,23 +69,22 @@ std::vector<FreeMotion> motions_of_hinged_parts(const mesh::Mesh& mesh, const Co
       for (int k = 0; k < (is_new ? constraints.n_held(node) : 3); ++k) {
         Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n_unknowns);
         const Vector3 direction = is_new ? Vector3(constraints.frame(node).col(k)) : Vector3(Vector3::Unit(k));
-        row.segment<6>(6 * static_cast<Eigen::Index>(p)) = direction.transpose() * own;
-        if (!is_new) row.segment<6>(6 * static_cast<Eigen::Index>(found->second)) -= direction.transpose() * own;
+        row.segment<6>(6 * p) = direction.transpose() * own;
+        if (!is_new) row.segment<6>(6 * found->second) -= direction.transpose() * own;
         rows.push_back(std::move(row));
       }
     }
-  Eigen::MatrixXd conditions(static_cast<Eigen::Index>(rows.size()), n_unknowns);
-  for (std::size_t r = 0; r < rows.size(); ++r) conditions.row(static_cast<Eigen::Index>(r)) = rows[r];
+  Eigen::MatrixXd conditions(rows.size(), n_unknowns);
+  for (std::size_t r = 0; r < rows.size(); ++r) conditions.row(r) = rows[r];
   const Eigen::MatrixXd free = linalg::null_space(conditions, not_held);
 
   std::vector<FreeMotion> motions;
-  for (Eigen::Index j = 0; j < free.cols(); ++j) {
+  for (Index j = 0; j < free.cols(); ++j) {
     FreeMotion motion;
-    motion.displacement.setZero(3 * static_cast<Eigen::Index>(mesh.nodes.size()));
+    motion.displacement.setZero(3 * mesh.nodes.size());
     for (std::size_t p = 0; p < parts.size(); ++p)
       for (const std::int64_t node : parts[p])
-        motion.displacement.segment<3>(3 * node) =
-            motion_at(node) * free.block<6, 1>(6 * static_cast<Eigen::Index>(p), j);
+        motion.displacement.segment<3>(3 * node) = motion_at(node) * free.block<6, 1>(6 * p, j);
     normalize(motion.displacement);
     motion.description =
         fmt::format("a mechanism of parts joined at single edges or nodes near ({:.6g}, {:.6g}, {:.6g})", centre[0],
@@ -145,11 +144,11 @@ std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const MeshParts& pa
 
 std::vector<std::int64_t> determinate_pins(const std::vector<FreeMotion>& motions, const Constraints& constraints) {
   if (motions.empty()) return {};
-  const auto n = static_cast<Eigen::Index>(motions.size());
+  const Index n = motions.size();
   Eigen::MatrixXd rows(n, constraints.n_free());
-  std::vector<double> free(static_cast<std::size_t>(constraints.n_free()));
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::VectorXd& displacement = motions[static_cast<std::size_t>(i)].displacement;
+  std::vector<double> free(constraints.n_free());
+  for (Index i = 0; i < n; ++i) {
+    const Eigen::VectorXd& displacement = motions[i].displacement;
     constraints.restrict_to_free({displacement.data(), static_cast<std::size_t>(displacement.size())}, free);
     rows.row(i) = Eigen::Map<const Eigen::RowVectorXd>(free.data(), constraints.n_free());
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::mechanics {
@@ -35,8 +36,8 @@ LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntri
       Matrix3 normal = Matrix3::Zero();
       if (serves(block->type())) {
         const std::size_t element = block->start().element + e;
-        for (const std::int64_t node : block->nodes(e).first(static_cast<std::size_t>(mesh::n_corners(block->type()))))
-          for (const std::size_t entry : entries.of(static_cast<std::size_t>(node)))
+        for (const std::int64_t node : block->nodes(e).first(mesh::n_corners(block->type())))
+          for (const std::size_t entry : entries.of(node))
             around.push_back(static_cast<std::uint32_t>(element_of(entry)));
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
@@ -59,10 +60,8 @@ LinearReconstruction::Rows LinearReconstruction::gradient(const ElementBlock& bl
                                                           std::span<const double> means,
                                                           const Eigen::Ref<const Rows>& own) const {
   const std::size_t element = block.start().element + e;
-  const Eigen::Index width = own.cols();
-  const auto mean = [&](std::size_t i) {
-    return Eigen::Map<const Eigen::RowVectorXd>(&means[i * static_cast<std::size_t>(width)], width);
-  };
+  const Index width = own.cols();
+  const auto mean = [&](std::size_t i) { return Eigen::Map<const Eigen::RowVectorXd>(&means[i * width], width); };
   Rows right = Rows::Zero(3, width);
   for (std::size_t k = offsets_[element]; k < offsets_[element + 1]; ++k)
     right += volumes_[neighbours_[k]] * (centres_[neighbours_[k]] - centres_[element]) *
@@ -70,7 +69,7 @@ LinearReconstruction::Rows LinearReconstruction::gradient(const ElementBlock& bl
   for (std::size_t p = 0; p < block.n_points(); ++p)
     right += own_weight * volumes_[element] *
              (places_[block.start().point + e * block.n_points() + p] - centres_[element]) *
-             (own.row(static_cast<Eigen::Index>(p)) - mean(element));
+             (own.row(p) - mean(element));
   return inverse_[element] * right;
 }
 

@@ -22,9 +22,7 @@ std::vector<FaceOfElement> all_faces(const mesh::Mesh& mesh) {
     for (std::size_t c = 0; c < block.size(); ++c, ++element)
       for (const mesh::LocalFace& local : mesh::cell_faces(block.type)) {
         FaceOfElement face{.element = element};
-        for (int i = 0; i < mesh::n_corners(local.type); ++i)
-          face.corners[static_cast<std::size_t>(i)] =
-              block.cell(c)[static_cast<std::size_t>(local.nodes[static_cast<std::size_t>(i)])];
+        for (int i = 0; i < mesh::n_corners(local.type); ++i) face.corners[i] = block.cell(c)[local.nodes[i]];
         std::sort(face.corners.begin(), face.corners.end());
         faces.push_back(face);
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 
 namespace creepcontact::mechanics {
@@ -11,15 +12,14 @@ std::vector<Vector3> folded_elements(const mesh::Mesh& mesh) {
   for (const mesh::CellBlock& block : mesh.blocks) {
     if (mesh::dimension(block.type) != 3 || mesh::order(block.type) < 2) continue;
     const fem::ReferenceElement& element = fem::reference_element(block.type);
-    std::vector<Eigen::MatrixX3d> gradients(static_cast<std::size_t>(mesh::n_corners(block.type)));
+    std::vector<Eigen::MatrixX3d> gradients(mesh::n_corners(block.type));
     for (std::size_t i = 0; i < gradients.size(); ++i) {
       gradients[i].resize(element.n_nodes(), 3);
-      element.gradient(element.nodes().row(static_cast<Eigen::Index>(i)).transpose(), gradients[i]);
+      element.gradient(element.nodes().row(i).transpose(), gradients[i]);
     }
     Eigen::Matrix3Xd x(3, element.n_nodes());
     for (std::size_t c = 0; c < block.size(); ++c) {
-      for (Eigen::Index a = 0; a < x.cols(); ++a)
-        x.col(a) = mesh.nodes[static_cast<std::size_t>(block.cell(c)[static_cast<std::size_t>(a)])];
+      for (Index a = 0; a < x.cols(); ++a) x.col(a) = mesh.nodes[block.cell(c)[a]];
       if (std::any_of(gradients.begin(), gradients.end(),
                       [&](const auto& gradient) { return Matrix3(x * gradient).determinant() <= 0; }))
         centres.emplace_back(x.rowwise().mean());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
 #include "element_block.hpp"
 #include "linear_reconstruction.hpp"
@@ -16,7 +17,7 @@ using Rows = LinearReconstruction::Rows;
 Eigen::Map<const Rows> rows_of(const ElementBlock& block, std::size_t e, std::span<const double> point_values,
                                int width) {
   const std::size_t first = block.start().point + e * block.n_points();
-  return {&point_values[first * static_cast<std::size_t>(width)], static_cast<Eigen::Index>(block.n_points()), width};
+  return {&point_values[first * width], static_cast<Index>(block.n_points()), width};
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ void Discretization::average_at_nodes(std::size_t width, std::span<double> node_
       const double volume = block->weights(e).sum();
       const auto cell = block->nodes(e);
       for (std::size_t a = 0; a < cell.size(); ++a) {
-        const auto node = static_cast<std::size_t>(cell[a]);
+        const std::size_t node = cell[a];
         volume_at[node] += volume;
         for (std::size_t i = 0; i < width; ++i)
           node_values[node * width + i] += volume * at_nodes.data()[a * width + i];
@@ -44,7 +45,7 @@ void Discretization::average_at_nodes(std::size_t width, std::span<double> node_
 
 void Discretization::to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const {
   const std::vector<double> means = reconstruction_means(point_values, width);
-  average_at_nodes(static_cast<std::size_t>(width), node_values, [&](const ElementBlock& block, std::size_t e) -> Rows {
+  average_at_nodes(width, node_values, [&](const ElementBlock& block, std::size_t e) -> Rows {
     const auto at_points = rows_of(block, e, point_values, width);
     if (mesh::order(block.type()) == 1) return reconstructed(block, e, means, at_points);
     return block.extrapolation() * at_points;
@@ -80,12 +81,9 @@ Eigen::MatrixXd Discretization::reconstructed(const ElementBlock& block, std::si
   const std::size_t element = block.start().element + e;
   const auto cell = block.nodes(e);
   Eigen::MatrixX3d arms(cell.size(), 3);
-  for (std::size_t a = 0; a < cell.size(); ++a)
-    arms.row(static_cast<Eigen::Index>(a)) =
-        nodes_[static_cast<std::size_t>(cell[a])] - reconstruction_->centre(element);
+  for (std::size_t a = 0; a < cell.size(); ++a) arms.row(a) = nodes_[cell[a]] - reconstruction_->centre(element);
   Eigen::MatrixXd values = arms * reconstruction_->gradient(block, e, means, at_points);
-  values.rowwise() +=
-      Eigen::RowVectorXd::Map(&means[element * static_cast<std::size_t>(at_points.cols())], at_points.cols());
+  values.rowwise() += Eigen::RowVectorXd::Map(&means[element * at_points.cols()], at_points.cols());
   return values;
 }
 
@@ -106,15 +104,15 @@ void Discretization::fit_mean_stress(std::span<double> stress) const {
   });
   for (const auto& block : blocks_) {
     if (!LinearReconstruction::serves(block->type())) continue;
-    const auto n_corners = static_cast<std::size_t>(mesh::n_corners(block->type()));
+    const std::size_t n_corners = mesh::n_corners(block->type());
 #pragma omp parallel for schedule(static) if (block->n_elements() >= numerics::parallel_elements)
     for (std::size_t e = 0; e < block->n_elements(); ++e) {
       const Vector3 slope = reconstruction_->gradient(*block, e, means, rows_of(*block, e, traces, 1)).col(0);
       Vector3 middle = Vector3::Zero();
       double mean = 0;
       for (const std::int64_t node : block->nodes(e).first(n_corners)) {
-        middle += nodes_[static_cast<std::size_t>(node)] / static_cast<double>(n_corners);
-        mean += at_nodes[static_cast<std::size_t>(node)] / static_cast<double>(n_corners);
+        middle += nodes_[node] / static_cast<double>(n_corners);
+        mean += at_nodes[node] / static_cast<double>(n_corners);
       }
       const std::size_t first = block->start().point + e * block->n_points();
       for (std::size_t p = first; p < first + block->n_points(); ++p) {
@@ -127,7 +125,7 @@ void Discretization::fit_mean_stress(std::span<double> stress) const {
 
 void Discretization::to_elements(std::span<const double> point_values, int width,
                                  std::span<double> element_values) const {
-  const auto w = static_cast<std::size_t>(width);
+  const std::size_t w = width;
   std::fill(element_values.begin(), element_values.end(), 0.0);
   std::size_t point = 0;
   for (std::size_t e = 0; e < n_elements_; ++e) {

@@ -12,8 +12,7 @@ namespace {
 
 Eigen::Matrix3Xd face_coordinates(const mesh::Mesh& mesh, const mesh::Face& face) {
   Eigen::Matrix3Xd x(3, face.nodes.size());
-  for (std::size_t a = 0; a < face.nodes.size(); ++a)
-    x.col(static_cast<Eigen::Index>(a)) = mesh.nodes[static_cast<std::size_t>(face.nodes[a])];
+  for (std::size_t a = 0; a < face.nodes.size(); ++a) x.col(a) = mesh.nodes[face.nodes[a]];
   return x;
 }
 
@@ -39,7 +38,7 @@ std::vector<Vector3> nodal_normals(const mesh::Mesh& mesh, const std::vector<mes
       area += reference.rule().weights[p] * area_vector(reference, x, xi).norm();
     }
     for (std::size_t a = 0; a < face.nodes.size(); ++a) {
-      const Vector3 xi = reference.nodes().row(static_cast<Eigen::Index>(a)).transpose();
+      const Vector3 xi = reference.nodes().row(a).transpose();
       sums.try_emplace(face.nodes[a], Vector3::Zero()).first->second +=
           area * area_vector(reference, x, xi).normalized();
       areas[face.nodes[a]] += area;
@@ -49,7 +48,7 @@ std::vector<Vector3> nodal_normals(const mesh::Mesh& mesh, const std::vector<mes
   for (const std::int64_t node : nodes) {
     const auto sum = sums.find(node);
     if (sum == sums.end() || sum->second.norm() < 1e-6 * areas[node]) {
-      const Vector3& x = mesh.nodes[static_cast<std::size_t>(node)];
+      const Vector3& x = mesh.nodes[node];
       throw ModelError(fmt::format("the node ({:.6g}, {:.6g}, {:.6g}) has no normal: {}", x[0], x[1], x[2],
                                    sum == sums.end() ? "it lies on no face of the surface"
                                                      : "the faces around it point in opposite directions"));

@@ -22,7 +22,7 @@ std::optional<NodeConditions::Dependent> NodeConditions::add(std::size_t label, 
   Dependent dependent;
   for (int i = 0; i < n_held_; ++i) {
     if (std::abs(coefficients[i]) <= tolerance) continue;
-    dependent.on.push_back(labels_[static_cast<std::size_t>(i)]);
+    dependent.on.push_back(labels_[i]);
     dependent.coefficients.push_back(coefficients[i]);
   }
   return dependent;
@@ -45,7 +45,7 @@ Matrix3 NodeConditions::frame() const {
   Matrix3 frame;
   if (held_axes.size() + free_axes.size() == 3) {
     held_axes.insert(held_axes.end(), free_axes.begin(), free_axes.end());
-    for (int i = 0; i < 3; ++i) frame.col(i) = Vector3::Unit(held_axes[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 3; ++i) frame.col(i) = Vector3::Unit(held_axes[i]);
     return frame;
   }
   frame.leftCols(n_held_) = held_.leftCols(n_held_);

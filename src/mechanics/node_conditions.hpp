@@ -22,7 +22,7 @@ class NodeConditions {
   std::optional<Dependent> add(std::size_t label, const Vector3& direction);
 
   int n_held() const { return n_held_; }
-  std::size_t label(int i) const { return labels_[static_cast<std::size_t>(i)]; }
+  std::size_t label(int i) const { return labels_[i]; }
   /// Column i: displacement prescribed by the value 1 of independent condition i, all others 0. 3 x n_held.
   Eigen::Matrix3Xd displacements() const;
   /// Orthonormal; the held directions come first. Coordinate directions where the held space is spanned by them.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::mechanics {
@@ -14,7 +15,7 @@ namespace {
 constexpr double tolerance = 1e-9;
 
 Vector3 readable(Vector3 v) {
-  Eigen::Index largest = 0;
+  Index largest = 0;
   v.cwiseAbs().maxCoeff(&largest);
   if (v[largest] < 0) v = -v;
   return (v.array().abs() < 1e-12).select(0.0, v);
@@ -24,7 +25,7 @@ Vector3 readable(Vector3 v) {
 std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
   if (columns.cols() == 0) return {};
   const linalg::SingularValues svd = linalg::singular_values(columns);
-  const Eigen::Index rank = (svd.values.array() > tolerance).count();
+  const Index rank = (svd.values.array() > tolerance).count();
   const Eigen::Matrix3Xd space = svd.left.leftCols(rank);
   std::vector<Vector3> basis;
   const auto without_basis = [&](Vector3 v) {
@@ -36,7 +37,7 @@ std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
     if ((space * (space.transpose() * Vector3::Unit(i)) - Vector3::Unit(i)).norm() < 1e-8)
       basis.push_back(Vector3::Unit(i));
   }
-  while (static_cast<Eigen::Index>(basis.size()) < rank) {
+  while (static_cast<Index>(basis.size()) < rank) {
     Vector3 best = Vector3::Zero();
     for (int i = 0; i < 3; ++i) {
       const Vector3 rest = without_basis(Vector3::Unit(i));
@@ -49,7 +50,7 @@ std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
 
 Eigen::Matrix3Xd as_columns(const std::vector<Vector3>& vectors) {
   Eigen::Matrix3Xd columns(3, vectors.size());
-  for (std::size_t i = 0; i < vectors.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = vectors[i];
+  for (std::size_t i = 0; i < vectors.size(); ++i) columns.col(i) = vectors[i];
   return columns;
 }
 
@@ -63,7 +64,7 @@ std::string along(const Vector3& direction) {
 
 std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset) {
-  const auto place = [&](std::int64_t node) { return nodes[static_cast<std::size_t>(node)]; };
+  const auto place = [&](std::int64_t node) { return nodes[node]; };
   Vector3 centre = Vector3::Zero();
   for (const std::int64_t node : subset) centre += place(node) / static_cast<double>(subset.size());
   double size = 0;
@@ -80,7 +81,7 @@ std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, c
     }
   }
   Eigen::MatrixXd rows(held.size(), 6);
-  for (std::size_t i = 0; i < held.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = held[i].transpose();
+  for (std::size_t i = 0; i < held.size(); ++i) rows.row(i) = held[i].transpose();
   const Eigen::MatrixXd free = linalg::null_space(rows, tolerance);
   if (free.cols() == 0) return {};
 
@@ -108,8 +109,8 @@ RigidMotion RigidMotion::combination(const std::vector<RigidMotion>& motions, co
   if (motions.empty()) return sum;
   sum.centre = motions.front().centre;
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    sum.translation += amplitudes[static_cast<int>(i)] * motions[i].displacement(sum.centre);
-    sum.rotation += amplitudes[static_cast<int>(i)] * motions[i].rotation;
+    sum.translation += amplitudes[i] * motions[i].displacement(sum.centre);
+    sum.rotation += amplitudes[i] * motions[i].rotation;
   }
   return sum;
 }

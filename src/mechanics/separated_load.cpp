@@ -26,7 +26,7 @@ void SeparatedLoad::add(double t, std::span<double> forces) const {
   const std::vector<double>& values = steady_.empty() ? now : steady_;
   const std::vector<std::int64_t>& nodes = integral_->nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) forces[3 * static_cast<std::size_t>(nodes[i]) + k] += scale * values[3 * i + k];
+    for (std::size_t k = 0; k < 3; ++k) forces[3 * nodes[i] + k] += scale * values[3 * i + k];
 }
 
 }  // namespace creepcontact::mechanics

@@ -2,23 +2,22 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "element_block.hpp"
 #include "node_entries.hpp"
 
 namespace creepcontact::mechanics {
 
 Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
-  const auto n = static_cast<Eigen::Index>(n_nodes_), inner = static_cast<Eigen::Index>(has_bubble() ? 3 : 0);
-  Eigen::MatrixXd result(3 * n + inner, static_cast<Eigen::Index>(n_points_));
+  const Index n = n_nodes_, inner = has_bubble() ? 3 : 0;
+  Eigen::MatrixXd result(3 * n + inner, n_points_);
   for (std::size_t p = 0; p < n_points_; ++p) {
     const Matrix3 inverse = inverse_jacobian(e, p);
     const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[p * n_nodes_ * 3], 3, n);
-    Eigen::Map<Eigen::Matrix3Xd>(result.col(static_cast<Eigen::Index>(p)).data(), 3, n).noalias() =
-        inverse.transpose() * table;
+    Eigen::Map<Eigen::Matrix3Xd>(result.col(p).data(), 3, n).noalias() = inverse.transpose() * table;
     if (has_bubble())
-      result.col(static_cast<Eigen::Index>(p)).tail<3>() =
-          inverse.transpose() * bubble_derivatives_.row(static_cast<Eigen::Index>(p)).transpose() -
-          bubbles_[e].mean_gradient;
+      result.col(p).tail<3>() =
+          inverse.transpose() * bubble_derivatives_.row(p).transpose() - bubbles_[e].mean_gradient;
   }
   return result;
 }
@@ -33,26 +32,26 @@ Eigen::MatrixXd ElementBlock::volumetric_gradients(std::size_t e, const Eigen::M
 
 Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const {
   if (!has_bubble()) return stiffness;
-  const Eigen::Index n = stiffness.rows() - 3;
+  const Index n = stiffness.rows() - 3;
   const Eigen::Matrix<double, 3, Eigen::Dynamic> coupling = stiffness.bottomLeftCorner(3, n);
   const Matrix3 own = stiffness.bottomRightCorner<3, 3>().inverse();
   return stiffness.topLeftCorner(n, n) - coupling.transpose() * own * coupling;
 }
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
-  const auto n_p = static_cast<Eigen::Index>(n_points_);
+  const Index n_p = n_points_;
   const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
   const auto weight = weights(e);
   Eigen::VectorXd mu(n_p), bulk(n_p);
-  for (Eigen::Index p = 0; p < n_p; ++p) {
-    const Moduli& h = elastic.at(start_.point + e * n_points_ + static_cast<std::size_t>(p));
+  for (Index p = 0; p < n_p; ++p) {
+    const Moduli& h = elastic.at(start_.point + e * n_points_ + p);
     mu[p] = weight[p] * h.mu;
     bulk[p] = weight[p] * (h.lambda + 2.0 / 3.0 * h.mu);
   }
   const Eigen::MatrixXd shear = gradients * mu.asDiagonal() * gradients.transpose();
   Eigen::MatrixXd stiffness = volumetric * bulk.asDiagonal() * volumetric.transpose() - 2.0 / 3.0 * shear;
-  for (Eigen::Index b = 0; b < gradients.rows(); b += 3) {
-    for (Eigen::Index a = 0; a < gradients.rows(); a += 3) {
+  for (Index b = 0; b < gradients.rows(); b += 3) {
+    for (Index a = 0; a < gradients.rows(); a += 3) {
       const auto from = shear.block<3, 3>(a, b);
       stiffness.block<3, 3>(a, b) += from.transpose() + from.trace() * Matrix3::Identity();
     }
@@ -61,15 +60,15 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
 }
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
-  const auto n_p = static_cast<Eigen::Index>(n_points_);
+  const Index n_p = n_points_;
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
   const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
   const auto weight = weights(e);
-  const Eigen::Index n_dofs = gradients.rows();
+  const Index n_dofs = gradients.rows();
   // B of all points on top of each other: strain in Mandel order, one column per unknown.
   Eigen::MatrixXd strain = Eigen::MatrixXd::Zero(6 * n_p, n_dofs);
-  for (Eigen::Index p = 0; p < n_p; ++p) {
-    for (Eigen::Index a = 0; a < n_dofs; a += 3) {
+  for (Index p = 0; p < n_p; ++p) {
+    for (Index a = 0; a < n_dofs; a += 3) {
       const Vector3 g = gradients.block<3, 1>(a, p), shear = half_sqrt2 * g;
       auto block = strain.block<6, 3>(6 * p, a);
       block.diagonal() = g;
@@ -78,12 +77,12 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const M
       block(4, 1) = block(5, 0) = shear.z();
     }
   }
-  for (Eigen::Index p = 0; p < n_p; ++p)
+  for (Index p = 0; p < n_p; ++p)
     strain.middleRows<3>(6 * p).rowwise() += (volumetric.col(p) - gradients.col(p)).transpose() / 3;
   Eigen::MatrixXd stress(6 * n_p, n_dofs);
-  for (Eigen::Index p = 0; p < n_p; ++p)
+  for (Index p = 0; p < n_p; ++p)
     stress.middleRows<6>(6 * p).noalias() =
-        (weight[p] * moduli[start_.point + e * n_points_ + static_cast<std::size_t>(p)]) * strain.middleRows<6>(6 * p);
+        (weight[p] * moduli[start_.point + e * n_points_ + p]) * strain.middleRows<6>(6 * p);
   return condensed(strain.transpose() * stress);
 }
 
@@ -93,11 +92,11 @@ namespace {
 using Neighbours = std::vector<std::vector<std::int64_t>>;
 
 linalg::SparseMatrix pattern(const Neighbours& neighbours) {
-  const auto n = static_cast<std::int64_t>(neighbours.size());
+  const std::int64_t n = neighbours.size();
   linalg::SparseMatrix matrix(3 * n, 3 * n);
   std::int64_t* column_start = matrix.outerIndexPtr();
   for (std::int64_t b = 0; b < n; ++b) {
-    const auto blocks = static_cast<std::int64_t>(neighbours[static_cast<std::size_t>(b)].size());
+    const std::int64_t blocks = neighbours[b].size();
     for (std::int64_t j = 0; j < 3; ++j)
       column_start[3 * b + j + 1] = column_start[3 * b + j] + std::max<std::int64_t>(0, 3 * blocks - j);
   }
@@ -106,7 +105,7 @@ linalg::SparseMatrix pattern(const Neighbours& neighbours) {
   for (std::int64_t b = 0; b < n; ++b) {
     for (std::int64_t j = 0; j < 3; ++j) {
       std::int64_t* row = matrix.innerIndexPtr() + column_start[3 * b + j];
-      for (const std::int64_t a : neighbours[static_cast<std::size_t>(b)])
+      for (const std::int64_t a : neighbours[b])
         for (std::int64_t i = a == b ? j : 0; i < 3; ++i) *row++ = 3 * a + i;
     }
   }
@@ -120,7 +119,7 @@ void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes
   for (std::size_t cb = 0; cb < nodes.size(); ++cb) {
     const std::int64_t b = nodes[cb];
     if (b % n_owners != owner) continue;
-    const auto& list = neighbours[static_cast<std::size_t>(b)];
+    const auto& list = neighbours[b];
     for (std::size_t ca = 0; ca < nodes.size(); ++ca) {
       const std::int64_t a = nodes[ca];
       if (a < b) continue;
@@ -128,8 +127,7 @@ void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes
       for (std::int64_t j = 0; j < 3; ++j) {
         // The block on the diagonal is a lower triangle: its columns, and what follows, begin j rows higher.
         double* value = matrix.valuePtr() + matrix.outerIndexPtr()[3 * b + j] + 3 * position - j;
-        for (std::int64_t i = a == b ? j : 0; i < 3; ++i)
-          value[i] += element(3 * static_cast<Eigen::Index>(ca) + i, 3 * static_cast<Eigen::Index>(cb) + j);
+        for (std::int64_t i = a == b ? j : 0; i < 3; ++i) value[i] += element(3 * ca + i, 3 * cb + j);
       }
     }
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "separated_load.hpp"
 
@@ -18,7 +19,7 @@ struct FaceTable {
 FaceTable make_table(mesh::CellType type) {
   const auto& reference = fem::reference_element(type);
   FaceTable table{{}, {}, reference.rule().weights};
-  for (Eigen::Index p = 0; p < table.weights.size(); ++p) {
+  for (Index p = 0; p < table.weights.size(); ++p) {
     const Vector3 xi = reference.rule().points.row(p).transpose();
     reference.shape(xi, table.shapes.emplace_back(reference.n_nodes()));
     reference.gradient(xi, table.gradients.emplace_back(reference.n_nodes(), 3));
@@ -45,8 +46,8 @@ class SurfaceIntegral final : public SpatialIntegral {
   void add(const Function& f, double t, std::span<double> values) const override {
     for (const Point& point : points_) {
       const Vector3 force = evaluate(f, point.place, t) * point.field;
-      for (Eigen::Index a = 0; a < point.shape->size(); ++a) {
-        const std::size_t local = local_nodes_[point.first_node + static_cast<std::size_t>(a)];
+      for (Index a = 0; a < point.shape->size(); ++a) {
+        const std::size_t local = local_nodes_[point.first_node + a];
         Eigen::Map<Vector3>(&values[3 * local]) += (*point.shape)[a] * force;
       }
     }
@@ -64,14 +65,14 @@ class SurfaceIntegral final : public SpatialIntegral {
     const std::size_t first_node = local_nodes_.size();
     Eigen::Matrix3Xd x(3, face.nodes.size());
     for (std::size_t a = 0; a < face.nodes.size(); ++a) {
-      x.col(static_cast<Eigen::Index>(a)) = mesh.nodes[static_cast<std::size_t>(face.nodes[a])];
+      x.col(a) = mesh.nodes[face.nodes[a]];
       const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), face.nodes[a]);
-      local_nodes_.push_back(static_cast<std::size_t>(found - nodes_.begin()));
+      local_nodes_.push_back(found - nodes_.begin());
     }
     const FaceTable& table = tables_.at(face.type);
     for (std::size_t p = 0; p < table.shapes.size(); ++p) {
       const Matrix3 tangents = x * table.gradients[p];
-      const Vector3 area = table.weights[static_cast<Eigen::Index>(p)] * tangents.col(0).cross(tangents.col(1));
+      const Vector3 area = table.weights[p] * tangents.col(0).cross(tangents.col(1));
       const Vector3 field = direction.isZero() ? Vector3(-area) : Vector3(area.norm() * direction);
       points_.push_back({x * table.shapes[p], field, &table.shapes[p], first_node});
     }
@@ -87,7 +88,7 @@ class SurfaceIntegral final : public SpatialIntegral {
 class NodalForce final : public SpatialIntegral {
  public:
   NodalForce(const mesh::Mesh& mesh, std::int64_t node, const Vector3& direction)
-      : nodes_{node}, place_(mesh.nodes[static_cast<std::size_t>(node)]), direction_(direction) {}
+      : nodes_{node}, place_(mesh.nodes[node]), direction_(direction) {}
 
   const std::vector<std::int64_t>& nodes() const override { return nodes_; }
   void add(const Function& f, double t, std::span<double> values) const override {
@@ -110,7 +111,7 @@ std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, std::vector<mesh::Fa
                                     std::array<Function, 3> traction) {
   std::vector<std::unique_ptr<Load>> parts;
   for (int i = 0; i < 3; ++i) {
-    Function& component = traction[static_cast<std::size_t>(i)];
+    Function& component = traction[i];
     if (component.is_zero()) continue;
     parts.push_back(std::make_unique<SeparatedLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Unit(i)),
                                                     std::move(component)));
@@ -122,7 +123,7 @@ std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std:
   std::vector<std::unique_ptr<Load>> parts;
   for (int i = 0; i < 3; ++i) {
     parts.push_back(std::make_unique<SeparatedLoad>(std::make_unique<NodalForce>(mesh, node, Vector3::Unit(i)),
-                                                    std::move(force[static_cast<std::size_t>(i)])));
+                                                    std::move(force[i])));
   }
   return std::make_unique<SumOfLoads>(std::move(parts));
 }

@@ -36,7 +36,7 @@ class VolumeIntegral final : public SpatialIntegral {
 std::unique_ptr<Load> volume_load(const Discretization& body, std::array<Function, 3> force_density) {
   std::vector<std::unique_ptr<Load>> parts;
   for (int i = 0; i < 3; ++i) {
-    Function& component = force_density[static_cast<std::size_t>(i)];
+    Function& component = force_density[i];
     if (component.is_zero()) continue;
     auto integral = std::make_unique<VolumeIntegral>(body, [i](const Vector3&) { return Vector3(Vector3::Unit(i)); });
     parts.push_back(std::make_unique<SeparatedLoad>(std::move(integral), std::move(component)));

@@ -13,7 +13,7 @@ namespace {
 
 std::string place(const Mesh& mesh, std::span<const std::int64_t> nodes) {
   Vector3 centre = Vector3::Zero();
-  for (std::int64_t node : nodes) centre += mesh.nodes[static_cast<std::size_t>(node)];
+  for (std::int64_t node : nodes) centre += mesh.nodes[node];
   centre /= static_cast<double>(nodes.size());
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", centre[0], centre[1], centre[2]);
 }
@@ -21,7 +21,7 @@ std::string place(const Mesh& mesh, std::span<const std::int64_t> nodes) {
 Face global_face(const LocalFace& local, std::span<const std::int64_t> cell) {
   Face face{local.type, {}};
   face.nodes.reserve(local.nodes.size());
-  for (int node : local.nodes) face.nodes.push_back(cell[static_cast<std::size_t>(node)]);
+  for (int node : local.nodes) face.nodes.push_back(cell[node]);
   return face;
 }
 
@@ -43,9 +43,7 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
     for (std::size_t c = 0; c < block.size() && !locals.empty(); ++c) {
       const auto cell = block.cell(c);
       for (const LocalFace& local : locals) {
-        const auto found = index.find(face_key(local.type, [&](int i) {
-          return cell[static_cast<std::size_t>(local.nodes[static_cast<std::size_t>(i)])];
-        }));
+        const auto found = index.find(face_key(local.type, [&](int i) { return cell[local.nodes[i]]; }));
         if (found == index.end()) continue;
         Face& face = faces[found->second];
         if (!face.nodes.empty()) {
@@ -77,9 +75,7 @@ std::size_t n_orphan_faces(const Mesh& mesh, const std::string& surface) {
   for (const CellBlock& block : mesh.blocks)
     for (std::size_t c = 0; c < block.size() && !orphans.empty(); ++c)
       for (const LocalFace& local : cell_faces(block.type))
-        orphans.erase(face_key(local.type, [&](int i) {
-          return block.cell(c)[static_cast<std::size_t>(local.nodes[static_cast<std::size_t>(i)])];
-        }));
+        orphans.erase(face_key(local.type, [&](int i) { return block.cell(c)[local.nodes[i]]; }));
   return orphans.size();
 }
 

@@ -29,7 +29,7 @@ std::vector<char> nodes_of(const Mesh& parent, const Marks& marks) {
   for (std::size_t b = 0; b < parent.blocks.size(); ++b) {
     for (std::size_t c = 0; c < marks[b].size(); ++c) {
       if (!marks[b][c]) continue;
-      for (std::int64_t node : parent.blocks[b].cell(c)) used[static_cast<std::size_t>(node)] = 1;
+      for (std::int64_t node : parent.blocks[b].cell(c)) used[node] = 1;
     }
   }
   return used;
@@ -42,8 +42,7 @@ void mark_lower(const Mesh& parent, const std::vector<char>& used, Marks& marks)
     if (dimension(block.type) == 3) continue;
     for (std::size_t c = 0; c < block.size(); ++c) {
       const auto cell = block.cell(c);
-      marks[b][c] =
-          std::all_of(cell.begin(), cell.end(), [&](std::int64_t n) { return used[static_cast<std::size_t>(n)] != 0; });
+      marks[b][c] = std::all_of(cell.begin(), cell.end(), [&](std::int64_t n) { return used[n] != 0; });
     }
   }
 }
@@ -63,9 +62,7 @@ void unmark_foreign_faces(const Mesh& parent, Marks& marks) {
     const CellBlock& block = parent.blocks[b];
     for (std::size_t c = 0; c < block.size(); ++c) {
       for (const LocalFace& face : cell_faces(block.type)) {
-        const auto found = sides.find(face_key(face.type, [&](int i) {
-          return block.cell(c)[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
-        }));
+        const auto found = sides.find(face_key(face.type, [&](int i) { return block.cell(c)[face.nodes[i]]; }));
         if (found != sides.end()) found->second = std::max<char>(found->second, marks[b][c] ? own : foreign);
       }
     }
@@ -78,7 +75,7 @@ void unmark_foreign_faces(const Mesh& parent, Marks& marks) {
   }
 }
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+constexpr std::size_t none = -1;
 
 }  // namespace
 
@@ -93,7 +90,7 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions) {
   for (std::size_t i = 0; i < parent.nodes.size(); ++i) {
     if (!used[i]) continue;
     number[i] = static_cast<std::int64_t>(body.parent_node.size());
-    body.parent_node.push_back(static_cast<std::int64_t>(i));
+    body.parent_node.push_back(i);
     body.mesh.nodes.push_back(parent.nodes[i]);
   }
 
@@ -105,8 +102,7 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions) {
     for (std::size_t c = 0; c < marks[b].size(); ++c) {
       if (!marks[b][c]) continue;
       new_cell[b][c] = block.size();
-      for (std::int64_t node : parent.blocks[b].cell(c))
-        block.connectivity.push_back(number[static_cast<std::size_t>(node)]);
+      for (std::int64_t node : parent.blocks[b].cell(c)) block.connectivity.push_back(number[node]);
     }
     if (block.connectivity.empty()) continue;
     new_block[b] = body.mesh.blocks.size();

@@ -26,13 +26,13 @@ struct FaceKeyHash {
 template <typename Node>
 FaceKey face_key(CellType type, Node&& node) {
   FaceKey key{-1, -1, -1, -1};
-  for (int i = 0; i < n_corners(type); ++i) key[static_cast<std::size_t>(i)] = node(i);
+  for (int i = 0; i < n_corners(type); ++i) key[i] = node(i);
   std::sort(key.begin(), key.end());
   return key;
 }
 
 inline FaceKey face_key(CellType type, std::span<const std::int64_t> nodes) {
-  return face_key(type, [&](int i) { return nodes[static_cast<std::size_t>(i)]; });
+  return face_key(type, [&](int i) { return nodes[i]; });
 }
 
 }  // namespace creepcontact::mesh

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kinds{"point", "curve", "surface", "volume"};
 
 const char* kind(int dimension) {
-  return dimension < 0 ? "group" : kinds[static_cast<std::size_t>(dimension)];
+  return dimension < 0 ? "group" : kinds[dimension];
 }
 
 /// Number of letters to insert, delete or replace (Levenshtein distance).

@@ -12,7 +12,7 @@ namespace {
 
 /// By a triangle fan; warped faces need no better.
 double polygon_area(const Mesh& mesh, const Face& face) {
-  const auto at = [&](int i) { return mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])]; };
+  const auto at = [&](int i) { return mesh.nodes[face.nodes[i]]; };
   Vector3 area = Vector3::Zero();
   for (int i = 1; i + 1 < n_corners(face.type); ++i) area += 0.5 * (at(i) - at(0)).cross(at(i + 1) - at(0));
   return area.norm();
@@ -27,9 +27,8 @@ void for_each_shared_face(const Mesh& mesh, const std::vector<std::int64_t>& ind
       for (const LocalFace& local : cell_faces(block.type)) {
         face.type = local.type;
         face.nodes.clear();
-        for (const int node : local.nodes) face.nodes.push_back(block.cell(c)[static_cast<std::size_t>(node)]);
-        if (std::all_of(face.nodes.begin(), face.nodes.end(),
-                        [&](std::int64_t node) { return index[static_cast<std::size_t>(node)] >= 0; }))
+        for (const int node : local.nodes) face.nodes.push_back(block.cell(c)[node]);
+        if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](std::int64_t node) { return index[node] >= 0; }))
           visit(face);
       }
 }
@@ -48,7 +47,7 @@ SharedMesh shared_mesh(std::span<const BodyMesh> bodies) {
   for (auto& [parent, node] : by_parent) {
     if (node.owners.size() < 2) continue;
     for (const SharedNode::Owner& owner : node.owners)
-      index[owner.body][static_cast<std::size_t>(owner.node)] = static_cast<std::int64_t>(shared.nodes.size());
+      index[owner.body][owner.node] = static_cast<std::int64_t>(shared.nodes.size());
     shared.nodes.push_back(std::move(node));
   }
   if (shared.nodes.empty()) return shared;
@@ -56,15 +55,12 @@ SharedMesh shared_mesh(std::span<const BodyMesh> bodies) {
   std::unordered_map<FaceKey, std::size_t, FaceKeyHash> owner;  // the body that a face was met in first
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for_each_shared_face(bodies[b].mesh, index[b], [&](const Face& face) {
-      const auto shared_index = [&](int i) {
-        return index[b][static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
-      };
+      const auto shared_index = [&](int i) { return index[b][face.nodes[i]]; };
       const auto [found, is_new] = owner.emplace(face_key(face.type, shared_index), b);
       if (is_new || found->second == b) return;
       SharedFace& made =
           shared.faces.emplace_back(SharedFace{found->second, b, {}, polygon_area(bodies[b].mesh, face)});
-      for (int i = 0; i < static_cast<int>(face.nodes.size()); ++i)
-        made.nodes.push_back(static_cast<std::size_t>(shared_index(i)));
+      for (int i = 0; i < std::ssize(face.nodes); ++i) made.nodes.push_back(shared_index(i));
     });
   return shared;
 }

@@ -63,7 +63,7 @@ void say_place() {
   write_text(", line ");
   std::array<char, 12> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), gmsh_yylineno - 1).ptr;
-  write_all(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  write_all(digits.data(), end - digits.data());
   write_text("\n");
 }
 

@@ -80,7 +80,7 @@ void send(const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t written = ::write(status::mesh_descriptor, bytes.data() + sent, bytes.size() - sent);
     if (written < 0) leave(status::gmsh_failed);  // nobody listens any more
-    sent += static_cast<std::size_t>(written);
+    sent += written;
   }
 }
 

@@ -17,7 +17,7 @@ namespace creepcontact::model {
 
 std::size_t find_body(const Bodies& bodies, const std::string& name) {
   const auto found = std::ranges::find(bodies, name, &mechanics::Body::name);
-  return static_cast<std::size_t>(found - bodies.begin());
+  return found - bodies.begin();
 }
 
 std::vector<std::size_t> bodies_with(const Bodies& bodies, const std::string& group) {

@@ -65,8 +65,7 @@ struct LoadAdder {
           "no mesh node at ({}, {}, {}): the nearest is ({}, {}, {}) on body '{}', {:.3g} away; give its place, or a "
           "larger tolerance",
           at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest_body].name(), distance));
-    bodies[nearest_body].add_load(
-        mechanics::point_load(bodies[nearest_body].mesh(), static_cast<std::int64_t>(nearest_node), force.value));
+    bodies[nearest_body].add_load(mechanics::point_load(bodies[nearest_body].mesh(), nearest_node, force.value));
   }
 };
 

@@ -47,7 +47,7 @@ material::Material make_material(const config::Material& from) {
 std::size_t body_index(const config::Config& config, const std::string& name) {
   const auto found =
       std::find_if(config.bodies.begin(), config.bodies.end(), [&](const auto& body) { return body.name == name; });
-  return static_cast<std::size_t>(found - config.bodies.begin());
+  return found - config.bodies.begin();
 }
 
 std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
@@ -104,7 +104,7 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
   std::vector<mechanics::Support> result;
   const std::vector<std::int64_t> nodes = mesh::group_nodes(body, support.on.name);
   for (int k = 0; k < 3; ++k)
-    if (const auto& value = support.displacement[static_cast<std::size_t>(k)])
+    if (const auto& value = support.displacement[k])
       result.push_back({support.on.name, nodes, {Vector3(Vector3::Unit(k))}, *value});
   if (support.normal) {
     if (body.group(support.on.name).dimension != 2)

@@ -49,12 +49,11 @@ void require_same_supports(const contact::NodeTie& tie, const mechanics::Body& s
     Matrix3 projector = Matrix3::Zero();
     const Matrix3 frame = body.constraints().frame(node);
     for (int k = 0; k < 3; ++k)
-      if (body.constraints().free_index(node)[static_cast<std::size_t>(k)] < 0)
-        projector += frame.col(k) * frame.col(k).transpose();
+      if (body.constraints().free_index(node)[k] < 0) projector += frame.col(k) * frame.col(k).transpose();
     return projector;
   };
   const auto moved = [](const mechanics::Body& body, std::int64_t node, double t) {
-    std::vector<double> all(static_cast<std::size_t>(body.constraints().n_full()));
+    std::vector<double> all(body.constraints().n_full());
     body.constraints().prescribed(t, all);
     return Vector3(Eigen::Map<const Vector3>(all.data() + 3 * node));
   };
@@ -64,7 +63,7 @@ void require_same_supports(const contact::NodeTie& tie, const mechanics::Body& s
   for (const double t : times) {
     const Vector3 u_slave = moved(slave, tie.slave, t), u_master = moved(master, tie.master, t);
     if ((both * (u_slave - u_master)).norm() <= 1e-8 * (u_slave.norm() + u_master.norm())) continue;
-    const Vector3& x = slave.mesh().nodes[static_cast<std::size_t>(tie.slave)];
+    const Vector3& x = slave.mesh().nodes[tie.slave];
     throw ModelError(
         fmt::format("supports move the node ({:.6g}, {:.6g}, {:.6g}), which bodies '{}' and '{}' share, by ({:.6g}, "
                     "{:.6g}, {:.6g}) "

@@ -52,8 +52,7 @@ void TableRangeMonitor::see(const mechanics::Body& body, const mechanics::BodyCo
     const auto worst = above ? hottest : coldest;
     std::string where = "the reference temperature";
     if (!given.empty()) {
-      const Vector3& x =
-          body.discretization().point_coordinates()[static_cast<std::size_t>(worst - temperature.begin())];
+      const Vector3& x = body.discretization().point_coordinates()[worst - temperature.begin()];
       where = fmt::format("the temperature at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g},", x[0], x[1], x[2], at.time);
     }
     log::warning("material '{}': {}: {} is {:.6g}, outside its table ({:.6g} .. {:.6g}); the end value is used",

@@ -25,7 +25,7 @@ std::vector<Chebyshev> chebyshev(int s, double x) {
 }  // namespace
 
 std::vector<ChebyshevStage> chebyshev_stages(int s) {
-  const auto last = static_cast<std::size_t>(s);
+  const std::size_t last = s;
   const double w0 = 1 + damping / (static_cast<double>(s) * s);
   const std::vector<Chebyshev> t = chebyshev(s, w0);
   const double w1 = t[last].first / t[last].second;

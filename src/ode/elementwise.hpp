@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::ode {
@@ -46,10 +47,10 @@ double sum_over_pieces(std::size_t n, Term term) {
 
 /// Entries begin .. begin+length-1 as an Eigen array: vectorised by every compiler, reductions included.
 inline Eigen::Map<const Eigen::ArrayXd> piece(const double* data, std::size_t begin, std::size_t length) {
-  return {data + begin, static_cast<Eigen::Index>(length)};
+  return {data + begin, static_cast<Index>(length)};
 }
 inline Eigen::Map<Eigen::ArrayXd> piece(double* data, std::size_t begin, std::size_t length) {
-  return {data + begin, static_cast<Eigen::Index>(length)};
+  return {data + begin, static_cast<Index>(length)};
 }
 
 /// max |a_i - b_i|; NaN if any difference is NaN.

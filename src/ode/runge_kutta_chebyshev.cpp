@@ -123,7 +123,7 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
 
 void RungeKuttaChebyshev::run_stages(const StepClock::Target& target) {
   const double h = target.step;
-  const auto count = static_cast<std::size_t>(chebyshev_stage_count(h * radius_));
+  const std::size_t count = chebyshev_stage_count(h * radius_);
   if (stages_.size() != count) stages_ = chebyshev_stages(static_cast<int>(count));
   const double first = h * stages_[0].mu_rate;
   for_each_index(state_.size(), [&](std::size_t i) { newer_[i] = state_[i] + first * rate_[i]; });

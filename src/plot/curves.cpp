@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> draw_curves(const Curves& curves, const std::
   std::vector<std::filesystem::path> pictures;
   auto next = all.begin();
   for (const std::size_t size : even_parts(all.size(), max_series)) {
-    Figure figure{curves.title, curves.x, {{curves.y, {next, next + static_cast<long>(size)}}}};
+    Figure figure{curves.title, curves.x, {{curves.y, {next, next + size}}}};
     const std::string name = pictures.empty() ? stem : fmt::format("{}_{}", stem, pictures.size() + 1);
     draw(figure, directory, name);
     pictures.push_back(directory / (name + ".svg"));

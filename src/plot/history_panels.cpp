@@ -86,7 +86,7 @@ std::vector<Panel> history_panels(const io::CsvTable& history, const io::Summary
     for (const Group& group : by_magnitude(dimension)) {
       auto next = group.curves.begin();
       for (std::size_t size : even_parts(group.curves.size(), max_colors)) {
-        const std::vector<Curve> curves(next, next + static_cast<long>(size));
+        const std::vector<Curve> curves(next, next + size);
         Panel panel{{label(curves, heading.units)}, {}};
         for (const Curve& curve : curves) panel.series.push_back(curve.series);
         panels.push_back(panel);

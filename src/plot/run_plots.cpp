@@ -107,7 +107,7 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) 
   auto next = panels.begin();
   for (std::size_t size : even_parts(panels.size(), most_panels)) {
     const std::string name = figures.empty() ? "history" : fmt::format("history_{}", figures.size() + 1);
-    figures.push_back({name, {title(run), time_axis(run.heading, log_time), {next, next + static_cast<long>(size)}}});
+    figures.push_back({name, {title(run), time_axis(run.heading, log_time), {next, next + size}}});
     next += static_cast<long>(size);
   }
   if (run.steps.rows() == 0) return figures;

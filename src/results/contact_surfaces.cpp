@@ -52,7 +52,7 @@ ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const cr
   for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i) {
     const contact::MultiplierNode& node = contact.coupling.nodes[i];
     const auto k = static_cast<std::size_t>(std::ranges::lower_bound(surface.nodes, node.node) - surface.nodes.begin());
-    const int row = contact.first_row + static_cast<int>(tied ? 3 * i : i);
+    const Index row = contact.first_row + (tied ? 3 * i : i);
     const double pressure = tied ? node.normal.dot(at.contact.multiplier.segment<3>(row)) : at.contact.multiplier[row];
     const double gap = tied ? 0.0 : at.gaps[row] / contact.coupling.area[i];
     // At a crease a node has several multipliers; the one that presses most is shown.

@@ -69,7 +69,7 @@ class ContactProbe final : public Probe {
     const bool tied = pair.coupling.type == contact::ContactType::tied;
     for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
       const double area = pair.coupling.area[i];
-      const int row = pair.first_row + static_cast<int>(tied ? 3 * i : i);
+      const Index row = pair.first_row + (tied ? 3 * i : i);
       const Vector3& normal = pair.coupling.nodes[i].normal;
       // A tied surface carries a vector: its pressure is the part along the normal (tension negative).
       const double pressure = tied ? normal.dot(multipliers.segment<3>(row)) : multipliers[row];

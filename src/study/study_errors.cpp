@@ -21,7 +21,7 @@ std::optional<std::size_t> row_at(const std::vector<double>& times, double time)
   const auto nearest = std::min_element(times.begin(), times.end(),
                                         [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
   if (nearest == times.end() || std::abs(*nearest - time) > same_time * std::abs(time)) return std::nullopt;
-  return static_cast<std::size_t>(nearest - times.begin());
+  return nearest - times.begin();
 }
 
 }  // namespace

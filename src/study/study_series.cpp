@@ -41,7 +41,7 @@ std::string label_of(const config::Product& product, const config::PlannedRun& r
   for (std::size_t a = 0; a < product.axes.size(); ++a) {
     const config::Axis& axis = product.axes[a];
     if (!along || !config::run_together(axis, *along))
-      append(label, short_text(product, axis.key.name, axis.values[static_cast<std::size_t>(run.point[a])]));
+      append(label, short_text(product, axis.key.name, axis.values[run.point[a]]));
   }
   return label;
 }
@@ -91,7 +91,7 @@ std::vector<StudySeries> series(const config::Study& study, const std::vector<co
     const auto [place, is_new] = found.try_emplace({runs[r].product, label}, all.size());
     if (is_new) all.push_back({axis ? axis->key.name : "", label, {}, {}});
     StudySeries& one = all[place->second];
-    one.x.push_back(axis ? config::numbers(*axis)[static_cast<std::size_t>(runs[r].point[*along])] : unknown);
+    one.x.push_back(axis ? config::numbers(*axis)[runs[r].point[*along]] : unknown);
     one.runs.push_back(r);
   }
   tell_apart(all);

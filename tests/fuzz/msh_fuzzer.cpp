@@ -11,7 +11,7 @@ namespace {
 
 void check(const mesh::Mesh& mesh) {
   for (const Vector3& node : mesh.nodes) fuzz::require(node.allFinite(), "nodes have finite places");
-  const auto n_nodes = static_cast<std::int64_t>(mesh.nodes.size());
+  const std::int64_t n_nodes = mesh.nodes.size();
   for (const mesh::CellBlock& block : mesh.blocks)
     for (const std::int64_t node : block.connectivity)
       fuzz::require(node >= 0 && node < n_nodes, "cells have nodes of the mesh");

@@ -85,7 +85,7 @@ void warm(benchmark::State& state, std::unique_ptr<contact::ContactSolver> solve
   const contact::ContactState start = solver->solve(s.load(), {}).state;
   contact::ContactResult result = solver->solve(s.later(), start);
   measure(state, [&] { result = solver->solve(s.later(), start); });
-  state.counters["multipliers"] = s.problem().n_rows();
+  state.counters["multipliers"] = static_cast<double>(s.problem().n_rows());
   state.counters["active"] = static_cast<double>(result.state.active.size());
   state.counters["iterations"] = result.iterations;
   state.counters["sets"] = result.set_changes;

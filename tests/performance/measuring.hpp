@@ -31,9 +31,8 @@ double least_seconds(int times, const Work& work) {
 inline double bandwidth() {
   const std::vector<double> block(std::size_t{1} << 26, 1.0);  // 512 MB
   double sum = 0;
-  const double seconds = least_seconds(3, [&] {
-    sum += Eigen::Map<const Eigen::VectorXd>(block.data(), static_cast<Eigen::Index>(block.size())).sum();
-  });
+  const double seconds =
+      least_seconds(3, [&] { sum += Eigen::Map<const Eigen::VectorXd>(block.data(), block.size()).sum(); });
   benchmark::DoNotOptimize(sum);
   return 8.0 * static_cast<double>(block.size()) / seconds;
 }

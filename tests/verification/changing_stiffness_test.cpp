@@ -80,8 +80,7 @@ TEST(HeldBar, RelaxesWhileItIsHeatedAndCooled) {
       run_case(held_bar("20 + 150*(1 - cos(0.1*t))", true) +
                    "[time]\nend = 100\ntolerance = 1e-6\noutput = [10, 20, 30, 40, 50, 60, 70, 80, 90, 100]\n",
                boxes_geo(bar));
-  for (int i = 1; i <= 10; ++i)
-    EXPECT_NEAR(outcome.history.at("stress", i * end / 10), exact[static_cast<std::size_t>(i)], 1e-5 * largest);
+  for (int i = 1; i <= 10; ++i) EXPECT_NEAR(outcome.history.at("stress", i * end / 10), exact[i], 1e-5 * largest);
   EXPECT_GT(*std::max_element(exact.begin(), exact.end()), 0.1 * largest) << "what crept in the heat pulls in the cold";
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "verification/case.hpp"
 
@@ -26,9 +27,8 @@ inline std::vector<ContactPoint> contact_points(const contact::Pair& pair, const
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
     const contact::MultiplierNode& node = pair.coupling.nodes[i];
     const double area = pair.coupling.area[i];
-    const auto row = pair.first_row + static_cast<Eigen::Index>(i);
-    points.push_back({slave.nodes[static_cast<std::size_t>(node.node)], node.normal, area, at.contact.multiplier[row],
-                      at.gaps[row] / area});
+    const auto row = pair.first_row + static_cast<Index>(i);
+    points.push_back({slave.nodes[node.node], node.normal, area, at.contact.multiplier[row], at.gaps[row] / area});
   }
   return points;
 }

@@ -60,7 +60,7 @@ class CondensedInterface {
   const mechanics::FactoredBody& factored(std::size_t body) const { return factored_[body]; }
   const ContactProblem& problem() const { return problem_; }
   const FloatingMotions& floating() const { return floating_; }
-  int n_rows() const { return problem_.n_rows(); }
+  Index n_rows() const { return problem_.n_rows(); }
   const BodyRows& rows(std::size_t body) const { return rows_[body]; }
   /// Free unknowns that the body's factor eliminates last, those that its rows touch, if is_dense().
   std::span<const std::int64_t> trailing(std::size_t body) const { return sides_[body].trailing; }

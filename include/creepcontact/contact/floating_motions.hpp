@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/pair.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
@@ -24,7 +25,7 @@ class FloatingMotions {
   void require_contact(std::span<const Pair> pairs) const;
 
   /// Free motions of all bodies, body after body.
-  int size() const { return static_cast<int>(held_.rows()); }
+  Index size() const { return held_.rows(); }
   std::size_t first_of_body(std::size_t body) const { return first_[body]; }
   /// Orthonormal bases, size() rows: combinations that contact holds, and idle ones.
   const Eigen::MatrixXd& held() const { return held_; }

@@ -24,7 +24,7 @@ class TangentInterface {
   TangentInterface(const TangentInterface&) = delete;
   TangentInterface& operator=(const TangentInterface&) = delete;
 
-  int n_rows() const { return problem_.n_rows(); }
+  Index n_rows() const { return problem_.n_rows(); }
   /// gap (n_rows) += G^T y2. @param y  L^-1 P f of a body with a factor, all free unknowns
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const;
   /// Multipliers and rigid motions that close the gaps of these rows. The forces that opened the gaps have no

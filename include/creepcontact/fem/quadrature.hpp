@@ -1,6 +1,7 @@
 #pragma once
 /// Quadrature rules on reference domains.
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/base/tensor.hpp"
 
 namespace creepcontact::fem {
@@ -8,7 +9,7 @@ namespace creepcontact::fem {
 struct QuadratureRule {
   Eigen::MatrixX3d points;  ///< n x 3, unused coordinates zero
   Eigen::VectorXd weights;  ///< n; their sum is the measure of the reference domain
-  int size() const { return static_cast<int>(weights.size()); }
+  Index size() const { return weights.size(); }
 };
 
 /// Gauss-Legendre on [-1,1], n points, exact to degree 2n-1. n = 1..5

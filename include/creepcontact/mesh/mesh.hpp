@@ -17,9 +17,9 @@ struct CellBlock {
   CellType type{};
   std::vector<std::int64_t> connectivity;
 
-  std::size_t size() const { return connectivity.size() / static_cast<std::size_t>(n_nodes(type)); }
+  std::size_t size() const { return connectivity.size() / n_nodes(type); }
   std::span<const std::int64_t> cell(std::size_t i) const {
-    const auto n = static_cast<std::size_t>(n_nodes(type));
+    const std::size_t n = n_nodes(type);
     return {connectivity.data() + i * n, n};
   }
 };

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -72,7 +74,7 @@ double ContactArea::value(const Eigen::VectorXd& pressure, const Eigen::VectorXd
   for (const ContactGrid::Facet& facet : grid_.facets) add_inside(facet, level, inside, whole);
   double sum = 0;
   for (std::size_t i = 0; i < coupling_.area.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
+    const Index row = i;
     // A row without a facet that is covered at all its corners has no edge to be seen.
     sum += coupling_.area[i] * (whole[row] > 0 ? inside[row] / whole[row] : double(pressure[row] > 0));
   }

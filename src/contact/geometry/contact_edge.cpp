@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/facet.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
@@ -29,7 +30,7 @@ struct ContactEdge::State {
   std::vector<char> closed;
   Eigen::VectorXd gap;  // mean
 
-  bool is_closed(int row) const { return closed[static_cast<std::size_t>(row)] != 0; }
+  bool is_closed(int row) const { return closed[row] != 0; }
 };
 
 /// The row itself first.
@@ -62,18 +63,17 @@ ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
   set_length();
 
   const std::vector<int> near = open_around(row, 2, state);
-  const auto n = static_cast<Eigen::Index>(near.size());
-  const contact::Plane plane =
-      contact::Plane::through(grid_.place(row), coupling_.nodes[static_cast<std::size_t>(row)].normal);
+  const Index n = near.size();
+  const contact::Plane plane = contact::Plane::through(grid_.place(row), coupling_.nodes[row].normal);
   Eigen::MatrixX4d matrix = Eigen::MatrixX4d::Zero(n + 1, 4);
   Eigen::VectorXd roots = Eigen::VectorXd::Zero(n + 1);
   Eigen::Vector2d across = Eigen::Vector2d::Zero();
   Eigen::Vector4d fit;
   for (int pass = 0; pass < 2; ++pass) {
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const Eigen::Vector2d x = plane.project(grid_.place(near[static_cast<std::size_t>(k)])) / edge.length;
+    for (Index k = 0; k < n; ++k) {
+      const Eigen::Vector2d x = plane.project(grid_.place(near[k])) / edge.length;
       matrix.row(k) << 1, x.x(), x.y(), across.dot(x) * across.dot(x) / 2;
-      roots[k] = std::cbrt(std::pow(std::max(0.0, state.gap[near[static_cast<std::size_t>(k)]]), 2));
+      roots[k] = std::cbrt(std::pow(std::max(0.0, state.gap[near[k]]), 2));
     }
     matrix(n, 3) = weight_small * std::max(1.0, matrix.col(3).head(n).maxCoeff());
     fit = linalg::least_squares(matrix, roots);
@@ -123,16 +123,16 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
         out < reach * edge.length)
       fitted.push_back(other);
   }
-  const auto n = static_cast<Eigen::Index>(fitted.size());
+  const Index n = fitted.size();
   Eigen::MatrixX3d matrix = Eigen::MatrixX3d::Zero(n + 1, 3);
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(n + 1);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const int other = fitted[static_cast<std::size_t>(k)];
+  for (Index k = 0; k < n; ++k) {
+    const int other = fitted[k];
     for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, other); it; ++it) {
-      const double d = from_punch(coupling_.gap_points[static_cast<std::size_t>(it.col())]);
+      const double d = from_punch(coupling_.gap_points[it.col()]);
       if (d > 0) matrix.row(k) += it.value() * std::sqrt(d) * Eigen::RowVector3d(d, 1, d * d);
     }
-    matrix.row(k) /= coupling_.area[static_cast<std::size_t>(other)];
+    matrix.row(k) /= coupling_.area[other];
     const bool next = std::ranges::any_of(grid_.around(other), [&](int r) { return state.is_closed(r); });
     const double d = from_punch(grid_.place(other)), weight = (next ? weight_next : 1) / (d * std::sqrt(d));
     matrix.row(k) *= weight;
@@ -181,14 +181,14 @@ Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Ei
   const double far = far_distance();
   State state{std::vector<char>(grid_.places.size()), gap};
   Eigen::VectorXd distance(pressure.size());
-  for (Eigen::Index i = 0; i < pressure.size(); ++i) {
-    state.closed[static_cast<std::size_t>(i)] = pressure[i] > 0 ? 1 : 0;
-    state.gap[i] /= coupling_.area[static_cast<std::size_t>(i)];
+  for (Index i = 0; i < pressure.size(); ++i) {
+    state.closed[i] = pressure[i] > 0 ? 1 : 0;
+    state.gap[i] /= coupling_.area[i];
     distance[i] = pressure[i] > 0 ? far : -far;
   }
   std::vector<std::pair<int, Vector3>> known;
   std::map<int, Edge> edges;
-  for (int row = 0; row < static_cast<int>(pressure.size()); ++row) {
+  for (int row = 0; row < std::ssize(pressure); ++row) {
     if (state.is_closed(row) ||
         std::ranges::none_of(grid_.around(row), [&](int other) { return state.is_closed(other); }))
       continue;

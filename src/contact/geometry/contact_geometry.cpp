@@ -69,8 +69,7 @@ Vector3 ContactGeometry::normal_at(std::size_t slave_facet, const Vector3& xi, c
   ShapeValues shape(facet.n_nodes());
   facet.element().shape(xi, shape);
   Vector3 normal = Vector3::Zero();
-  for (int j = 0; j < facet.n_nodes(); ++j)
-    normal += shape[j] * slave_normals_.normal_of_node[slave_facet][static_cast<std::size_t>(j)];
+  for (int j = 0; j < facet.n_nodes(); ++j) normal += shape[j] * slave_normals_.normal_of_node[slave_facet][j];
   normal.normalize();
   std::vector<Vector3> directions;
   for (const Sliding& sliding : sliding_) {

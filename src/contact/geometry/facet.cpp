@@ -27,8 +27,7 @@ Eigen::Matrix<double, 9, 1> products(const Vector3& a, const Vector3& b) {
 
 Facet::Coordinates coordinates(const mesh::Mesh& mesh, const mesh::Face& face) {
   Facet::Coordinates x(static_cast<int>(face.nodes.size()), 3);
-  for (std::size_t i = 0; i < face.nodes.size(); ++i)
-    x.row(static_cast<int>(i)) = mesh.nodes[static_cast<std::size_t>(face.nodes[i])].transpose();
+  for (std::size_t i = 0; i < face.nodes.size(); ++i) x.row(i) = mesh.nodes[face.nodes[i]].transpose();
   return x;
 }
 

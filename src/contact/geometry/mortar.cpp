@@ -8,6 +8,7 @@
 
 #include "contact_geometry.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -38,7 +39,7 @@ class Assembler {
                   sliding) {
     covered_.assign(normals_.multipliers.size(), 0.0);
     full_.assign(normals_.multipliers.size(), 0.0);
-    geometric_.setZero(static_cast<int>(normals_.multipliers.size()));
+    geometric_.setZero(normals_.multipliers.size());
   }
 
   void integrate() {
@@ -73,9 +74,7 @@ class Assembler {
     facet.corner_element().shape(xi, hats);
     return hats;
   }
-  std::size_t multiplier(std::size_t f, int corner) const {
-    return static_cast<std::size_t>(normals_.multiplier_of_corner[f][static_cast<std::size_t>(corner)]);
-  }
+  std::size_t multiplier(std::size_t f, int corner) const { return normals_.multiplier_of_corner[f][corner]; }
 
   ContactType type_;
   std::vector<Facet> slave_facets_, master_facets_;
@@ -124,9 +123,7 @@ class Products {
     for (int i = 0; i < sums_.rows(); ++i)
       for (int j = 0; j < side_.n_nodes(); ++j)
         for (int a = 0; a < width_; ++a)
-          triplets.emplace_back(rows[static_cast<std::size_t>(i)],
-                                width_ * static_cast<int>(side_.nodes()[static_cast<std::size_t>(j)]) + a,
-                                sums_(i, width_ * j + a));
+          triplets.emplace_back(rows[i], width_ * static_cast<int>(side_.nodes()[j]) + a, sums_(i, width_ * j + a));
   }
 
  private:
@@ -161,8 +158,8 @@ void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, co
   gap_points_.push_back(point.on_slave);
   gap_distances_.push_back(point.gap);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double weight = weighted[static_cast<int>(i)];
-    covered_[static_cast<std::size_t>(rows[i])] += weight;
+    const double weight = weighted[i];
+    covered_[rows[i]] += weight;
     geometric_[rows[i]] += weight * point.gap;
     gap_.emplace_back(rows[i], column, weight);
   }
@@ -176,21 +173,21 @@ class Gathering {
             const std::vector<double>& full)
       : neighbours_(covered.size()), target_(covered.size(), -1) {
     for (const std::vector<int>& corners : normals.multiplier_of_corner)
-      for (const int i : corners) neighbours_[at(i)].insert(neighbours_[at(i)].end(), corners.begin(), corners.end());
-    const auto part = [&](int i) { return covered[at(i)] / full[at(i)]; };
-    for (int i = 0; i < static_cast<int>(covered.size()); ++i)
-      if (covered[at(i)] > 0) order_.push_back(i);
+      for (const int i : corners) neighbours_[i].insert(neighbours_[i].end(), corners.begin(), corners.end());
+    const auto part = [&](int i) { return covered[i] / full[i]; };
+    for (int i = 0; i < std::ssize(covered); ++i)
+      if (covered[i] > 0) order_.push_back(i);
     std::stable_sort(order_.begin(), order_.end(), [&](int i, int j) { return part(i) > part(j); });
-    const auto position = [&](int i) { return nodes[static_cast<std::size_t>(normals.multipliers[at(i)].node)]; };
+    const auto position = [&](int i) { return nodes[normals.multipliers[i].node]; };
     for (const int i : order_) {
-      target_[at(i)] = i;
+      target_[i] = i;
       if (part(i) >= least_cover_of_row) continue;
       double nearest = std::numeric_limits<double>::infinity();
-      for (const int k : neighbours_[at(i)]) {
+      for (const int k : neighbours_[i]) {
         const double distance = (position(k) - position(i)).norm();
-        if (k == i || target_[at(k)] != k || distance >= nearest) continue;
+        if (k == i || target_[k] != k || distance >= nearest) continue;
         nearest = distance;
-        target_[at(i)] = k;
+        target_[i] = k;
       }
     }
     for (std::size_t i = 0; i < target_.size(); ++i)
@@ -202,22 +199,21 @@ class Gathering {
   RowMatrix matrix() const {
     Triplets entries;
     for (const int i : order_) {
-      const auto place = std::lower_bound(kept_.begin(), kept_.end(), target_[at(i)]) - kept_.begin();
+      const auto place = std::lower_bound(kept_.begin(), kept_.end(), target_[i]) - kept_.begin();
       entries.emplace_back(static_cast<int>(place), i, 1.0);
     }
-    RowMatrix gather(static_cast<int>(kept_.size()), static_cast<int>(target_.size()));
+    RowMatrix gather(kept_.size(), target_.size());
     gather.setFromTriplets(entries.begin(), entries.end());
     return gather;
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   std::vector<std::vector<int>> neighbours_;  // share a facet
   std::vector<int> target_;                   // the row that each is added to; itself if kept, -1 if not covered
   std::vector<int> order_, kept_;
 };
 
-RowMatrix sparse(int rows, int columns, const Triplets& entries) {
+RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
   RowMatrix matrix(rows, columns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
@@ -229,7 +225,7 @@ RowMatrix by_component(const RowMatrix& plain) {
   for (int r = 0; r < plain.outerSize(); ++r)
     for (RowMatrix::InnerIterator it(plain, r); it; ++it)
       for (int a = 0; a < 3; ++a) entries.emplace_back(3 * r + a, 3 * static_cast<int>(it.col()) + a, it.value());
-  return sparse(3 * static_cast<int>(plain.rows()), 3 * static_cast<int>(plain.cols()), entries);
+  return sparse(3 * plain.rows(), 3 * plain.cols(), entries);
 }
 
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
@@ -241,20 +237,20 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
         fmt::format("contact between '{}' and '{}': the surfaces do not face each other anywhere; check "
                     "the groups and the distance between them",
                     slave.name, master.name));
-  const auto n = static_cast<int>(covered_.size());
-  const auto n_slave = static_cast<int>(slave.mesh->nodes.size());
-  const auto n_master = static_cast<int>(master.mesh->nodes.size());
+  const Index n = covered_.size();
+  const Index n_slave = slave.mesh->nodes.size();
+  const Index n_master = master.mesh->nodes.size();
 
   MortarCoupling result;
   result.type = type_;
   const Eigen::VectorXd areas = gather * Eigen::Map<const Eigen::VectorXd>(covered_.data(), n);
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    result.nodes.push_back(normals_.multipliers[static_cast<std::size_t>(kept[k])]);
-    result.area.push_back(areas[static_cast<int>(k)]);
+    result.nodes.push_back(normals_.multipliers[kept[k]]);
+    result.area.push_back(areas[k]);
   }
   result.gap_points = gap_points_;
   result.gap_distances = gap_distances_;
-  result.gap_weights = gather * sparse(n, static_cast<int>(gap_points_.size()), gap_);
+  result.gap_weights = gather * sparse(n, gap_points_.size(), gap_);
   const int width = type_ == ContactType::tied ? 1 : 3;
   result.slave_rows = gather * sparse(n, width * n_slave, slave_);
   result.master_rows = gather * sparse(n, width * n_master, master_);
@@ -272,10 +268,10 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
 Eigen::VectorXd MortarCoupling::given_gap(const Function& gap, double t) const {
   if (type == ContactType::tied) return Eigen::VectorXd::Zero(n_rows());
   if (!gap.depends_on_place()) return gap({.t = t}) * Eigen::Map<const Eigen::VectorXd>(area.data(), n_rows());
-  Eigen::VectorXd values(static_cast<int>(gap_points.size()));
+  Eigen::VectorXd values(gap_points.size());
   for (std::size_t p = 0; p < gap_points.size(); ++p) {
     const Vector3& x = gap_points[p];
-    values[static_cast<int>(p)] = gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = t});
+    values[p] = gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = t});
   }
   return gap_weights * values;
 }

@@ -1,5 +1,7 @@
 #include "creepcontact/contact/geometry/node_ties.hpp"
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -10,8 +12,7 @@ Matrix3 free_part(const mechanics::Constraints& constraints, std::int64_t node) 
   const Matrix3 frame = constraints.frame(node);
   Matrix3 projector = Matrix3::Zero();
   for (int k = 0; k < 3; ++k)
-    if (constraints.free_index(node)[static_cast<std::size_t>(k)] >= 0)
-      projector += frame.col(k) * frame.col(k).transpose();
+    if (constraints.free_index(node)[k] >= 0) projector += frame.col(k) * frame.col(k).transpose();
   return projector;
 }
 
@@ -36,7 +37,7 @@ Eigen::Matrix3Xd free_directions(const Matrix3& projectors) {
 }
 
 RowMatrix sparse(int rows, std::size_t n_nodes, const std::vector<Eigen::Triplet<double>>& entries) {
-  RowMatrix matrix(rows, 3 * static_cast<int>(n_nodes));
+  RowMatrix matrix(rows, 3 * n_nodes);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -51,7 +52,7 @@ MortarCoupling node_ties(const TiedBody& slave, const TiedBody& master, std::spa
   for (const NodeTie& tie : ties) {
     const Eigen::Matrix3Xd directions =
         free_directions(free_part(*slave.constraints, tie.slave) + free_part(*master.constraints, tie.master));
-    for (Eigen::Index k = 0; k < directions.cols(); ++k, ++row) {
+    for (Index k = 0; k < directions.cols(); ++k, ++row) {
       for (int a = 0; a < 3; ++a) {
         const double entry = tie.area * directions(a, k);
         if (entry == 0) continue;

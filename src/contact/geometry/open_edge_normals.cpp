@@ -36,19 +36,19 @@ class OpenEdges {
     for (std::size_t f = 0; f < facets.size(); ++f) {
       if (facets[f].n_nodes() != facets[f].n_corners()) continue;
       for_each_edge(facets[f], normals.multiplier_of_corner[f], [&](int a, int b, const Vector3&) {
-        ++vertices_[static_cast<std::size_t>(a)].n_faces;
+        ++vertices_[a].n_faces;
         ++count[std::minmax(a, b)];
       });
       for (const int a : normals.multiplier_of_corner[f])
         for (const int b : normals.multiplier_of_corner[f])
-          if (a != b) vertices_[static_cast<std::size_t>(a)].neighbours.insert(b);
+          if (a != b) vertices_[a].neighbours.insert(b);
       for (int i = 0; i < facets[f].n_corners(); ++i) vertex(f, i).place = facets[f].node_position(i);
     }
     for (std::size_t f = 0; f < facets.size(); ++f) {
       if (facets[f].n_nodes() != facets[f].n_corners()) continue;
       for_each_edge(facets[f], normals.multiplier_of_corner[f], [&](int a, int b, const Vector3& outward) {
         if (count[std::minmax(a, b)] > 1 || (is_mirrored(a, outward) && is_mirrored(b, outward))) return;
-        vertices_[static_cast<std::size_t>(a)].is_known = vertices_[static_cast<std::size_t>(b)].is_known = false;
+        vertices_[a].is_known = vertices_[b].is_known = false;
       });
     }
   }
@@ -66,9 +66,7 @@ class OpenEdges {
   }
 
  private:
-  Vertex& vertex(std::size_t f, int corner) {
-    return vertices_[static_cast<std::size_t>(normals_.multiplier_of_corner[f][static_cast<std::size_t>(corner)])];
-  }
+  Vertex& vertex(std::size_t f, int corner) { return vertices_[normals_.multiplier_of_corner[f][corner]]; }
 
   /// @param work  gets both vertices and the direction that points out of the face across the edge
   template <typename Work>
@@ -77,7 +75,7 @@ class OpenEdges {
     for (int i = 0; i < facet.n_corners(); ++i) {
       const int next = (i + 1) % facet.n_corners();
       const Vector3 outward = (facet.node_position(next) - facet.node_position(i)).cross(normal).normalized();
-      work(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(next)], outward);
+      work(corners[i], corners[next], outward);
     }
   }
 
@@ -86,7 +84,7 @@ class OpenEdges {
   void mark_kinks() {
     for (std::size_t v = 0; v < vertices_.size(); ++v)
       for (const int j : vertices_[v].neighbours) {
-        const auto neighbour = static_cast<std::size_t>(j);
+        const std::size_t neighbour = j;
         if (!vertices_[v].is_known || !vertices_[neighbour].is_known) continue;
         const Vector3 chord = (vertices_[neighbour].place - vertices_[v].place).normalized();
         const double here = chord.dot(normals_.multipliers[v].normal);
@@ -97,7 +95,7 @@ class OpenEdges {
   }
 
   bool is_mirrored(int v, const Vector3& outward) const {
-    const MultiplierNode& at = normals_.multipliers[static_cast<std::size_t>(v)];
+    const MultiplierNode& at = normals_.multipliers[v];
     return symmetry_.held_part(outward, at.node) > 0.8 && symmetry_.held_part(at.normal, at.node) < 0.7;
   }
 
@@ -127,7 +125,7 @@ class OpenEdges {
       Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
       Eigen::Vector2d right = Eigen::Vector2d::Zero();
       for (const int j : at.neighbours) {
-        const auto neighbour = static_cast<std::size_t>(j);
+        const std::size_t neighbour = j;
         if (!vertices_[neighbour].is_known || vertices_[neighbour].is_at_kink) continue;
         const Vector3 chord = (vertices_[neighbour].place - at.place).normalized();
         const Eigen::Vector2d c(axis1.dot(chord), axis2.dot(chord));
@@ -160,8 +158,7 @@ void correct_open_edges(const std::vector<Facet>& facets, const SymmetryPlanes& 
   for (std::size_t f = 0; f < facets.size(); ++f)
     if (facets[f].n_nodes() == facets[f].n_corners())
       for (std::size_t i = 0; i < normals.normal_of_node[f].size(); ++i)
-        normals.normal_of_node[f][i] =
-            normals.multipliers[static_cast<std::size_t>(normals.multiplier_of_corner[f][i])].normal;
+        normals.normal_of_node[f][i] = normals.multipliers[normals.multiplier_of_corner[f][i]].normal;
 }
 
 }  // namespace creepcontact::contact

@@ -12,8 +12,8 @@ void append(const RowMatrix& from, int first_target, std::vector<Eigen::Triplet<
 
 }  // namespace
 
-int number_rows(std::vector<Pair>& pairs) {
-  int n_rows = 0;
+Index number_rows(std::vector<Pair>& pairs) {
+  Index n_rows = 0;
   for (Pair& pair : pairs) {
     pair.first_row = n_rows;
     n_rows += pair.coupling.n_rows();
@@ -29,9 +29,9 @@ RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n
     const auto first = static_cast<int>(rows.size());
     if (pair.slave_body == body) append(pair.coupling.slave_rows, first, triplets);
     if (pair.master_body == body) append(pair.coupling.master_rows, first, triplets);
-    for (int r = 0; r < pair.coupling.n_rows(); ++r) rows.push_back(pair.first_row + r);
+    for (int r = 0; r < pair.coupling.n_rows(); ++r) rows.push_back(static_cast<int>(pair.first_row) + r);
   }
-  RowMatrix matrix(static_cast<int>(rows.size()), 3 * static_cast<int>(n_nodes));
+  RowMatrix matrix(rows.size(), 3 * n_nodes);
   matrix.setFromTriplets(triplets.begin(), triplets.end());
   return matrix;
 }

@@ -35,7 +35,7 @@ bool is_held(const Surface& surface) {
   for (const mesh::Face& face : surface.faces) {
     const Facet facet(*surface.mesh, face);
     for (int i = 0; i < facet.n_nodes(); ++i) {
-      const std::int64_t node = facet.nodes()[static_cast<std::size_t>(i)];
+      const std::int64_t node = facet.nodes()[i];
       const Matrix3 frame = surface.constraints->frame(node);
       const Vector3 normal = facet.area_vector(facet.element().nodes().row(i).transpose()).normalized();
       double free_part = 1;  // square of the normal's part that is not held

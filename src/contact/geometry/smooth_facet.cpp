@@ -22,8 +22,7 @@ Facet smooth_facet(const Facet& facet, const std::vector<Vector3>& normals) {
   const int n = facet.n_corners();
   if (facet.n_nodes() > n) return facet;
   const auto middle = [&](int i, int j) {
-    return middle_of_arc(facet.node_position(i), normals[static_cast<std::size_t>(i)], facet.node_position(j),
-                         normals[static_cast<std::size_t>(j)]);
+    return middle_of_arc(facet.node_position(i), normals[i], facet.node_position(j), normals[j]);
   };
   Facet::Coordinates x(n == 3 ? 6 : 9, 3);
   for (int i = 0; i < n; ++i) {

@@ -42,13 +42,13 @@ class Clusters {
   }
 
   Cluster& at(const Facet& facet, std::size_t f, int i) {
-    const auto node = static_cast<std::size_t>(i);
+    const std::size_t node = i;
     return around_[facet.nodes()[node]][of_node_[f][node]];
   }
 
  private:
   void add(const Facet& facet, std::size_t f, int i, bool with_area) {
-    const auto node = static_cast<std::size_t>(i);
+    const std::size_t node = i;
     const Vector3 area_vector = facet.area_vector(facet.element().nodes().row(i).transpose());
     if ((area_vector.norm() > no_area * facet.diameter() * facet.diameter()) != with_area) return;
     auto& around = around_[facet.nodes()[node]];
@@ -86,7 +86,7 @@ SurfaceNormals mean_normals(const std::vector<Facet>& facets) {
       if (i >= facet.n_corners()) continue;
       if (cluster.multiplier < 0) {
         cluster.multiplier = static_cast<int>(result.multipliers.size());
-        result.multipliers.push_back({facet.nodes()[static_cast<std::size_t>(i)], normal});
+        result.multipliers.push_back({facet.nodes()[i], normal});
       }
       result.multiplier_of_corner[f].push_back(cluster.multiplier);
     }
@@ -106,7 +106,7 @@ void exclude_oblique_nodes(const std::vector<Facet>& facets, const SurfaceNormal
     const Facet& facet = facets[f];
     const double least = facet.n_nodes() == facet.n_corners() ? least_tilt : least_tilt_of_quadratic;
     for (int i = 0; i < facet.n_nodes(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
+      const std::size_t at = i;
       const double tilt = symmetry.held_part(extrapolated.normal_of_node[f][at], facet.nodes()[at]);
       const double of_mean = symmetry.held_part(mean.normal_of_node[f][at], facet.nodes()[at]);
       if (tilt > std::max(least, oblique_share * of_mean)) oblique.push_back(facet.nodes()[at]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 #include "rigid_balance.hpp"
 
@@ -28,7 +29,7 @@ DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t bo
   if (!regular_) pseudo_inverse_ = linalg::symmetric_pseudo_inverse(flexibility, singular);
   if (basis.cols() == 0) return;
   carried_.resize(basis.rows(), basis.cols());
-  for (Eigen::Index j = 0; j < basis.cols(); ++j) carried_.col(j) = multipliers(basis.col(j));
+  for (Index j = 0; j < basis.cols(); ++j) carried_.col(j) = multipliers(basis.col(j));
   const Eigen::LLT<Eigen::MatrixXd> coarse(basis.transpose() * carried_);
   coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
 }
@@ -45,7 +46,7 @@ Eigen::VectorXd DirichletProblem::balanced_multipliers(const Eigen::VectorXd& tr
 
 Eigen::VectorXd DirichletProblem::stiffness() const {
   if (!regular_) return flexibility_.cwiseMax(1e-14 * flexibility_.maxCoeff()).cwiseInverse();
-  const Eigen::Index n = flexibility_.size();
+  const Index n = flexibility_.size();
   Eigen::VectorXd diagonal = factor_.solve(Eigen::MatrixXd::Identity(n, n)).diagonal();
   if (carried_.cols() > 0) diagonal -= carried_.rowwise().squaredNorm();
   return diagonal.cwiseMax(1e-14 * diagonal.maxCoeff());

@@ -22,12 +22,12 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& rigid, const std::vector<in
 void throw_if_flying_off(const ContactProblem& problem, const Eigen::VectorXd& resultant) {
   const double size = resultant.norm();
   if (size == 0) return;
-  const int n = problem.n_rows();
+  const Index n = problem.n_rows();
   Eigen::VectorXd multiplier = Eigen::VectorXd::Zero(n);
   std::vector<int> set;
   for (int i = 0; i < n; ++i)
-    if (problem.bilateral[static_cast<std::size_t>(i)]) set.push_back(i);
-  const auto is_tied = [&](int i) { return problem.bilateral[static_cast<std::size_t>(i)] != 0; };
+    if (problem.bilateral[i]) set.push_back(i);
+  const auto is_tied = [&](int i) { return problem.bilateral[i] != 0; };
 
   for (int change = 0; change < most_changes; ++change) {
     // Within the set, up to the first pressure that would turn into tension.
@@ -36,15 +36,14 @@ void throw_if_flying_off(const ContactProblem& problem, const Eigen::VectorXd& r
       double step = 1;
       int blocking = -1;
       for (std::size_t k = 0; k < set.size(); ++k) {
-        const double now = multiplier[set[k]], then = wanted[static_cast<int>(k)];
+        const double now = multiplier[set[k]], then = wanted[k];
         if (is_tied(set[k]) || then >= 0 || now - then <= 0 || now / (now - then) >= step) continue;
         step = now / (now - then);
         blocking = static_cast<int>(k);
       }
-      for (std::size_t k = 0; k < set.size(); ++k)
-        multiplier[set[k]] += step * (wanted[static_cast<int>(k)] - multiplier[set[k]]);
+      for (std::size_t k = 0; k < set.size(); ++k) multiplier[set[k]] += step * (wanted[k] - multiplier[set[k]]);
       if (blocking < 0) break;
-      multiplier[set[static_cast<std::size_t>(blocking)]] = 0;
+      multiplier[set[blocking]] = 0;
       set.erase(set.begin() + blocking);
     }
     const Eigen::VectorXd left = problem.rigid.transpose() * multiplier + resultant;

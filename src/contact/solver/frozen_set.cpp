@@ -12,7 +12,8 @@ FrozenSet::FrozenSet(const ContactProblem& problem, std::vector<int> active)
       active_(std::move(active)),
       balance_(problem, active_),
       diagonal_(row_flexibility(problem)(active_)),
-      copied_(!problem.large && static_cast<double>(active_.size()) < nearly_all * problem.n_rows()) {
+      copied_(!problem.large &&
+              static_cast<double>(active_.size()) < nearly_all * static_cast<double>(problem.n_rows())) {
   if (copied_) flexibility_ = problem.total(active_, active_);
 }
 

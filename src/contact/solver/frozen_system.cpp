@@ -66,7 +66,7 @@ FrozenSolution FrozenSystem::solve(const std::vector<int>& active, const Contact
 }
 
 FrozenSolution FrozenSystem::solve_directly(const ContactLoad& load) {
-  const int n_motions = problem_.n_motions();
+  const Index n_motions = problem_.n_motions();
   FrozenSolution solution;
   ContactState& state = solution.state;
   state.multiplier.setZero(problem_.n_rows());

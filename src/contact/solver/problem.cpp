@@ -77,7 +77,7 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
     if (!(flexibility[i] > least)) continue;
     const double indicator = multiplier[i] - gap[i] / flexibility[i];
     const double threshold = was_active ? -no_matter : no_matter;
-    if (problem.bilateral[static_cast<std::size_t>(i)] || indicator > threshold) next.push_back(i);
+    if (problem.bilateral[i] || indicator > threshold) next.push_back(i);
   }
   return next;
 }

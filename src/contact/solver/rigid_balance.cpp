@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::contact {
@@ -15,7 +16,7 @@ constexpr double balance_error = 1e-9;  // of the forces that make up a resultan
 void singular_parts(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& left, Eigen::VectorXd& values,
                     Eigen::MatrixXd& right) {
   const linalg::SingularValues svd = linalg::singular_values(matrix);
-  Eigen::Index rank = 0;
+  Index rank = 0;
   while (rank < svd.values.size() && svd.values[rank] > weakest_hold * svd.values[0]) ++rank;
   left = svd.left.leftCols(rank);
   values = svd.values.head(rank);
@@ -24,7 +25,7 @@ void singular_parts(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& left, Eigen:
 
 RigidBalance::RigidBalance(const ContactProblem& problem, const std::vector<int>& rows)
     : rigid_(problem.n_motions() > 0 ? Eigen::MatrixXd(problem.rigid(rows, Eigen::all))
-                                     : Eigen::MatrixXd(static_cast<Eigen::Index>(rows.size()), 0)) {
+                                     : Eigen::MatrixXd(rows.size(), 0)) {
   singular_parts(rigid_, basis_, values_, motions_);
 }
 

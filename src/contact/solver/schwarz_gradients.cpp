@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -19,7 +21,7 @@ SchwarzGradients::SchwarzGradients(const ContactProblem& problem, const SchwarzO
   const Eigen::MatrixXd& motions = balance().basis();
   if (motions.cols() == 0) return;
   carried_.resize(motions.rows(), motions.cols());
-  for (Eigen::Index j = 0; j < motions.cols(); ++j) carried_.col(j) = softer_multipliers(motions.col(j));
+  for (Index j = 0; j < motions.cols(); ++j) carried_.col(j) = softer_multipliers(motions.col(j));
   const Eigen::LLT<Eigen::MatrixXd> coarse(motions.transpose() * carried_);
   coarse.matrixU().solveInPlace<Eigen::OnTheRight>(carried_);
 }
@@ -29,7 +31,7 @@ bool SchwarzGradients::add_block(const ContactProblem& problem, std::size_t body
   const std::vector<int>& rows = problem.bodies[body].rows;
   std::vector<int> own;
   for (const int place : places) {
-    const int row = set_.active()[static_cast<std::size_t>(place)];
+    const int row = set_.active()[place];
     own.push_back(static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()));
   }
   auto dirichlet = std::make_unique<DirichletProblem>(problem, body, own);
@@ -42,12 +44,12 @@ bool SchwarzGradients::add_block(const ContactProblem& problem, std::size_t body
 void SchwarzGradients::add_blocks(const ContactProblem& problem) {
   std::map<std::pair<int, int>, std::vector<int>> pairs;  // slave and master body: places
   for (std::size_t k = 0; k < set_.active().size(); ++k) {
-    const auto row = static_cast<std::size_t>(set_.active()[k]);
+    const std::size_t row = set_.active()[k];
     pairs[{problem.slave_body[row], problem.master_body[row]}].push_back(static_cast<int>(k));
   }
   std::vector<std::vector<int>> of_slave(problem.bodies.size());
   for (auto& [pair, places] : pairs) {
-    const auto slave = static_cast<std::size_t>(pair.first), master = static_cast<std::size_t>(pair.second);
+    const std::size_t slave = pair.first, master = pair.second;
     const bool master_is_softer =
         flexibility_on(problem, master, places) > clearly_softer * flexibility_on(problem, slave, places);
     if (master_is_softer && add_block(problem, master, places)) continue;
@@ -65,7 +67,7 @@ double SchwarzGradients::flexibility_on(const ContactProblem& problem, std::size
   const std::vector<int>& rows = problem.bodies[body].rows;
   double sum = 0;
   for (const int place : places) {
-    const auto found = std::lower_bound(rows.begin(), rows.end(), set_.active()[static_cast<std::size_t>(place)]);
+    const auto found = std::lower_bound(rows.begin(), rows.end(), set_.active()[place]);
     const auto own = found - rows.begin();
     sum += problem.bodies[body].matrix(own, own);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "aitken.hpp"
+#include "creepcontact/base/index.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -26,11 +27,11 @@ std::span<double> span_of(Eigen::VectorXd& v) {
 SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions& options, std::vector<int> active)
     : options_(options), set_(problem, std::move(active)) {
   std::vector<std::size_t> bodies;
-  Eigen::Index offset = 0;
+  Index offset = 0;
   for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
     OwnRows rows = own_rows(problem, b, set_.active());
     if (rows.own.empty()) continue;
-    const auto size = static_cast<Eigen::Index>(rows.own.size());
+    const Index size = rows.own.size();
     Share share{std::move(rows.places),
                 problem.bodies[b].matrix(rows.own, rows.own),
                 DirichletProblem(problem, b, rows.own),
@@ -40,9 +41,8 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
                 Eigen::VectorXd(size),
                 offset};
     if (problem.n_motions() > 0) share.rigid = problem.rigid_of_body[b](rows.own, Eigen::all);
-    for (Eigen::Index k = 0; k < size; ++k) {
-      const auto row =
-          static_cast<std::size_t>(set_.active()[static_cast<std::size_t>(share.places[static_cast<std::size_t>(k)])]);
+    for (Index k = 0; k < size; ++k) {
+      const std::size_t row = set_.active()[share.places[k]];
       share.sign[k] = problem.slave_body[row] == static_cast<int>(b) ? 1.0 : -1.0;
     }
     offset += size;
@@ -54,7 +54,7 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
 
 void SchwarzSweeps::set_fractions(const std::vector<std::optional<double>>& alpha,
                                   const std::vector<std::size_t>& bodies) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(active().size()));
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(active().size());
   for (Share& share : shares_) {
     share.odd = share.body.stiffness();
     sum(share.places) += share.odd;
@@ -95,7 +95,7 @@ void SchwarzSweeps::sweep(const FrozenLoad& load, const Eigen::VectorXd& from, E
 }
 
 Eigen::VectorXd SchwarzSweeps::mean(const Eigen::VectorXd& both) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(active().size()));
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(active().size());
   for (const Share& share : shares_) result(share.places) += 0.5 * both.segment(share.offset, share.size());
   return result;
 }
@@ -131,12 +131,11 @@ InnerResult SchwarzSweeps::solve(const FrozenLoad& load, const Eigen::VectorXd& 
   };
 
   if (options_.acceleration == Acceleration::anderson) {
-    options_.anderson(static_cast<std::size_t>(both.size()))
-        ->solve(span_of(both), [&](std::span<const double> x, std::span<double> image) {
-          const bool end = step(Eigen::Map<const Eigen::VectorXd>(x.data(), both.size()));
-          std::copy_n(swept.data(), swept.size(), image.data());
-          return end;
-        });
+    options_.anderson(both.size())->solve(span_of(both), [&](std::span<const double> x, std::span<double> image) {
+      const bool end = step(Eigen::Map<const Eigen::VectorXd>(x.data(), both.size()));
+      std::copy_n(swept.data(), swept.size(), image.data());
+      return end;
+    });
   } else {
     Aitken aitken;
     while (!step(both)) {

@@ -1,6 +1,7 @@
 #pragma once
 /// Plain Schwarz sweeps on the equations of a frozen set, and their acceleration.
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/solver/contact_solver.hpp"
 #include "dirichlet_problem.hpp"
 #include "frozen_set.hpp"
@@ -30,8 +31,8 @@ class SchwarzSweeps {
     Eigen::MatrixXd rigid;      // gaps of the motions on its rows
     Eigen::VectorXd even, odd;  // fractions a and b
     Eigen::VectorXd sign;       // +1 slave, -1 master
-    Eigen::Index offset = 0;    // in the vector of all bodies' multipliers
-    Eigen::Index size() const { return sign.size(); }
+    Index offset = 0;           // in the vector of all bodies' multipliers
+    Index size() const { return sign.size(); }
   };
   void set_fractions(const std::vector<std::optional<double>>& alpha, const std::vector<std::size_t>& bodies);
   void sweep(const FrozenLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const;

@@ -13,7 +13,7 @@ namespace creepcontact::ode {
 namespace {
 
 std::size_t length(N_Vector v) {
-  return static_cast<std::size_t>(NV_LENGTH_S(v));
+  return NV_LENGTH_S(v);
 }
 
 // z may be x or y in all of these: entry i is read before it is written.

@@ -46,7 +46,7 @@ class Condensed {
     contact::InterfaceLoad load = interface.initial_load(t, at);
     y.resize(bodies.size());
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-      y[b].resize(static_cast<std::size_t>(bodies[b].constraints().n_free()));
+      y[b].resize(bodies[b].constraints().n_free());
       bodies[b].right_hand_side(at[b], {}, y[b]);
       bodies[b].clear_pins(y[b]);
       interface.add_resultant(b, at[b], load);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "creepcontact/base/index.hpp"
 #include "unit/contact/curved_pair.hpp"
 
 namespace creepcontact::contact::test {
@@ -30,9 +31,9 @@ class Square {
   double area(const Distance& distance, const Gap& gap = smooth) const {
     const Eigen::VectorXd pressure = closed(distance);
     const contact::MortarCoupling& coupling = pair_.coupling;
-    Eigen::VectorXd gaps(static_cast<Eigen::Index>(coupling.gap_points.size()));
-    for (Eigen::Index i = 0; i < gaps.size(); ++i) {
-      const Vector3& x = coupling.gap_points[static_cast<std::size_t>(i)];
+    Eigen::VectorXd gaps(coupling.gap_points.size());
+    for (Index i = 0; i < gaps.size(); ++i) {
+      const Vector3& x = coupling.gap_points[i];
       const double inside = distance(x.x(), x.y());
       gaps[i] = inside < 0 ? gap(-inside) : 0.0;
     }
@@ -49,10 +50,9 @@ class Square {
   /// A pressure of one where nodes are closed. A node closes when the edge is still a third of an element away: between
   /// elements the gap cannot bend as sharply as it does at the edge.
   Eigen::VectorXd closed(const Distance& distance) const {
-    Eigen::VectorXd result(static_cast<Eigen::Index>(pair_.coupling.nodes.size()));
-    for (Eigen::Index i = 0; i < result.size(); ++i) {
-      const Vector3& x =
-          slave_.mesh.nodes[static_cast<std::size_t>(pair_.coupling.nodes[static_cast<std::size_t>(i)].node)];
+    Eigen::VectorXd result(pair_.coupling.nodes.size());
+    for (Index i = 0; i < result.size(); ++i) {
+      const Vector3& x = slave_.mesh.nodes[pair_.coupling.nodes[i].node];
       result[i] = distance(x.x(), x.y()) > -1.0 / (3 * n_) ? 1 : 0;
     }
     return result;

@@ -88,9 +88,8 @@ inline Part sphere(const Shell& shell, bool with_symmetry = false) {
 }
 
 inline Eigen::VectorXd nodal(const mesh::Mesh& mesh, const std::function<Vector3(const Vector3&)>& field) {
-  Eigen::VectorXd values(3 * static_cast<Eigen::Index>(mesh.nodes.size()));
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    values.segment<3>(3 * static_cast<Eigen::Index>(i)) = field(mesh.nodes[i]);
+  Eigen::VectorXd values(3 * mesh.nodes.size());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) values.segment<3>(3 * i) = field(mesh.nodes[i]);
   return values;
 }
 

@@ -39,7 +39,7 @@ class CurvedGap : public testing::TestWithParam<GapCase> {
     Errors result;
     double area = 0;
     for (int i = 0; i < coupling.n_rows(); ++i) {
-      const double own = coupling.area[static_cast<std::size_t>(i)];
+      const double own = coupling.area[i];
       result.nodal = std::max(result.nodal, std::abs(coupling.geometric_gap[i] / own - delta));
       area += own;
     }
@@ -124,11 +124,11 @@ TEST(GeometricGap, StaysExactOnPlanesBesideAKink) {
                          "z0");
   const auto coupling = contact::mortar_coupling(lower.surface(), upper.surface(), ContactType::unilateral);
   for (int i = 0; i < coupling.n_rows(); ++i) {
-    const auto& node = coupling.nodes[static_cast<std::size_t>(i)];
-    const double x = lower.mesh.nodes[static_cast<std::size_t>(node.node)].x();
+    const auto& node = coupling.nodes[i];
+    const double x = lower.mesh.nodes[node.node].x();
     const double exact = x < 0.5 ? 0.01 : 0.01 / std::hypot(1, 0.2);
     if (std::abs(x - 0.5) < 0.15) continue;
-    EXPECT_NEAR(coupling.geometric_gap[i] / coupling.area[static_cast<std::size_t>(i)], exact, 1e-12) << x;
+    EXPECT_NEAR(coupling.geometric_gap[i] / coupling.area[i], exact, 1e-12) << x;
   }
 }
 

@@ -33,7 +33,7 @@ struct Resultant {
 
   void add(const mesh::Mesh& mesh, const Eigen::VectorXd& forces) {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-      const Vector3 f = forces.segment<3>(3 * static_cast<Eigen::Index>(i));
+      const Vector3 f = forces.segment<3>(3 * i);
       force += f;
       moment += mesh.nodes[i].cross(f);
       sum += f.norm();

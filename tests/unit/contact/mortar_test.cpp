@@ -2,6 +2,7 @@
 
 #include "boxes.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 
 namespace creepcontact {
 namespace {
@@ -42,7 +43,7 @@ TEST_P(ContactPatch, TransmitsUniformPressureOnNonMatchingMeshes) {
   double resultant = 0;
   for (int i = 0; i < coupling.n_rows(); ++i) {
     EXPECT_NEAR(assembly.result.state.multiplier[i], pressure, 1e-8 * pressure);
-    resultant += coupling.area[static_cast<std::size_t>(i)] * assembly.result.state.multiplier[i];
+    resultant += coupling.area[i] * assembly.result.state.multiplier[i];
   }
   EXPECT_NEAR(resultant, pressure, 1e-9 * pressure);
   for (const auto& stress : assembly.stress)
@@ -83,10 +84,10 @@ TEST(Mortar, DualHatsMakeTheSlaveMatrixDiagonalAtCorners) {
   const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
   double area = 0;
   for (int i = 0; i < coupling.n_rows(); ++i) {
-    area += coupling.area[static_cast<std::size_t>(i)];
+    area += coupling.area[i];
     for (contact::RowMatrix::InnerIterator it(coupling.slave_rows, i); it; ++it) {
-      const bool own = it.col() == 3 * coupling.nodes[static_cast<std::size_t>(i)].node + 2;
-      EXPECT_NEAR(it.value(), own ? -coupling.area[static_cast<std::size_t>(i)] : 0.0, 1e-14);
+      const bool own = it.col() == 3 * coupling.nodes[i].node + 2;
+      EXPECT_NEAR(it.value(), own ? -coupling.area[i] : 0.0, 1e-14);
     }
   }
   EXPECT_NEAR(area, 1.0, 1e-13);
@@ -100,12 +101,12 @@ TEST(Mortar, PatchTestHoldsWhereTheSlaveSticksOut) {
     const contact::MortarCoupling& coupling = assembly.interface().pairs()[0].coupling;
     // A linear displacement of the master: its weighted gaps are those of a rigid slave under it.
     const auto& master = assembly.bodies()[1].mesh();
-    Eigen::VectorXd u(3 * static_cast<Eigen::Index>(master.nodes.size()));
-    for (std::size_t i = 0; i < master.nodes.size(); ++i) u.segment<3>(3 * static_cast<Eigen::Index>(i)) << 0, 0, 1.0;
+    Eigen::VectorXd u(3 * master.nodes.size());
+    for (std::size_t i = 0; i < master.nodes.size(); ++i) u.segment<3>(3 * i) << 0, 0, 1.0;
     const Eigen::VectorXd gap = coupling.master_rows * u;
     double sum = 0;
     for (int i = 0; i < coupling.n_rows(); ++i) {
-      EXPECT_NEAR(gap[i], coupling.area[static_cast<std::size_t>(i)], 1e-12);
+      EXPECT_NEAR(gap[i], coupling.area[i], 1e-12);
       sum += gap[i];
     }
     EXPECT_NEAR(sum, covered, 1e-10);
@@ -166,7 +167,7 @@ TEST(Mortar, SmallFootOnALargeFace) {
     // Unit pressure presses both with the force of the foot's area.
     const Eigen::VectorXd forces = coupling.slave_rows.transpose() * Eigen::VectorXd::Ones(coupling.n_rows());
     double sum = 0;
-    for (Eigen::Index i = 2; i < forces.size(); i += 3) sum += forces[i];
+    for (Index i = 2; i < forces.size(); i += 3) sum += forces[i];
     EXPECT_NEAR(std::abs(sum), 0.04, 1e-12);
   }
 }

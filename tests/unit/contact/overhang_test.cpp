@@ -27,11 +27,9 @@ mesh::Mesh straightened(mesh::Mesh mesh) {
     if (mesh::order(block.type) == 1 || mesh::dimension(block.type) < 3) continue;
     for (std::size_t c = 0; c < block.size(); ++c) {
       const auto cell = block.cell(c);
-      auto middle = static_cast<std::size_t>(mesh::n_corners(block.type));
+      std::size_t middle = mesh::n_corners(block.type);
       for (const auto& [a, b] : mesh::cell_edges(block.type))
-        mesh.nodes[static_cast<std::size_t>(cell[middle++])] =
-            0.5 * (mesh.nodes[static_cast<std::size_t>(cell[static_cast<std::size_t>(a)])] +
-                   mesh.nodes[static_cast<std::size_t>(cell[static_cast<std::size_t>(b)])]);
+        mesh.nodes[cell[middle++]] = 0.5 * (mesh.nodes[cell[a]] + mesh.nodes[cell[b]]);
     }
   }
   return mesh;
@@ -82,7 +80,7 @@ class Overhang : public testing::TestWithParam<OverhangCase> {
 
 /// Nodal forces of a unit pressure on a whole surface.
 Eigen::VectorXd pressure_forces(const mesh::Mesh& mesh, const char* group) {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(mesh.nodes.size()));
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(3 * mesh.nodes.size());
   for (const mesh::Face& face : mesh::boundary_faces(mesh, group)) {
     const contact::Facet facet(mesh, face);
     const fem::QuadratureRule rule = facet.n_corners() == 3 ? fem::triangle(8) : fem::gauss_quadrilateral(5);
@@ -91,8 +89,7 @@ Eigen::VectorXd pressure_forces(const mesh::Mesh& mesh, const char* group) {
       const Vector3 xi = rule.points.row(q).transpose();
       facet.element().shape(xi, shape);
       for (int j = 0; j < facet.n_nodes(); ++j)
-        forces.segment<3>(3 * face.nodes[static_cast<std::size_t>(j)]) -=
-            rule.weights[q] * shape[j] * facet.area_vector(xi);
+        forces.segment<3>(3 * face.nodes[j]) -= rule.weights[q] * shape[j] * facet.area_vector(xi);
     }
   }
   return forces;
@@ -100,7 +97,7 @@ Eigen::VectorXd pressure_forces(const mesh::Mesh& mesh, const char* group) {
 
 TEST_P(Overhang, UnitPressureGivesTheConsistentNodalForces) {
   const auto lower = body(0, 0.0);
-  Eigen::VectorXd on_lower = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(lower.mesh().nodes.size()));
+  Eigen::VectorXd on_lower = Eigen::VectorXd::Zero(3 * lower.mesh().nodes.size());
   for (const std::size_t b : {1, 2}) {
     const auto upper = body(b, 0.0);
     const MortarCoupling coupling = couple(lower, upper);

@@ -27,7 +27,7 @@ inline ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_rat
   ContactProblem problem;
   const int n = n_pairs * rows_per_pair;
   problem.total.setZero(n, n);
-  problem.bilateral.assign(static_cast<std::size_t>(n), 0);
+  problem.bilateral.assign(n, 0);
   problem.rigid.setZero(n, 2 * n_floating);
   for (int b = 0; b <= n_pairs; ++b) {
     contact::Flexibility body;
@@ -40,7 +40,7 @@ inline ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_rat
     Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(n_rows, problem.rigid.cols());
     if (const int floating = b - (n_pairs + 1 - n_floating); floating >= 0)
       for (int k = 0; k < n_rows; ++k) {
-        const double side = body.rows[static_cast<std::size_t>(k)] / rows_per_pair < b ? 1.0 : -1.0;
+        const double side = body.rows[k] / rows_per_pair < b ? 1.0 : -1.0;
         rigid(k, 2 * floating) = side;
         rigid(k, 2 * floating + 1) = side * (2.0 * (k % rows_per_pair) / (rows_per_pair - 1) - 1.0);
       }
@@ -64,7 +64,7 @@ inline void expect_solved(const ContactProblem& problem, const ContactLoad& load
   const Eigen::VectorXd flexibility = contact::row_flexibility(problem);
   for (int i = 0; i < problem.n_rows(); ++i) {
     const double opening = gap[i] / flexibility[i];
-    if (problem.bilateral[static_cast<std::size_t>(i)])
+    if (problem.bilateral[i])
       EXPECT_NEAR(opening, 0, error);
     else
       EXPECT_NEAR(std::min(multiplier[i], opening), 0, error);

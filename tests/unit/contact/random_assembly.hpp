@@ -29,8 +29,7 @@ class RandomAssembly {
       add_body(b, lengths, origin, b == n_bodies - 1 || (columns && b > 0));
       if (!columns || b == 0) top.z() += lengths.z();
     }
-    for (int b = 1; b < n_bodies; ++b)
-      add_pair(columns ? 0 : static_cast<std::size_t>(b - 1), static_cast<std::size_t>(b));
+    for (int b = 1; b < n_bodies; ++b) add_pair(columns ? 0 : static_cast<std::size_t>(b - 1), b);
     condensed = std::make_unique<Condensed>(std::move(bodies_), std::move(pairs_));
   }
 

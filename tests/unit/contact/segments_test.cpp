@@ -123,10 +123,10 @@ TEST(Segments, SliversAndFacesSeenEdgeOnAreNoError) {
         contact::mortar_coupling(swapped ? master : slave, swapped ? slave : master, contact::ContactType::unilateral);
     double area = 0;
     for (int i = 0; i < coupling.n_rows(); ++i) {
-      const auto& node = coupling.nodes[static_cast<std::size_t>(i)];
-      EXPECT_GT(coupling.area[static_cast<std::size_t>(i)], 0);
+      const auto& node = coupling.nodes[i];
+      EXPECT_GT(coupling.area[i], 0);
       EXPECT_NEAR(node.normal.norm(), 1, 1e-14);
-      area += coupling.area[static_cast<std::size_t>(i)];
+      area += coupling.area[i];
     }
     EXPECT_NEAR(area, 1.0, 1e-12);
     EXPECT_TRUE(coupling.slave_rows.coeffs().isFinite().all());

@@ -22,7 +22,7 @@ double largest_error(const test::Part& part, const Exact& exact) {
   double largest = 0;
   for (std::size_t f = 0; f < surface.faces.size(); ++f)
     for (std::size_t i = 0; i < surface.faces[f].nodes.size(); ++i) {
-      const Vector3& x = part.mesh.nodes[static_cast<std::size_t>(surface.faces[f].nodes[i])];
+      const Vector3& x = part.mesh.nodes[surface.faces[f].nodes[i]];
       largest = std::max(largest, (normals.normal_of_node[f][i] - exact(x)).norm());
     }
   return largest;

@@ -63,7 +63,7 @@ TEST_P(CreepSystemJacobian, IsTheDerivativeOfTheRate) {
   std::vector<double> product(y.size());
   system.rate.jacobian_times(0, y, v, product);
   const std::size_t active = system.equilibrium().contact.active.size();
-  const auto rows = static_cast<std::size_t>(system.solver.interface().n_rows());
+  const std::size_t rows = system.solver.interface().n_rows();
   if (GetParam().active < 0)
     EXPECT_TRUE(active > 0 && active < rows) << active << " of " << rows;
   else

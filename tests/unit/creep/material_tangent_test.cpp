@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "creepcontact/base/index.hpp"
 #include "unit/mechanics/meshes.hpp"
 #include "unit/mechanics/solve.hpp"
 
@@ -73,9 +74,9 @@ class StateElimination : public testing::TestWithParam<Laws> {};
 
 /// I - gamma (A - C H) of one point, from the law's derivative.
 Eigen::MatrixXd newton_matrix(const MaterialPoints& points, std::size_t p, double gamma, const PointsState& at) {
-  const auto n = static_cast<Eigen::Index>(points.stride());
+  const Index n = points.stride();
   Eigen::MatrixXd matrix(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
+  for (Index j = 0; j < n; ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j);
     const Tensor6 d_stress = material::stress(at.elastic.at(p), -unit.head<6>());
     Eigen::VectorXd d_rate(n);
@@ -105,7 +106,7 @@ TEST_P(StateElimination, SolvesThePointsOwnPartOfTheNewtonSystem) {
     tangent.solution(r.data(), strain, z.data());
     tangent.initial_stress(r.data(), initial);
     for (std::size_t p = 0; p < n; ++p) {
-      const auto solution = Eigen::VectorXd::Map(&z[stride * p], static_cast<Eigen::Index>(stride));
+      const auto solution = Eigen::VectorXd::Map(&z[stride * p], stride);
       // What the strain of the body adds to the right-hand side: gamma C H B du
       const Tensor6 imposed = material::stress(at.elastic.at(p), Tensor6::Map(&strain[6 * p]));
       Eigen::VectorXd right(solution.size());

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/run/run.hpp"
 #include "unit/model/blocks.hpp"
 #include "unit/run/running.hpp"
@@ -16,9 +17,8 @@ constexpr const char* direct_contact = "contact_solver.method=active_set";
 Eigen::VectorXd random_vector(const System& system, double size, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> number(-size, size);
-  Eigen::VectorXd result(static_cast<Eigen::Index>(system.rate.size()));
-  for (Eigen::Index i = 0; i < result.size(); ++i)
-    result[i] = number(generator) * system.rate.scale()[static_cast<std::size_t>(i)];
+  Eigen::VectorXd result(system.rate.size());
+  for (Index i = 0; i < result.size(); ++i) result[i] = number(generator) * system.rate.scale()[i];
   return result;
 }
 
@@ -77,10 +77,10 @@ TEST_P(TangentSolve, IsTheInverseMatrix) {
   System system(config());
   constexpr double gamma = 10;
   Eigen::VectorXd y = random_vector(system, 0.3, 1), r = random_vector(system, 1, 2);
-  const Eigen::Index n = y.size();
+  const Index n = y.size();
   Eigen::MatrixXd matrix(n, n);
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(n), product(n);
-  for (Eigen::Index j = 0; j < n; ++j) {
+  for (Index j = 0; j < n; ++j) {
     unit[j] = 1;
     system.rate.jacobian_times(0, span(y), span(unit), span(product));
     unit[j] = 0;

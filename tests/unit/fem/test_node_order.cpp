@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "creepcontact/base/index.hpp"
 #include "elements.hpp"
 
 namespace creepcontact::fem {
@@ -48,7 +49,7 @@ TEST_P(NodeOrder, is_that_of_gmsh) {
   ASSERT_EQ(expected.size(), static_cast<std::size_t>(element.n_nodes() * dimension));
   for (int i = 0; i < element.n_nodes(); ++i) {
     for (int d = 0; d < 3; ++d) {
-      const double x = d < dimension ? expected[static_cast<std::size_t>(i * dimension + d)] : 0;
+      const double x = d < dimension ? expected[i * dimension + d] : 0;
       EXPECT_DOUBLE_EQ(element.nodes()(i, d), x) << "node " << i << ", coordinate " << d;
     }
   }
@@ -75,7 +76,7 @@ TEST_P(NodeOrder, faces_lie_on_the_boundary_and_look_outward) {
       EXPECT_GT(normal.dot(x - centre), 0.01);
       EXPECT_GT(normal.norm(), 0.1);
       volume += rule.weights[q] * normal.dot(x) / 3;
-      for (Eigen::Index i = 0; i < element.nodes().rows(); ++i) {  // the element is on one side of its face
+      for (Index i = 0; i < element.nodes().rows(); ++i) {  // the element is on one side of its face
         EXPECT_LT(normal.dot(element.nodes().row(i).transpose() - x), 1e-14);
       }
       // Nodes off the face have no part in the trace, those on it the face's own shape functions.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
 #include "elements.hpp"
 
@@ -83,7 +84,7 @@ TEST_P(Element, rule_lies_inside_and_measures_the_domain) {
   EXPECT_NEAR(element_.rule().weights.sum(), measure, 1e-14);
   const auto& points = element_.rule().points;
   const bool unit_triangle = testing::simplex_plane(GetParam()), unit_tetrahedron = testing::tetrahedral(GetParam());
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+  for (Index i = 0; i < points.rows(); ++i) {
     if (unit_triangle) {
       EXPECT_LT(points(i, 0) + points(i, 1), 1);
       EXPECT_GT(points.row(i).head<2>().minCoeff(), 0);
@@ -133,7 +134,7 @@ TEST(ReferenceElement, bubbles_vanish_on_all_faces) {
     const double volume = type == CellType::tet10 ? 256 * 1.0 / 5040 : 27 * 2.0 / 120 / 2 * 4 / 3;
     Vector3 sum = Vector3::Zero();
     Matrix3 moment = Matrix3::Zero();
-    for (Eigen::Index p = 0; p < rule.size(); ++p) {
+    for (Index p = 0; p < rule.size(); ++p) {
       const Vector3 xi = rule.points.row(p), gradient = bubble_gradient(type, xi);
       sum += rule.weights[p] * gradient;
       moment += rule.weights[p] * xi * gradient.transpose();

@@ -35,7 +35,7 @@ const mesh::CellBlock& volume_block(const Mesh& mesh) {
 }
 
 Vector3 at(const Mesh& mesh, std::int64_t node) {
-  return mesh.nodes.at(static_cast<std::size_t>(node));
+  return mesh.nodes.at(node);
 }
 
 // Sum of the area vectors of a group's outward faces, exact for plane faces with straight edges.
@@ -80,9 +80,8 @@ TEST_P(GmshCube, MidNodesFollowTheEdgeTable) {
       const auto cell = block.cell(c);
       for (std::size_t e = 0; e < edges.size(); ++e) {
         const auto [a, b] = edges[e];
-        const Vector3 middle =
-            0.5 * (at(mesh, cell[static_cast<std::size_t>(a)]) + at(mesh, cell[static_cast<std::size_t>(b)]));
-        EXPECT_LT((at(mesh, cell[static_cast<std::size_t>(mesh::n_corners(block.type)) + e]) - middle).norm(), 1e-9)
+        const Vector3 middle = 0.5 * (at(mesh, cell[a]) + at(mesh, cell[b]));
+        EXPECT_LT((at(mesh, cell[mesh::n_corners(block.type) + e]) - middle).norm(), 1e-9)
             << mesh::name(block.type) << " edge " << e;
       }
     }

@@ -63,7 +63,7 @@ class VtuReader {
 
   std::string inflate(std::size_t offset) const {
     std::string_view text = std::string_view(appended_).substr(offset);
-    const auto n_blocks = static_cast<std::size_t>(integers(text, 1)[0]);
+    const std::size_t n_blocks = integers(text, 1)[0];
     const auto header = integers(text, 3 + n_blocks);
     text.remove_prefix(encoded_length(8 * header.size()));
     std::size_t n_compressed = 0;

@@ -4,14 +4,16 @@
 
 #include <Eigen/Dense>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::linalg {
 namespace {
 
 /// Entries without pattern, the same in every run.
-Eigen::MatrixXd any_matrix(Eigen::Index rows, Eigen::Index columns) {
+Eigen::MatrixXd any_matrix(Index rows, Index columns) {
   Eigen::MatrixXd matrix(rows, columns);
-  for (Eigen::Index i = 0; i < rows; ++i)
-    for (Eigen::Index j = 0; j < columns; ++j) matrix(i, j) = std::sin(1.0 + 7.3 * double(i) + 2.1 * double(i * j + j));
+  for (Index i = 0; i < rows; ++i)
+    for (Index j = 0; j < columns; ++j) matrix(i, j) = std::sin(1.0 + 7.3 * double(i) + 2.1 * double(i * j + j));
   return matrix;
 }
 
@@ -32,7 +34,7 @@ TEST(Dense, PseudoInverseFulfilsMoorePenrose) {
 TEST(Dense, NullSpaceOfManyRowsOfFewAndOfNone) {
   Eigen::MatrixXd rows = any_matrix(40, 5);
   rows.col(3) = 2 * rows.col(0) - rows.col(4);
-  for (const Eigen::Index n : {40, 2}) {
+  for (const Index n : {40, 2}) {
     const Eigen::MatrixXd space = null_space(rows.topRows(n), 1e-9);
     EXPECT_EQ(space.cols(), n == 40 ? 1 : 3);
     EXPECT_LT((rows.topRows(n) * space).norm(), 1e-12);

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/supernodal_cholesky.hpp"
 
 namespace creepcontact::linalg::testing {
@@ -67,8 +68,8 @@ inline Problem random_sparse(int n, unsigned seed) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
   for (int k = 0; k < 3 * n; ++k) {
-    const auto i = static_cast<Eigen::Index>(random() % static_cast<unsigned>(n));
-    const auto j = static_cast<Eigen::Index>(random() % static_cast<unsigned>(n));
+    const Index i = random() % static_cast<unsigned>(n);
+    const Index j = random() % static_cast<unsigned>(n);
     if (i != j) dense(i, j) = dense(j, i) = uniform(random);
   }
   for (int i = 0; i < n; ++i) dense(i, i) = 0.5 + dense.row(i).cwiseAbs().sum();
@@ -79,15 +80,13 @@ inline Problem random_sparse(int n, unsigned seed) {
 
 inline Eigen::VectorXd forward(StiffnessSolver& solver, const Eigen::VectorXd& b) {
   Eigen::VectorXd y(b.size());
-  solver.forward(std::span(b.data(), static_cast<std::size_t>(b.size())),
-                 std::span(y.data(), static_cast<std::size_t>(y.size())));
+  solver.forward(std::span(b.data(), b.size()), std::span(y.data(), y.size()));
   return y;
 }
 
 inline Eigen::VectorXd backward(StiffnessSolver& solver, const Eigen::VectorXd& y) {
   Eigen::VectorXd x(y.size());
-  solver.backward(std::span(y.data(), static_cast<std::size_t>(y.size())),
-                  std::span(x.data(), static_cast<std::size_t>(x.size())));
+  solver.backward(std::span(y.data(), y.size()), std::span(x.data(), x.size()));
   return x;
 }
 

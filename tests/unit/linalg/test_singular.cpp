@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "creepcontact/base/index.hpp"
 #include "matrices.hpp"
 
 namespace creepcontact::linalg {
@@ -56,17 +57,17 @@ TEST(Singular, nearly_zero_pivot_is_named_with_the_condition) {
 
 TEST(Singular, body_free_to_move_among_held_ones_is_found) {
   // Three chains of springs; the middle one is not held. Round-off decides whether its last pivot is positive.
-  const Eigen::Index n = 40;
+  const Index n = 40;
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-  for (Eigen::Index body = 0; body < 3; ++body) {
-    for (Eigen::Index i = 0; i + 1 < n; ++i) {
+  for (Index body = 0; body < 3; ++body) {
+    for (Index i = 0; i + 1 < n; ++i) {
       const double stiffness = 1 + 0.37 * static_cast<double>(i % 7);
       dense.block<2, 2>(body * n + i, body * n + i) += stiffness * (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
     }
     if (body != 1) dense(body * n, body * n) += 1;
   }
   Problem problem{testing::lower_of(dense), {}};
-  for (Eigen::Index i = 0; i < 3 * n; ++i) problem.node_of.push_back(i);
+  for (Index i = 0; i < 3 * n; ++i) problem.node_of.push_back(i);
   for (const Indices& trailing : {Indices{}, Indices{5, 45, 100}}) {
     const SingularMatrix singular = report(problem, trailing);
     EXPECT_GE(singular.row, n);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "matrices.hpp"
 
 namespace creepcontact::linalg {
@@ -22,7 +23,7 @@ Indices shuffled(Indices indices, unsigned seed) {
 }
 
 Indices all_of(const Problem& problem) {
-  Indices indices(static_cast<std::size_t>(problem.lower.rows()));
+  Indices indices(problem.lower.rows());
   std::iota(indices.begin(), indices.end(), 0);
   return indices;
 }
@@ -107,8 +108,8 @@ TEST(SupernodalCholesky, with_bodies_that_are_not_connected) {
 
 TEST(SupernodalCholesky, with_parts_connected_by_trailing_unknowns_alone) {
   Eigen::MatrixXd dense = 4 * Eigen::MatrixXd::Identity(9, 9);
-  for (const Eigen::Index neighbour : {0, 1, 2, 3}) dense(8, neighbour) = dense(neighbour, 8) = 0.5;
-  for (const Eigen::Index neighbour : {4, 5, 6}) dense(7, neighbour) = dense(neighbour, 7) = -0.5;
+  for (const Index neighbour : {0, 1, 2, 3}) dense(8, neighbour) = dense(neighbour, 8) = 0.5;
+  for (const Index neighbour : {4, 5, 6}) dense(7, neighbour) = dense(neighbour, 7) = -0.5;
   Problem problem{testing::lower_of(dense), {}};
   problem.node_of = all_of(problem);
   check(problem, {7, 8});
@@ -120,7 +121,7 @@ TEST(SupernodalCholesky, with_a_part_that_hangs_at_a_later_trailing_unknown) {
   // Unknown 0 touches 2 and not 1; postordered by weight, either of 0 and 1 may come first.
   for (const auto& [light, heavy] : {std::pair{0, 1}, std::pair{1, 0}}) {
     Eigen::MatrixXd dense = 3 * Eigen::MatrixXd::Identity(5, 5);
-    for (const Eigen::Index neighbour : {2, 3, 4}) dense(heavy, neighbour) = dense(neighbour, heavy) = 0.5;
+    for (const Index neighbour : {2, 3, 4}) dense(heavy, neighbour) = dense(neighbour, heavy) = 0.5;
     dense(light, 2) = dense(2, light) = 0.5;
     Problem problem{testing::lower_of(dense), {}};
     problem.node_of = all_of(problem);
@@ -143,7 +144,7 @@ TEST(SupernodalCholesky, solves_in_place) {
   solver.factorize(problem.lower);
   const Eigen::VectorXd b = testing::random_vector(solver.size(), 1);
   Eigen::VectorXd x = b;
-  const std::span whole(x.data(), static_cast<std::size_t>(x.size()));
+  const std::span whole(x.data(), x.size());
   solver.forward(whole, whole);
   solver.backward(whole, whole);
   EXPECT_EQ(x, testing::solve(solver, b));

@@ -22,8 +22,7 @@ TEST(BodyInHeat, TakesTheElasticConstantsOfASteadyTemperature) {
   Body slender("bar", bar, material, symmetry_supports(bar), Function::expression("100*(x > 1)", {"x"}));
   slender.add_load(mechanics::traction_load(bar, mesh::boundary_faces(bar, "x1"), {1.0, 0.0, 0.0}));
   const std::vector<double> u = solve(slender);
-  for (const std::int64_t node : mesh::group_nodes(bar, "x1"))
-    EXPECT_NEAR(u[3 * static_cast<std::size_t>(node)], 1.0 / 200 + 1.0 / 100, 1e-13);
+  for (const std::int64_t node : mesh::group_nodes(bar, "x1")) EXPECT_NEAR(u[3 * node], 1.0 / 200 + 1.0 / 100, 1e-13);
   Body uniform("bar", bar, material, symmetry_supports(bar), Function(50.0));
   const mechanics::BodyConditions at = uniform.at(0);
   ASSERT_EQ(at.moduli.size(), 1u);
@@ -52,12 +51,11 @@ TEST(BodyInHeat, FollowsElasticConstantsThatChangeInTime) {
   factor.factorize(later);
   EXPECT_EQ(factor.time(), 0.5);
   EXPECT_EQ(factor.stiffness_ratio(later), std::pair(1.0, 1.0));
-  std::vector<double> free(static_cast<std::size_t>(body.constraints().n_free())), u(3 * bar.nodes.size());
+  std::vector<double> free(body.constraints().n_free()), u(3 * bar.nodes.size());
   body.right_hand_side(later, {}, free);
   solve_in_place(factor, free);
   body.constraints().expand(free, later.prescribed, u);
-  for (const std::int64_t node : mesh::group_nodes(bar, "x1"))
-    EXPECT_NEAR(u[3 * static_cast<std::size_t>(node)], 1.0 / 200 + 1.0 / 150, 1e-13);
+  for (const std::int64_t node : mesh::group_nodes(bar, "x1")) EXPECT_NEAR(u[3 * node], 1.0 / 200 + 1.0 / 150, 1e-13);
 
   const Body steady = body_at(Function::expression("100*(x > 1)", {"x"}));
   EXPECT_FALSE(steady.stiffness_changes());
@@ -73,7 +71,7 @@ TEST(FactoredBody, HasNoResidualInEquilibrium) {
   body.add_load(mechanics::traction_load(box, mesh::boundary_faces(box, "x1"), {1.0, 0.5, 0.0}));
   mechanics::FactoredBody factor = factored(body);
   const mechanics::BodyConditions at = body.at(0);
-  const auto n = static_cast<std::size_t>(body.constraints().n_free());
+  const std::size_t n = body.constraints().n_free();
   std::vector<double> load(n), free(n), u(3 * box.nodes.size()), rest(n);
   body.right_hand_side(at, {}, load);
   for (const double part : {1.0, 0.25}) {

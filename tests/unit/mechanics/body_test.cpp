@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "meshes.hpp"
 #include "solve.hpp"
 
@@ -32,7 +33,7 @@ TEST(Body, FreeBodyUnderBalancedLoads) {
   for (const char* side : {"z0", "z1"})
     body.add_load(mechanics::pressure_load(box, mesh::boundary_faces(box, side), 3.0));
   const mechanics::BodyConditions at = body.at(0);
-  std::vector<double> right_hand_side(static_cast<std::size_t>(body.constraints().n_free())), resultant(6);
+  std::vector<double> right_hand_side(body.constraints().n_free()), resultant(6);
   body.right_hand_side(at, {}, right_hand_side);
   EXPECT_GE(body.external_resultant(at, resultant), 2 * 3.0 * 4) << "sum of the absolute forces";
   body.clear_pins(right_hand_side);
@@ -222,7 +223,7 @@ TEST(Body, RightHandSideIsLinearInTheCreepStrain) {
   body.add_load(mechanics::volume_load(body.discretization(), {0.0, 1.0, 0.0}));
   std::vector<double> creep(6 * body.discretization().n_points());
   for (std::size_t i = 0; i < creep.size(); ++i) creep[i] = std::sin(static_cast<double>(i));
-  const auto n = static_cast<std::size_t>(body.constraints().n_free());
+  const std::size_t n = body.constraints().n_free();
   std::vector<double> with(n), without(n), alone(n);
   const mechanics::BodyConditions at = body.at(0);
   body.right_hand_side(at, {creep.data(), 6}, with);
@@ -254,15 +255,14 @@ TEST(Body, EliminatesTheContactUnknownsLast) {
     trailing.push_back(body.constraints().free_index(node)[2]);
   mechanics::FactoredBody factor = factored(body, trailing);
   const Eigen::MatrixXd l = factor.solver().trailing_factor();
-  const auto n = static_cast<std::size_t>(body.constraints().n_free());
-  const auto m = static_cast<Eigen::Index>(trailing.size());
+  const std::size_t n = body.constraints().n_free();
+  const Index m = trailing.size();
   Eigen::MatrixXd compliance(m, m);
-  for (Eigen::Index j = 0; j < m; ++j) {
+  for (Index j = 0; j < m; ++j) {
     std::vector<double> b(n, 0.0);
-    b[static_cast<std::size_t>(trailing[static_cast<std::size_t>(j)])] = 1;
+    b[trailing[j]] = 1;
     solve_in_place(factor, b);
-    for (Eigen::Index i = 0; i < m; ++i)
-      compliance(i, j) = b[static_cast<std::size_t>(trailing[static_cast<std::size_t>(i)])];
+    for (Index i = 0; i < m; ++i) compliance(i, j) = b[trailing[i]];
   }
   EXPECT_LT((l * l.transpose() * compliance - Eigen::MatrixXd::Identity(m, m)).norm(), 1e-11);
 }

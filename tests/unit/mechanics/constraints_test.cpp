@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
 #include "meshes.hpp"
 #include "solve.hpp"
@@ -17,7 +18,7 @@ using mechanics::Support;
 const std::vector<Vector3> two_nodes{{0, 0, 0}, {1, 2, 3}};
 
 Vector3 prescribed_at(const Constraints& constraints, std::size_t node, double t = 0.0) {
-  std::vector<double> full(static_cast<std::size_t>(constraints.n_full()), 9.0);
+  std::vector<double> full(constraints.n_full(), 9.0);
   constraints.prescribed(t, full);
   return Vector3::Map(&full[3 * node]);
 }
@@ -127,7 +128,7 @@ class Reduction : public testing::Test {
   std::vector<Support> supports_{held("x0", {1, 1, 0.5}), held("y0", {0, 1, 0}), held("z1", {0, 0.6, 0.8}),
                                  held("x1", {0, 0, 1})};
   Constraints constraints_{mesh_.nodes, supports_};
-  Eigen::Index n_full_ = constraints_.n_full(), n_free_ = constraints_.n_free();
+  Index n_full_ = constraints_.n_full(), n_free_ = constraints_.n_free();
 
   /// The same displacement everywhere, so that the supports agree where they meet.
   Support held(const std::string& surface, const Vector3& direction) const {
@@ -137,7 +138,7 @@ class Reduction : public testing::Test {
   Eigen::MatrixXd columns_of_expand() const {
     Eigen::MatrixXd t(n_full_, n_free_);
     Eigen::VectorXd free = Eigen::VectorXd::Zero(n_free_), full(n_full_);
-    for (Eigen::Index j = 0; j < n_free_; ++j) {
+    for (Index j = 0; j < n_free_; ++j) {
       free[j] = 1;
       constraints_.expand({free.data(), static_cast<std::size_t>(n_free_)}, {},
                           {full.data(), static_cast<std::size_t>(n_full_)});
@@ -159,7 +160,7 @@ TEST_F(Reduction, FreeMotionsAreOrthonormalAndKeepTheSupports) {
 TEST_F(Reduction, PrescribedDisplacementMeetsEverySupport) {
   for (const Support& s : supports_)
     for (const std::int64_t node : s.nodes)
-      EXPECT_NEAR(s.directions[0].dot(prescribed_at(constraints_, static_cast<std::size_t>(node))), s.value({}), 1e-14);
+      EXPECT_NEAR(s.directions[0].dot(prescribed_at(constraints_, node)), s.value({}), 1e-14);
 }
 
 TEST_F(Reduction, RestrictionIsTheTranspose) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "meshes.hpp"
 #include "solve.hpp"
@@ -39,8 +40,8 @@ double l2_error(const mesh::Mesh& mesh, const std::vector<double>& u) {
       Vector3 x = Vector3::Zero(), value = Vector3::Zero();
       Matrix3 jacobian = Matrix3::Zero();
       for (std::size_t a = 0; a < cell.size(); ++a) {
-        const auto row = static_cast<Eigen::Index>(a);
-        const auto node = static_cast<std::size_t>(cell[a]);
+        const Index row = a;
+        const std::size_t node = cell[a];
         x += shape[row] * mesh.nodes[node];
         value += shape[row] * Vector3::Map(&u[3 * node]);
         jacobian += mesh.nodes[node] * gradient.row(row);

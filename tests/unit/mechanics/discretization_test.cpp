@@ -67,9 +67,8 @@ TEST_P(ElementLoops, StiffnessIsTheElementLoop) {
   std::vector<double> stress(n_values_), forces(n_dofs_, 0.0);
   body_.stress(u, {moduli, {}}, {}, stress);
   body_.add_internal_force(stress, forces);
-  const Eigen::VectorXd product =
-      lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(n_dofs_));
-  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-10);
+  const Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), n_dofs_);
+  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[i], forces[i], 1e-10);
 }
 
 TEST_P(ElementLoops, StiffnessOfAnyModuliIsTheElementLoop) {
@@ -86,9 +85,8 @@ TEST_P(ElementLoops, StiffnessOfAnyModuliIsTheElementLoop) {
   for (std::size_t p = 0; p < moduli.size(); ++p)
     Tensor6::Map(&stress[6 * p]) = moduli[p] * Tensor6::Map(&at_points[6 * p]);
   body_.add_internal_force(stress, forces);
-  const Eigen::VectorXd product =
-      lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(n_dofs_));
-  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-11);
+  const Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), n_dofs_);
+  for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(product[i], forces[i], 1e-11);
 }
 
 TEST_P(ElementLoops, StiffnessIsSortedLowerAndHasSixZeroModes) {
@@ -185,9 +183,9 @@ TEST(Discretization, NumbersTheElementsOfSeveralBlocksOneAfterTheOther) {
   std::vector<double> stress(6 * body.n_points()), forces(u.size(), 0.0);
   body.stress(u, {moduli, {}}, {}, stress);
   body.add_internal_force(stress, forces);
-  const Eigen::VectorXd product = body.stiffness({moduli, {}}).selfadjointView<Eigen::Lower>() *
-                                  Eigen::VectorXd::Map(u.data(), static_cast<Eigen::Index>(u.size()));
-  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(product[static_cast<Eigen::Index>(i)], forces[i], 1e-12);
+  const Eigen::VectorXd product =
+      body.stiffness({moduli, {}}).selfadjointView<Eigen::Lower>() * Eigen::VectorXd::Map(u.data(), u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(product[i], forces[i], 1e-12);
 }
 
 TEST(Discretization, NamesAnInvertedElementAndItsPlace) {

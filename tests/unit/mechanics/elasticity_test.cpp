@@ -51,7 +51,7 @@ TEST_P(ExactState, ReactionsBalanceTheLoads) {
   EXPECT_LT((resultant(reactions) + resultant(at.external_forces())).norm(), 1e-12);
   EXPECT_LT((resultant(reactions) - Vector3(-1, -1, -0.75)).norm(), 1e-11);
   for (std::size_t node = 0; node < box.nodes.size(); ++node) {
-    if (body.constraints().n_held(static_cast<std::int64_t>(node)) > 0) continue;
+    if (body.constraints().n_held(node) > 0) continue;
     EXPECT_LT(Eigen::Map<Vector3>(&reactions[3 * node]).norm(), 1e-12);
   }
 }
@@ -109,8 +109,8 @@ double bore_displacement_ratio(CellType type) {
   const auto bore = mesh::group_nodes(sector, "x0");
   double sum = 0;
   for (const std::int64_t node : bore) {
-    const Vector3& x = sector.nodes[static_cast<std::size_t>(node)];
-    sum += Vector3::Map(&u[3 * static_cast<std::size_t>(node)]).dot(x) / a;
+    const Vector3& x = sector.nodes[node];
+    sum += Vector3::Map(&u[3 * node]).dot(x) / a;
   }
   return sum / static_cast<double>(bore.size()) / exact;
 }

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
@@ -27,8 +28,7 @@ inline std::vector<double> noise(std::size_t n, unsigned seed) {
 }
 
 inline double dot(std::span<const double> a, std::span<const double> b) {
-  return Eigen::VectorXd::Map(a.data(), static_cast<Eigen::Index>(a.size()))
-      .dot(Eigen::VectorXd::Map(b.data(), static_cast<Eigen::Index>(b.size())));
+  return Eigen::VectorXd::Map(a.data(), a.size()).dot(Eigen::VectorXd::Map(b.data(), b.size()));
 }
 
 class ElementLoops : public testing::TestWithParam<CellType> {
@@ -50,8 +50,8 @@ class ElementLoops : public testing::TestWithParam<CellType> {
     if (kind == fem::Projection::none) return traces;
     Eigen::MatrixXd basis = Eigen::MatrixXd::Ones(traces.size(), kind == fem::Projection::linear ? 4 : 1);
     Eigen::VectorXd root(traces.size());
-    for (Eigen::Index p = 0; p < traces.size(); ++p) {
-      const std::size_t point = body_.first_point(element) + static_cast<std::size_t>(p);
+    for (Index p = 0; p < traces.size(); ++p) {
+      const std::size_t point = body_.first_point(element) + p;
       root[p] = std::sqrt(body_.weights()[point]);
       if (basis.cols() == 4) basis.row(p).tail<3>() = body_.point_coordinates()[point];
     }

@@ -114,7 +114,7 @@ TEST(NodalNormals, AreRadialOnACylinder) {
     const std::vector<std::int64_t> nodes = mesh::group_nodes(sector, "x1");
     const auto normals = mechanics::nodal_normals(sector, mesh::boundary_faces(sector, "x1"), nodes);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const Vector3& x = sector.nodes[static_cast<std::size_t>(nodes[i])];
+      const Vector3& x = sector.nodes[nodes[i]];
       if (x[0] < 1e-9 || x[1] < 1e-9) continue;  // edges of the sector: a face on one side only
       EXPECT_LT((normals[i] - Vector3(x[0], x[1], 0) / 2).norm(), 1e-12) << mesh::name(type);
     }
@@ -126,7 +126,7 @@ TEST(NodalNormals, WeightFacesByTheirArea) {
   std::vector<mesh::Face> faces = mesh::boundary_faces(box, "x1"), top = mesh::boundary_faces(box, "z1");
   faces.insert(faces.end(), top.begin(), top.end());
   for (std::int64_t node = 0; node < 8; ++node) {
-    const Vector3& x = box.nodes[static_cast<std::size_t>(node)];
+    const Vector3& x = box.nodes[node];
     if (x[0] != 2 || x[2] != 1) continue;
     EXPECT_LT((mechanics::nodal_normals(box, faces, {node})[0] - Vector3(1, 0, 2).normalized()).norm(), 1e-14);
   }

@@ -49,12 +49,11 @@ inline GridPoint middle(const std::vector<GridPoint>& corners) {
 inline std::vector<GridPoint> cell_nodes(CellType type, const std::vector<GridPoint>& corners) {
   std::vector<GridPoint> nodes = corners;
   if (mesh::order(type) == 1) return nodes;
-  for (const auto& [a, b] : mesh::cell_edges(type))
-    nodes.push_back(middle({corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)]}));
+  for (const auto& [a, b] : mesh::cell_edges(type)) nodes.push_back(middle({corners[a], corners[b]}));
   if (type != CellType::hex27) return nodes;
   for (const mesh::LocalFace& face : mesh::cell_faces(type)) {
     std::vector<GridPoint> around;
-    for (std::size_t i = 0; i < 4; ++i) around.push_back(corners[static_cast<std::size_t>(face.nodes[i])]);
+    for (std::size_t i = 0; i < 4; ++i) around.push_back(corners[face.nodes[i]]);
     nodes.push_back(middle(around));
   }
   nodes.push_back(middle(corners));
@@ -74,7 +73,7 @@ class BoxBuilder {
       bool inside = distortion > 0;
       for (std::size_t c = 0; c < 3; ++c) inside = inside && index[c] > 0 && index[c] < divisions_[c];
       if (inside) place += Vector3(shift(generator), shift(generator), shift(generator));
-      for (std::size_t c = 0; c < 3; ++c) place[static_cast<int>(c)] /= divisions_[c];
+      for (std::size_t c = 0; c < 3; ++c) place[c] /= divisions_[c];
       corner_places_[{2 * index[0], 2 * index[1], 2 * index[2]}] = origin + place.cwiseProduct(lengths);
     });
   }
@@ -117,19 +116,19 @@ class BoxBuilder {
     for (const mesh::LocalFace& face : mesh::cell_faces(type_)) {
       for (std::size_t c = 0; c < 3; ++c) {
         for (const int side : {0, 1}) {
-          const bool on_side = std::ranges::all_of(
-              face.nodes, [&](int n) { return points[static_cast<std::size_t>(n)][c] == 2 * side * divisions_[c]; });
+          const bool on_side =
+              std::ranges::all_of(face.nodes, [&](int n) { return points[n][c] == 2 * side * divisions_[c]; });
           if (!on_side) continue;
           mesh::CellBlock& block = surface_blocks_.try_emplace(face.type, mesh::CellBlock{face.type, {}}).first->second;
           surface_cells_[face.type].emplace_back(std::string(1, "xyz"[c]) + "01"[side], block.size());
-          for (const int n : face.nodes) block.connectivity.push_back(number(points[static_cast<std::size_t>(n)]));
+          for (const int n : face.nodes) block.connectivity.push_back(number(points[n]));
         }
       }
     }
   }
 
   std::int64_t number(const GridPoint& point) {
-    const auto [entry, is_new] = numbers_.try_emplace(point, static_cast<std::int64_t>(mesh_.nodes.size()));
+    const auto [entry, is_new] = numbers_.try_emplace(point, mesh_.nodes.size());
     if (is_new) mesh_.nodes.push_back(mean_of_corners(point));
     return entry->second;
   }

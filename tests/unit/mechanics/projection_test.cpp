@@ -24,11 +24,11 @@ TEST_P(Projection, MeanStressIsThatOfTheProjectedVolumetricStrain) {
     for (std::size_t p = 0; p < n; ++p) {
       elastic.emplace_back(strains[first + p] - Tensor6::Map(&creep[9 * (first + p)]) -
                            thermal[first + p] * tensor::identity());
-      traces[static_cast<Eigen::Index>(p)] = tensor::trace(elastic.back());
+      traces[p] = tensor::trace(elastic.back());
     }
     const Eigen::VectorXd fit = projected(e, traces);
     for (std::size_t p = 0; p < n; ++p) {
-      elastic[p].head<3>().array() += (fit - traces)[static_cast<Eigen::Index>(p)] / 3;
+      elastic[p].head<3>().array() += (fit - traces)[p] / 3;
       EXPECT_LT((stresses[first + p] - material::stress(moduli[first + p], elastic[p])).norm(), 1e-9);
     }
   }
@@ -47,10 +47,10 @@ TEST_P(Projection, FittedMeanStressIsItsProjection) {
   for (std::size_t e = 0; e < body_.n_elements(); ++e) {
     const std::size_t first = body_.first_point(e), n = body_.first_point(e + 1) - first;
     Eigen::VectorXd traces(n);
-    for (std::size_t p = 0; p < n; ++p) traces[static_cast<Eigen::Index>(p)] = tensor::trace(given[first + p]);
+    for (std::size_t p = 0; p < n; ++p) traces[p] = tensor::trace(given[first + p]);
     const Eigen::VectorXd fit = projected(e, traces);
     for (std::size_t p = 0; p < n; ++p) {
-      EXPECT_NEAR(tensor::trace(fitted[first + p]), fit[static_cast<Eigen::Index>(p)], 1e-12);
+      EXPECT_NEAR(tensor::trace(fitted[first + p]), fit[p], 1e-12);
       EXPECT_LT((tensor::deviator(fitted[first + p]) - tensor::deviator(given[first + p])).norm(), 1e-12);
     }
   }

@@ -34,8 +34,7 @@ std::vector<std::string> free_motions(const std::vector<Vector3>& nodes, const s
     for (const Support& s : supports) {
       for (std::size_t i = 0; i < s.nodes.size(); ++i) {
         const Vector3& n = s.directions[s.directions.size() == 1 ? 0 : i];
-        EXPECT_NEAR(n.dot(motion.displacement(nodes[static_cast<std::size_t>(s.nodes[i])])), 0.0, 1e-10)
-            << words.back();
+        EXPECT_NEAR(n.dot(motion.displacement(nodes[s.nodes[i]])), 0.0, 1e-10) << words.back();
       }
     }
   }
@@ -115,7 +114,7 @@ TEST(RigidMotions, OfARingOnAShaft) {
   for (int layer = 0; layer < 2; ++layer) {
     for (int i = 0; i < 12; ++i) {
       const double angle = 2 * std::numbers::pi * i / 12;
-      radial.nodes.push_back(static_cast<std::int64_t>(nodes.size()));
+      radial.nodes.push_back(nodes.size());
       radial.directions.emplace_back(std::cos(angle), std::sin(angle), 0);
       nodes.emplace_back(3 * std::cos(angle), 3 * std::sin(angle), layer);
       if (layer == 0) end.nodes.push_back(radial.nodes.back());

@@ -26,8 +26,8 @@ inline std::vector<mechanics::Support> boundary_supports(const mesh::Mesh& mesh,
   std::vector<mechanics::Support> supports;
   for (const auto* surface : {"x0", "x1", "y0", "y1", "z0", "z1"})
     for (int i = 0; i < 3; ++i)
-      supports.push_back(support(mesh, surface, Vector3::Unit(i),
-                                 Function::expression(components[static_cast<std::size_t>(i)], {"x", "y", "z"})));
+      supports.push_back(
+          support(mesh, surface, Vector3::Unit(i), Function::expression(components[i], {"x", "y", "z"})));
   return supports;
 }
 
@@ -55,8 +55,8 @@ inline void solve_in_place(mechanics::FactoredBody& factored, std::vector<double
 inline std::vector<double> solve(const mechanics::Body& body, double t = 0, mechanics::CreepStrainView creep = {}) {
   mechanics::FactoredBody factor = factored(body, {}, t);
   const mechanics::BodyConditions at = body.at(t);
-  std::vector<double> free(static_cast<std::size_t>(body.constraints().n_free()));
-  std::vector<double> u(static_cast<std::size_t>(body.constraints().n_full()));
+  std::vector<double> free(body.constraints().n_free());
+  std::vector<double> u(body.constraints().n_full());
   body.right_hand_side(at, creep, free);
   solve_in_place(factor, free);
   body.constraints().expand(free, at.prescribed, u);
@@ -85,7 +85,7 @@ inline double largest(std::span<const double> values) {
 
 inline Vector3 resultant(std::span<const double> forces) {
   Vector3 sum = Vector3::Zero();
-  for (std::size_t i = 0; i < forces.size(); ++i) sum[static_cast<Eigen::Index>(i % 3)] += forces[i];
+  for (std::size_t i = 0; i < forces.size(); ++i) sum[i % 3] += forces[i];
   return sum;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 class VolumeCell : public testing::TestWithParam<CellType> {
  protected:
-  Vector3 node(int i) const { return nodes_.at(static_cast<std::size_t>(i)); }
+  Vector3 node(int i) const { return nodes_.at(i); }
   Vector3 centre() const {
     Vector3 sum = Vector3::Zero();
     for (int i = 0; i < n_corners(GetParam()); ++i) sum += node(i);
@@ -49,7 +49,7 @@ TEST_P(VolumeCell, FacesCloseTheSurfaceOnce) {
 
 TEST_P(VolumeCell, MidNodesOfFacesLieBetweenTheirCorners) {
   for (const LocalFace& face : cell_faces(GetParam())) {
-    const auto corners = static_cast<std::size_t>(n_corners(face.type));
+    const std::size_t corners = n_corners(face.type);
     Vector3 mean = Vector3::Zero();
     for (std::size_t i = 0; i < corners; ++i) {
       mean += node(face.nodes[i]) / static_cast<double>(corners);

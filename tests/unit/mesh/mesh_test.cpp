@@ -47,7 +47,7 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 Vector3 normal(const Mesh& mesh, const Face& face) {
-  const auto at = [&](int i) { return mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])]; };
+  const auto at = [&](int i) { return mesh.nodes[face.nodes[i]]; };
   return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
 }
 
@@ -83,8 +83,7 @@ TEST(Extract, KeepsTheBodyAndWhatLiesOnIt) {
   const BodyMesh body = extract(parent, {"upper"});
   EXPECT_EQ(body.parent_node, (Indices{4, 5, 6, 7, 8, 9, 10, 11}));
   ASSERT_EQ(body.mesh.nodes.size(), 8u);
-  for (std::size_t i = 0; i < 8; ++i)
-    EXPECT_EQ(body.mesh.nodes[i], parent.nodes[static_cast<std::size_t>(body.parent_node[i])]);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(body.mesh.nodes[i], parent.nodes[body.parent_node[i]]);
   const CellRef hexahedron = body.mesh.group("upper", 3).cells.at(0);
   const auto cell = body.mesh.blocks[hexahedron.block].cell(hexahedron.cell);
   EXPECT_EQ(Indices(cell.begin(), cell.end()), (Indices{0, 1, 2, 3, 4, 5, 6, 7}));
@@ -169,7 +168,7 @@ TEST(BoundaryFaces, LinearSurfaceCellsFindQuadraticFaces) {
     ASSERT_EQ(faces.size(), 1u);
     EXPECT_EQ(static_cast<int>(faces[0].nodes.size()), type == CellType::hex20 ? 8 : 9);
     EXPECT_EQ(normal(mesh, faces[0]), Vector3(0, 0, 1));
-    for (std::int64_t node : faces[0].nodes) EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(node)][2], 1.0);
+    for (std::int64_t node : faces[0].nodes) EXPECT_EQ(mesh.nodes[node][2], 1.0);
   }
 }
 

@@ -12,7 +12,7 @@ Mesh cubes() {
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 5; ++x) mesh.nodes.emplace_back(x, y, 2.0 * z);
   CellBlock block{CellType::hex8, {}};
-  const auto node = [](int x, int y, int z) { return static_cast<std::int64_t>(15 * z + 5 * y + x); };
+  const auto node = [](int x, int y, int z) { return 15 * z + 5 * y + x; };
   const auto add = [&](const char* name, int x, int y) {
     for (int z = 0; z < 2; ++z)
       for (const auto& [dx, dy] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
@@ -39,8 +39,8 @@ TEST(SharedMesh, FacesAndNodesOfTwoBodies) {
   ASSERT_EQ(shared.nodes.size(), 4u);
   for (const SharedNode& node : shared.nodes) {
     ASSERT_EQ(node.owners.size(), 2u);
-    const Vector3 first = cut[0].mesh.nodes[static_cast<std::size_t>(node.owners[0].node)];
-    const Vector3 second = cut[1].mesh.nodes[static_cast<std::size_t>(node.owners[1].node)];
+    const Vector3 first = cut[0].mesh.nodes[node.owners[0].node];
+    const Vector3 second = cut[1].mesh.nodes[node.owners[1].node];
     EXPECT_EQ(first, second);
     EXPECT_EQ(first.x(), 1);
   }

@@ -134,7 +134,7 @@ class Case {
   std::string place(const std::string& text, const std::string& more = "") const {
     const std::string whole = case_text + more;
     const std::size_t at = whole.find(text);
-    const auto line = 1 + std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const auto line = 1 + std::count(whole.begin(), whole.begin() + at, '\n');
     const std::size_t column = at - (at == 0 ? 0 : whole.rfind('\n', at - 1));
     return (directory_ / "case.toml").string() + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
   }

@@ -53,8 +53,7 @@ TEST_P(Restart, FromAnyRestartPoint) {
     EXPECT_EQ(resumed->time(), points[k].time);
     const std::vector<Step> rest = go_on(*resumed, end);
     if (whole->restores_exactly()) {
-      EXPECT_TRUE(
-          std::equal(rest.begin(), rest.end(), steps.begin() + static_cast<std::ptrdiff_t>(before[k]), steps.end()))
+      EXPECT_TRUE(std::equal(rest.begin(), rest.end(), steps.begin() + before[k], steps.end()))
           << "from t = " << points[k].time;
     } else if (!rest.empty()) {
       for (std::size_t i = 0; i < begin.size(); ++i)

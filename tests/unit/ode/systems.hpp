@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/ode/integrator.hpp"
 
 namespace creepcontact::ode {
@@ -52,20 +53,20 @@ class TestSystem : public System, public JacobianProducts, public NewtonSolver {
     if (tangent_interceptor) tangent_interceptor(gamma);
     if (!at_last_rate(t, y)) ++calls_elsewhere;
     gammas.push_back(gamma);
-    const auto n = static_cast<Eigen::Index>(y.size());
+    const Index n = y.size();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n);
     Values unit(y.size()), column(y.size());
     for (std::size_t j = 0; j < y.size(); ++j) {
       unit[j] = 1;
       df(t, y, unit, column);
       unit[j] = 0;
-      matrix.col(static_cast<Eigen::Index>(j)) -= gamma * Eigen::Map<const Eigen::VectorXd>(column.data(), n);
+      matrix.col(j) -= gamma * Eigen::Map<const Eigen::VectorXd>(column.data(), n);
     }
     tangent_.compute(matrix);
   }
   void solve_tangent(std::span<const double> r, std::span<double> z) override {
     ++tangent_solves;
-    const auto n = static_cast<Eigen::Index>(r.size());
+    const Index n = r.size();
     Eigen::Map<Eigen::VectorXd>(z.data(), n) = tangent_.solve(Eigen::Map<const Eigen::VectorXd>(r.data(), n));
   }
   double stable_step(double t, std::span<const double> y) override {

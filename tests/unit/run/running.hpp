@@ -28,7 +28,7 @@ struct Csv {
   std::vector<double> column(const std::string& name) const {
     const auto at = std::find(columns.begin(), columns.end(), name) - columns.begin();
     std::vector<double> values;
-    for (const auto& row : rows) values.push_back(row.at(static_cast<std::size_t>(at)));
+    for (const auto& row : rows) values.push_back(row.at(at));
     return values;
   }
   double sum(const std::string& name) const {

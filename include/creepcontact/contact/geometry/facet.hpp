@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/polygon.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mesh/mesh.hpp"
@@ -34,7 +35,7 @@ class Facet {
   /// Linear element on the corners: carries the multipliers.
   const fem::ReferenceElement& corner_element() const { return *corner_element_; }
   const std::vector<std::int64_t>& nodes() const { return nodes_; }
-  int n_nodes() const { return static_cast<int>(x_.rows()); }
+  Index n_nodes() const { return x_.rows(); }
   int n_corners() const { return n_corners_; }
   Vector3 node_position(int i) const { return x_.row(i).transpose(); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/surface_normals.hpp"
 #include "creepcontact/mechanics/rigid_motion.hpp"
 
@@ -45,7 +46,7 @@ struct MortarCoupling {
   std::vector<double> gap_distances;  ///< from each of them to the other surface as meshed; negative: they overlap
   RowMatrix gap_weights;              ///< n_nodes x n_points
 
-  int n_rows() const { return static_cast<int>(slave_rows.rows()); }
+  Index n_rows() const { return slave_rows.rows(); }
   /// Weighted initial gap of a given gap function at time t. @returns n_rows; tied rows have no gap
   Eigen::VectorXd given_gap(const Function& gap, double t) const;
 };

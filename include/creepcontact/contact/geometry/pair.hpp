@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/mortar.hpp"
 
 namespace creepcontact::contact {
@@ -16,13 +17,13 @@ struct Pair {
   MortarCoupling coupling;
   Function gap;                ///< given initial gap ...
   bool geometric_gap = false;  ///< ... or the one measured from the meshes
-  int first_row = 0;           ///< in the multipliers of all pairs
+  Index first_row = 0;         ///< in the multipliers of all pairs
 
   bool ties_nodes() const { return slave_surface.empty(); }
 };
 
 /// Numbers the rows of all pairs. @returns how many there are
-int number_rows(std::vector<Pair>& pairs);
+Index number_rows(std::vector<Pair>& pairs);
 
 /// The contact rows of one body, those of all pairs stacked; `rows` receives their numbers.
 RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows);

@@ -11,6 +11,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/solver/flexibility_operator.hpp"
 
 namespace creepcontact::contact {
@@ -33,8 +34,8 @@ struct ContactProblem {
   /// The same, body by body (rows of the body x n_motions): the part that this body's movement opens.
   std::vector<Eigen::MatrixXd> rigid_of_body;
 
-  int n_rows() const { return static_cast<int>(slave_body.size()); }
-  int n_motions() const { return static_cast<int>(rigid.cols()); }
+  Index n_rows() const { return std::ssize(slave_body); }
+  Index n_motions() const { return rigid.cols(); }
 };
 
 /// What the loads ask of contact.
