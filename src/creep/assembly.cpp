@@ -12,8 +12,9 @@ std::vector<contact::Pair> numbered(std::vector<contact::Pair> pairs) {
 
 }  // namespace
 
-Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake)
-    : bodies_(std::move(bodies)), pairs_(numbered(std::move(pairs))), floating_(bodies_, pairs_) {
+Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake,
+                   const Team& team)
+    : team_(&team), bodies_(std::move(bodies)), pairs_(numbered(std::move(pairs))), floating_(bodies_, pairs_) {
   if (!remake) return;
   const auto sliding = floating_.sliding(pairs_);
   bool remade = false;
@@ -33,7 +34,9 @@ bool Assembly::creeps() const {
 
 void Assembly::update(double t, std::vector<mechanics::BodyConditions>& conditions) const {
   conditions.resize(bodies_.size());
-  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].update(t, conditions[b]);
+  together(team(), [&] {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].update(t, conditions[b]);
+  });
 }
 
 std::vector<mechanics::BodyConditions> Assembly::at(double t) const {

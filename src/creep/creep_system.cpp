@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
@@ -21,7 +22,7 @@ void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
     const std::vector<double>& stress = at.bodies[b].stress;
     const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), static_cast<Eigen::Index>(stress.size())).sum();
     if (!std::isfinite(sum))
-      throw ode::RecoverableError(
+      throw RecoverableError(
           fmt::format("the stress of body '{}' has grown beyond all bounds at t = {:.6g}; take shorter steps, or an "
                       "integrator with error control",
                       assembly.bodies()[b].name(), at.time));
@@ -68,19 +69,24 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   try {
     solver_.solve(t, views_, history_, into.equilibrium);
   } catch (const SolverError& error) {
-    throw ode::RecoverableError(error.what());
+    throw RecoverableError(error.what());
   }
-  require_finite_stress(assembly(), into.equilibrium);
   into.laws.resize(points_.size());
-  for (std::size_t b = 0; b < points_.size(); ++b) points_[b].update(into.equilibrium.conditions[b], into.laws[b]);
+  together(team(), [&] {
+    require_finite_stress(assembly(), into.equilibrium);
+    for (std::size_t b = 0; b < points_.size(); ++b) points_[b].update(into.equilibrium.conditions[b], into.laws[b]);
+  });
   into.valid = true;
+}
+
+bool CreepSystem::is_at(double t, std::span<const double> y, const Evaluation& of) const {
+  return of.valid && of.time == t && !team().any(!std::ranges::equal(of.y, y));
 }
 
 const Evaluation& CreepSystem::evaluate_step(double t, std::span<const double> y) {
   t = load_time(t);
-  const auto is_here = [&](const Evaluation& of) { return of.valid && of.time == t && std::ranges::equal(of.y, y); };
-  if (is_here(step_)) return step_;
-  if (is_here(output_))
+  if (is_at(t, y, step_)) return step_;
+  if (is_at(t, y, output_))
     std::swap(step_, output_);
   else
     solve(t, y, step_);
@@ -89,9 +95,8 @@ const Evaluation& CreepSystem::evaluate_step(double t, std::span<const double> y
 
 const Evaluation& CreepSystem::evaluate_output(double t, std::span<const double> y) {
   t = load_time(t);
-  const auto is_here = [&](const Evaluation& of) { return of.valid && of.time == t && std::ranges::equal(of.y, y); };
-  if (is_here(step_)) return step_;
-  if (!is_here(output_)) solve(t, y, output_);
+  if (is_at(t, y, step_)) return step_;
+  if (!is_at(t, y, output_)) solve(t, y, output_);
   return output_;
 }
 
@@ -108,10 +113,12 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   const Evaluation& at = evaluate_step(t, y);
   ++rate_evaluations_;
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty()) points_[b].rate(points_state(b, at, y.data()), rate.data() + layout_.offset(b));
-  const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), static_cast<Eigen::Index>(rate.size())).sum();
-  if (!std::isfinite(sum)) throw ode::RecoverableError(describe_overflow(at, rate));
+  together(team(), [&] {
+    for (std::size_t b = 0; b < points_.size(); ++b)
+      if (!points_[b].empty()) points_[b].rate(points_state(b, at, y.data()), rate.data() + layout_.offset(b));
+    const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), static_cast<Eigen::Index>(rate.size())).sum();
+    if (!std::isfinite(sum)) throw RecoverableError(describe_overflow(at, rate));
+  });
 }
 
 void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<const double> v,
@@ -169,7 +176,7 @@ double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) cons
   for (std::size_t b = 0; b < points_.size(); ++b)
     if (!points_[b].empty())
       smallest = std::min(smallest, points_[b].start_exponent(t, points_state(b, at, at.y.data())));
-  return smallest;
+  return team().min(smallest);
 }
 
 double CreepSystem::start_exponent(double t, std::span<const double> y) {
@@ -197,11 +204,16 @@ std::vector<double> CreepSystem::measure(material::Measure of, std::size_t body,
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(material::Measure of, std::size_t body, const Evaluation& at,
                                                          std::span<const double> y) const {
+  if (!points_[body].knows(of)) return std::nullopt;
   const std::vector<double> values = measure(of, body, at, y);
-  if (values.empty()) return std::nullopt;
-  const auto largest = std::ranges::max_element(values);
-  const auto point = static_cast<std::size_t>(largest - values.begin());
-  return Extreme{*largest, body, assembly().bodies()[body].discretization().point_coordinates()[point]};
+  std::array<double, 4> extreme{-std::numeric_limits<double>::infinity()};
+  if (!values.empty()) {
+    const auto largest = std::ranges::max_element(values);
+    const Vector3& x = assembly().bodies()[body].discretization().point_coordinates()[largest - values.begin()];
+    extreme = {*largest, x.x(), x.y(), x.z()};
+  }
+  team().broadcast(extreme, team().rank_of_max(extreme[0]));
+  return Extreme{extreme[0], body, {extreme[1], extreme[2], extreme[3]}};
 }
 
 double CreepSystem::stable_step(double t, std::span<const double> y) {
@@ -214,6 +226,7 @@ std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
     const double fastest = points_[b].empty() ? 0 : points_[b].stiffest_rate(points_state(b, at, at.y.data()));
     times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
   }
+  team().min(times);
   return times;
 }
 

@@ -26,7 +26,7 @@ double elastic_work(const Tensor6& stress, const material::Moduli& moduli) {
 }
 
 /// Creep until `end` at constant stress over the elastic strain.
-double creep_over_elastic_strain(const MaterialPoints& points, const PointsState& at, double end) {
+double creep_over_elastic_strain(const Team& team, const MaterialPoints& points, const PointsState& at, double end) {
   std::vector<double> change(points.size() * points.stride(), 0.0);
   points.add_increment(0, end, at, change.data());
   const std::span<const double> weights = points.body().discretization().weights();
@@ -36,7 +36,7 @@ double creep_over_elastic_strain(const MaterialPoints& points, const PointsState
   const double spent = numerics::sum_over_points(points.size(), [&](std::size_t p) {
     return weights[p] * stress(p).dot(Eigen::Map<const Tensor6>(change.data() + p * points.stride()));
   });
-  return spent / stored;
+  return team.sum(spent) / team.sum(stored);
 }
 
 class Survey {
@@ -55,15 +55,16 @@ class Survey {
         if (t == times.front()) throw;
         continue;  // a load that lifts a body off later: the run goes on up to there
       }
-      look_at_laws(result);
-      for (std::size_t b = 0; b < points_.size(); ++b)
-        result.stress[b] = std::max(result.stress[b], ErrorScale::typical(equilibrium_.bodies[b]));
+      const std::vector<double> stress = ErrorScale::typical(solver_.assembly(), equilibrium_);
+      look_at_laws(stress, result);
+      for (std::size_t b = 0; b < points_.size(); ++b) result.stress[b] = std::max(result.stress[b], stress[b]);
     }
     return result;
   }
 
  private:
-  void look_at_laws(ElasticSurvey& result) const {
+  void look_at_laws(const std::vector<double>& stress, ElasticSurvey& result) const {
+    const Team& team = solver_.assembly().team();
     std::string mistakes;
     for (std::size_t b = 0; b < points_.size(); ++b) {
       const MaterialPoints& points = points_[b];
@@ -72,16 +73,16 @@ class Survey {
       points.update(equilibrium_.conditions[b], laws);
       const std::vector<double> no_state(points.size() * points.stride(), 0.0);
       const PointsState at{laws, equilibrium_.conditions[b].elastic(), equilibrium_.bodies[b].stress, no_state.data()};
-      result.singular_start = result.singular_start || points.start_exponent(0, at) < 1;
-      const double strains = creep_over_elastic_strain(points, at, end_);
+      result.singular_start = result.singular_start || team.min(points.start_exponent(0, at)) < 1;
+      const double strains = creep_over_elastic_strain(team, points, at, end_);
       if (!(strains > most_creep) || !std::isfinite(strains)) continue;
       const mechanics::Body& body = points.body();
       mistakes += fmt::format(
           "{}body '{}' would relax in {:.1g} of the run: under its typical stress of {:.3g} at t = {:.6g}, material "
           "'{}' creeps by {:.1g} times its elastic strain until time.end; check that young_modulus, the loads and the "
           "creep constants are in the same units",
-          mistakes.empty() ? "" : "\n", body.name(), 1 / strains, ErrorScale::typical(equilibrium_.bodies[b]),
-          equilibrium_.time, body.material().name, strains);
+          mistakes.empty() ? "" : "\n", body.name(), 1 / strains, stress[b], equilibrium_.time, body.material().name,
+          strains);
     }
     if (!mistakes.empty()) throw ModelError(mistakes);
   }

@@ -53,16 +53,16 @@ std::vector<FactoredDisplacement> extrapolated(double t, const std::vector<const
 }
 
 /// Energy norms of an equilibrium.
-double displacement_norm(const Equilibrium& of) {
+double displacement_norm(const Team& team, const Equilibrium& of) {
   double sum = 0;
   for (const FactoredDisplacement& displacement : of.displacements) sum += vector(displacement.factored).squaredNorm();
-  return std::sqrt(sum);
+  return std::sqrt(team.sum(sum));
 }
 double stress_norm(const Assembly& assembly, const Equilibrium& of) {
   double sum = 0;
   for (std::size_t b = 0; b < of.bodies.size(); ++b)
     sum += elastic_energy(assembly.bodies()[b].discretization(), of.conditions[b].elastic(), of.bodies[b].stress);
-  return std::sqrt(sum);
+  return std::sqrt(assembly.team().sum(sum));
 }
 
 }  // namespace
@@ -75,6 +75,8 @@ EquilibriumSolver::StiffnessChange EquilibriumSolver::stiffness_change(
     least = std::min(least, low);
     largest = std::max(largest, high);
   }
+  least = assembly_.team().min(least);
+  largest = assembly_.team().max(largest);
   return {(least + largest) / 2, (largest - least) / (largest + least)};
 }
 
@@ -121,7 +123,7 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   while (true) {
     const double change = advance(given, from, creep, into);
     if (stiffness.rest <= exact) break;
-    const double size = displacement_norm(into);
+    const double size = displacement_norm(assembly_.team(), into);
     if (contraction * change <= std::max(stress_tolerance * stress_norm(assembly_, into), rounding * size)) break;
     if (change > stalled * before) {
       if (change > good_if_stalled * size) return false;
@@ -145,6 +147,8 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
     body.clear_pins(work_[b].right_hand_side);
     interface_.add_resultant(b, into.conditions[b], given);
   }
+  for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
+    assembly_.team().sum({of_motions->data(), static_cast<std::size_t>(of_motions->size())});
   given.work /= stiffness.scale;
   given.force /= stiffness.scale;
   into.displacements.clear();
@@ -226,7 +230,7 @@ double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const con
     update_state(b, work_[b].free, into.contact.rigid, creep[b], into);
   }
   ++counters_.elastic_solves;
-  return std::sqrt(change);
+  return stiffness_changes_ ? std::sqrt(assembly_.team().sum(change)) : 0;
 }
 
 }  // namespace creepcontact::creep

@@ -13,9 +13,11 @@ constexpr double least_share_of_largest = 1e-2;  // of the most stressed body: o
 constexpr double least_share_of_elastic = 1e-3;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
-double young_modulus(const mechanics::BodyConditions& at) {
+/// At the first point; of several processes the largest.
+double young_modulus(const Team& team, const mechanics::BodyConditions& at) {
+  if (at.moduli.empty()) return team.max(0.0);
   const material::Moduli& h = at.moduli.front();
-  return h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu);
+  return team.max(h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu));
 }
 
 }  // namespace
@@ -26,25 +28,31 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
   const double largest = *std::ranges::max_element(elastic_stress);
   least_ = least_share_of_elastic * largest;
   for (std::size_t b = 0; b < strain_.size(); ++b)
-    set(b, std::max(elastic_stress[b], least_share_of_largest * largest) / young_modulus(assembly.bodies()[b].at(0)));
+    set(b, std::max(elastic_stress[b], least_share_of_largest * largest) /
+               young_modulus(assembly.team(), assembly.bodies()[b].at(0)));
 }
 
-double ErrorScale::typical(const BodyState& state) {
-  const std::size_t n = state.stress.size() / 6;
-  const double sum = numerics::sum_over_points(n, [&](std::size_t p) {
-    const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
-    return q * q;
-  });
-  return std::sqrt(sum / static_cast<double>(n));
+std::vector<double> ErrorScale::typical(const Assembly& assembly, const Equilibrium& at) {
+  const std::size_t n_bodies = at.bodies.size();
+  std::vector<double> sums;  // of the squares, then of the points
+  for (const BodyState& state : at.bodies)
+    sums.push_back(numerics::sum_over_points(state.stress.size() / 6, [&](std::size_t p) {
+      const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
+      return q * q;
+    }));
+  for (const BodyState& state : at.bodies) sums.push_back(static_cast<double>(state.stress.size() / 6));
+  assembly.team().sum(sums);
+  std::vector<double> result(n_bodies);
+  for (std::size_t b = 0; b < n_bodies; ++b) result[b] = std::sqrt(sums[b] / sums[n_bodies + b]);
+  return result;
 }
 
 void ErrorScale::follow(const Equilibrium& at) {
-  std::vector<double> stress;
-  for (const BodyState& state : at.bodies) stress.push_back(typical(state));
+  const std::vector<double> stress = typical(assembly_, at);
   const double largest = *std::ranges::max_element(stress);
   for (std::size_t b = 0; b < strain_.size(); ++b) {
-    const double now =
-        std::max({stress[b], least_share_of_largest * largest, least_}) / young_modulus(at.conditions[b]);
+    const double now = std::max({stress[b], least_share_of_largest * largest, least_}) /
+                       young_modulus(assembly_.team(), at.conditions[b]);
     if (std::abs(now - strain_[b]) > steady * strain_[b]) set(b, now);
   }
 }

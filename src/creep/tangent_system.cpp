@@ -23,7 +23,7 @@ struct ClosedRows {
     try {
       return interface.close(active, gap);
     } catch (const SolverError& error) {
-      throw ode::RecoverableError(error.what());
+      throw RecoverableError(error.what());
     }
   }
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
@@ -58,7 +58,7 @@ void TangentSystem::factorize(std::size_t b) {
   try {
     side.factor->factorize(elastic.stiffness(side.material->moduli()));
   } catch (const linalg::SingularMatrix& error) {
-    throw ode::RecoverableError(
+    throw RecoverableError(
         fmt::format("body '{}': the tangent stiffness is not positive definite (reciprocal condition {:.2g})",
                     elastic.body().name(), error.rcond));
   }

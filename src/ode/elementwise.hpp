@@ -3,9 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -51,25 +49,6 @@ inline Eigen::Map<const Eigen::ArrayXd> piece(const double* data, std::size_t be
 }
 inline Eigen::Map<Eigen::ArrayXd> piece(double* data, std::size_t begin, std::size_t length) {
   return {data + begin, static_cast<Index>(length)};
-}
-
-/// max |a_i - b_i|; NaN if any difference is NaN.
-inline double max_difference(std::span<const double> a, std::span<const double> b) {
-  double largest = 0;
-  bool nan = false;
-#pragma omp parallel for schedule(static) reduction(max        \
-                                                    : largest) \
-    reduction(||                                               \
-              : nan) if (a.size() >= numerics::parallel_entries)
-  for (std::size_t begin = 0; begin < a.size(); begin += piece_length) {
-    const std::size_t length = std::min(piece_length, a.size() - begin);
-    const double here = (piece(a.data(), begin, length) - piece(b.data(), begin, length))
-                            .abs()
-                            .template maxCoeff<Eigen::PropagateNaN>();
-    largest = std::max(largest, here);
-    nan = nan || std::isnan(here);
-  }
-  return nan ? std::numeric_limits<double>::quiet_NaN() : largest;
 }
 
 }  // namespace creepcontact::ode

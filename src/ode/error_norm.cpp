@@ -17,7 +17,7 @@ void set_error_weights(std::span<const double> scale, double tolerance, std::spa
   for_each_index(scale.size(), [&](std::size_t i) { weights[i] = 1 / (unit * scale[i]); });
 }
 
-ErrorNorm::ErrorNorm(double tolerance) : tolerance_(tolerance) {
+ErrorNorm::ErrorNorm(const Team& team, double tolerance) : team_(team), tolerance_(tolerance) {
   if (!(tolerance > 0)) throw ConfigError(fmt::format("tolerance = {}: must be positive", tolerance));
 }
 

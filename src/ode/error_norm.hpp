@@ -1,10 +1,12 @@
 #pragma once
 /// How all integrators with error control measure an error.
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
 
+#include "creepcontact/base/team.hpp"
 #include "elementwise.hpp"
 
 namespace creepcontact::ode {
@@ -17,17 +19,22 @@ inline constexpr double local_share = 0.4;
 /// (mean of x_i^4)^(1/4) of weighted errors x. Hot spots are few among many points: in the root mean square they would
 /// be lost (their error was 4 to 18 tolerances), while with a maximum norm or the power 8 every single point that comes
 /// into contact costs steps.
-/// @param weighted  (begin, length) -> these entries of x, as an Eigen array
+/// Collective: x is what all members of the team have. 0 if that is nothing.
+/// @param size  of the part of this member
+/// @param weighted  (begin, length) -> these entries of its part of x, as an Eigen array
 template <typename Weighted>
-double error_norm(std::size_t size, Weighted weighted) {
-  const double sum = sum_over_pieces(
-      size, [&](std::size_t begin, std::size_t n) { return weighted(begin, n).square().square().sum(); });
-  return std::sqrt(std::sqrt(sum / static_cast<double>(size)));
+double error_norm(const Team& team, std::size_t size, Weighted weighted) {
+  std::array<double, 2> sums{
+      sum_over_pieces(size,
+                      [&](std::size_t begin, std::size_t n) { return weighted(begin, n).square().square().sum(); }),
+      static_cast<double>(size)};
+  team.sum(sums);
+  return sums[1] > 0 ? std::sqrt(std::sqrt(sums[0] / sums[1])) : 0;
 }
 
 /// Of the errors x_i w_i.
-inline double error_norm(std::span<const double> x, std::span<const double> w) {
-  return error_norm(x.size(), [=](std::size_t begin, std::size_t n) {
+inline double error_norm(const Team& team, std::span<const double> x, std::span<const double> w) {
+  return error_norm(team, x.size(), [=](std::size_t begin, std::size_t n) {
     return piece(x.data(), begin, n) * piece(w.data(), begin, n);
   });
 }
@@ -39,8 +46,8 @@ void set_error_weights(std::span<const double> scale, double tolerance, std::spa
 /// The norm with these weights: errors up to 1 are accepted.
 class ErrorNorm {
  public:
-  /// @throws ConfigError if the tolerance is not positive
-  explicit ErrorNorm(double tolerance);
+  /// @param team  must outlive the object. @throws ConfigError if the tolerance is not positive
+  ErrorNorm(const Team& team, double tolerance);
 
   void set_scale(std::span<const double> scale) {
     weights_.resize(scale.size());
@@ -50,13 +57,13 @@ class ErrorNorm {
   /// @param error  (begin, length) -> the errors of these entries, as an Eigen array
   template <typename Error>
   double operator()(Error error) const {
-    if (weights_.empty()) return 0;
-    return error_norm(weights_.size(), [&](std::size_t begin, std::size_t n) {
+    return error_norm(team_, weights_.size(), [&](std::size_t begin, std::size_t n) {
       return error(begin, n) * piece(weights_.data(), begin, n);
     });
   }
 
  private:
+  const Team& team_;
   double tolerance_;
   std::vector<double> weights_;
 };

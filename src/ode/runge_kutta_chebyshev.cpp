@@ -29,7 +29,7 @@ constexpr double tiny_error = 1e-10;  // grows no further than a larger one woul
 }  // namespace
 
 RungeKuttaChebyshev::RungeKuttaChebyshev(System& system, const IntegratorOptions& options)
-    : system_(system), options_(options), norm_(options.tolerance) {
+    : system_(system), options_(options), norm_(system.team(), options.tolerance) {
   for (auto* vector : {&state_, &rate_, &newer_, &older_, &stage_rate_, &previous_, &previous_rate_})
     vector->resize(system.size());
 }

@@ -43,7 +43,7 @@ void SingularStart::initialize(double t, std::span<const double> y, double step)
 double SingularStart::increment_size(double stress_time, double duration) {
   std::ranges::fill(change_, 0.0);
   system_.singular_rate()->start_increment(time_, start_, stress_time, duration, change_);
-  ErrorNorm norm(options_.tolerance);
+  ErrorNorm norm(system_.team(), options_.tolerance);
   norm.set_scale(system_.scale());
   return norm([&](std::size_t begin, std::size_t n) { return piece(std::as_const(change_).data(), begin, n); });
 }

@@ -29,6 +29,7 @@ class StartedSystem final : public System, public JacobianProducts, public Newto
   double s_limit() const { return s_limit_; }
 
   std::size_t size() const override { return system_.size(); }
+  const Team& team() const override { return system_.team(); }
   void rate(double s, std::span<const double> y, std::span<double> rate) override;
   void jacobian_times(double s, std::span<const double> y, std::span<const double> v,
                       std::span<double> product) override;

@@ -56,7 +56,7 @@ void check(const config::Config& config, std::ostream& report) {
   }
   for (std::size_t p = 0; p < model.pairs().size(); ++p) {
     const contact::Pair& pair = model.pairs()[p];
-    const double n = pair.coupling.n_rows();
+    const auto n = static_cast<double>(pair.coupling.n_rows());
     text += pair.ties_nodes() ? fmt::format("{}: tied, {} multipliers\n", pair.name, pair.coupling.nodes.size())
                               : contact_text(pair, config.contacts[p], model);
     contact_bytes += 8 * n * n * 12;

@@ -178,7 +178,7 @@ TimeLoop::End TimeLoop::run() {
       integrate(interrupt);
     else
       elastic_history(interrupt);
-  } catch (const ode::RecoverableError& error) {
+  } catch (const RecoverableError& error) {
     write_checkpoint();
     throw SolverError(error.what());
   } catch (const SolverError&) {

@@ -29,6 +29,11 @@ class ModelError : public Error {
   explicit ModelError(const std::string& message) : Error(message, status) {}
 };
 
+/// A failure that a smaller step may mend (contact not converged, overflow): integrators retry.
+struct RecoverableError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// A numerical method gave up; what was computed before is kept: exit status 4.
 class SolverError : public Error {
  public:

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/base/team.hpp"
 #include "creepcontact/contact/floating_motions.hpp"
 #include "creepcontact/contact/geometry/pair.hpp"
 #include "creepcontact/mechanics/body.hpp"
@@ -20,13 +21,16 @@ class Assembly {
                                              std::span<const mechanics::RigidMotion> sliding)>;
 
   /// Numbers the contact rows of the pairs. @param remake  if empty, sliding pairs stay as they are
-  Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake = {});
+  /// @param team  the processes that share the bodies, each with some elements of them; must outlive the object
+  Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake = {},
+           const Team& team = serial_team());
   Assembly(Assembly&&) noexcept = default;
   Assembly& operator=(Assembly&&) noexcept = default;
 
   const std::vector<mechanics::Body>& bodies() const { return bodies_; }
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
   const contact::FloatingMotions& floating() const { return floating_; }
+  const Team& team() const { return *team_; }
   /// Some material creeps.
   bool creeps() const;
 
@@ -35,6 +39,7 @@ class Assembly {
   std::vector<mechanics::BodyConditions> at(double t) const;
 
  private:
+  const Team* team_;
   std::vector<mechanics::Body> bodies_;
   std::vector<contact::Pair> pairs_;
   contact::FloatingMotions floating_;

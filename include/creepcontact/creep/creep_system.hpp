@@ -54,6 +54,7 @@ class CreepSystem final : public ode::System,
   ~CreepSystem() override;
 
   std::size_t size() const override { return layout_.size(); }
+  const Team& team() const override { return assembly().team(); }
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
   /// J v = C H (B du - v) + (internal couplings), K du = B^T H v with the contact set frozen.
   void jacobian_times(double t, std::span<const double> y, std::span<const double> v,
@@ -83,7 +84,7 @@ class CreepSystem final : public ode::System,
   void begin_segment(double begin, double end);
 
   /// For results; valid until the next call. Evaluations of the steps at the same point serve both.
-  /// @throws ode::RecoverableError if no equilibrium is found
+  /// @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_output(double t, std::span<const double> y);
   /// For steps: solved, or kept from an evaluation at the same point.
   const Evaluation& evaluate_step(double t, std::span<const double> y);
@@ -117,6 +118,7 @@ class CreepSystem final : public ode::System,
 
  private:
   void solve(double t, std::span<const double> y, Evaluation& into);
+  bool is_at(double t, std::span<const double> y, const Evaluation& of) const;
   /// The time at which loads are to be taken for t.
   double load_time(double t) const;
   PointsState points_state(std::size_t body, const Evaluation& at, const double* y) const;

@@ -19,8 +19,8 @@ class ErrorScale {
   ///        zero, or empty if nothing creeps
   ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress);
 
-  /// Typical stress of a body: root mean square of the equivalent stress over its points.
-  static double typical(const BodyState& state);
+  /// Typical stress of every body: root mean square of the equivalent stress over its points. Collective.
+  static std::vector<double> typical(const Assembly& assembly, const Equilibrium& at);
 
   /// Takes the stress of an accepted step.
   void follow(const Equilibrium& at);

@@ -25,12 +25,12 @@ class TangentSystem {
 
   /// Factors the system.
   /// @param at  one per body @param stiffness_scale  that of the equilibrium
-  /// @throws ode::RecoverableError if a tangent stiffness is not positive definite
+  /// @throws RecoverableError if a tangent stiffness is not positive definite
   /// Cost: an assembly, a factorisation and a condensation of every body that creeps.
   void prepare(double gamma, std::span<const PointsState> at, double stiffness_scale);
   /// z of the system last prepared, but with this contact set: where contact grows, an iteration with the set of some
   /// steps before would not converge. Cost: as an elastic solve.
-  /// @throws ode::RecoverableError if the contact rows contradict each other
+  /// @throws RecoverableError if the contact rows contradict each other
   void solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z);
 
   std::int64_t solves() const { return solves_; }

@@ -7,6 +7,8 @@
 #include <memory>
 #include <span>
 
+#include "creepcontact/base/team.hpp"
+
 namespace creepcontact::ode {
 
 /// The next iterate is the combination of the last images whose residuals G(y) - y combine to the least norm; the
@@ -19,8 +21,10 @@ class AndersonIteration {
   using Step = std::function<bool(std::span<const double> y, std::span<double> image)>;
 
   /// @param depth  number of earlier residuals combined, at least 1; no more than `size` are used
+  /// @param size  of the part of y that this member of the team has
   /// @param trust  an iterate farther from the last image than so many changes |G(y) - y| begins the acceleration anew
-  AndersonIteration(std::size_t size, int depth, double trust = std::numeric_limits<double>::infinity());
+  AndersonIteration(std::size_t size, int depth, double trust = std::numeric_limits<double>::infinity(),
+                    const Team& team = serial_team());
   ~AndersonIteration();
   AndersonIteration(const AndersonIteration&) = delete;
   AndersonIteration& operator=(const AndersonIteration&) = delete;

@@ -4,14 +4,11 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/team.hpp"
 
 namespace creepcontact::ode {
-
-/// A failure that a smaller step may mend (contact not converged, overflow): integrators retry.
-struct RecoverableError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Products with the Jacobian and a preconditioner, for Krylov methods.
 class JacobianProducts {
@@ -54,7 +51,10 @@ class SingularRate {
 class System {
  public:
   virtual ~System() = default;
+  /// Of the part of the state that this process holds: all spans below have this length.
   virtual std::size_t size() const = 0;
+  /// The processes that hold the parts of the state; norms are those of all of it.
+  virtual const Team& team() const { return serial_team(); }
 
   /// rate = f(t, y). @throws RecoverableError; any other exception ends the run.
   virtual void rate(double t, std::span<const double> y, std::span<double> rate) = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "../elementwise.hpp"
+#include "../state_norms.hpp"
 #include "creepcontact/base/error.hpp"
 
 namespace creepcontact::ode {
@@ -49,7 +50,7 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
         fmt::format("inner_anderson = {}: accelerates inner = \"fixed_point\"; leave it out, or 0, with \"newton\"",
                     options.inner_anderson));
   if (options.inner_anderson > 0)
-    anderson_ = std::make_unique<AndersonIteration>(system.size(), options.inner_anderson, trust_factor);
+    anderson_ = std::make_unique<AndersonIteration>(system.size(), options.inner_anderson, trust_factor, system.team());
   if (options.inner == InnerIteration::newton) newton_ = std::make_unique<NewtonIteration>(system);
 }
 
@@ -76,7 +77,7 @@ void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target,
   else if (anderson_)
     anderson_->run(to.state, [&](std::span<const double> y, std::span<double> image) {
       map(y, image);
-      return watch.see(max_difference(image, y)) != ConvergenceWatch::State::running;
+      return watch.see(max_difference(system_.team(), image, y)) != ConvergenceWatch::State::running;
     });
   else
     iterate_plainly(to.state, watch);
@@ -98,7 +99,7 @@ void BetaEuler::map(std::span<const double> y, std::span<double> image) {
 void BetaEuler::iterate_plainly(std::vector<double>& y, ConvergenceWatch& watch) {
   do {
     map(y, iterate_);
-    watch.see(max_difference(iterate_, y));
+    watch.see(max_difference(system_.team(), iterate_, y));
     std::swap(y, iterate_);
   } while (watch.state() == ConvergenceWatch::State::running);
 }
@@ -110,7 +111,7 @@ bool BetaEuler::good_guess(std::span<const double> y) {
   } catch (const RecoverableError&) {
     return false;
   }
-  return max_difference(iterate_, y) <= max_difference(y, from_->state);
+  return max_difference(system_.team(), iterate_, y) <= max_difference(system_.team(), y, from_->state);
 }
 
 void BetaEuler::iterate_by_newton(EulerPoint& to, ConvergenceWatch& watch) {

@@ -30,7 +30,7 @@ EulerScheme::EulerScheme(System& system, const IntegratorOptions& options, std::
     point->rate.resize(system.size());
     point->load_residual.resize(residual_size);
   }
-  if (options.step.mode == StepMode::adaptive) doubling_.emplace(current_, options.tolerance);
+  if (options.step.mode == StepMode::adaptive) doubling_.emplace(system.team(), current_, options.tolerance);
 }
 
 void EulerScheme::initialize(double t, std::span<const double> y, double step) {

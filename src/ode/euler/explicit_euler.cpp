@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../elementwise.hpp"
+#include "../state_norms.hpp"
 #include "creepcontact/base/log.hpp"
 
 namespace creepcontact::ode {
@@ -18,7 +19,7 @@ void ExplicitEuler::initialize(double t, std::span<const double> y, double step)
 void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& target, EulerPoint& to) {
   made_ = target.step;
   for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
-  if (!std::isfinite(max_difference(to.state, from.state)))
+  if (!std::isfinite(max_difference(system_.team(), to.state, from.state)))
     fail(fmt::format(
         "explicit_euler: the state has grown beyond all bounds after t = {:.6g}; steps of {:.3g} are unstable there, "
         "the stable step is {:.3g}. Take step = \"stable\" or \"adaptive\", a smaller step, or cvode_bdf",

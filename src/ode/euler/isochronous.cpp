@@ -42,7 +42,8 @@ void Isochronous::initialize(double t, std::span<const double> y, double /*step*
 
 void Isochronous::solve(double t) {
   const std::span<const double> scale = system_.scale();
-  const double smallest = scale.empty() ? 1 : *std::min_element(scale.begin(), scale.end());
+  const double own = scale.empty() ? 1 : *std::min_element(scale.begin(), scale.end());
+  const double smallest = system_.team().min(own);
   ConvergenceWatch watch(residual * tolerance_ * smallest, max_iterations);
   const auto evaluate = [&](std::span<const double> y, std::span<double> image) {
     system_.rate(t, y, image);

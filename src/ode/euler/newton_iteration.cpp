@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "../elementwise.hpp"
+#include "../state_norms.hpp"
 #include "../sundials/krylov_settings.hpp"
 #include "../sundials/sundials_vector.hpp"
 
@@ -24,11 +25,6 @@ constexpr int max_krylov_restarts = 10;
 constexpr double armijo = 1e-4;
 constexpr int max_halvings = 12;
 
-double euclidean_norm(std::span<const double> v) {
-  return std::sqrt(sum_over_pieces(
-      v.size(), [&](std::size_t begin, std::size_t n) { return piece(v.data(), begin, n).square().sum(); }));
-}
-
 struct LinearSolverDeleter {
   void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
 };
@@ -38,8 +34,8 @@ struct NewtonIteration::Krylov {
   explicit Krylov(System& of)
       : system(of),
         size(of.size()),
-        right(make_vector(std::max<std::size_t>(size, 1), context)),
-        correction(make_vector(std::max<std::size_t>(size, 1), context)),
+        right(make_vector(of.team(), size, context)),
+        correction(make_vector(of.team(), size, context)),
         solver(SUNLinSol_SPGMR(right.get(), SUN_PREC_RIGHT, krylov_dimension, context)) {
     if (!solver) throw std::bad_alloc();
     SUNLinSol_SPGMRSetMaxRestarts(solver.get(), max_krylov_restarts);
@@ -101,7 +97,8 @@ struct NewtonIteration::Krylov {
 };
 
 NewtonIteration::NewtonIteration(System& system)
-    : krylov_(std::make_unique<Krylov>(system)),
+    : team_(system.team()),
+      krylov_(std::make_unique<Krylov>(system)),
       residual_(system.size()),
       base_(system.size()),
       image_(system.size()) {}
@@ -113,10 +110,10 @@ void NewtonIteration::run(const Equation& equation, std::span<double> y, std::sp
   const std::span<const double> dy = view(krylov_->correction.get(), y.size());
   for_each_index(y.size(), [&](std::size_t i) { residual_[i] = image[i] - y[i]; });
   while (true) {
-    const double left = krylov_->solve(equation, residual_, forcing * euclidean_norm(residual_));
+    const double left = krylov_->solve(equation, residual_, forcing * euclidean_norm(team_, residual_));
     std::ranges::copy(y, base_.begin());
     for_each_index(y.size(), [&](std::size_t i) { y[i] += dy[i]; });
-    if (watch.see(std::max(max_difference(y, base_), left)) != ConvergenceWatch::State::running) break;
+    if (watch.see(std::max(max_difference(team_, y, base_), left)) != ConvergenceWatch::State::running) break;
     line_search(equation, y, dy);
   }
   // To first order, and such that nothing cancels in short steps.
@@ -125,13 +122,13 @@ void NewtonIteration::run(const Equation& equation, std::span<double> y, std::sp
 }
 
 void NewtonIteration::line_search(const Equation& equation, std::span<double> y, std::span<const double> dy) {
-  const double before = euclidean_norm(residual_);
+  const double before = euclidean_norm(team_, residual_);
   double part = 1;
   for (int halvings = 0;; ++halvings) {
     try {
       equation.evaluate(y, image_);
       for_each_index(y.size(), [&](std::size_t i) { residual_[i] = image_[i] - y[i]; });
-      if (euclidean_norm(residual_) <= (1 - armijo * part) * before) return;
+      if (euclidean_norm(team_, residual_) <= (1 - armijo * part) * before) return;
       if (halvings == max_halvings)
         throw RecoverableError("the residual of the Newton iteration does not fall along its direction");
     } catch (const RecoverableError&) {

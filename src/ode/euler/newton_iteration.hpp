@@ -45,6 +45,7 @@ class NewtonIteration {
   /// Takes back of the correction what keeps the residual from falling; residual_ is then that of the new y.
   void line_search(const Equation& equation, std::span<double> y, std::span<const double> dy);
 
+  const Team& team_;
   std::unique_ptr<Krylov> krylov_;
   std::vector<double> residual_;  ///< G(y) - y of the last evaluation
   std::vector<double> base_;      ///< y before the correction

@@ -21,7 +21,8 @@ struct EulerPoint {
 class StepDoubling {
  public:
   /// @param sizes  of all points. @throws ConfigError if the tolerance is not positive
-  StepDoubling(const EulerPoint& sizes, double tolerance) : norm_(tolerance), whole_(sizes), middle_(sizes) {}
+  StepDoubling(const Team& team, const EulerPoint& sizes, double tolerance)
+      : norm_(team, tolerance), whole_(sizes), middle_(sizes) {}
 
   void set_scale(std::span<const double> scale) { norm_.set_scale(scale); }
   const ErrorNorm& norm() const { return norm_; }

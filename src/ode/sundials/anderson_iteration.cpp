@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "../elementwise.hpp"
+#include "../state_norms.hpp"
 #include "sundials_vector.hpp"
 
 namespace creepcontact::ode {
@@ -32,9 +32,10 @@ struct MemoryDeleter {
 }  // namespace
 
 struct AndersonIteration::Kinsol {
-  Kinsol(std::size_t size, int depth, double trust_factor)
-      : iterate(make_vector(std::max<std::size_t>(size, 1), context)),
-        ones(make_vector(std::max<std::size_t>(size, 1), context)),
+  Kinsol(std::size_t size, int depth, double trust_factor, const Team& of)
+      : team(of),
+        iterate(make_vector(team, size, context)),
+        ones(make_vector(team, size, context)),
         memory(KINCreate(context)),
         image(size),
         trust(trust_factor) {
@@ -44,7 +45,7 @@ struct AndersonIteration::Kinsol {
     check(KINSetErrHandlerFn(kinsol, ignore_message, nullptr), "KINSetErrHandlerFn");
     check(KINSetUserData(kinsol, this), "KINSetUserData");
     check(KINSetNumMaxIters(kinsol, std::numeric_limits<int>::max()), "KINSetNumMaxIters");  // the step ends it
-    check(KINSetMAA(kinsol, static_cast<long>(std::min<std::size_t>(static_cast<std::size_t>(depth), size))),
+    check(KINSetMAA(kinsol, static_cast<long>(std::min<double>(depth, team.sum(static_cast<double>(size))))),
           "KINSetMAA");
     // Residuals of proportional states are almost parallel; with one orthogonalisation the acceleration begins anew so
     // often that it reaches half as far.
@@ -67,13 +68,14 @@ struct AndersonIteration::Kinsol {
 
   /// False to end: the step has decided, or the acceleration has to begin anew from the last image.
   bool next(std::span<const double> y, std::span<double> next_image) {
-    if (!std::exchange(plain, false) && !(max_difference(y, image) <= trust * change)) return false;
+    if (!std::exchange(plain, false) && !(max_difference(team, y, image) <= trust * change)) return false;
     ended = (*step)(y, image);
     std::ranges::copy(image, next_image.begin());
-    change = max_difference(image, y);
+    change = max_difference(team, image, y);
     return !ended;
   }
 
+  const Team& team;
   sundials::Context context;  // outlives whatever is made from it
   Vector iterate;             // KINSOL's y, padded to one entry if there is none
   Vector ones;
@@ -87,8 +89,8 @@ struct AndersonIteration::Kinsol {
   std::exception_ptr failure;
 };
 
-AndersonIteration::AndersonIteration(std::size_t size, int depth, double trust)
-    : kinsol_(std::make_unique<Kinsol>(size, depth, trust)) {}
+AndersonIteration::AndersonIteration(std::size_t size, int depth, double trust, const Team& team)
+    : kinsol_(std::make_unique<Kinsol>(size, depth, trust, team)) {}
 
 AndersonIteration::~AndersonIteration() = default;
 

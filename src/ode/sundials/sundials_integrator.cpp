@@ -35,7 +35,7 @@ static_assert(CV_TSTOP_RETURN == ARK_TSTOP_RETURN && CV_ERR_FAILURE == ARK_ERR_F
 SundialsIntegrator::SundialsIntegrator(std::string name, System& system, const IntegratorOptions& options)
     : options_(options), callbacks_(system), name_(std::move(name)), system_(system) {
   if (!(options.tolerance > 0)) throw ConfigError(fmt::format("tolerance = {}: must be positive", options.tolerance));
-  state_ = make_vector(std::max<std::size_t>(system.size(), 1), context_);
+  state_ = make_vector(system.team(), system.size(), context_);
   for (Vector* v : {&work_, &weights_}) {
     v->reset(N_VClone(state_.get()));
     if (!*v) throw std::bad_alloc();

@@ -9,6 +9,8 @@
 #include <memory>
 #include <span>
 
+#include "creepcontact/base/team.hpp"
+
 namespace creepcontact::ode {
 
 struct VectorDeleter {
@@ -16,8 +18,10 @@ struct VectorDeleter {
 };
 using Vector = std::unique_ptr<_generic_N_Vector, VectorDeleter>;
 
-/// Zero vector; the integrators clone theirs from it, operations included.
-Vector make_vector(std::size_t size, SUNContext context);
+/// Zero vector of `size` entries here, one if that is none; norms, products and the length are those of all that the
+/// members of the team have. The integrators clone theirs from it, operations included. Collective.
+/// @param team  must outlive the vector and its clones
+Vector make_vector(const Team& team, std::size_t size, SUNContext context);
 
 /// The first `size` entries of v, which v keeps owning.
 inline std::span<double> view(N_Vector v, std::size_t size) {

@@ -75,7 +75,7 @@ class Condensed {
 
   const Bodies bodies;
   std::vector<contact::Pair> pairs;
-  int n_rows;
+  Index n_rows;
   contact::FloatingMotions floating;
   contact::CondensedInterface interface;
 };

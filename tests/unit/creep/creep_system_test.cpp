@@ -37,7 +37,7 @@ TEST(CreepSystemOverflow, StressBeyondAllBoundsIsNoRate) {
   System system(blocks.config(""));
   for (const double huge : {1e306, 1e308}) {
     const std::vector<double> y = random_state(system, huge, 1);
-    EXPECT_THROW(rate_at(system, 0, y), ode::RecoverableError) << huge;
+    EXPECT_THROW(rate_at(system, 0, y), RecoverableError) << huge;
   }
 }
 
@@ -210,7 +210,7 @@ TEST(CreepSystem, OverflowMayBeMendedByASmallerStep) {
   System system(blocks.config());
   std::vector<double> y(system.rate.size(), 0.0), rate(y.size());
   y[0] = 1e150;
-  EXPECT_THROW(system.rate.rate(0, y, rate), ode::RecoverableError);
+  EXPECT_THROW(system.rate.rate(0, y, rate), RecoverableError);
   // and leaves the system usable
   y[0] = 0;
   system.rate.rate(0, y, rate);
