@@ -2,18 +2,16 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
-#include <utility>
+#include <optional>
+#include <vector>
+
+#include "creepcontact/mesh/point_tree.hpp"
 
 namespace creepcontact::mechanics {
 namespace {
 
-using BoostPoint = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-using Entry = std::pair<BoostPoint, std::size_t>;
-using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>>;
+using Neighbours = std::vector<mesh::Neighbour>;  // the nearest first
 
 constexpr double flat = 1e-6;        // extent of a cloud over its largest one, below which it has none
 constexpr double poor = 1e-3;        // share of a direction in the weighted extent of the neighbours: too little
@@ -23,15 +21,6 @@ constexpr double reach = 1.25;       // radius at which weights vanish, over the
 constexpr double one_sided = 0.8;    // mean of the directions towards the neighbours, seen from outside
 constexpr double far_off = 0.7;      // distance of the nearest point over the extent of the neighbours, the same
 constexpr std::size_t most = 400;    // neighbours that are looked at
-
-BoostPoint boost_point(const Vector3& x) {
-  return {x[0], x[1], x[2]};
-}
-
-struct Neighbours {
-  std::vector<std::size_t> points;  // the nearest first
-  std::vector<double> distances;
-};
 
 }  // namespace
 
@@ -45,13 +34,8 @@ struct ScatteredInterpolation::Cloud {
     const tensor::Principal principal(moments);
     const Eigen::Vector3d extent = principal.values.cwiseMax(0).cwiseSqrt();
     for (int k = 2; k >= 0 && extent[k] > flat * extent[2]; --k) axes_.row(dimension++) = principal.directions.col(k);
-
-    std::vector<Entry> entries;
-    for (const Vector3& x : given) {
-      points.push_back(local(x));
-      entries.emplace_back(boost_point(points.back()), entries.size());
-    }
-    tree_ = Tree(entries);
+    for (const Vector3& x : given) points.push_back(local(x));
+    tree_.emplace(points);
   }
 
   Vector3 local(const Vector3& place) const { return axes_ * (place - center_); }
@@ -61,7 +45,7 @@ struct ScatteredInterpolation::Cloud {
     constexpr std::size_t first[]{1, 4, 10, 16};
     for (std::size_t n = first[dimension];; n *= 2) {
       n = std::min(n, std::min(most, points.size()));
-      Neighbours found = nearest(x, n);
+      Neighbours found = tree_->nearest(x, n);
       if (covered(found) || n == std::min(most, points.size())) return found;
     }
   }
@@ -71,38 +55,23 @@ struct ScatteredInterpolation::Cloud {
     if (dimension == 0) return false;
     Vector3 mean = Vector3::Zero();
     double extent = 0;
-    for (std::size_t i = 0; i < around.points.size(); ++i) {
-      mean += (points[around.points[i]] - x) / around.distances[i];
-      extent = std::max(extent, (points[around.points[i]] - points[around.points[0]]).norm());
+    for (const auto& [point, distance] : around) {
+      mean += (points[point] - x) / distance;
+      extent = std::max(extent, (points[point] - points[around.front().point]).norm());
     }
-    return mean.norm() > one_sided * static_cast<double>(around.points.size()) &&
-           around.distances[0] > far_off * extent;
+    return mean.norm() > one_sided * static_cast<double>(around.size()) && around.front().distance > far_off * extent;
   }
 
   int dimension = 0;
   std::vector<Vector3> points;
 
  private:
-  Neighbours nearest(const Vector3& x, std::size_t n) const {
-    std::vector<Entry> entries;
-    tree_.query(boost::geometry::index::nearest(boost_point(x), static_cast<unsigned>(n)), std::back_inserter(entries));
-    std::vector<std::pair<double, std::size_t>> sorted;
-    for (const Entry& entry : entries) sorted.emplace_back((points[entry.second] - x).norm(), entry.second);
-    std::sort(sorted.begin(), sorted.end());
-    Neighbours found;
-    for (const auto& [distance, point] : sorted) {
-      found.points.push_back(point);
-      found.distances.push_back(distance);
-    }
-    return found;
-  }
-
   /// Directions from the nearest point to the others.
   bool covered(const Neighbours& around) const {
-    if (dimension == 0 || around.distances[0] <= coincident * around.distances.back()) return true;
+    if (dimension == 0 || around.front().distance <= coincident * around.back().distance) return true;
     Matrix3 directions = Matrix3::Zero();
-    for (std::size_t i = 1; i < around.points.size(); ++i) {
-      const Vector3 d = (points[around.points[i]] - points[around.points[0]]).normalized();
+    for (std::size_t i = 1; i < around.size(); ++i) {
+      const Vector3 d = (points[around[i].point] - points[around.front().point]).normalized();
       directions += d * d.transpose();
     }
     const Vector3 shares = tensor::principal_values(directions);
@@ -111,7 +80,7 @@ struct ScatteredInterpolation::Cloud {
 
   Vector3 center_ = Vector3::Zero();
   Matrix3 axes_ = Matrix3::Zero();
-  Tree tree_;
+  std::optional<mesh::PointTree> tree_;
 };
 
 ScatteredInterpolation::ScatteredInterpolation(std::span<const Vector3> points)
@@ -123,18 +92,18 @@ ScatteredInterpolation& ScatteredInterpolation::operator=(ScatteredInterpolation
 std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& place) const {
   const Vector3 x = cloud_->local(place);
   const Neighbours around = cloud_->neighbours(x);
-  const std::size_t n = around.points.size();
-  const double radius = reach * around.distances.back();
-  if (n == 1 || around.distances[0] <= coincident * radius || cloud_->is_outside(x, around))
-    return {{around.points[0], 1.0}};
+  const std::size_t n = around.size();
+  const double radius = reach * around.back().distance;
+  if (n == 1 || around.front().distance <= coincident * radius || cloud_->is_outside(x, around))
+    return {{around.front().point, 1.0}};
 
   // Fitted about the weighted mean of the points: value(x) = mean value + slope (x - mean point).
   Eigen::VectorXd w(n);
   Eigen::Matrix3Xd away(3, n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double r = around.distances[i];
-    w[static_cast<Eigen::Index>(i)] = std::pow((radius - r) / (radius * r), 2);
-    away.col(static_cast<Eigen::Index>(i)) = cloud_->points[around.points[i]] - x;
+    const double r = around[i].distance;
+    w[i] = std::pow((radius - r) / (radius * r), 2);
+    away.col(i) = cloud_->points[around[i].point] - x;
   }
   w /= w.sum();
   const Vector3 mean = away * w;
@@ -148,17 +117,14 @@ std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& place) c
   const Vector3 slope = -(axes * inverse.asDiagonal() * axes.transpose() * mean);
 
   std::vector<PointWeight> result;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
-    result.push_back({around.points[i], w[column] * (1 + slope.dot(away.col(column)))});
-  }
+  for (std::size_t i = 0; i < n; ++i) result.push_back({around[i].point, w[i] * (1 + slope.dot(away.col(i)))});
   return result;
 }
 
 double ScatteredInterpolation::distance_outside(const Vector3& place) const {
   const Vector3 x = cloud_->local(place);
   const Neighbours around = cloud_->neighbours(x);
-  return cloud_->is_outside(x, around) ? around.distances[0] : 0.0;
+  return cloud_->is_outside(x, around) ? around.front().distance : 0.0;
 }
 
 }  // namespace creepcontact::mechanics

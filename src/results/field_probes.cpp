@@ -25,8 +25,7 @@ class PointProbe final : public Probe {
     Sample sample;
     const BodyFields& fields = snapshot.fields(body_);
     for (std::size_t i = 0; i < location_.nodes.size(); ++i)
-      sample.displacement +=
-          location_.weights[i] * fields.at_node(static_cast<std::size_t>(location_.nodes[i])).displacement;
+      sample.displacement += location_.weights[i] * fields.at_node(location_.nodes[i]).displacement;
     for (const auto& [point, weight] : points_) {
       const Sample at_point = fields.at_point(point);
       sample.stress += weight * at_point.stress;
@@ -108,13 +107,12 @@ std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, 
       element.gradient(xi, gradient);
       Vector3 tangent1 = Vector3::Zero(), tangent2 = Vector3::Zero();
       for (int i = 0; i < element.n_nodes(); ++i) {
-        const Vector3& x = mesh.nodes[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])];
+        const Vector3& x = mesh.nodes[face.nodes[i]];
         tangent1 += gradient(i, 0) * x;
         tangent2 += gradient(i, 1) * x;
       }
       const double weight = rule.weights[q] * tangent1.cross(tangent2).norm();
-      for (int i = 0; i < element.n_nodes(); ++i)
-        areas[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])] += weight * shape[i];
+      for (int i = 0; i < element.n_nodes(); ++i) areas[face.nodes[i]] += weight * shape[i];
     }
   }
   return {areas.begin(), areas.end()};
@@ -124,20 +122,21 @@ constexpr double beside = 1e-3;  // of an element's size: a point on a curved su
 
 bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
   Eigen::AlignedBox3d box;
-  for (const std::int64_t node : location.nodes) box.extend(mesh.nodes[static_cast<std::size_t>(node)]);
+  for (const std::int64_t node : location.nodes) box.extend(mesh.nodes[node]);
   return location.distance <= beside * box.diagonal().norm();
 }
 
 }  // namespace
 
-std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model) {
+std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,
+                                   std::span<const PointLocator> locators) {
   const Vector3 at((*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
   std::optional<PointLocation> best;
   std::size_t best_body = 0;
   std::vector<std::size_t> holders;  // bodies that the point lies in
   for (std::size_t b = 0; b < model.bodies().size(); ++b) {
     if (probe.body.given() && model::find_body(model.bodies(), probe.body.name) != b) continue;
-    const std::optional<PointLocation> found = locate(model.bodies()[b].mesh(), at);
+    const std::optional<PointLocation> found = locators[b].locate(at);
     if (!found) continue;
     if (lies_in(*found, model.bodies()[b].mesh())) holders.push_back(b);
     if (best && found->distance >= best->distance) continue;
@@ -163,8 +162,7 @@ std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Mode
     if (mesh.group(probe.on.name).dimension == 2)
       part.nodes = nodal_areas(mesh, mesh::boundary_faces(mesh, probe.on.name));
     else
-      for (const std::int64_t node : mesh::group_nodes(mesh, probe.on.name))
-        part.nodes.emplace_back(static_cast<std::size_t>(node), 1.0);
+      for (const std::int64_t node : mesh::group_nodes(mesh, probe.on.name)) part.nodes.emplace_back(node, 1.0);
     parts.push_back(std::move(part));
   }
   return std::make_unique<NodesProbe>(std::move(parts), ProbeQuantity(probe), probe.reduce);

@@ -27,21 +27,39 @@ Vector3 clamp(const Vector3& xi, mesh::CellType type) {
   return xi.cwiseMax(-1.0).cwiseMin(1.0);
 }
 
+Eigen::AlignedBox3d box_of(const mesh::Mesh& mesh, std::span<const std::int64_t> nodes) {
+  Eigen::AlignedBox3d box;
+  for (const std::int64_t node : nodes) box.extend(mesh.nodes[node]);
+  return box;
+}
+
+std::vector<Eigen::AlignedBox3d> boxes_in_reach(const mesh::Mesh& mesh) {
+  constexpr double rounding = 1.01;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (mesh::dimension(block.type) != 3) continue;
+    for (std::size_t cell = 0; cell < block.size(); ++cell) {
+      const Eigen::AlignedBox3d box = box_of(mesh, block.cell(cell));
+      const Vector3 margin = Vector3::Constant(rounding * reach * box.diagonal().norm());
+      boxes.emplace_back(box.min() - margin, box.max() + margin);
+    }
+  }
+  return boxes;
+}
+
 /// Newton iteration for x(xi) = at, held inside the element.
 std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellBlock& block, std::size_t cell,
                                        const Vector3& at) {
   const fem::ReferenceElement& element = fem::reference_element(block.type);
   const auto nodes = block.cell(cell);
-  Eigen::AlignedBox3d box;
-  for (const std::int64_t node : nodes) box.extend(mesh.nodes[static_cast<std::size_t>(node)]);
+  const Eigen::AlignedBox3d box = box_of(mesh, nodes);
   const double size = box.diagonal().norm();
   if (box.exteriorDistance(at) > reach * size) return std::nullopt;
 
   const int n = element.n_nodes();
   Eigen::VectorXd shape(n);
   Eigen::MatrixX3d gradient(n, 3), x(n, 3);
-  for (int i = 0; i < n; ++i)
-    x.row(i) = mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])].transpose();
+  for (int i = 0; i < n; ++i) x.row(i) = mesh.nodes[nodes[i]].transpose();
   Vector3 xi = element.nodes().colwise().mean().transpose();
   for (int iteration = 0; iteration < 30; ++iteration) {
     element.shape(xi, shape);
@@ -65,17 +83,22 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
 
 }  // namespace
 
-std::optional<PointLocation> locate(const mesh::Mesh& mesh, const Vector3& at) {
+PointLocator::PointLocator(const mesh::Mesh& mesh) : mesh_(mesh), cells_(boxes_in_reach(mesh)) {}
+
+std::optional<PointLocation> PointLocator::locate(const Vector3& at) const {
+  const std::vector<std::size_t> near = cells_.meeting({at, at});
   std::optional<PointLocation> best;
-  std::size_t element = 0;
-  for (const mesh::CellBlock& block : mesh.blocks) {
+  std::size_t first = 0;  // element of the block
+  auto element = near.begin();
+  for (const mesh::CellBlock& block : mesh_.blocks) {
     if (mesh::dimension(block.type) != 3) continue;
-    for (std::size_t cell = 0; cell < block.size(); ++cell, ++element) {
-      auto found = locate_in(mesh, block, cell, at);
+    for (; element != near.end() && *element < first + block.size(); ++element) {
+      auto found = locate_in(mesh_, block, *element - first, at);
       if (!found || (best && found->distance >= best->distance)) continue;
-      found->element = element;
+      found->element = *element;
       best = std::move(found);
     }
+    first += block.size();
   }
   return best;
 }

@@ -1,9 +1,10 @@
 #pragma once
-/// Finds the element of a mesh that holds a point.
+/// Finds the elements of a mesh that hold points.
 
 #include <optional>
 #include <vector>
 
+#include "creepcontact/mesh/box_tree.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::results {
@@ -16,8 +17,18 @@ struct PointLocation {
   double distance = 0;              ///< from the point to the element's nearest place
 };
 
-/// A point up to a tenth of an element outside the mesh (a curved surface is faceted) is laid onto the nearest element.
-/// @returns nothing for points further away. Cost: a box test an element.
-std::optional<PointLocation> locate(const mesh::Mesh& mesh, const Vector3& at);
+class PointLocator {
+ public:
+  /// @param mesh  must outlive this. Cost: sorts the boxes of the volume cells.
+  explicit PointLocator(const mesh::Mesh& mesh);
+
+  /// A point up to a tenth of an element outside the mesh (a curved surface is faceted) is laid onto the nearest
+  /// element. @returns nothing for points further away. Cost: a search in a tree of the cells.
+  std::optional<PointLocation> locate(const Vector3& at) const;
+
+ private:
+  const mesh::Mesh& mesh_;
+  mesh::BoxTree cells_;  // as far as points are laid onto them
+};
 
 }  // namespace creepcontact::results

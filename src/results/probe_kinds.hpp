@@ -2,14 +2,18 @@
 /// One maker for each kind of place a probe can have.
 
 #include <limits>
+#include <span>
 
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/results/quantities.hpp"
+#include "point_location.hpp"
 
 namespace creepcontact::results {
 
 /// At a point of a body: fields interpolated in the element that holds it, or in the nearest one on faceted surfaces.
-std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model);
+/// @param locators  of the bodies, one each
+std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,
+                                   std::span<const PointLocator> locators);
 /// Over a surface, curve or point group.
 std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model);
 /// Over a whole body, from its integration points (displacements: nodes).

@@ -32,7 +32,7 @@ double Reduction::result() const {
 }
 
 std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::Model& model) {
-  const std::vector<std::size_t> bodies = model::bodies_with(model.bodies(), probe.on.name);
+  std::vector<std::size_t> bodies = model::bodies_with(model.bodies(), probe.on.name);
   if (bodies.empty()) {
     std::string names;
     for (const mechanics::Body& body : model.bodies())
@@ -49,6 +49,9 @@ std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::M
 }
 
 std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, const model::Model& model) {
+  std::vector<PointLocator> locators;
+  if (std::ranges::any_of(config.probes, [](const config::Probe& probe) { return probe.at.has_value(); }))
+    for (const mechanics::Body& body : model.bodies()) locators.emplace_back(body.mesh());
   std::vector<std::unique_ptr<Probe>> result;
   model::ErrorCollector errors;
   for (const config::Probe& probe : config.probes)
@@ -59,7 +62,7 @@ std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, co
       else if (kind != QuantityInfo::Kind::field)
         result.push_back(contact_probe(probe, model));
       else if (probe.at)
-        result.push_back(point_probe(probe, model));
+        result.push_back(point_probe(probe, model, locators));
       else if (probe.on.given())
         result.push_back(group_probe(probe, model));
       else

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "curved_pair.hpp"
 
 namespace creepcontact {
@@ -24,29 +22,6 @@ double covered_area(const std::vector<Facet>& slave, const std::vector<Facet>& m
 
 std::vector<Facet> facets_of(const test::Part& part) {
   return contact::make_facets(part.mesh, part.surface().faces);
-}
-
-TEST(BoxTree, FindsWhatComparingAllBoxesFinds) {
-  std::mt19937 generator(5);
-  std::uniform_real_distribution<double> place(0, 1), size(0, 0.1);
-  const auto random_box = [&] {
-    const Vector3 corner(place(generator), place(generator), place(generator));
-    return Eigen::AlignedBox3d(corner,
-                               Vector3(corner + Vector3(size(generator), size(generator), 0.1 * size(generator))));
-  };
-  for (const std::size_t n : {0, 1, 4, 5, 333}) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (std::size_t i = 0; i < n; ++i) boxes.push_back(random_box());
-    if (n > 4) boxes[3] = boxes[4];  // alike
-    const contact::BoxTree tree(boxes);
-    for (int trial = 0; trial < 200; ++trial) {
-      const Eigen::AlignedBox3d window = random_box();
-      std::vector<std::size_t> expected;
-      for (std::size_t i = 0; i < n; ++i)
-        if (boxes[i].intersects(window)) expected.push_back(i);
-      EXPECT_EQ(tree.meeting(window), expected);
-    }
-  }
 }
 
 TEST(Segments, CoverEveryFacetOnceHoweverTheMeshesLie) {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "creepcontact/contact/geometry/box_tree.hpp"
 #include "creepcontact/contact/geometry/facet.hpp"
+#include "creepcontact/mesh/box_tree.hpp"
 
 namespace creepcontact::contact {
 
@@ -58,7 +58,7 @@ class Segmentation {
   const std::vector<Facet>& slave_;
   const std::vector<Facet>& master_;
   double reach_ = 0;
-  BoxTree master_boxes_;
+  mesh::BoxTree master_boxes_;
 };
 
 }  // namespace creepcontact::contact
