@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
@@ -15,13 +16,25 @@ namespace {
 /// Displacement interpolated in the element, the other fields fitted to the integration points around.
 class PointProbe final : public Probe {
  public:
-  PointProbe(std::size_t body, PointLocation location, const mechanics::Body& owner, ProbeQuantity quantity)
-      : body_(body),
-        location_(std::move(location)),
-        points_(local_fit(owner.discretization(), owner.mesh(), location_.element, location_.place)),
-        quantity_(std::move(quantity)) {}
+  /// @param rank  the member of the team that has the element; the location is not read on the others
+  PointProbe(std::size_t body, int rank, std::optional<PointLocation> location, const creep::Assembly& assembly,
+             ProbeQuantity quantity)
+      : body_(body), rank_(rank), quantity_(std::move(quantity)) {
+    if (rank != assembly.team().rank()) return;
+    location_ = std::move(location.value());
+    const mechanics::Body& owner = assembly.bodies()[body];
+    points_ = local_fit(owner.discretization(), owner.mesh(), location_.element, location_.place);
+  }
 
   double value(Snapshot& snapshot) const override {
+    const Team& team = snapshot.assembly().team();
+    double value = team.rank() == rank_ ? own_value(snapshot) : 0;
+    team.broadcast({&value, 1}, rank_);
+    return value;
+  }
+
+ private:
+  double own_value(Snapshot& snapshot) const {
     Sample sample;
     const BodyFields& fields = snapshot.fields(body_);
     for (std::size_t i = 0; i < location_.nodes.size(); ++i)
@@ -39,8 +52,8 @@ class PointProbe final : public Probe {
     return quantity_(sample);
   }
 
- private:
   std::size_t body_;
+  int rank_;
   PointLocation location_;
   std::vector<std::pair<std::size_t, double>> points_;
   ProbeQuantity quantity_;
@@ -61,7 +74,7 @@ class NodesProbe final : public Probe {
     for (const Part& part : parts_)
       for (const auto& [node, weight] : part.nodes)
         reduction.add(quantity_(snapshot.fields(part.body).at_node(node)), weight);
-    return reduction.result();
+    return reduction.result(snapshot.assembly().team());
   }
 
  private:
@@ -84,7 +97,7 @@ class VolumeProbe final : public Probe {
       const std::span<const double> weights = fields.body().discretization().weights();
       for (std::size_t p = 0; p < fields.n_points(); ++p) reduction.add(quantity_(fields.at_point(p)), weights[p]);
     }
-    return reduction.result();
+    return reduction.result(snapshot.assembly().team());
   }
 
  private:
@@ -131,27 +144,34 @@ bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
 std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,
                                    std::span<const PointLocator> locators) {
   const Vector3 at((*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
-  std::optional<PointLocation> best;
-  std::size_t best_body = 0;
-  std::vector<std::size_t> holders;  // bodies that the point lies in
-  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
+  const std::size_t n_bodies = model.bodies().size();
+  std::vector<std::optional<PointLocation>> found(n_bodies);
+  std::vector<double> distance(n_bodies, std::numeric_limits<double>::infinity()), lies_there(n_bodies, 0.0);
+  for (std::size_t b = 0; b < n_bodies; ++b) {
     if (probe.body.given() && model::find_body(model.bodies(), probe.body.name) != b) continue;
-    const std::optional<PointLocation> found = locators[b].locate(at);
-    if (!found) continue;
-    if (lies_in(*found, model.bodies()[b].mesh())) holders.push_back(b);
-    if (best && found->distance >= best->distance) continue;
-    best = found;
-    best_body = b;
+    found[b] = locators[b].locate(at);
+    if (!found[b]) continue;
+    distance[b] = found[b]->distance;
+    lies_there[b] = lies_in(*found[b], model.bodies()[b].mesh()) ? 1 : 0;
   }
+  const Team& team = model.assembly.team();
+  const std::vector<double> own_distance = distance;
+  team.min(distance);
+  team.max(lies_there);
+  std::vector<std::size_t> holders;
+  for (std::size_t b = 0; b < n_bodies; ++b)
+    if (lies_there[b] > 0) holders.push_back(b);
   if (holders.size() > 1)
     throw ModelError(
         fmt::format("the point ({}, {}, {}) lies in body '{}' and in body '{}'; say which one is meant: body = \"{}\"",
                     at.x(), at.y(), at.z(), model.bodies()[holders[0]].name(), model.bodies()[holders[1]].name(),
                     model.bodies()[holders[0]].name()));
-  if (!best)
+  const std::size_t best = std::ranges::min_element(distance) - distance.begin();
+  if (std::isinf(distance[best]))
     throw ModelError(fmt::format("the point ({}, {}, {}) lies outside {}", at.x(), at.y(), at.z(),
                                  probe.body.given() ? "body '" + probe.body.name + "'" : "all bodies"));
-  return std::make_unique<PointProbe>(best_body, *best, model.bodies()[best_body], ProbeQuantity(probe));
+  return std::make_unique<PointProbe>(best, team.rank_of_max(-own_distance[best]), found[best], model.assembly,
+                                      ProbeQuantity(probe));
 }
 
 std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model) {

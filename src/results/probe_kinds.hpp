@@ -23,12 +23,13 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Mo
 /// Reactions on a group.
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model);
 
-/// Weighted values to one number.
+/// Weighted values to one number. Where processes share a model, each adds its own values.
 class Reduction {
  public:
   explicit Reduction(config::Reduce kind) : kind_(kind) {}
   void add(double value, double weight);
-  double result() const;
+  /// Of what all members of the team have added. Collective.
+  double result(const Team& team) const;
 
  private:
   config::Reduce kind_;

@@ -17,16 +17,18 @@ void Reduction::add(double value, double weight) {
   min_ = std::min(min_, value);
 }
 
-double Reduction::result() const {
+double Reduction::result(const Team& team) const {
   switch (kind_) {
-    case config::Reduce::mean:
-      return weight_ > 0 ? sum_ / weight_ : 0;
+    case config::Reduce::mean: {
+      const double sum = team.sum(sum_), weight = team.sum(weight_);
+      return weight > 0 ? sum / weight : 0;
+    }
     case config::Reduce::max:
-      return max_;
+      return team.max(max_);
     case config::Reduce::min:
-      return min_;
+      return team.min(min_);
     case config::Reduce::sum:
-      return sum_;
+      return team.sum(sum_);
   }
   return 0;
 }

@@ -59,7 +59,8 @@ class ContactProbe final : public Probe {
       else
         add_nodes(snapshot, pair, reduction);
     }
-    return info_.kind == QuantityInfo::Kind::force ? force : reduction.result();
+    // All members of a team know the state of the contacts.
+    return info_.kind == QuantityInfo::Kind::force ? force : reduction.result(serial_team());
   }
 
  private:
@@ -101,9 +102,9 @@ class ReactionProbe final : public Probe {
     double sum = 0;
     for (const auto& [body, nodes] : nodes_) {
       const std::vector<double>& forces = snapshot.reactions(body);
-      for (const std::int64_t node : nodes) sum += forces[static_cast<std::size_t>(3 * node + component_)];
+      for (const std::int64_t node : nodes) sum += forces[3 * node + component_];
     }
-    return sum;
+    return snapshot.assembly().team().sum(sum);
   }
 
  private:
