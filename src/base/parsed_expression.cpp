@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "creepcontact/base/thread_number.hpp"
 #include "function_definition.hpp"
+#include "thread_number.hpp"
 
 namespace creepcontact {
 namespace {

@@ -1,4 +1,4 @@
-#include "creepcontact/base/thread_number.hpp"
+#include "thread_number.hpp"
 
 #include <bitset>
 #include <mutex>

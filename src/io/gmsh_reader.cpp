@@ -4,10 +4,10 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
-#include "creepcontact/io/msh_reader.hpp"
 #include "file_text.hpp"
 #include "geo_scan.hpp"
 #include "mesher_process.hpp"
+#include "msh_reader.hpp"
 
 namespace creepcontact::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "creepcontact/io/msh_reader.hpp"
+#include "msh_reader.hpp"
 
 #include <algorithm>
 #include <cctype>

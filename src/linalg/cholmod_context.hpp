@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "supernodal_cholesky.hpp"
 
 namespace creepcontact::linalg {
 

@@ -1,4 +1,4 @@
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
+#include "supernodal_cholesky.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "creepcontact/mechanics/scattered_interpolation.hpp"
+#include "scattered_interpolation.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

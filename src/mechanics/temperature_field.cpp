@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "creepcontact/base/checksum.hpp"
-#include "creepcontact/mechanics/scattered_interpolation.hpp"
+#include "scattered_interpolation.hpp"
 
 namespace creepcontact::mechanics {
 

@@ -1,4 +1,4 @@
-#include "creepcontact/run/contact_log.hpp"
+#include "contact_log.hpp"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include <new>
 #include <optional>
 
+#include "contact_log.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
@@ -15,7 +16,6 @@
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/check.hpp"
-#include "creepcontact/run/contact_log.hpp"
 #include "finished_run.hpp"
 #include "memory_need.hpp"
 #include "run_report.hpp"

@@ -9,8 +9,8 @@
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/config/vocabulary.hpp"
 #include "creepcontact/platform/interrupt.hpp"
-#include "creepcontact/study/study_results.hpp"
 #include "study_progress.hpp"
+#include "study_results.hpp"
 
 namespace creepcontact::study {
 

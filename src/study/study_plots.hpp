@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "creepcontact/study/study_results.hpp"
+#include "study_results.hpp"
 
 namespace creepcontact::study {
 

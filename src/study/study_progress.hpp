@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "creepcontact/study/study_results.hpp"
+#include "study_results.hpp"
 
 namespace creepcontact::study {
 

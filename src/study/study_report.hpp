@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "creepcontact/config/study.hpp"
-#include "creepcontact/study/study_results.hpp"
+#include "study_results.hpp"
 
 namespace creepcontact::study {
 

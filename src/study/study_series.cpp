@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "creepcontact/study/study_results.hpp"
+#include "study_results.hpp"
 
 namespace creepcontact::study {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/msh_reader.hpp"
+#include "../../src/io/msh_reader.hpp"
 #include "fuzz_target.hpp"
 
 namespace creepcontact {

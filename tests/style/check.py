@@ -105,6 +105,28 @@ def module_includes(root):
             yield f'{where}: "{name}" is neither "creepcontact/<module>/<file>.hpp" nor a file of src/{module}'
 
 
+def public_headers(root):
+    """A header of include/ serves another module or the program of somebody else's (tests/style/consumer), or a header
+    that does; what a module alone uses lies in src/."""
+    users = {}
+    for module, path, _, _, name in module_sources(root):
+        users.setdefault(name, []).append((module, path))
+    for path in cpp_files(root, "tests/style/consumer"):
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if match := INCLUDE.match(line):
+                users.setdefault(match[2], []).append((None, path))
+    home = root / "include"
+    unknown = {path.relative_to(home).as_posix(): path for path in cpp_files(root, "include")}
+    found = True
+    while found:
+        found = [name for name in unknown for module, path in users.get(name, [])
+                 if module != name.split("/")[1]
+                 or (home in path.parents and path.relative_to(home).as_posix() not in unknown)]
+        for name in set(found):
+            del unknown[name]
+    yield from (f"include/{name}: no other module and no public header uses it; it belongs in src/" for name in unknown)
+
+
 def module_table(root):
     """The table of docs/architecture.md says what CMake says."""
     text = (root / "docs/architecture.md").read_text(encoding="utf-8")
@@ -155,8 +177,8 @@ def machine_paths(root):
                 yield f"{path.relative_to(root)}:{number}: '{match.group()}' is a path of somebody's machine"
 
 
-RULES = {rule.__name__: rule for rule in (module_includes, module_table, library_includes, formatting, file_length,
-                                         machine_paths)}
+RULES = {rule.__name__: rule for rule in (module_includes, public_headers, module_table, library_includes, formatting,
+                                         file_length, machine_paths)}
 WARNINGS = {"file_length"}  # printed, and kept all the same
 
 

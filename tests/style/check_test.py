@@ -44,6 +44,18 @@ class Rules(unittest.TestCase):
         self.write("src/contact/b.hpp", "")
         self.assertEqual(self.broken("module_includes"), [])
 
+    def test_a_header_that_only_its_own_module_uses_is_not_public(self):
+        self.write("include/creepcontact/mesh/mesh.hpp", '#include "creepcontact/mesh/cell.hpp"\n')
+        self.write("include/creepcontact/mesh/cell.hpp", "")
+        self.write("include/creepcontact/mesh/tree.hpp", "")
+        self.write("src/mesh/tree.cpp", '#include "creepcontact/mesh/tree.hpp"\n')
+        self.assertEqual(len(self.broken("public_headers")), 3)
+        self.write("src/contact/a.cpp", '#include "creepcontact/mesh/mesh.hpp"\n')
+        self.assertEqual([line.split(":")[0] for line in self.broken("public_headers")],
+                         ["include/creepcontact/mesh/tree.hpp"])
+        self.write("tests/style/consumer/main.cpp", "#include <creepcontact/mesh/tree.hpp>\n")
+        self.assertEqual(self.broken("public_headers"), [])
+
     def test_what_a_module_uses_privately_is_its_own(self):
         self.write("cmake/program.cmake", "creepcontact_program(tool creepcontact_tool USES creepcontact_mesh)\n")
         self.write("src/contact/a.cpp", '#include "creepcontact/ode/integrator.hpp"\n')

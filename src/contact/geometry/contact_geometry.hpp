@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "creepcontact/contact/geometry/segments.hpp"
 #include "creepcontact/contact/geometry/surface_normals.hpp"
 #include "creepcontact/mechanics/rigid_motion.hpp"
+#include "segments.hpp"
 
 namespace creepcontact::contact {
 

@@ -1,4 +1,4 @@
-#include "creepcontact/contact/geometry/segments.hpp"
+#include "segments.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "creepcontact/contact/geometry/mortar.hpp"
-#include "creepcontact/contact/geometry/segments.hpp"
+#include "segments.hpp"
 
 namespace creepcontact::contact {
 namespace {

@@ -1,4 +1,4 @@
-#include "creepcontact/base/thread_number.hpp"
+#include "../../../src/base/thread_number.hpp"
 
 #include <gtest/gtest.h>
 

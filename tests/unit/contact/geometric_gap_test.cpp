@@ -1,7 +1,7 @@
 // The gap measured from the meshes against the exact distance of the surfaces that they approximate.
 #include <gtest/gtest.h>
 
-#include "creepcontact/contact/geometry/segments.hpp"
+#include "../../../src/contact/geometry/segments.hpp"
 #include "curved_pair.hpp"
 
 namespace creepcontact {

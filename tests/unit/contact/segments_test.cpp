@@ -1,5 +1,5 @@
 // Which facets see each other, and what they share.
-#include "creepcontact/contact/geometry/segments.hpp"
+#include "../../../src/contact/geometry/segments.hpp"
 
 #include <gtest/gtest.h>
 

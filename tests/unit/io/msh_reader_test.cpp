@@ -1,4 +1,4 @@
-#include "creepcontact/io/msh_reader.hpp"
+#include "../../../src/io/msh_reader.hpp"
 
 #include <gtest/gtest.h>
 

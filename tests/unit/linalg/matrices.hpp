@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "../../../src/linalg/supernodal_cholesky.hpp"
 #include "creepcontact/base/index.hpp"
-#include "creepcontact/linalg/supernodal_cholesky.hpp"
 
 namespace creepcontact::linalg::testing {
 

@@ -1,5 +1,5 @@
 /// Interpolation between scattered points.
-#include "creepcontact/mechanics/scattered_interpolation.hpp"
+#include "../../../src/mechanics/scattered_interpolation.hpp"
 
 #include <gtest/gtest.h>
 
