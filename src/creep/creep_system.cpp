@@ -20,7 +20,7 @@ constexpr double least_share = 0.3;
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
   for (std::size_t b = 0; b < at.bodies.size(); ++b) {
     const std::vector<double>& stress = at.bodies[b].stress;
-    const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), static_cast<Eigen::Index>(stress.size())).sum();
+    const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), stress.size()).sum();
     if (!std::isfinite(sum))
       throw RecoverableError(
           fmt::format("the stress of body '{}' has grown beyond all bounds at t = {:.6g}; take shorter steps, or an "
@@ -104,9 +104,9 @@ void CreepSystem::forget_evaluations() {
   step_.valid = output_.valid = false;
 }
 
-PointsState CreepSystem::points_state(std::size_t body, const Evaluation& at, const double* y) const {
+PointsState CreepSystem::points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const {
   return {at.laws[body], at.equilibrium.conditions[body].elastic(), at.equilibrium.bodies[body].stress,
-          y + layout_.offset(body)};
+          layout_.part(body, y)};
 }
 
 void CreepSystem::rate(double t, std::span<const double> y, std::span<double> rate) {
@@ -115,8 +115,8 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   const auto lap = watch_.lap(Part::material);
   together(team(), [&] {
     for (std::size_t b = 0; b < points_.size(); ++b)
-      if (!points_[b].empty()) points_[b].rate(points_state(b, at, y.data()), rate.data() + layout_.offset(b));
-    const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), static_cast<Eigen::Index>(rate.size())).sum();
+      if (!points_[b].empty()) points_[b].rate(points_state(b, at, y), layout_.part(b, rate));
+    const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), rate.size()).sum();
     if (!std::isfinite(sum)) throw RecoverableError(describe_overflow(at, rate));
   });
 }
@@ -130,15 +130,14 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < points_.size(); ++b)
     if (!points_[b].empty())
-      points_[b].derivative(points_state(b, at, y.data()), stress_change_[b], v.data() + layout_.offset(b),
-                            product.data() + layout_.offset(b));
+      points_[b].derivative(points_state(b, at, y), {stress_change_[b], layout_.part(b, v)}, layout_.part(b, product));
 }
 
 void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty() && !local_[b]) preconditioners_[b].linearize(points_[b], points_state(b, at, y.data()));
+    if (!points_[b].empty() && !local_[b]) preconditioners_[b].linearize(points_[b], points_state(b, at, y));
   local_gamma_ = 0;
 }
 
@@ -148,14 +147,15 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
   if (!prepared) local_gamma_ = gamma;
   for (std::size_t b = 0; b < points_.size(); ++b) {
     if (points_[b].empty()) continue;
-    const std::size_t offset = layout_.offset(b);
+    const std::span<const double> right = layout_.part(b, r);
+    const std::span<double> result = layout_.part(b, z);
     if (!local_[b]) {
-      preconditioners_[b].apply(gamma, r.data() + offset, z.data() + offset);
+      preconditioners_[b].apply(gamma, right, result);
       continue;
     }
     // Of the last evaluation, which may be nearer than the point prepared for.
-    if (!prepared) local_[b]->prepare(gamma, points_state(b, step_, step_.y.data()));
-    local_[b]->solution(r.data() + offset, {}, z.data() + offset);
+    if (!prepared) local_[b]->prepare(gamma, points_state(b, step_, step_.y));
+    local_[b]->solution(right, {}, result);
   }
 }
 
@@ -163,7 +163,7 @@ void CreepSystem::prepare_tangent(double t, std::span<const double> y, double ga
   const Evaluation& at = evaluate_step(t, y);
   if (!tangent_) tangent_.emplace(solver_, points_, layout_, watch_);
   std::vector<PointsState> states;
-  for (std::size_t b = 0; b < points_.size(); ++b) states.push_back(points_state(b, at, y.data()));
+  for (std::size_t b = 0; b < points_.size(); ++b) states.push_back(points_state(b, at, y));
   tangent_->prepare(gamma, states, at.equilibrium.stiffness_scale);
 }
 
@@ -174,8 +174,7 @@ void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
   double smallest = 1;
   for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty())
-      smallest = std::min(smallest, points_[b].start_exponent(t, points_state(b, at, at.y.data())));
+    if (!points_[b].empty()) smallest = std::min(smallest, points_[b].start_exponent(t, points_state(b, at, at.y)));
   return team().min(smallest);
 }
 
@@ -188,8 +187,7 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
   const Evaluation& at = evaluate_step(stress_time, y);
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty())
-      points_[b].add_increment(t, duration, points_state(b, at, y.data()), change.data() + layout_.offset(b));
+    if (!points_[b].empty()) points_[b].add_increment(t, duration, points_state(b, at, y), layout_.part(b, change));
 }
 
 bool CreepSystem::knows(material::Measure measure) const {
@@ -199,7 +197,7 @@ bool CreepSystem::knows(material::Measure measure) const {
 std::vector<double> CreepSystem::measure(material::Measure of, std::size_t body, const Evaluation& at,
                                          std::span<const double> y) const {
   if (!points_[body].knows(of)) return {};
-  return points_[body].measure(of, points_state(body, at, y.data()));
+  return points_[body].measure(of, points_state(body, at, y));
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(material::Measure of, std::size_t body, const Evaluation& at,
@@ -223,7 +221,7 @@ double CreepSystem::stable_step(double t, std::span<const double> y) {
 std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
   std::vector<double> times;
   for (std::size_t b = 0; b < points_.size(); ++b) {
-    const double fastest = points_[b].empty() ? 0 : points_[b].stiffest_rate(points_state(b, at, at.y.data()));
+    const double fastest = points_[b].empty() ? 0 : points_[b].stiffest_rate(points_state(b, at, at.y));
     times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
   }
   team().min(times);
@@ -267,15 +265,15 @@ std::string CreepSystem::describe_overflow(const Evaluation& at, std::span<const
   for (std::size_t b = 0; b < points_.size(); ++b) {
     const std::size_t stride = layout_.stride(b);
     for (std::size_t p = 0; stride > 0 && p < points_[b].size(); ++p) {
-      const auto own = rate.subspan(layout_.offset(b) + p * stride, stride);
+      const auto own = layout_.part(b, rate).subspan(p * stride, stride);
       if (std::ranges::all_of(own, [](double value) { return std::isfinite(value); })) continue;
       const mechanics::Body& body = assembly().bodies()[b];
       const Vector3& x = body.discretization().point_coordinates()[p];
-      const Eigen::Map<const Tensor6> stress(at.equilibrium.bodies[b].stress.data() + 6 * p);
       return fmt::format(
           "the creep rate of material '{}' overflows, is negative or no number in body '{}' at ({:.6g}, {:.6g}, "
           "{:.6g}), where the equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
-          body.material().name, body.name(), x.x(), x.y(), x.z(), tensor::von_mises(stress), at.time);
+          body.material().name, body.name(), x.x(), x.y(), x.z(),
+          tensor::von_mises(tensor::view(at.equilibrium.bodies[b].stress, p)), at.time);
     }
   }
   return "the creep rate overflows";

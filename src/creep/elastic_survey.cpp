@@ -28,14 +28,14 @@ double elastic_work(const Tensor6& stress, const material::Moduli& moduli) {
 /// Creep until `end` at constant stress over the elastic strain.
 double creep_over_elastic_strain(const Team& team, const MaterialPoints& points, const PointsState& at, double end) {
   std::vector<double> change(points.size() * points.stride(), 0.0);
-  points.add_increment(0, end, at, change.data());
+  points.add_increment(0, end, at, change);
   const std::span<const double> weights = points.body().discretization().weights();
-  const auto stress = [&](std::size_t p) { return Eigen::Map<const Tensor6>(at.stress.data() + 6 * p); };
-  const double stored = numerics::sum_over_points(
-      points.size(), [&](std::size_t p) { return weights[p] * elastic_work(stress(p), at.elastic.at(p)); });
-  const double spent = numerics::sum_over_points(points.size(), [&](std::size_t p) {
-    return weights[p] * stress(p).dot(Eigen::Map<const Tensor6>(change.data() + p * points.stride()));
+  const mechanics::CreepStrainView grown{change, points.stride()};
+  const double stored = numerics::sum_over_points(points.size(), [&](std::size_t p) {
+    return weights[p] * elastic_work(tensor::view(at.stress, p), at.elastic.at(p));
   });
+  const double spent = numerics::sum_over_points(
+      points.size(), [&](std::size_t p) { return weights[p] * tensor::view(at.stress, p).dot(grown.at(p)); });
   return team.sum(spent) / team.sum(stored);
 }
 
@@ -72,7 +72,7 @@ class Survey {
       LawParameters laws;
       points.update(equilibrium_.conditions[b], laws);
       const std::vector<double> no_state(points.size() * points.stride(), 0.0);
-      const PointsState at{laws, equilibrium_.conditions[b].elastic(), equilibrium_.bodies[b].stress, no_state.data()};
+      const PointsState at{laws, equilibrium_.conditions[b].elastic(), equilibrium_.bodies[b].stress, no_state};
       result.singular_start = result.singular_start || team.min(points.start_exponent(0, at)) < 1;
       const double strains = creep_over_elastic_strain(team, points, at, end_);
       if (!(strains > most_creep) || !std::isfinite(strains)) continue;

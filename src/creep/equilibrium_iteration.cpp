@@ -22,7 +22,7 @@ double elastic_energy(const mechanics::Discretization& discretization, const mec
                       const std::vector<double>& stress) {
   const std::span<const double> weights = discretization.weights();
   return numerics::sum_over_points(stress.size() / 6, [&](std::size_t p) {
-    const Eigen::Map<const Tensor6> sigma(stress.data() + 6 * p);
+    const tensor::ConstMap sigma = tensor::view(stress, p);
     const material::Moduli& h = elastic.at(p);
     const double mean = tensor::trace(sigma) / 3;
     const double deviatoric = (sigma.squaredNorm() - 3 * mean * mean) / (2 * h.mu);

@@ -37,7 +37,7 @@ std::vector<double> ErrorScale::typical(const Assembly& assembly, const Equilibr
   std::vector<double> sums;  // of the squares, then of the points
   for (const BodyState& state : at.bodies)
     sums.push_back(numerics::sum_over_points(state.stress.size() / 6, [&](std::size_t p) {
-      const double q = tensor::von_mises(Eigen::Map<const Tensor6>(state.stress.data() + 6 * p));
+      const double q = tensor::von_mises(tensor::view(state.stress, p));
       return q * q;
     }));
   for (const BodyState& state : at.bodies) sums.push_back(static_cast<double>(state.stress.size() / 6));
@@ -68,7 +68,7 @@ void ErrorScale::set(std::size_t body, double strain) {
   for (const auto& law : of.material().creep)
     for (int k = 0; k < law->n_internal(); ++k)
       of_point.push_back(law->internal_kind(k) == material::InternalKind::fraction ? 1.0 : strain);
-  auto at = values_.begin() + static_cast<std::ptrdiff_t>(layout_.offset(body));
+  auto at = values_.begin() + layout_.offset(body);
   for (std::size_t p = 0; p < of.discretization().n_points(); ++p) at = std::copy(of_point.begin(), of_point.end(), at);
 }
 

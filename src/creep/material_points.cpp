@@ -10,32 +10,20 @@
 #include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::creep {
-namespace {
-
-using Index = std::ptrdiff_t;
-
-}  // namespace
-
-template <typename Call>
-void MaterialPoints::for_each_law(std::size_t p, const PointsState& at_points, Call call) const {
-  material::Point at = point(p, at_points);
-  std::size_t offset = 6;
-  for (const auto& law : body_.material().creep) {
-    call(*law, std::as_const(at), offset);
-    at.internal += law->n_internal();
-    at.parameters += law->n_parameters();
-    offset += static_cast<std::size_t>(law->n_internal());
-  }
-}
 
 MaterialPoints::MaterialPoints(const mechanics::Body& body, double least_strain)
     : body_(body),
       n_points_(body.discretization().n_points()),
-      stride_(static_cast<std::size_t>(body.material().n_state())),
+      stride_(body.material().n_state()),
       least_strain_(least_strain) {
+  std::size_t n_state = 6;
   for (const auto& law : body.material().creep) {
+    mechanisms_.push_back({.law = law.get(),
+                           .internal = {n_state, static_cast<std::size_t>(law->n_internal())},
+                           .parameters = {n_parameters_, static_cast<std::size_t>(law->n_parameters())}});
+    n_state += mechanisms_.back().internal.size;
+    n_parameters_ += mechanisms_.back().parameters.size;
     fits_mean_stress_ = fits_mean_stress_ || law->uses_mean_stress();
-    n_parameters_ += static_cast<std::size_t>(law->n_parameters());
     for (const Function& parameter : law->parameters())
       depends_on_temperature_ = depends_on_temperature_ || parameter.depends_on_temperature();
   }
@@ -44,11 +32,10 @@ MaterialPoints::MaterialPoints(const mechanics::Body& body, double least_strain)
   const std::vector<double> nothing(std::max<std::size_t>(6, stride_), 0.0);
   LawParameters laws;
   update(body.at(0), laws);
-  for_each_law(0, {laws, {}, nothing, nothing.data()},
-               [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
-                 for (const material::Measure one : {material::Measure::damage, material::Measure::life_fraction})
-                   if (law.measure(one, at)) known_[static_cast<std::size_t>(one)] = true;
-               });
+  const PointsState at{laws, {}, nothing, nothing};
+  for (const Mechanism& mechanism : mechanisms_)
+    for (const material::Measure one : {material::Measure::damage, material::Measure::life_fraction})
+      if (mechanism.law->measure(one, seen_by(mechanism, 0, at))) known_[static_cast<std::size_t>(one)] = true;
 }
 
 void MaterialPoints::update(const mechanics::BodyConditions& at, LawParameters& into) const {
@@ -74,17 +61,17 @@ void MaterialPoints::update(const mechanics::BodyConditions& at, LawParameters& 
   into.evaluated = true;
 }
 
-material::Point MaterialPoints::point(std::size_t p, const PointsState& at_points) const {
-  const LawParameters& laws = at_points.laws;
-  material::Point at;
-  at.stress = at_points.stress.data() + 6 * p;
-  at.state = at_points.state + stride_ * p;
-  at.internal = at.state + 6;
-  at.parameters = laws.values.data() + (laws.uniform ? 0 : p * n_parameters_);
-  at.time = laws.time;
-  at.least_strain = least_strain_;
-  at.temperature = laws.temperature.empty() ? body_.material().reference_temperature : laws.temperature[p];
-  return at;
+material::PointState MaterialPoints::seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at) const {
+  const LawParameters& laws = at.laws;
+  const std::span<const double> state = of_point(p, at.state);
+  const Part parameters{mechanism.parameters.first + (laws.uniform ? 0 : n_parameters_ * p), mechanism.parameters.size};
+  return {.stress = tensor::view(at.stress, p),
+          .creep_strain = tensor::view(state, 0),
+          .internal = mechanism.internal.of(state),
+          .parameters = parameters.of(std::span(laws.values)),
+          .time = laws.time,
+          .temperature = laws.temperature.empty() ? body_.material().reference_temperature : laws.temperature[p],
+          .least_strain = least_strain_};
 }
 
 MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<const double> stress) : given_(stress) {
@@ -93,78 +80,82 @@ MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<con
   points.body_.discretization().fit_mean_stress(fitted_);
 }
 
-void MaterialPoints::rate(const PointsState& given, double* rate) const {
+void MaterialPoints::rate(const PointsState& given, std::span<double> rate) const {
   const LawStress stress(*this, given.stress);
-  const PointsState at_points{given.laws, given.elastic, stress, given.state};
-  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
-    double* own = rate + stride_ * p;
-    std::fill(own, own + 6, 0.0);
-    for_each_law(p, at_points, [&](const material::CreepLaw& law, const material::Point& at, std::size_t internal) {
-      law.rate(at, own, own + internal);
-    });
-  });
-}
-
-void MaterialPoints::derivative(const PointsState& given, std::span<const double> given_change, const double* d_state,
-                                double* d_rate) const {
-  const LawStress stress(*this, given.stress), change(*this, given_change);
   const PointsState at{given.laws, given.elastic, stress, given.state};
-  const std::span<const double> d_stress = change;
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
-    derivative_at(p, at, d_stress.data() + 6 * p, d_state + stride_ * p, d_rate + stride_ * p);
+    const std::span<double> own = of_point(p, rate);
+    std::fill_n(own.begin(), 6, 0.0);
+    for (const Mechanism& mechanism : mechanisms_)
+      mechanism.law->rate(seen_by(mechanism, p, at), {tensor::writable(own, 0), mechanism.internal.of(own)});
   });
 }
 
-void MaterialPoints::derivative_at(std::size_t p, const PointsState& at_points, const double* d_stress,
-                                   const double* d_state, double* d_rate) const {
-  std::fill(d_rate, d_rate + 6, 0.0);
-  for_each_law(p, at_points, [&](const material::CreepLaw& law, const material::Point& at, std::size_t internal) {
-    law.derivative(at, d_stress, d_state, d_state + internal, d_rate, d_rate + internal);
+void MaterialPoints::derivative(const PointsState& given, const PointsChange& given_change,
+                                std::span<double> rate_change) const {
+  const LawStress stress(*this, given.stress), stress_change(*this, given_change.stress);
+  const PointsState at{given.laws, given.elastic, stress, given.state};
+  const PointsChange change{stress_change, given_change.state};
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
+    derivative_at(p, at, {.stress = {change.stress.data() + 6 * p, 6}, .state = of_point(p, change.state)},
+                  of_point(p, rate_change));
   });
+}
+
+void MaterialPoints::derivative_at(std::size_t p, const PointsState& at, const PointsChange& change,
+                                   std::span<double> rate_change) const {
+  std::fill_n(rate_change.begin(), 6, 0.0);
+  for (const Mechanism& mechanism : mechanisms_)
+    mechanism.law->derivative(
+        seen_by(mechanism, p, at),
+        {tensor::view(change.stress, 0), tensor::view(change.state, 0), mechanism.internal.of(change.state)},
+        {tensor::writable(rate_change, 0), mechanism.internal.of(rate_change)});
 }
 
 double MaterialPoints::start_exponent(double t, const PointsState& at_points) const {
   double smallest = 1;
 #pragma omp parallel for schedule(static) reduction(min : smallest) if (n_points_ >= numerics::parallel_points)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i)
-    for_each_law(static_cast<std::size_t>(i), at_points,
-                 [&](const material::CreepLaw& law, material::Point at, std::size_t) {
-                   at.time = t;
-                   smallest = std::min(smallest, law.start_exponent(at));
-                 });
+  for (std::size_t p = 0; p < n_points_; ++p)
+    for (const Mechanism& mechanism : mechanisms_) {
+      material::PointState at = seen_by(mechanism, p, at_points);
+      at.time = t;
+      smallest = std::min(smallest, mechanism.law->start_exponent(at));
+    }
   return smallest;
 }
 
-void MaterialPoints::add_increment(double t, double duration, const PointsState& given, double* change) const {
+void MaterialPoints::add_increment(double t, double duration, const PointsState& given,
+                                   std::span<double> change) const {
   const LawStress stress(*this, given.stress);
   const PointsState at_points{given.laws, given.elastic, stress, given.state};
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
-    double* own = change + stride_ * p;
-    for_each_law(p, at_points, [&](const material::CreepLaw& law, material::Point at, std::size_t internal) {
+    const std::span<double> own = of_point(p, change);
+    for (const Mechanism& mechanism : mechanisms_) {
+      material::PointState at = seen_by(mechanism, p, at_points);
       at.time = t;
-      law.increment(at, duration, own, own + internal);
-    });
+      mechanism.law->increment(at, duration, {tensor::writable(own, 0), mechanism.internal.of(own)});
+    }
   });
 }
 
-std::vector<double> MaterialPoints::measure(material::Measure of, const PointsState& at_points) const {
+std::vector<double> MaterialPoints::measure(material::Measure of, const PointsState& at) const {
   std::vector<double> values(n_points_, 0.0);
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
-    for_each_law(p, at_points, [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
-      if (const std::optional<double> value = law.measure(of, at)) values[p] = std::max(values[p], *value);
-    });
+    for (const Mechanism& mechanism : mechanisms_)
+      if (const std::optional<double> value = mechanism.law->measure(of, seen_by(mechanism, p, at)))
+        values[p] = std::max(values[p], *value);
   });
   return values;
 }
 
-material::StressTangent MaterialPoints::tangent(std::size_t p, const PointsState& at_points) const {
+material::StressTangent MaterialPoints::tangent(std::size_t p, const PointsState& at) const {
   material::StressTangent sum;
-  for_each_law(p, at_points, [&](const material::CreepLaw& law, const material::Point& at, std::size_t) {
-    const material::StressTangent part = law.stress_tangent(at);
+  for (const Mechanism& mechanism : mechanisms_) {
+    const material::StressTangent part = mechanism.law->stress_tangent(seen_by(mechanism, p, at));
     sum.deviatoric += part.deviatoric;
     sum.radial += part.radial;
     sum.volumetric += part.volumetric;
-  });
+  }
   return sum;
 }
 
@@ -176,7 +167,7 @@ double MaterialPoints::stiffest_with_internal(std::size_t p, const PointsState& 
   for (int i = 0; i < iterations; ++i) {
     v.normalize();
     const Tensor6 change = -material::stress(at.elastic.at(p), v.head<6>());
-    derivative_at(p, at, change.data(), v.data(), product.data());
+    derivative_at(p, at, {.stress = {change.data(), 6}, .state = {v.data(), stride_}}, {product.data(), stride_});
     size = product.norm();
     if (!(size > 0)) return 0;
     v.swap(product);
@@ -190,8 +181,7 @@ double MaterialPoints::stiffest_rate(const PointsState& at) const {
   {
     Eigen::VectorXd v(stride_), product(stride_);
 #pragma omp for schedule(static)
-    for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-      const auto p = static_cast<std::size_t>(i);
+    for (std::size_t p = 0; p < n_points_; ++p) {
       const material::StressTangent part = tangent(p, at);
       const material::Moduli& moduli = at.elastic.at(p);
       stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),

@@ -17,11 +17,7 @@ Matrix6 compliance(const material::Moduli& h) {
 }  // namespace
 
 struct MaterialTangent::Work {
-  explicit Work(std::size_t stride)
-      : unit(static_cast<Index>(stride)),
-        by_state(static_cast<Index>(stride), static_cast<Index>(stride)),
-        by_stress(static_cast<Index>(stride), 6),
-        elimination(static_cast<Index>(stride)) {}
+  explicit Work(Index stride) : unit(stride), by_state(stride, stride), by_stress(stride, 6), elimination(stride) {}
   Eigen::VectorXd unit;
   Eigen::MatrixXd by_state;                // A, then M
   Eigen::Matrix<double, -1, 6> by_stress;  // C
@@ -36,18 +32,19 @@ MaterialTangent::MaterialTangent(const MaterialPoints& points)
       eliminated_(n_points_ * stride_ * (stride_ + 6)) {}
 
 void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
-  const Tensor6 no_stress = Tensor6::Zero();
-  for (Index j = 0; j < work.unit.size(); ++j) {
-    work.unit = Eigen::VectorXd::Unit(work.unit.size(), j);
-    points_.derivative_at(p, at, no_stress.data(), work.unit.data(), work.by_state.col(j).data());
+  const Index n = stride_;
+  Tensor6 stress = Tensor6::Zero();
+  const PointsChange change{.stress = {stress.data(), 6}, .state = {work.unit.data(), stride_}};
+  for (Index j = 0; j < n; ++j) {
+    work.unit = Eigen::VectorXd::Unit(n, j);
+    points_.derivative_at(p, at, change, {work.by_state.col(j).data(), stride_});
   }
   work.unit.setZero();
   for (Index j = 0; j < 6; ++j) {
-    const Tensor6 unit_stress = Tensor6::Unit(j);
-    points_.derivative_at(p, at, unit_stress.data(), work.unit.data(), work.by_stress.col(j).data());
+    stress = Tensor6::Unit(j);
+    points_.derivative_at(p, at, change, {work.by_stress.col(j).data(), stride_});
   }
 
-  const auto n = static_cast<Index>(stride_);
   Eigen::Map<Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
   eliminated.leftCols(n).setIdentity();
   eliminated.rightCols<6>() = gamma * work.by_stress;
@@ -68,39 +65,36 @@ void MaterialTangent::prepare(double gamma, const PointsState& at) {
   {
     Work work(stride_);
 #pragma omp for schedule(static)
-    for (Index i = 0; i < static_cast<Index>(n_points_); ++i)
-      prepare_point(static_cast<std::size_t>(i), gamma, at, work);
+    for (std::size_t p = 0; p < n_points_; ++p) prepare_point(p, gamma, at, work);
   }
 }
 
 Eigen::Map<const Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) const {
-  const auto n = static_cast<Index>(stride_);
+  const Index n = stride_;
   return {&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6};
 }
 
-void MaterialTangent::initial_stress(const double* r, std::span<double> stress) const {
-  const auto n = static_cast<Index>(stride_);
+void MaterialTangent::initial_stress(std::span<const double> r, std::span<double> stress) const {
+  const Index n = stride_;
 #pragma omp parallel for schedule(static) if (n_points_ > numerics::parallel_tangents)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  for (std::size_t p = 0; p < n_points_; ++p) {
     const auto eliminated = eliminated_at(p);
-    const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
+    const Eigen::Map<const Eigen::VectorXd> right(&r[p * stride_], n);
     const Tensor6 initial = eliminated.topLeftCorner(6, n) * right;
-    Eigen::Map<Tensor6>(stress.data() + 6 * p).noalias() = moduli_[p] * initial;
+    tensor::writable(stress, p).noalias() = moduli_[p] * initial;
   }
 }
 
-void MaterialTangent::solution(const double* r, std::span<const double> strain, double* z) const {
-  const auto n = static_cast<Index>(stride_);
+void MaterialTangent::solution(std::span<const double> r, std::span<const double> strain, std::span<double> z) const {
+  const Index n = stride_;
 #pragma omp parallel for schedule(static) if (n_points_ > numerics::parallel_tangents)
-  for (Index i = 0; i < static_cast<Index>(n_points_); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  for (std::size_t p = 0; p < n_points_; ++p) {
     const auto eliminated = eliminated_at(p);
-    const Eigen::Map<const Eigen::VectorXd> right(r + p * stride_, n);
-    Eigen::Map<Eigen::VectorXd> result(z + p * stride_, n);
+    const Eigen::Map<const Eigen::VectorXd> right(&r[p * stride_], n);
+    Eigen::Map<Eigen::VectorXd> result(&z[p * stride_], n);
     result.noalias() = eliminated.leftCols(n) * right;
     Tensor6 elastic = -result.head<6>();
-    if (!strain.empty()) elastic += Eigen::Map<const Tensor6>(strain.data() + 6 * p);
+    if (!strain.empty()) elastic += tensor::view(strain, p);
     const Tensor6 change = moduli_[p] * elastic;
     result.noalias() += eliminated.rightCols<6>() * change;
   }

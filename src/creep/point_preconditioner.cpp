@@ -1,7 +1,5 @@
 #include "creepcontact/creep/point_preconditioner.hpp"
 
-#include <algorithm>
-
 #include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::creep {
@@ -10,24 +8,25 @@ void PointPreconditioner::linearize(const MaterialPoints& points, const PointsSt
   locals_.resize(points.size());
   numerics::for_each_index(locals_.size(), numerics::parallel_points, [&](std::size_t p) {
     const material::StressTangent part = points.tangent(p, at);
-    Tensor6 direction = tensor::deviator(Eigen::Map<const Tensor6>(at.stress.data() + 6 * p));
+    Local& local = locals_[p];
+    tensor::Map direction = tensor::writable(local.direction, 0);
+    direction = tensor::deviator(tensor::view(at.stress, p));
     if (const double length = direction.norm(); length > 0) direction /= length;
-    std::copy(direction.begin(), direction.end(), locals_[p].direction);
     const material::Moduli& moduli = at.elastic.at(p);
-    locals_[p].deviatoric = 2 * moduli.mu * part.deviatoric;
-    locals_[p].radial = 2 * moduli.mu * part.radial;
-    locals_[p].volumetric = (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric;
+    local.deviatoric = 2 * moduli.mu * part.deviatoric;
+    local.radial = 2 * moduli.mu * part.radial;
+    local.volumetric = (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric;
   });
 }
 
-void PointPreconditioner::apply(double gamma, const double* r, double* z) const {
+void PointPreconditioner::apply(double gamma, std::span<const double> r, std::span<double> z) const {
   numerics::for_each_index(locals_.size(), numerics::parallel_points, [&](std::size_t p) {
     const Local& local = locals_[p];
     const double a = gamma * local.deviatoric;
     const double b = gamma * local.radial;
-    const Eigen::Map<const Tensor6> right(r + stride_ * p);
-    const Eigen::Map<const Tensor6> direction(local.direction);
-    Eigen::Map<Tensor6> result(z + stride_ * p);
+    const tensor::ConstMap direction = tensor::view(local.direction, 0);
+    const tensor::ConstMap right(&r[stride_ * p]);
+    tensor::Map result(&z[stride_ * p]);
     const double mean = tensor::trace(right) / 3;
     Tensor6 deviator = right;
     deviator.head<3>().array() -= mean;

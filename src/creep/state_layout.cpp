@@ -4,17 +4,14 @@ namespace creepcontact::creep {
 
 StateLayout::StateLayout(const Assembly& assembly) {
   for (const mechanics::Body& body : assembly.bodies()) {
-    offset_.push_back(size_);
-    stride_.push_back(static_cast<std::size_t>(body.material().n_state()));
-    size_ += stride_.back() * body.discretization().n_points();
+    stride_.push_back(body.material().n_state());
+    offset_.push_back(offset_.back() + stride_.back() * body.discretization().n_points());
   }
 }
 
 void StateLayout::views(std::span<const double> y, std::vector<mechanics::CreepStrainView>& result) const {
-  result.resize(offset_.size());
-  for (std::size_t b = 0; b < offset_.size(); ++b)
-    result[b] =
-        stride_[b] == 0 ? mechanics::CreepStrainView{} : mechanics::CreepStrainView{y.data() + offset_[b], stride_[b]};
+  result.resize(stride_.size());
+  for (std::size_t b = 0; b < stride_.size(); ++b) result[b] = {part(b, y), stride_[b]};
 }
 
 }  // namespace creepcontact::creep

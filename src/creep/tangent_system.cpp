@@ -43,9 +43,9 @@ TangentSystem::TangentSystem(const EquilibriumSolver& solver, const std::vector<
     side.material.emplace(points[b]);
     side.stress.resize(6 * body.discretization().n_points());
     side.strain.resize(side.stress.size());
-    side.displacement.resize(static_cast<std::size_t>(body.constraints().n_full()));
+    side.displacement.resize(body.constraints().n_full());
     side.no_displacement.resize(side.displacement.size());
-    side.free.resize(static_cast<std::size_t>(body.constraints().n_free()));
+    side.free.resize(body.constraints().n_free());
   }
 }
 
@@ -92,7 +92,7 @@ void TangentSystem::solve(const std::vector<int>& active, std::span<const double
   {
     const auto lap = watch_.lap(Part::material);
     for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
-      side.material->initial_stress(r.data() + layout_.offset(b), side.stress);
+      side.material->initial_stress(layout_.part(b, r), side.stress);
       std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
       body.discretization().add_initial_stress_force(side.material->moduli(), side.stress, side.displacement);
       body.constraints().restrict_to_free(side.displacement, side.free);
@@ -109,7 +109,7 @@ void TangentSystem::solve(const std::vector<int>& active, std::span<const double
     body.constraints().expand(side.free, side.no_displacement, side.displacement);
     solver_.interface().add_rigid_motion(b, change.rigid, side.displacement);
     body.discretization().tangent_strain(side.displacement, side.material->moduli(), side.stress, side.strain);
-    side.material->solution(r.data() + layout_.offset(b), side.strain, z.data() + layout_.offset(b));
+    side.material->solution(layout_.part(b, r), side.strain, layout_.part(b, z));
   });
   ++solves_;
 }

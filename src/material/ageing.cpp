@@ -4,7 +4,7 @@
 
 namespace creepcontact::material {
 
-EquivalentRate Ageing::equivalent_rate(double q, const Point& at) const {
+EquivalentRate Ageing::equivalent_rate(double q, const PointState& at) const {
   const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
   const double secant = A * power(q, n - 1.0) * std::pow(at.time, m);
   return {secant * q, n * secant};

@@ -13,15 +13,15 @@ struct Deviator {
   double q;  ///< von Mises equivalent stress
 };
 
-inline Deviator deviator(const double* stress) {
-  Deviator d{tensor::deviator(Eigen::Map<const Tensor6>(stress)), 0.0};
+inline Deviator deviator(const tensor::ConstMap& stress) {
+  Deviator d{tensor::deviator(stress), 0.0};
   d.q = std::sqrt(1.5) * d.s.norm();
   return d;
 }
 
 /// Adds 3/2 (f/q) s; q > 0.
-inline void add_flow(const Deviator& at, double f, double* strain) {
-  Eigen::Map<Tensor6>(strain).noalias() += 1.5 * f / at.q * at.s;
+inline void add_flow(const Deviator& at, double f, tensor::Map strain) {
+  strain.noalias() += 1.5 * f / at.q * at.s;
 }
 
 /// @param slope  df/dq; at q = 0 its limit, and f is not used
@@ -32,10 +32,9 @@ inline StressTangent coaxial_tangent(double q, double f, double slope) {
 }
 
 /// Adds the change of the strain rate with a change of the stress, its deviator being ds.
-inline void add_tangent(const Deviator& at, const StressTangent& c, const Tensor6& ds, double* d_strain_rate) {
-  Eigen::Map<Tensor6> result(d_strain_rate);
-  result.noalias() += c.deviatoric * ds;
-  if (at.q > 0.0) result.noalias() += c.radial * 1.5 * (at.s.dot(ds) / at.q / at.q) * at.s;  // |s|^2 = 2/3 q^2
+inline void add_tangent(const Deviator& at, const StressTangent& c, const Tensor6& ds, tensor::Map strain_rate) {
+  strain_rate.noalias() += c.deviatoric * ds;
+  if (at.q > 0.0) strain_rate.noalias() += c.radial * 1.5 * (at.s.dot(ds) / at.q / at.q) * at.s;  // |s|^2 = 2/3 q^2
 }
 
 }  // namespace creepcontact::material

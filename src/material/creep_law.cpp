@@ -2,13 +2,12 @@
 
 namespace creepcontact::material {
 
-void CreepLaw::increment(const Point& at, double duration, double* strain, double* internal) const {
+void CreepLaw::increment(const PointState& at, double duration, PointIncrement into) const {
   Tensor6 strain_rate = Tensor6::Zero();
-  Eigen::VectorXd internal_rate(n_internal());
-  rate(at, strain_rate.data(), internal_rate.data());
-  Eigen::Map<Tensor6> own_strain(strain);
-  own_strain += duration * strain_rate;
-  Eigen::Map<Eigen::VectorXd>(internal, n_internal()) += duration * internal_rate;
+  std::vector<double> internal_rate(n_internal());
+  rate(at, {tensor::writable(strain_rate), internal_rate});
+  into.creep_strain += duration * strain_rate;
+  for (std::size_t i = 0; i < internal_rate.size(); ++i) into.internal[i] += duration * internal_rate[i];
 }
 
 }  // namespace creepcontact::material

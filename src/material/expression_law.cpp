@@ -34,12 +34,12 @@ double ExpressionLaw::value(double q, double eps, double t, double T) const {
   return rate_({.t = t, .T = T, .q = q, .eps = eps});
 }
 
-double ExpressionLaw::equivalent_rate(double q, double eps, const Point& at) const {
+double ExpressionLaw::equivalent_rate(double q, double eps, const PointState& at) const {
   const double f = value(q, eps, at.time, at.temperature);
   return f >= 0.0 ? f : std::numeric_limits<double>::quiet_NaN();
 }
 
-HardeningRate ExpressionLaw::linearized_rate(double q, double eps, const Point& at) const {
+HardeningRate ExpressionLaw::linearized_rate(double q, double eps, const PointState& at) const {
   const auto f = [&](double stress, double strain) { return value(stress, strain, at.time, at.temperature); };
   HardeningRate result;
   const double above = f(q * (1 + step), eps), below = f(q * (1 - step), eps);
@@ -49,7 +49,7 @@ HardeningRate ExpressionLaw::linearized_rate(double q, double eps, const Point& 
   return result;
 }
 
-ExpressionLaw::Singularity ExpressionLaw::singularity(double q, const Point& at) const {
+ExpressionLaw::Singularity ExpressionLaw::singularity(double q, const PointState& at) const {
   const double T = at.temperature;
   Singularity found;
   // Away from the other singularity, if there is one.
@@ -67,12 +67,12 @@ ExpressionLaw::Singularity ExpressionLaw::singularity(double q, const Point& at)
   return found;
 }
 
-double ExpressionLaw::start_exponent(const Point& at) const {
+double ExpressionLaw::start_exponent(const PointState& at) const {
   const double q = deviator(at.stress).q;
   return q > 0.0 ? singularity(q, at).exponent() : 1.0;
 }
 
-double ExpressionLaw::accumulated(double q, double eps, const Point& at, double duration) const {
+double ExpressionLaw::accumulated(double q, double eps, const PointState& at, double duration) const {
   const Singularity power = singularity(q, at);
   // Integrated in u = (t - t0)^a, in which a rate like (t - t0)^(a-1) is constant; the strain where the rate is taken
   // is the mean, found by iteration.

@@ -5,7 +5,7 @@
 
 namespace creepcontact::material {
 
-EquivalentRate Garofalo::equivalent_rate(double q, const Point& at) const {
+EquivalentRate Garofalo::equivalent_rate(double q, const PointState& at) const {
   const double A = at.parameters[0], alpha = at.parameters[1], n = at.parameters[2];
   const double sinh = std::sinh(alpha * q);
   const double below = A * power(sinh, n - 1.0);

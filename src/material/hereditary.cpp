@@ -5,9 +5,6 @@
 namespace creepcontact::material {
 namespace {
 
-using ConstMap = Eigen::Map<const Tensor6>;
-using Map = Eigen::Map<Tensor6>;
-
 /// Fluidity first, then the lists.
 std::vector<Function> all_parameters(const std::vector<Function>& J, const std::vector<Function>& tau,
                                      const std::vector<Function>& B, const Function& fluidity) {
@@ -29,54 +26,53 @@ Hereditary::Hereditary(std::string name, const std::vector<Function>& J, const s
       n_elements_(static_cast<int>(J.size())),
       volumetric_(!B.empty()) {}
 
-Tensor6 Hereditary::limit(int element, const double* parameters, const double* stress) const {
-  const double* J = parameters + 1 + element;
-  Tensor6 result = 1.5 * J[0] * tensor::deviator(ConstMap(stress));
-  if (volumetric_) result.head<3>().array() += J[2 * n_elements_] / 9.0 * tensor::trace(ConstMap(stress));
+Hereditary::Chain Hereditary::chain(const PointState& at) const {
+  const std::span<const double> lists = at.parameters.subspan(1);
+  Chain chain{at.parameters[0], list_of(lists, 0, n_elements_), list_of(lists, 1, n_elements_), {}};
+  if (volumetric_) chain.B = list_of(lists, 2, n_elements_);
+  return chain;
+}
+
+Tensor6 Hereditary::Chain::limit(int element, const tensor::ConstMap& stress) const {
+  Tensor6 result = 1.5 * J[element] * tensor::deviator(stress);
+  if (!B.empty()) result.head<3>().array() += B[element] / 9.0 * tensor::trace(stress);
   return result;
 }
 
-void Hereditary::rate(const Point& at, double* strain_rate, double* internal_rate) const {
-  Map sum(strain_rate);
-  const double* tau = at.parameters + 1 + n_elements_;
+void Hereditary::rate(const PointState& at, PointRate into) const {
+  const Chain chain = this->chain(at);
   for (int i = 0; i < n_elements_; ++i) {
-    Map own(internal_rate + 6 * i);
-    own = (limit(i, at.parameters, at.stress) - ConstMap(at.internal + 6 * i)) / tau[i];
-    sum += own;
+    tensor::Map own = tensor::writable(into.internal, i);
+    own = (chain.limit(i, at.stress) - tensor::view(at.internal, i)) / chain.tau[i];
+    into.creep_strain += own;
   }
-  if (const double fluidity = at.parameters[0]; fluidity > 0.0)
-    sum += 1.5 * fluidity * tensor::deviator(ConstMap(at.stress));
+  if (chain.fluidity > 0.0) into.creep_strain += 1.5 * chain.fluidity * tensor::deviator(at.stress);
 }
 
-void Hereditary::derivative(const Point& at, const double* d_stress, const double* /*d_state*/,
-                            const double* d_internal, double* d_strain_rate, double* d_internal_rate) const {
+void Hereditary::derivative(const PointState& at, const PointChange& change, PointRate into) const {
   // The law is linear in stress and strains.
-  Point change = at;
-  change.stress = d_stress;
-  change.internal = d_internal;
-  rate(change, d_strain_rate, d_internal_rate);
+  rate({.stress = change.stress, .internal = change.internal, .parameters = at.parameters}, into);
 }
 
-StressTangent Hereditary::stress_tangent(const Point& at) const {
-  StressTangent c{1.5 * at.parameters[0], 0.0, 0.0};
-  const double *J = at.parameters + 1, *tau = J + n_elements_, *B = tau + n_elements_;
+StressTangent Hereditary::stress_tangent(const PointState& at) const {
+  const Chain chain = this->chain(at);
+  StressTangent c{1.5 * chain.fluidity, 0.0, 0.0};
   for (int i = 0; i < n_elements_; ++i) {
-    c.deviatoric += 1.5 * J[i] / tau[i];
-    if (volumetric_) c.volumetric += B[i] / (3.0 * tau[i]);
+    c.deviatoric += 1.5 * chain.J[i] / chain.tau[i];
+    if (volumetric_) c.volumetric += chain.B[i] / (3.0 * chain.tau[i]);
   }
   return c;
 }
 
-void Hereditary::increment(const Point& at, double duration, double* strain, double* internal) const {
-  Map sum(strain);
-  const double* tau = at.parameters + 1 + n_elements_;
+void Hereditary::increment(const PointState& at, double duration, PointIncrement into) const {
+  const Chain chain = this->chain(at);
   for (int i = 0; i < n_elements_; ++i) {
     const Tensor6 change =
-        -std::expm1(-duration / tau[i]) * (limit(i, at.parameters, at.stress) - ConstMap(at.internal + 6 * i));
-    Map(internal + 6 * i) += change;
-    sum += change;
+        -std::expm1(-duration / chain.tau[i]) * (chain.limit(i, at.stress) - tensor::view(at.internal, i));
+    tensor::writable(into.internal, i) += change;
+    into.creep_strain += change;
   }
-  sum += 1.5 * at.parameters[0] * duration * tensor::deviator(ConstMap(at.stress));
+  into.creep_strain += 1.5 * chain.fluidity * duration * tensor::deviator(at.stress);
 }
 
 }  // namespace creepcontact::material

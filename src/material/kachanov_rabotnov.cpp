@@ -23,50 +23,48 @@ bool KachanovRabotnov::uses_mean_stress() const {
   return !parameters()[Parameter::alpha].is_zero();
 }
 
-KachanovRabotnov::Integrity KachanovRabotnov::integrity(const Point& at) const {
+KachanovRabotnov::Integrity KachanovRabotnov::integrity(const PointState& at) const {
   const double rest = 1.0 - at.internal[0];
   const bool ruptured = rest < least_rest;
   const double value = std::pow(ruptured ? least_rest : rest, 1.0 / power_);
   return {value, ruptured ? 0.0 : -value / (power_ * rest)};
 }
 
-void KachanovRabotnov::rate(const Point& at, double* strain_rate, double* internal_rate) const {
-  const double* p = at.parameters;
+void KachanovRabotnov::rate(const PointState& at, PointRate into) const {
+  const std::span<const double> p = at.parameters;
   const double whole = integrity(at).value;
   const Deviator now = deviator(at.stress);
-  if (now.q > 0.0) add_flow(now, p[A] * power(now.q / whole, p[n]), strain_rate);
-  const double S = p[alpha] > 0.0 ? StressMeasure(Eigen::Map<const Tensor6>(at.stress), p[alpha]).value : now.q;
-  internal_rate[0] = power_ * std::pow(whole, power_ - 1.0 - p[phi]) * p[B] * power(S, p[r]);
+  if (now.q > 0.0) add_flow(now, p[A] * power(now.q / whole, p[n]), into.creep_strain);
+  const double S = p[alpha] > 0.0 ? StressMeasure(at.stress, p[alpha]).value : now.q;
+  into.internal[0] = power_ * std::pow(whole, power_ - 1.0 - p[phi]) * p[B] * power(S, p[r]);
 }
 
-void KachanovRabotnov::derivative(const Point& at, const double* d_stress, const double* /*d_state*/,
-                                  const double* d_internal, double* d_strain_rate, double* d_internal_rate) const {
-  const double* p = at.parameters;
+void KachanovRabotnov::derivative(const PointState& at, const PointChange& change, PointRate into) const {
+  const std::span<const double> p = at.parameters;
   const Integrity whole = integrity(at);
   const Deviator now = deviator(at.stress);
-  const Eigen::Map<const Tensor6> d(d_stress);
-  add_tangent(now, stress_tangent(at), tensor::deviator(d), d_strain_rate);
-  const double d_whole = whole.slope * d_internal[0];
+  add_tangent(now, stress_tangent(at), tensor::deviator(change.stress), into.creep_strain);
+  const double d_whole = whole.slope * change.internal[0];
   if (now.q > 0.0)
-    add_flow(now, -p[n] * p[A] * power(now.q / whole.value, p[n]) / whole.value * d_whole, d_strain_rate);
+    add_flow(now, -p[n] * p[A] * power(now.q / whole.value, p[n]) / whole.value * d_whole, into.creep_strain);
 
-  d_internal_rate[0] = 0.0;
-  const StressMeasure S(Eigen::Map<const Tensor6>(at.stress), p[alpha]);
+  into.internal[0] = 0.0;
+  const StressMeasure S(at.stress, p[alpha]);
   if (S.value == 0.0) return;
   const double exponent = power_ - 1.0 - p[phi];
   const double rate = power_ * std::pow(whole.value, exponent) * p[B] * power(S.value, p[r]);
-  d_internal_rate[0] = rate * (p[r] / S.value * S.gradient.dot(d) + exponent / whole.value * d_whole);
+  into.internal[0] = rate * (p[r] / S.value * S.gradient.dot(change.stress) + exponent / whole.value * d_whole);
 }
 
-StressTangent KachanovRabotnov::stress_tangent(const Point& at) const {
-  const double* p = at.parameters;
+StressTangent KachanovRabotnov::stress_tangent(const PointState& at) const {
+  const std::span<const double> p = at.parameters;
   const double whole = integrity(at).value;
   const double q = deviator(at.stress).q;
   const double secant = p[A] * power((q == 0.0 ? vanishing_stress : q) / whole, p[n] - 1.0) / whole;
   return coaxial_tangent(q, secant * q, p[n] * secant);
 }
 
-std::optional<double> KachanovRabotnov::measure(Measure of, const Point& at) const {
+std::optional<double> KachanovRabotnov::measure(Measure of, const PointState& at) const {
   if (of != Measure::damage) return std::nullopt;
   return 1.0 - integrity(at).value;
 }

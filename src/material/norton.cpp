@@ -5,7 +5,7 @@
 
 namespace creepcontact::material {
 
-EquivalentRate Norton::equivalent_rate(double q, const Point& at) const {
+EquivalentRate Norton::equivalent_rate(double q, const PointState& at) const {
   const double A = at.parameters[0], n = at.parameters[1];
   const double secant = A * power(q, n - 1.0);
   return {secant * q, n * secant};

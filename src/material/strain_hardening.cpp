@@ -10,19 +10,19 @@ StrainHardening::StrainHardening(Function A, Function n, Function m)
   require_constant("m", parameters()[2], 0.0, 1.0);
 }
 
-double StrainHardening::equivalent_rate(double q, double eps, const Point& at) const {
+double StrainHardening::equivalent_rate(double q, double eps, const PointState& at) const {
   const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
   const double strain = A * power(q, n);  // after the unit of time; A^(1/m) alone may underflow
   return m * strain * std::pow(strain / eps, 1.0 / m - 1.0);
 }
 
-HardeningRate StrainHardening::linearized_rate(double q, double eps, const Point& at) const {
+HardeningRate StrainHardening::linearized_rate(double q, double eps, const PointState& at) const {
   const double n = at.parameters[1], m = at.parameters[2];
   const double f = equivalent_rate(q, eps, at);
   return {f, f * n / (m * q), f * (1.0 - 1.0 / m) / eps};
 }
 
-double StrainHardening::accumulated(double q, double eps, const Point& at, double duration) const {
+double StrainHardening::accumulated(double q, double eps, const PointState& at, double duration) const {
   const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
   const double strain = A * power(q, n);
   const double virgin = strain * std::pow(duration, m);

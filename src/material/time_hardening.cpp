@@ -22,8 +22,13 @@ TimeHardening::TimeHardening(std::string name, std::vector<Function> A, std::vec
       name_(std::move(name)),
       n_terms_(static_cast<int>(A.size())) {}
 
-EquivalentRate TimeHardening::equivalent_rate(double q, const Point& at) const {
-  const double *A = at.parameters, *n = A + n_terms_, *m = n + n_terms_;
+TimeHardening::Terms TimeHardening::terms(const PointState& at) const {
+  return {list_of(at.parameters, 0, n_terms_), list_of(at.parameters, 1, n_terms_),
+          list_of(at.parameters, 2, n_terms_)};
+}
+
+EquivalentRate TimeHardening::equivalent_rate(double q, const PointState& at) const {
+  const auto [A, n, m] = terms(at);
   EquivalentRate sum;
   for (int i = 0; i < n_terms_; ++i) {
     if (A[i] == 0.0) continue;  // not 0 * infinity at t = 0
@@ -34,22 +39,22 @@ EquivalentRate TimeHardening::equivalent_rate(double q, const Point& at) const {
   return sum;
 }
 
-double TimeHardening::start_exponent(const Point& at) const {
+double TimeHardening::start_exponent(const PointState& at) const {
   if (at.time != 0.0) return 1.0;
-  const double *A = at.parameters, *m = A + 2 * n_terms_;
+  const auto [A, n, m] = terms(at);
   double exponent = 1.0;
   for (int i = 0; i < n_terms_; ++i)
     if (A[i] > 0.0) exponent = std::min(exponent, m[i]);
   return exponent;
 }
 
-void TimeHardening::increment(const Point& at, double duration, double* strain, double* /*internal*/) const {
+void TimeHardening::increment(const PointState& at, double duration, PointIncrement into) const {
   const Deviator now = deviator(at.stress);
   if (now.q == 0.0) return;
-  const double *A = at.parameters, *n = A + n_terms_, *m = n + n_terms_;
+  const auto [A, n, m] = terms(at);
   double sum = 0;
   for (int i = 0; i < n_terms_; ++i) sum += A[i] * power(now.q, n[i]) * growth(at.time, duration, m[i]);
-  add_flow(now, sum, strain);
+  add_flow(now, sum, into.creep_strain);
 }
 
 LawInfo time_hardening_info() {

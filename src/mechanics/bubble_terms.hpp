@@ -40,15 +40,14 @@ class BubbleTerms {
  public:
   using Values = Eigen::Map<const Lanes<P>>;
   using Vectors = Eigen::Map<const Eigen::Array<double, P, 3>>;
+  using Geometry = Eigen::Map<const Eigen::Array<double, P, 10>>;
 
-  /// @param inverse  n_points x 9 @param weight  of the points @param linear, derivatives  n_points x 3
-  BubbleTerms(const Bubble& bubble, const double* inverse, const double* weight, const double* linear,
-              const double* derivatives)
-      : bubble_(bubble), weight_(weight), linear_(linear) {
-    const Vectors d(derivatives);
-    for (Index i = 0; i < 3; ++i)
-      gradient_.col(i) = Values(inverse + i * P) * d.col(0) + Values(inverse + (3 + i) * P) * d.col(1) +
-                         Values(inverse + (6 + i) * P) * d.col(2) - bubble.mean_gradient[i];
+  /// @param geometry, derivatives  as ElementBlock has them @param linear  its linear_functions()
+  BubbleTerms(const Bubble& bubble, const Geometry& geometry, const Vectors& linear, const Vectors& derivatives)
+      : bubble_(bubble), weight_(geometry.col(9).data()), linear_(linear) {
+    for (Eigen::Index i = 0; i < 3; ++i)
+      gradient_.col(i) = geometry.col(i) * derivatives.col(0) + geometry.col(3 + i) * derivatives.col(1) +
+                         geometry.col(6 + i) * derivatives.col(2) - bubble.mean_gradient[i];
   }
 
   /// strain += P B_b a, a in equilibrium with the stress H strain and the force on the bubble.
@@ -70,13 +69,14 @@ class BubbleTerms {
 
   /// strain += P B_b a, a in equilibrium with moduli strain - initial stress. @param moduli  P symmetric matrices
   /// @param initial_stress  P x 6
-  void add_strain(const Matrix6* moduli, const double* initial_stress, LaneTensors<P>& strain) const {
+  void add_strain(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
+                  LaneTensors<P>& strain) const {
     Matrix3 stiffness = Matrix3::Zero();
     Vector3 residual = Vector3::Zero();
     for (Index p = 0; p < P; ++p) {
       const Eigen::Matrix<double, 6, 3> matrix = strain_matrix(p), stress = moduli[p] * matrix;
       stiffness += weight_[p] * matrix.transpose() * stress;
-      residual += weight_[p] * (matrix.transpose() * Eigen::Map<const Tensor6>(initial_stress + 6 * p) -
+      residual += weight_[p] * (matrix.transpose() * tensor::view(initial_stress, p) -
                                 stress.transpose() * strain.row(p).matrix().transpose());
     }
     add_strain(stiffness.inverse() * residual, strain);

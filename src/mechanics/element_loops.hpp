@@ -94,6 +94,7 @@ class ElementLoops final : public ElementBlock {
   using Values = Lanes<n_points_v>;
   using Tensors = LaneTensors<n_points_v>;
   using ConstValues = Eigen::Map<const Values>;
+  using Terms = BubbleTerms<n_points_v>;
   using Points = Eigen::Array<double, 6, n_points_v>;  // tensors at the points as callers see them
 
   template <typename Work>
@@ -168,9 +169,9 @@ class ElementLoops final : public ElementBlock {
   /// @param values  the strain of the nodal displacement, which becomes the stress
   void to_stress(std::size_t e, const ElasticState& elastic, CreepStrainView creep, Tensors& values) const {
     const std::size_t first = first_point(e);
-    if (creep.data != nullptr) {
+    if (!creep.empty()) {
       using Strided = Eigen::Map<const Points, 0, Eigen::OuterStride<>>;
-      values -= Strided(creep.data + first * creep.stride, Eigen::OuterStride<>(creep.stride)).transpose();
+      values -= Strided(&creep.data[first * creep.stride], Eigen::OuterStride<>(creep.stride)).transpose();
     }
     if (!elastic.thermal_strain.empty()) {
       const ConstValues thermal(elastic.thermal_strain.data() + first);
@@ -209,11 +210,13 @@ class ElementLoops final : public ElementBlock {
                          [[maybe_unused]] std::span<const double> initial_stress,
                          [[maybe_unused]] Tensors& strain) const {
     if constexpr (with_bubble)
-      bubble_terms(e).add_strain(moduli.data() + first_point(e), initial_stress.data() + 6 * first_point(e), strain);
+      bubble_terms(e).add_strain(moduli.subspan(first_point(e), P), initial_stress.subspan(6 * first_point(e), 6 * P),
+                                 strain);
   }
 
-  BubbleTerms<n_points_v> bubble_terms(std::size_t e) const {
-    return {bubble(e), geometry(e), geometry(e) + 9 * P, linear_functions(e), bubble_derivatives().data()};
+  Terms bubble_terms(std::size_t e) const {
+    return {bubble(e), typename Terms::Geometry(geometry(e)), typename Terms::Vectors(linear_functions(e)),
+            typename Terms::Vectors(bubble_derivatives().data())};
   }
 
   std::array<double, P * N * 3> table_{};

@@ -14,10 +14,8 @@ constexpr double small_strain = 1;  // creep strain beyond which results mean no
 /// Pressures times the areas of their nodes; tied surfaces may pull.
 double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
   double force = 0;
-  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-    const auto row = pair.first_row + static_cast<Eigen::Index>(i);
-    force += pair.coupling.area[i] * multipliers[row];
-  }
+  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+    force += pair.coupling.area[i] * multipliers[pair.first_row + i];
   return force;
 }
 
@@ -58,8 +56,8 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
   std::vector<mechanics::CreepStrainView> views;
   system_.layout().views(y, views);
   for (std::size_t b = 0; b < bodies.size() && !warned_of_strain_; ++b)
-    for (std::size_t p = 0; views[b].data != nullptr && p < bodies[b].discretization().n_points(); ++p) {
-      const double strain = tensor::equivalent_strain(Eigen::Map<const Tensor6>(views[b].data + p * views[b].stride));
+    for (std::size_t p = 0; !views[b].empty() && p < bodies[b].discretization().n_points(); ++p) {
+      const double strain = tensor::equivalent_strain(views[b].at(p));
       if (!(strain > small_strain)) continue;
       const Vector3& x = bodies[b].discretization().point_coordinates()[p];
       log::warning(

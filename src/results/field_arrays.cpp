@@ -47,9 +47,9 @@ std::vector<io::FieldData> cell_arrays(Snapshot& snapshot) {
     discretization.to_elements(fields.point_values(PointField::stress), 6, stress_means);
     discretization.to_elements(fields.point_values(PointField::creep_strain), 6, creep_means);
     for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
-      const Tensor6 mean = Eigen::Map<const Tensor6>(stress_means.data() + 6 * e);
+      const Tensor6 mean = tensor::view(stress_means, e);
       append_components(mean, stress.values);
-      append_components(Eigen::Map<const Tensor6>(creep_means.data() + 6 * e), creep.values);
+      append_components(tensor::view(creep_means, e), creep.values);
       von_mises.values.push_back(tensor::von_mises(mean));
       body_id.values.push_back(static_cast<double>(b));
     }

@@ -7,6 +7,7 @@ namespace creepcontact::results {
 namespace {
 
 using Kind = QuantityInfo::Kind;
+using Axis = QuantityInfo::Axis;
 using Field = Tensor6 Sample::*;
 
 /// Component (i, j) of a tensor field, Cartesian.
@@ -15,24 +16,28 @@ double cartesian(const Sample& sample) {
   return tensor::to_matrix(sample.*field)(i, j);
 }
 
-/// Component in cylindrical coordinates about the z axis: 0 r, 1 theta.
-template <int i, int j>
+/// Directions of cylindrical coordinates about the z axis.
+enum class Direction { radial, circumferential };
+
+template <Direction first, Direction second>
 double cylindrical(const Sample& sample) {
   const double r = sample.place.head<2>().norm();
   const Vector3 radial = r > 0 ? Vector3(sample.place.x() / r, sample.place.y() / r, 0) : Vector3(1, 0, 0);
-  const Vector3 axes[2] = {radial, Vector3(-radial.y(), radial.x(), 0)};
-  return axes[i].dot(tensor::to_matrix(sample.stress) * axes[j]);
+  const Vector3 circumferential(-radial.y(), radial.x(), 0);
+  const auto unit = [&](Direction of) { return of == Direction::radial ? radial : circumferential; };
+  return unit(first).dot(tensor::to_matrix(sample.stress) * unit(second));
 }
 
-/// 0 the largest
-template <int i>
+enum class Rank { smallest, middle, largest };
+
+template <Rank rank>
 double principal(const Sample& sample) {
-  return tensor::principal_values(tensor::to_matrix(sample.stress))[2 - i];
+  return tensor::principal_values(tensor::to_matrix(sample.stress))[static_cast<int>(rank)];
 }
 
-template <int i>
+template <Axis axis>
 double displacement(const Sample& sample) {
-  return sample.displacement[i];
+  return sample.displacement[static_cast<int>(axis)];
 }
 
 template <Field field>
@@ -53,24 +58,24 @@ std::vector<QuantityInfo> make_quantities() {
   const auto field = [&](const char* name, const char* description, double (*value)(const Sample&)) {
     list.push_back({name, description, Kind::field, value});
   };
-  field("displacement_x", "displacement", displacement<0>);
-  field("displacement_y", "displacement", displacement<1>);
-  field("displacement_z", "displacement", displacement<2>);
+  field("displacement_x", "displacement", displacement<Axis::x>);
+  field("displacement_y", "displacement", displacement<Axis::y>);
+  field("displacement_z", "displacement", displacement<Axis::z>);
   field("displacement_magnitude", "length of the displacement",
         [](const Sample& sample) { return sample.displacement.norm(); });
   add_components<&Sample::stress>(list, "stress", "stress");
   const auto cylinder = [&](const char* name, double (*value)(const Sample&)) {
-    list.push_back(
-        {name, "stress in cylindrical components about the probe's `axis`, by default z", Kind::field, value, 0, true});
+    list.push_back({name, "stress in cylindrical components about the probe's `axis`, by default z", Kind::field, value,
+                    Axis::z, true});
   };
-  cylinder("stress_r", cylindrical<0, 0>);
-  cylinder("stress_theta", cylindrical<1, 1>);
-  cylinder("stress_rtheta", cylindrical<0, 1>);
+  cylinder("stress_r", cylindrical<Direction::radial, Direction::radial>);
+  cylinder("stress_theta", cylindrical<Direction::circumferential, Direction::circumferential>);
+  cylinder("stress_rtheta", cylindrical<Direction::radial, Direction::circumferential>);
   field("von_mises", "equivalent stress of von Mises",
         [](const Sample& sample) { return tensor::von_mises(sample.stress); });
-  field("principal_1", "largest principal stress", principal<0>);
-  field("principal_2", "middle principal stress", principal<1>);
-  field("principal_3", "smallest principal stress", principal<2>);
+  field("principal_1", "largest principal stress", principal<Rank::largest>);
+  field("principal_2", "middle principal stress", principal<Rank::middle>);
+  field("principal_3", "smallest principal stress", principal<Rank::smallest>);
   field("hydrostatic", "mean stress", [](const Sample& sample) { return tensor::trace(sample.stress) / 3; });
   add_components<&Sample::strain>(list, "strain", "total strain, tensor components");
   add_components<&Sample::creep_strain>(list, "creep_strain", "creep strain, tensor components");
@@ -85,13 +90,13 @@ std::vector<QuantityInfo> make_quantities() {
   list.push_back({"contact_pressure", "the multipliers; either surface of a pair gives the same", Kind::pressure});
   list.push_back({"gap", "normal distance; zero but for rounding where closed", Kind::gap});
   list.push_back({"contact_area", "area in contact, its edge found between the nodes", Kind::area});
-  const char* const axes[] = {"x", "y", "z"};
-  for (int k = 0; k < 3; ++k)
-    list.push_back({std::string("contact_force_") + axes[k], "resultant contact force on the body of this surface",
-                    Kind::force, nullptr, k});
-  for (int k = 0; k < 3; ++k)
-    list.push_back({std::string("reaction_") + axes[k], "resultant force of the supports on the body", Kind::reaction,
-                    nullptr, k});
+  const std::pair<const char*, Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
+  for (const auto& [name, axis] : axes)
+    list.push_back({std::string("contact_force_") + name, "resultant contact force on the body of this surface",
+                    Kind::force, nullptr, axis});
+  for (const auto& [name, axis] : axes)
+    list.push_back({std::string("reaction_") + name, "resultant force of the supports on the body", Kind::reaction,
+                    nullptr, axis});
   return list;
 }
 

@@ -6,11 +6,12 @@ namespace creepcontact::results {
 namespace {
 
 Tensor6 tensor_at(const std::vector<double>& values, std::size_t i) {
-  return Eigen::Map<const Tensor6>(values.data() + 6 * i);
+  return tensor::view(values, i);
 }
 
 constexpr bool is_tensor(PointField field) {
-  return field < PointField::temperature;
+  using enum PointField;
+  return field == stress || field == strain || field == creep_strain;
 }
 constexpr std::size_t number(PointField field) {
   return static_cast<std::size_t>(field);
@@ -19,8 +20,7 @@ constexpr std::size_t number(PointField field) {
 }  // namespace
 
 BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions,
-                       const creep::BodyState& state, mechanics::CreepStrainView creep,
-                       std::vector<double> damage_at_points, std::vector<double> life_at_points)
+                       const creep::BodyState& state, mechanics::CreepStrainView creep, PointMeasures measures)
     : body_(body), state_(state) {
   using enum PointField;
   const mechanics::Discretization& discretization = body.discretization();
@@ -28,21 +28,20 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   at_points(stress) = state.stress;
   discretization.fit_mean_stress(at_points(stress));
   at_points(creep_strain).assign(6 * n_points(), 0.0);
-  if (creep.data != nullptr)
-    for (std::size_t p = 0; p < n_points(); ++p)
-      std::copy_n(creep.data + p * creep.stride, 6, at_points(creep_strain).data() + 6 * p);
+  if (!creep.empty())
+    for (std::size_t p = 0; p < n_points(); ++p) tensor::writable(at_points(creep_strain), p) = creep.at(p);
   const mechanics::ElasticState elastic = conditions.elastic();
   at_points(strain) = at_points(creep_strain);
   for (std::size_t p = 0; p < n_points(); ++p) {
-    Eigen::Map<Tensor6> total(at_points(strain).data() + 6 * p);
+    tensor::Map total = tensor::writable(at_points(strain), p);
     total += material::elastic_strain(elastic.at(p), tensor_at(at_points(stress), p));
     if (!elastic.thermal_strain.empty()) total.head<3>().array() += elastic.thermal_strain[p];
   }
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);
-  at_points(damage) = std::move(damage_at_points);
-  at_points(life_fraction) = std::move(life_at_points);
-  for (const PointField field : {stress, strain, creep_strain, temperature, damage, life_fraction}) {
+  at_points(damage) = std::move(measures.damage);
+  at_points(life_fraction) = std::move(measures.life_fraction);
+  for (const PointField field : point_fields) {
     const std::size_t width = is_tensor(field) ? 6 : 1;
     std::vector<double>& nodes = nodes_[number(field)];
     nodes.assign(width * n_nodes(), 0.0);
@@ -92,8 +91,9 @@ const BodyFields& Snapshot::fields(std::size_t body) {
   system_.layout().views(at_.y, creep);
   return fields_
       .try_emplace(body, assembly().bodies()[body], at_.equilibrium.conditions[body], at_.equilibrium.bodies[body],
-                   creep[body], system_.measure(material::Measure::damage, body, at_, at_.y),
-                   system_.measure(material::Measure::life_fraction, body, at_, at_.y))
+                   creep[body],
+                   PointMeasures{.damage = system_.measure(material::Measure::damage, body, at_, at_.y),
+                                 .life_fraction = system_.measure(material::Measure::life_fraction, body, at_, at_.y)})
       .first->second;
 }
 

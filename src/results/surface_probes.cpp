@@ -84,7 +84,7 @@ class ContactProbe final : public Probe {
     const Eigen::VectorXd forces =
         rows.transpose() * snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
     double sum = 0;
-    for (Eigen::Index i = info_.component; i < forces.size(); i += 3) sum += forces[i];
+    for (auto i = static_cast<Eigen::Index>(info_.axis); i < forces.size(); i += 3) sum += forces[i];
     return sum;
   }
 
@@ -95,8 +95,8 @@ class ContactProbe final : public Probe {
 
 class ReactionProbe final : public Probe {
  public:
-  ReactionProbe(std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes, int component)
-      : nodes_(std::move(nodes)), component_(component) {}
+  ReactionProbe(std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes, QuantityInfo::Axis axis)
+      : nodes_(std::move(nodes)), component_(static_cast<int>(axis)) {}
 
   double value(Snapshot& snapshot) const override {
     double sum = 0;
@@ -145,7 +145,7 @@ std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::M
   std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes;
   for (const std::size_t b : probe_bodies(probe, model))
     nodes.emplace_back(b, mesh::group_nodes(model.bodies()[b].mesh(), probe.on.name));
-  return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).component);
+  return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).axis);
 }
 
 }  // namespace creepcontact::results

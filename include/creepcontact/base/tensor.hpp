@@ -4,8 +4,10 @@
 /// so that the scalar product of two tensors is the dot product of their arrays and one rule serves stress and strain.
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace creepcontact {
 
@@ -17,6 +19,31 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;  ///< linear map of such tensors, a
 namespace tensor {
 
 inline constexpr double sqrt2 = std::numbers::sqrt2;
+
+/// Tensors in memory that somebody else owns. A copy refers to the same six numbers; assignment to a Map writes them.
+using Map = Eigen::Map<Tensor6>;
+using ConstMap = Eigen::Map<const Tensor6>;
+
+/// The zero tensor, where none is given.
+inline ConstMap zero() {
+  static constexpr std::array<double, 6> numbers{};
+  return ConstMap(numbers.data());
+}
+inline ConstMap view(const Tensor6& of) {
+  return ConstMap(of.data());
+}
+ConstMap view(const Tensor6&& temporary) = delete;  // the view would outlive it
+/// @param tensors  n x 6 @param i  < n
+inline ConstMap view(std::span<const double> tensors, std::size_t i) {
+  return ConstMap(tensors.data() + 6 * i);
+}
+inline Map writable(Tensor6& of) {
+  return Map(of.data());
+}
+/// @param tensors  n x 6 @param i  < n
+inline Map writable(std::span<double> tensors, std::size_t i) {
+  return Map(tensors.data() + 6 * i);
+}
 
 inline double trace(const Tensor6& a) {
   return a[0] + a[1] + a[2];

@@ -121,7 +121,7 @@ class CreepSystem final : public ode::System,
   bool is_at(double t, std::span<const double> y, const Evaluation& of) const;
   /// The time at which loads are to be taken for t.
   double load_time(double t) const;
-  PointsState points_state(std::size_t body, const Evaluation& at, const double* y) const;
+  PointsState points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const;
   double smallest_start_exponent(double t, const Evaluation& at) const;
   std::string describe_overflow(const Evaluation& at, std::span<const double> rate) const;
 

@@ -18,19 +18,25 @@ struct LawParameters {
   bool evaluated = false;
 };
 
-/// Where the laws of a body are evaluated. Refers to values of the caller.
+/// Where the laws of a body are evaluated: material::PointState of all its points. Refers to values of the caller.
 struct PointsState {
   const LawParameters& laws;
   mechanics::ElasticState elastic;
   std::span<const double> stress;  ///< n_points x 6, Mandel order
-  const double* state;             ///< n_points x stride: this body's part of y
+  std::span<const double> state;   ///< n_points x stride: this body's part of y
+};
+
+/// A direction in which stress and state change, at all points of a body or at one. Refers to values of the caller.
+struct PointsChange {
+  std::span<const double> stress;  ///< 6 per point, Mandel order
+  std::span<const double> state;   ///< stride per point
 };
 
 /// Immutable.
 class MaterialPoints {
  public:
-  /// @param body must outlive the object @param least_strain  see material::Point
-  explicit MaterialPoints(const mechanics::Body& body, double least_strain = material::Point{}.least_strain);
+  /// @param body must outlive the object @param least_strain  see material::PointState
+  explicit MaterialPoints(const mechanics::Body& body, double least_strain = material::PointState{}.least_strain);
 
   bool empty() const { return stride_ == 0; }
   std::size_t size() const { return n_points_; }
@@ -43,16 +49,15 @@ class MaterialPoints {
   void update(const mechanics::BodyConditions& at, LawParameters& into) const;
 
   // Rates: n_points x stride, as the state. Cost of each: one pass over the points.
-  void rate(const PointsState& at, double* rate) const;
-  /// @param d_stress  n_points x 6 @param d_state, d_rate  n_points x stride
-  void derivative(const PointsState& at, std::span<const double> d_stress, const double* d_state, double* d_rate) const;
-  /// The same at one point; d_stress (6), d_state and d_rate (stride) are those of the point.
-  void derivative_at(std::size_t p, const PointsState& at, const double* d_stress, const double* d_state,
-                     double* d_rate) const;
+  void rate(const PointsState& at, std::span<double> rate) const;
+  void derivative(const PointsState& at, const PointsChange& change, std::span<double> rate_change) const;
+  /// The same at one point. @param change, rate_change  of this point alone
+  void derivative_at(std::size_t p, const PointsState& at, const PointsChange& change,
+                     std::span<double> rate_change) const;
   /// Smallest of all points, see CreepLaw. @param t  takes the place of the parameters' time
   double start_exponent(double t, const PointsState& at) const;
-  /// change += what the closed forms give from t on over this duration
-  void add_increment(double t, double duration, const PointsState& at, double* change) const;
+  /// change += what the closed forms give from t on over this duration. @param change  n_points x stride
+  void add_increment(double t, double duration, const PointsState& at, std::span<double> change) const;
 
   bool knows(material::Measure measure) const { return known_[static_cast<std::size_t>(measure)]; }
   /// Of every point the largest of its mechanisms, 0 where none knows the measure.
@@ -77,17 +82,34 @@ class MaterialPoints {
     std::vector<double> fitted_;
   };
 
-  /// call(law, point, offset of its internal variables in the state of the point) for every mechanism at point p
-  template <typename Call>
-  void for_each_law(std::size_t p, const PointsState& at, Call call) const;
+  /// A part of numbers that stand one after the other.
+  struct Part {
+    std::size_t first = 0, size = 0;
+    template <typename Number>
+    std::span<Number> of(std::span<Number> all) const {
+      return {all.data() + first, size};
+    }
+  };
+  /// One law, and what belongs to it.
+  struct Mechanism {
+    const material::CreepLaw* law;
+    Part internal;    // of the state of a point
+    Part parameters;  // of those of all mechanisms
+  };
+  /// Of n_points x stride numbers those of one point.
+  template <typename Number>
+  std::span<Number> of_point(std::size_t p, std::span<Number> all) const {
+    return {all.data() + stride_ * p, stride_};
+  }
+  material::PointState seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at) const;
   /// Largest eigenvalue of a point's own part of the Jacobian, internal variables included, by power iteration.
   double stiffest_with_internal(std::size_t p, const PointsState& at, Eigen::VectorXd& v,
                                 Eigen::VectorXd& product) const;
-  material::Point point(std::size_t p, const PointsState& at) const;
 
   const mechanics::Body& body_;
   std::size_t n_points_, stride_;
   double least_strain_;
+  std::vector<Mechanism> mechanisms_;
   std::size_t n_parameters_ = 0;         // of all mechanisms
   bool known_[2] = {false, false};       // by Measure
   bool fits_mean_stress_ = false;        // a law needs it and elements have it

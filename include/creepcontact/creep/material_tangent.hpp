@@ -24,10 +24,11 @@ class MaterialTangent {
   /// then converges linearly.
   std::span<const Matrix6> moduli() const { return moduli_; }
 
-  /// stress = D e
-  void initial_stress(const double* r, std::span<double> stress) const;
-  /// z from the solution. @param strain  B du, n_points x 6; empty: du = 0, every point for itself
-  void solution(const double* r, std::span<const double> strain, double* z) const;
+  /// stress = D e. @param r  n_points x stride @param stress  n_points x 6
+  void initial_stress(std::span<const double> r, std::span<double> stress) const;
+  /// z from the solution. @param r, z  n_points x stride
+  /// @param strain  B du, n_points x 6; empty: du = 0, every point for itself
+  void solution(std::span<const double> r, std::span<const double> strain, std::span<double> z) const;
 
  private:
   struct Work;

@@ -17,7 +17,7 @@ class Ageing final : public FlowLaw {
   std::string name() const override { return "ageing"; }
   bool is_isochronous() const override { return true; }
   /// @returns the equivalent creep strain, no rate
-  EquivalentRate equivalent_rate(double q, const Point& at) const override;
+  EquivalentRate equivalent_rate(double q, const PointState& at) const override;
 };
 
 LawInfo ageing_info();

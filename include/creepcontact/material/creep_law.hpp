@@ -12,17 +12,39 @@
 
 namespace creepcontact::material {
 
-/// What a law sees at one integration point. Pointers are not owned.
-struct Point {
-  const double* stress = nullptr;      ///< 6, Mandel order
-  const double* state = nullptr;       ///< creep strain (6, Mandel), of the whole material
-  const double* internal = nullptr;    ///< n_internal() variables of this law
-  const double* parameters = nullptr;  ///< n_parameters() values at this point's temperature
+// What a law and its caller hand to each other: views of numbers that the caller owns, cut to what belongs to the law.
+// Tensors are six numbers in Mandel order (base/tensor.hpp). Units are those of the user: stress, time, temperature.
+
+/// What a law sees at one integration point.
+struct PointState {
+  tensor::ConstMap stress = tensor::zero();
+  tensor::ConstMap creep_strain = tensor::zero();  ///< of the whole material, not of this law alone
+  std::span<const double> internal = {};           ///< n_internal() variables of this law
+  std::span<const double> parameters = {};         ///< n_parameters() values at this point's temperature
   double time = 0;
   double temperature = 0;
   /// Hardening strain below this counts as this: small against what the accuracy of the strain is, but not so small
   /// that Newton's corrections there, which are a share of it, pass for nothing.
   double least_strain = 1e-10;
+};
+
+/// Changes of what a law sees: the direction of a derivative.
+struct PointChange {
+  tensor::ConstMap stress = tensor::zero();
+  tensor::ConstMap creep_strain = tensor::zero();
+  std::span<const double> internal = {};  ///< n_internal()
+};
+
+/// Where a law puts its rates, or the changes of its rates.
+struct PointRate {
+  tensor::Map creep_strain;         ///< all mechanisms add to it
+  std::span<double> internal = {};  ///< n_internal(); overwritten
+};
+
+/// Where a law adds what grows in some time.
+struct PointIncrement {
+  tensor::Map creep_strain;
+  std::span<double> internal = {};  ///< n_internal()
 };
 
 /// d(rate)/d(stress) of an isotropic law, in the frame of the current stress deviator s:
@@ -50,17 +72,15 @@ class CreepLaw {
   virtual int n_internal() const { return 0; }
   virtual InternalKind internal_kind(int /*variable*/) const { return InternalKind::strain; }
   int n_parameters() const { return static_cast<int>(parameters_.size()); }
-  /// All values one after the other, those of a list in its order: Point::parameters has the same order.
+  /// All values one after the other, those of a list in its order: PointState::parameters has the same order.
   const std::vector<Function>& parameters() const { return parameters_; }
 
-  /// Adds the creep strain rate (6, Mandel) and writes the internal rates (n_internal()).
-  virtual void rate(const Point& at, double* strain_rate, double* internal_rate) const = 0;
-  /// Adds the exact directional derivative of rate(): d strain_rate (6) and writes d internal_rate (n_internal()),
-  /// for changes of stress (6), of creep strain (6) and of the internal variables.
-  virtual void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
-                          double* d_strain_rate, double* d_internal_rate) const = 0;
+  /// Creep strain rate and rates of the internal variables.
+  virtual void rate(const PointState& at, PointRate into) const = 0;
+  /// The exact directional derivative of rate().
+  virtual void derivative(const PointState& at, const PointChange& change, PointRate into) const = 0;
   /// d(strain rate)/d(stress) alone, internal variables held.
-  virtual StressTangent stress_tangent(const Point& at) const = 0;
+  virtual StressTangent stress_tangent(const PointState& at) const = 0;
 
   /// True if rate() is no rate but the creep strain itself, a function of the stress and the time of the moment
   /// (ageing theory).
@@ -71,13 +91,13 @@ class CreepLaw {
 
   /// Where loading that begins, or jumps, at at.time makes the rate infinite, strain grows from there as
   /// (t - at.time)^exponent; 1 where the rate is finite. In (0, 1].
-  virtual double start_exponent(const Point& /*at*/) const { return 1; }
-  /// Adds the changes of creep strain (6) and of the internal variables (n_internal()) from at.time on, the stress
-  /// being constant: the closed form of a law with a singular start. Here: duration times the rate.
-  virtual void increment(const Point& at, double duration, double* strain, double* internal) const;
+  virtual double start_exponent(const PointState& /*at*/) const { return 1; }
+  /// What grows from at.time on, the stress being constant: the closed form of a law with a singular start. Here:
+  /// duration times the rate.
+  virtual void increment(const PointState& at, double duration, PointIncrement into) const;
 
   /// @returns nothing if the law knows no such measure
-  virtual std::optional<double> measure(Measure /*of*/, const Point& /*at*/) const { return std::nullopt; }
+  virtual std::optional<double> measure(Measure /*of*/, const PointState& /*at*/) const { return std::nullopt; }
 
  protected:
   explicit CreepLaw(std::vector<Function> parameters) : parameters_(std::move(parameters)) {}

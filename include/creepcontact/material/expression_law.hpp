@@ -15,10 +15,10 @@ class ExpressionLaw final : public HardeningLaw {
   /// @param rate  of q, T, t, eps [1/time]
   explicit ExpressionLaw(Function rate);
   std::string name() const override { return "expression"; }
-  double equivalent_rate(double q, double eps, const Point& at) const override;
-  HardeningRate linearized_rate(double q, double eps, const Point& at) const override;
-  double accumulated(double q, double eps, const Point& at, double duration) const override;
-  double start_exponent(const Point& at) const override;
+  double equivalent_rate(double q, double eps, const PointState& at) const override;
+  HardeningRate linearized_rate(double q, double eps, const PointState& at) const override;
+  double accumulated(double q, double eps, const PointState& at, double duration) const override;
+  double start_exponent(const PointState& at) const override;
 
  private:
   /// Exponents of t (at t = 0) and eps (at eps = 0) that the rate tends to there; 0 where it is finite.
@@ -26,7 +26,7 @@ class ExpressionLaw final : public HardeningLaw {
     double time = 0, strain = 0;
     double exponent() const { return (1 + time) / (1 - strain); }
   };
-  Singularity singularity(double q, const Point& at) const;
+  Singularity singularity(double q, const PointState& at) const;
   double value(double q, double eps, double t, double T) const;
 
   Function rate_;

@@ -17,12 +17,11 @@ class FlowLaw : public CreepLaw {
  public:
   using CreepLaw::CreepLaw;
   /// @param q  von Mises equivalent stress, > 0
-  virtual EquivalentRate equivalent_rate(double q, const Point& at) const = 0;
+  virtual EquivalentRate equivalent_rate(double q, const PointState& at) const = 0;
 
-  void rate(const Point& at, double* strain_rate, double* internal_rate) const final;
-  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
-                  double* d_strain_rate, double* d_internal_rate) const final;
-  StressTangent stress_tangent(const Point& at) const final;
+  void rate(const PointState& at, PointRate into) const final;
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const final;
+  StressTangent stress_tangent(const PointState& at) const final;
 };
 
 }  // namespace creepcontact::material

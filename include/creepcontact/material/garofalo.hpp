@@ -14,7 +14,7 @@ class Garofalo final : public FlowLaw {
   /// @param n  [-], >= 1
   Garofalo(Function A, Function alpha, Function n) : FlowLaw({std::move(A), std::move(alpha), std::move(n)}) {}
   std::string name() const override { return "garofalo"; }
-  EquivalentRate equivalent_rate(double q, const Point& at) const override;
+  EquivalentRate equivalent_rate(double q, const PointState& at) const override;
 };
 
 LawInfo garofalo_info();

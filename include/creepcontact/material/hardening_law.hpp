@@ -18,19 +18,18 @@ class HardeningLaw : public CreepLaw {
  public:
   int n_internal() const final { return accumulates_ ? 1 : 0; }
   /// @param q  von Mises equivalent stress, > 0
-  /// @param eps  accumulated strain, at least Point::least_strain (virgin points, and stages of an integrator that fall
-  /// below 0, count as that: by_strain is then not used)
-  virtual double equivalent_rate(double q, double eps, const Point& at) const = 0;
-  virtual HardeningRate linearized_rate(double q, double eps, const Point& at) const = 0;
+  /// @param eps  accumulated strain, at least PointState::least_strain (virgin points, and stages of an integrator that
+  /// fall below 0, count as that: by_strain is then not used)
+  virtual double equivalent_rate(double q, double eps, const PointState& at) const = 0;
+  virtual HardeningRate linearized_rate(double q, double eps, const PointState& at) const = 0;
   /// Strain that accumulates in `duration` at constant q.
   /// @param eps  as it stands, at least 0
-  virtual double accumulated(double q, double eps, const Point& at, double duration) const = 0;
+  virtual double accumulated(double q, double eps, const PointState& at, double duration) const = 0;
 
-  void rate(const Point& at, double* strain_rate, double* internal_rate) const final;
-  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
-                  double* d_strain_rate, double* d_internal_rate) const final;
-  StressTangent stress_tangent(const Point& at) const final;
-  void increment(const Point& at, double duration, double* strain, double* internal) const final;
+  void rate(const PointState& at, PointRate into) const final;
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const final;
+  StressTangent stress_tangent(const PointState& at) const final;
+  void increment(const PointState& at, double duration, PointIncrement into) const final;
 
  protected:
   /// @param accumulates  false: f does not depend on eps, and there is no internal variable
@@ -38,7 +37,7 @@ class HardeningLaw : public CreepLaw {
       : CreepLaw(std::move(parameters)), accumulates_(accumulates) {}
 
  private:
-  double strain(const Point& at) const;
+  double strain(const PointState& at) const;
 
   bool accumulates_;
 };

@@ -25,16 +25,21 @@ class Hereditary final : public CreepLaw {
   std::string name() const override { return name_; }
   int n_internal() const override { return 6 * n_elements_; }
 
-  void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
-  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
-                  double* d_strain_rate, double* d_internal_rate) const override;
-  StressTangent stress_tangent(const Point& at) const override;
+  void rate(const PointState& at, PointRate into) const override;
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
+  StressTangent stress_tangent(const PointState& at) const override;
   /// Exact.
-  void increment(const Point& at, double duration, double* strain, double* internal) const override;
+  void increment(const PointState& at, double duration, PointIncrement into) const override;
 
  private:
-  /// What e_i tends to under a stress that stays.
-  Tensor6 limit(int element, const double* parameters, const double* stress) const;
+  /// The values of the parameters at a point.
+  struct Chain {
+    double fluidity;
+    std::span<const double> J, tau, B;  ///< n_elements_; B empty: volume does not creep
+    /// What e_i tends to under a stress that stays.
+    Tensor6 limit(int element, const tensor::ConstMap& stress) const;
+  };
+  Chain chain(const PointState& at) const;
 
   std::string name_;
   int n_elements_;

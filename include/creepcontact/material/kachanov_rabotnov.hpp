@@ -25,18 +25,17 @@ class KachanovRabotnov final : public CreepLaw {
   InternalKind internal_kind(int) const override { return InternalKind::fraction; }
   bool uses_mean_stress() const override;
 
-  void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
-  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
-                  double* d_strain_rate, double* d_internal_rate) const override;
-  StressTangent stress_tangent(const Point& at) const override;
-  std::optional<double> measure(Measure of, const Point& at) const override;
+  void rate(const PointState& at, PointRate into) const override;
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
+  StressTangent stress_tangent(const PointState& at) const override;
+  std::optional<double> measure(Measure of, const PointState& at) const override;
 
  private:
   struct Integrity {
     double value = 1;  ///< 1 - w
     double slope = 0;  ///< d value/d D; 0 beyond rupture
   };
-  Integrity integrity(const Point& at) const;
+  Integrity integrity(const PointState& at) const;
 
   double power_;  // phi + 1, or 1 if phi depends on the temperature
 };

@@ -47,11 +47,10 @@ class LifeFraction final : public CreepLaw {
   InternalKind internal_kind(int) const override { return InternalKind::fraction; }
   bool uses_mean_stress() const override { return alpha_ > 0; }
 
-  void rate(const Point& at, double* strain_rate, double* internal_rate) const override;
-  void derivative(const Point& at, const double* d_stress, const double* d_state, const double* d_internal,
-                  double* d_strain_rate, double* d_internal_rate) const override;
-  StressTangent stress_tangent(const Point& /*at*/) const override { return {}; }
-  std::optional<double> measure(Measure of, const Point& at) const override;
+  void rate(const PointState& at, PointRate into) const override;
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
+  StressTangent stress_tangent(const PointState& /*at*/) const override { return {}; }
+  std::optional<double> measure(Measure of, const PointState& at) const override;
 
  private:
   std::shared_ptr<const RuptureData> data_;

@@ -12,7 +12,7 @@ class Norton final : public FlowLaw {
   /// @param n  [-], >= 1
   Norton(Function A, Function n) : FlowLaw({std::move(A), std::move(n)}) {}
   std::string name() const override { return "norton"; }
-  EquivalentRate equivalent_rate(double q, const Point& at) const override;
+  EquivalentRate equivalent_rate(double q, const PointState& at) const override;
 };
 
 LawInfo norton_info();

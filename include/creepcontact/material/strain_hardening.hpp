@@ -17,11 +17,11 @@ class StrainHardening final : public HardeningLaw {
   /// @throws ParameterError if m is not
   StrainHardening(Function A, Function n, Function m);
   std::string name() const override { return "strain_hardening"; }
-  double equivalent_rate(double q, double eps, const Point& at) const override;
-  HardeningRate linearized_rate(double q, double eps, const Point& at) const override;
-  double accumulated(double q, double eps, const Point& at, double duration) const override;
+  double equivalent_rate(double q, double eps, const PointState& at) const override;
+  HardeningRate linearized_rate(double q, double eps, const PointState& at) const override;
+  double accumulated(double q, double eps, const PointState& at, double duration) const override;
   /// m: wherever a load begins or jumps, some point may be virgin.
-  double start_exponent(const Point& at) const override { return at.parameters[2]; }
+  double start_exponent(const PointState& at) const override { return at.parameters[2]; }
 };
 
 LawInfo strain_hardening_info();

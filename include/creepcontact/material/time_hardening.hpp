@@ -20,11 +20,16 @@ class TimeHardening final : public FlowLaw {
   /// @throws ParameterError if the lists differ in length
   TimeHardening(std::string name, std::vector<Function> A, std::vector<Function> n, std::vector<Function> m);
   std::string name() const override { return name_; }
-  EquivalentRate equivalent_rate(double q, const Point& at) const override;
-  double start_exponent(const Point& at) const override;
-  void increment(const Point& at, double duration, double* strain, double* internal) const override;
+  EquivalentRate equivalent_rate(double q, const PointState& at) const override;
+  double start_exponent(const PointState& at) const override;
+  void increment(const PointState& at, double duration, PointIncrement into) const override;
 
  private:
+  struct Terms {
+    std::span<const double> A, n, m;
+  };
+  Terms terms(const PointState& at) const;
+
   std::string name_;
   int n_terms_;
 };

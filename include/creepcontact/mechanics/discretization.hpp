@@ -20,8 +20,10 @@ class NodeEntries;           // which element forces belong to a node (implement
 
 /// Creep strain inside a state vector: point p's six components start at data[p * stride]. Empty data: no creep strain.
 struct CreepStrainView {
-  const double* data = nullptr;
+  std::span<const double> data = {};
   std::size_t stride = 6;
+  bool empty() const { return data.empty(); }
+  tensor::ConstMap at(std::size_t point) const { return tensor::ConstMap(&data[stride * point]); }
 };
 
 /// Isotropic elastic constants: one for all points, or one per point.

@@ -14,14 +14,15 @@ struct QuantityInfo {
     pressure,  ///< contact surfaces, at the multiplier nodes
     gap,
     area,     ///< of the part in contact
-    force,    ///< contact force, `component`
-    reaction  ///< of supports, `component`
+    force,    ///< contact force along `axis`
+    reaction  ///< of supports, along `axis`
   };
+  enum class Axis { x, y, z };
   std::string name;
   std::string description;
   Kind kind = Kind::field;
   double (*value)(const Sample&) = nullptr;
-  int component = 0;
+  Axis axis = Axis::x;
   bool cylindrical = false;  ///< `value` takes the z axis for the one of the cylinder
 };
 

@@ -18,14 +18,20 @@ struct Sample {
 };
 
 enum class PointField { stress, strain, creep_strain, temperature, damage, life_fraction };
+inline constexpr std::array point_fields{PointField::stress,      PointField::strain, PointField::creep_strain,
+                                         PointField::temperature, PointField::damage, PointField::life_fraction};
+
+/// What laws tell of the points of a body beside strain: n_points each, or empty where no law knows it.
+struct PointMeasures {
+  std::vector<double> damage = {}, life_fraction = {};
+};
 
 /// Fields of one body at its integration points and, smoothed, at its nodes.
 class BodyFields {
  public:
   /// @param conditions, state  of the equilibrium; state must outlive the object
-  /// @param damage, life_fraction  n_points, or empty where they are not known
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
-             mechanics::CreepStrainView creep, std::vector<double> damage = {}, std::vector<double> life_fraction = {});
+             mechanics::CreepStrainView creep, PointMeasures measures);
 
   std::size_t n_nodes() const { return body_.mesh().nodes.size(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
@@ -37,10 +43,9 @@ class BodyFields {
   const std::vector<double>& point_values(PointField field) const { return points_[static_cast<std::size_t>(field)]; }
 
  private:
-  static constexpr std::size_t n_fields = 6;
   const mechanics::Body& body_;
   const creep::BodyState& state_;
-  std::array<std::vector<double>, n_fields> points_, nodes_;  // by PointField
+  std::array<std::vector<double>, point_fields.size()> points_, nodes_;  // by PointField
 };
 
 /// State of the model at an output time. Smoothed fields are made when they are first asked for.

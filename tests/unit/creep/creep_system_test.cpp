@@ -153,11 +153,28 @@ TEST(CreepSystem, ScaleIsTypicalStressOverYoungsModulus) {
   const System system(blocks.config());
   const StateLayout& layout = system.rate.layout();
   ASSERT_EQ(layout.size(), system.rate.scale().size());
-  for (std::size_t b = 0; b < 2; ++b) {
-    const std::size_t n = layout.stride(b) * system.model.bodies()[b].discretization().n_points();
-    for (std::size_t i = 0; i < n; ++i)
-      ASSERT_NEAR(system.rate.scale()[layout.offset(b) + i], b == 0 ? 1.0 / 100 : 1.0 / 200, 1e-11);
+  for (std::size_t b = 0; b < 2; ++b)
+    for (const double scale : layout.part(b, system.rate.scale()))
+      ASSERT_NEAR(scale, b == 0 ? 1.0 / 100 : 1.0 / 200, 1e-11);
+}
+
+TEST(StateLayout, PartsOfTheBodiesAreTheWholeVector) {
+  const Case blocks;
+  const System elastic_upper(blocks.config("", {"materials.hard.creep=[]"})), system(blocks.config());
+  for (const System* of : {&elastic_upper, &system}) {
+    const StateLayout& layout = of->rate.layout();
+    const std::vector<double> y(layout.size());
+    const double* begin = y.data();
+    for (std::size_t b = 0; b < 2; ++b) {
+      const std::span<const double> part = layout.part(b, std::span(y));
+      EXPECT_EQ(part.data(), begin);
+      EXPECT_EQ(part.size(), layout.stride(b) * of->model.bodies()[b].discretization().n_points());
+      begin += part.size();
+    }
+    EXPECT_EQ(begin, y.data() + y.size());
   }
+  const std::vector<double> none(elastic_upper.rate.layout().size());
+  EXPECT_TRUE(elastic_upper.rate.layout().part(1, std::span(none)).empty());
 }
 
 TEST(CreepSystem, ScaleSeesLoadsThatComeLater) {

@@ -1,7 +1,9 @@
 #include "creepcontact/creep/material_points.hpp"
 
+#include <numeric>
 #include <random>
 
+#include "unit/mechanics/meshes.hpp"
 #include "unit/model/blocks.hpp"
 
 namespace creepcontact::run::test {
@@ -19,12 +21,11 @@ std::vector<Matrix6> local_jacobians(const System& system, const MaterialPoints&
     std::fill(d_state.begin(), d_state.end(), 0.0);
     for (std::size_t p = 0; p < n; ++p) {
       const Tensor6 unit = Tensor6::Unit(j);
-      Eigen::Map<Tensor6>(d_state.data() + 6 * p) = unit;
-      Eigen::Map<Tensor6>(d_stress.data() + 6 * p) = material::stress(elastic.at(p), -unit);
+      tensor::writable(d_state, p) = unit;
+      tensor::writable(d_stress, p) = material::stress(elastic.at(p), -unit);
     }
-    points.derivative({at.laws[0], elastic, at.equilibrium.bodies[0].stress, y.data()}, d_stress, d_state.data(),
-                      d_rate.data());
-    for (std::size_t p = 0; p < n; ++p) result[p].col(j) = Eigen::Map<const Tensor6>(d_rate.data() + 6 * p);
+    points.derivative({at.laws[0], elastic, at.equilibrium.bodies[0].stress, y}, {d_stress, d_state}, d_rate);
+    for (std::size_t p = 0; p < n; ++p) result[p].col(j) = tensor::view(d_rate, p);
   }
   return result;
 }
@@ -54,7 +55,7 @@ TEST_P(Preconditioner, IsTheInverseOfTheLocalPart) {
   for (const double gamma : {1e-3, 1.0, 1e3}) {
     system.rate.precondition(gamma, r, z);
     for (std::size_t p = 0; p < jacobians.size(); ++p) {
-      const Eigen::Map<const Tensor6> right(r.data() + 6 * p), solution(z.data() + 6 * p);
+      const tensor::ConstMap right = tensor::view(r, p), solution = tensor::view(z, p);
       const Tensor6 image = solution - gamma * (jacobians[p] * solution);
       ASSERT_LT((image - right).norm(), 1e-11 * right.norm() * (1 + gamma * jacobians[p].norm())) << p;
       const Tensor6 exact = (Matrix6::Identity() - gamma * jacobians[p]).partialPivLu().solve(right);
@@ -86,11 +87,68 @@ TEST(MaterialPoints, ParametersFollowTheTemperature) {
   for (const auto& [t, A] : {std::pair(0.0, 1e-3), std::pair(1.0, 5e-3), std::pair(0.5, 3e-3), std::pair(0.0, 1e-3)}) {
     const mechanics::BodyConditions at = system.model.bodies()[0].at(t);
     points.update(at, laws);
-    points.rate({laws, at.elastic(), stress, y.data()}, rate.data());
+    points.rate({laws, at.elastic(), stress, y}, rate);
     for (std::size_t p = 0; p < n; ++p) {
       ASSERT_NEAR(rate[6 * p + 2], -A * 16, 1e-12);
       ASSERT_NEAR(rate[6 * p], A * 8, 1e-12);
     }
+  }
+}
+
+/// Creeps by its parameters in xx, by its variables in yy, and its variables grow by twice what they are.
+class Witness final : public material::CreepLaw {
+ public:
+  Witness(std::vector<Function> parameters, int n_internal) : CreepLaw(std::move(parameters)), n_(n_internal) {}
+  std::string name() const override { return "witness"; }
+  int n_internal() const override { return n_; }
+  void rate(const material::PointState& at, material::PointRate into) const override {
+    EXPECT_EQ(at.parameters.size(), n_parameters());
+    for (const double parameter : at.parameters) into.creep_strain[0] += parameter;
+    add(at.internal, into.creep_strain, into.internal);
+  }
+  void derivative(const material::PointState&, const material::PointChange& change,
+                  material::PointRate into) const override {
+    add(change.internal, into.creep_strain, into.internal);
+  }
+  material::StressTangent stress_tangent(const material::PointState&) const override { return {}; }
+
+ private:
+  void add(std::span<const double> own, tensor::Map creep_strain, std::span<double> rate) const {
+    ASSERT_EQ(own.size(), n_);
+    ASSERT_EQ(rate.size(), n_);
+    for (int i = 0; i < n_; ++i) creep_strain[1] += own[i];
+    for (int i = 0; i < n_; ++i) rate[i] = 2 * own[i];
+  }
+  int n_;
+};
+
+TEST(MaterialPoints, EveryLawSeesWhatBelongsToIt) {
+  using creepcontact::test::box_mesh;
+  const auto by_temperature = [](const char* text) { return Function::expression(text, {"T"}); };
+  material::Material material;
+  material.young_modulus = 100.0;
+  material.creep = {std::make_shared<Witness>(std::vector<Function>{by_temperature("T"), 100.0}, 1),
+                    std::make_shared<Witness>(std::vector<Function>{by_temperature("10*T")}, 3)};
+  const mechanics::Body body("body", box_mesh(mesh::CellType::hex8, {1, 1, 1}), material, {},
+                             Function::expression("1 + x", {"x"}));
+  const MaterialPoints points(body);
+  ASSERT_EQ(points.stride(), 10);
+  const mechanics::BodyConditions conditions = body.at(0);
+  LawParameters laws;
+  points.update(conditions, laws);
+  const std::size_t n = points.size();
+  std::vector<double> stress(6 * n), state(10 * n), rate(10 * n), change(10 * n);
+  std::iota(state.begin(), state.end(), 1.0);
+  const PointsState at{laws, conditions.elastic(), stress, state};
+  points.rate(at, rate);
+  points.derivative(at, {stress, state}, change);
+  for (std::size_t p = 0; p < n; ++p) {
+    const double* own = &state[10 * p];
+    std::vector<double> expected{0, own[6] + own[7] + own[8] + own[9], 0, 0, 0, 0};
+    for (int i = 6; i < 10; ++i) expected.push_back(2 * own[i]);
+    EXPECT_EQ(std::vector(&change[10 * p], &change[10 * p] + 10), expected) << p;
+    EXPECT_NEAR(rate[10 * p], 11 * conditions.temperature[p] + 100, 1e-12) << p;
+    EXPECT_EQ(std::vector(&rate[10 * p + 1], &rate[10 * p] + 10), std::vector(expected.begin() + 1, expected.end()));
   }
 }
 

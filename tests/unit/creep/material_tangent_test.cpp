@@ -14,7 +14,9 @@ namespace {
 
 using creepcontact::test::box_mesh;
 using creepcontact::test::elastic_material;
-using material::Point;
+using material::PointChange;
+using material::PointRate;
+using material::PointState;
 
 /// rate = 3/2 A q^2 k^-1 s, dk/dt = A q^3/k: hardens with its own measure of creep.
 class Hardening final : public material::CreepLaw {
@@ -22,21 +24,19 @@ class Hardening final : public material::CreepLaw {
   Hardening() : CreepLaw({}) {}
   std::string name() const override { return "hardening"; }
   int n_internal() const override { return 1; }
-  void rate(const Point& at, double* strain_rate, double* internal_rate) const override {
-    const Tensor6 s = tensor::deviator(Eigen::Map<const Tensor6>(at.stress));
+  void rate(const PointState& at, PointRate into) const override {
+    const Tensor6 s = tensor::deviator(at.stress);
     const double q = std::sqrt(1.5) * s.norm(), k = at.internal[0];
-    Eigen::Map<Tensor6>(strain_rate) += 1.5 * A * q * q / k * s;
-    internal_rate[0] = A * q * q * q / k;
+    into.creep_strain += 1.5 * A * q * q / k * s;
+    into.internal[0] = A * q * q * q / k;
   }
-  void derivative(const Point& at, const double* d_stress, const double*, const double* d_internal,
-                  double* d_strain_rate, double* d_internal_rate) const override {
-    const Tensor6 s = tensor::deviator(Eigen::Map<const Tensor6>(at.stress));
-    const Tensor6 ds = tensor::deviator(Eigen::Map<const Tensor6>(d_stress));
-    const double q = std::sqrt(1.5) * s.norm(), dq = 1.5 * s.dot(ds) / q, k = at.internal[0], dk = d_internal[0];
-    Eigen::Map<Tensor6>(d_strain_rate) += 1.5 * A * (q * q / k * ds + (2 * q * dq / k - q * q / k / k * dk) * s);
-    d_internal_rate[0] = A * (3 * q * q * dq / k - q * q * q / k / k * dk);
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const override {
+    const Tensor6 s = tensor::deviator(at.stress), ds = tensor::deviator(change.stress);
+    const double q = std::sqrt(1.5) * s.norm(), dq = 1.5 * s.dot(ds) / q, k = at.internal[0], dk = change.internal[0];
+    into.creep_strain += 1.5 * A * (q * q / k * ds + (2 * q * dq / k - q * q / k / k * dk) * s);
+    into.internal[0] = A * (3 * q * q * dq / k - q * q * q / k / k * dk);
   }
-  material::StressTangent stress_tangent(const Point&) const override { return {}; }
+  material::StressTangent stress_tangent(const PointState&) const override { return {}; }
 
  private:
   static constexpr double A = 0.02;
@@ -47,17 +47,17 @@ class Kelvin final : public material::CreepLaw {
  public:
   Kelvin() : CreepLaw({}) {}
   std::string name() const override { return "kelvin"; }
-  void rate(const Point& at, double* strain_rate, double*) const override { add(at.stress, at.state, strain_rate); }
-  void derivative(const Point&, const double* d_stress, const double* d_state, const double*, double* d_strain_rate,
-                  double*) const override {
-    add(d_stress, d_state, d_strain_rate);
+  void rate(const PointState& at, PointRate into) const override {
+    into.creep_strain += rate(at.stress, at.creep_strain);
   }
-  material::StressTangent stress_tangent(const Point&) const override { return {}; }
+  void derivative(const PointState&, const PointChange& change, PointRate into) const override {
+    into.creep_strain += rate(change.stress, change.creep_strain);
+  }
+  material::StressTangent stress_tangent(const PointState&) const override { return {}; }
 
  private:
-  static void add(const double* stress, const double* strain, double* rate) {
-    Eigen::Map<Tensor6>(rate) +=
-        (tensor::deviator(Eigen::Map<const Tensor6>(stress)) - 50 * Eigen::Map<const Tensor6>(strain)) / 30;
+  static Tensor6 rate(const Tensor6& stress, const Tensor6& strain) {
+    return (tensor::deviator(stress) - 50 * strain) / 30;
   }
 };
 
@@ -80,7 +80,8 @@ Eigen::MatrixXd newton_matrix(const MaterialPoints& points, std::size_t p, doubl
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, j);
     const Tensor6 d_stress = material::stress(at.elastic.at(p), -unit.head<6>());
     Eigen::VectorXd d_rate(n);
-    points.derivative_at(p, at, d_stress.data(), unit.data(), d_rate.data());
+    points.derivative_at(p, at, {{d_stress.data(), 6}, {unit.data(), points.stride()}},
+                         {d_rate.data(), points.stride()});
     matrix.col(j) = unit - gamma * d_rate;
   }
   return matrix;
@@ -98,19 +99,19 @@ TEST_P(StateElimination, SolvesThePointsOwnPartOfTheNewtonSystem) {
   const std::vector<double> stress = random_numbers(6 * n, -3, 3, 1), state = random_numbers(stride * n, 0.5, 2, 2),
                             r = random_numbers(stride * n, -1, 1, 3), strain = random_numbers(6 * n, -1, 1, 4);
   const std::vector<double> no_state_change(stride, 0.0);
-  const PointsState at{laws, conditions.elastic(), stress, state.data()};
+  const PointsState at{laws, conditions.elastic(), stress, state};
   for (const double gamma : {1e-3, 1.0, 1e2}) {
     MaterialTangent tangent(points);
     tangent.prepare(gamma, at);
     std::vector<double> z(stride * n), initial(6 * n);
-    tangent.solution(r.data(), strain, z.data());
-    tangent.initial_stress(r.data(), initial);
+    tangent.solution(r, strain, z);
+    tangent.initial_stress(r, initial);
     for (std::size_t p = 0; p < n; ++p) {
       const auto solution = Eigen::VectorXd::Map(&z[stride * p], stride);
       // What the strain of the body adds to the right-hand side: gamma C H B du
       const Tensor6 imposed = material::stress(at.elastic.at(p), Tensor6::Map(&strain[6 * p]));
       Eigen::VectorXd right(solution.size());
-      points.derivative_at(p, at, imposed.data(), no_state_change.data(), right.data());
+      points.derivative_at(p, at, {{imposed.data(), 6}, no_state_change}, {right.data(), stride});
       right = gamma * right + Eigen::VectorXd::Map(&r[stride * p], solution.size());
       const Eigen::VectorXd exact = newton_matrix(points, p, gamma, at).partialPivLu().solve(right);
       EXPECT_LT((solution - exact).norm(), 1e-10 * (1 + exact.norm())) << gamma;

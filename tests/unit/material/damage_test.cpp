@@ -21,12 +21,13 @@ struct Rate {
 
 Rate rate(const std::vector<double>& p, const Tensor6& stress, double D) {
   Rate result;
-  law(p).rate({.stress = stress.data(), .internal = &D, .parameters = p.data()}, result.strain.data(), &result.own);
+  law(p).rate({.stress = tensor::view(stress), .internal = {&D, 1}, .parameters = p},
+              {tensor::writable(result.strain), {&result.own, 1}});
   return result;
 }
 
 double damage(const std::vector<double>& p, double D) {
-  return law(p).measure(Measure::damage, {.internal = &D, .parameters = p.data()}).value();
+  return law(p).measure(Measure::damage, {.internal = {&D, 1}, .parameters = p}).value();
 }
 
 Tensor6 diagonal(double x, double y, double z) {
@@ -60,10 +61,10 @@ TEST(KachanovRabotnov, AnExponentThatDependsOnTheTemperatureMakesDamageItselfThe
   const KachanovRabotnov by_temperature(1e-13, 5.0, 1e-12, 4.0, Function::expression("6 + 0*T", {"T"}), 0.0);
   const Tensor6 stress = diagonal(100, 0, 0);
   const double w = 0.2;
-  const Point at{.stress = stress.data(), .internal = &w, .parameters = parameters.data()};
+  const PointState at{.stress = tensor::view(stress), .internal = {&w, 1}, .parameters = parameters};
   Tensor6 strain = Tensor6::Zero();
   double own = 0;
-  by_temperature.rate(at, strain.data(), &own);
+  by_temperature.rate(at, {tensor::writable(strain), {&own, 1}});
   EXPECT_NEAR(own, 1e-12 * 1e8 / std::pow(0.8, 6), 1e-16);
   EXPECT_NEAR(strain[0], 1e-13 * std::pow(100 / 0.8, 5), 1e-15);
   EXPECT_NEAR(by_temperature.measure(Measure::damage, at).value(), 0.2, 1e-15);

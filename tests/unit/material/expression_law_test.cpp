@@ -23,21 +23,21 @@ struct Result {
   double own = 0;
 };
 
-Result rate(const CreepLaw& law, Point at) {
+Result rate(const CreepLaw& law, PointState at) {
   Result result;
-  law.rate(at, result.strain.data(), &result.own);
+  law.rate(at, {tensor::writable(result.strain), {&result.own, 1}});
   return result;
 }
 
-Result increment(const CreepLaw& law, Point at, double duration) {
+Result increment(const CreepLaw& law, PointState at, double duration) {
   Result result;
-  law.increment(at, duration, result.strain.data(), &result.own);
+  law.increment(at, duration, {tensor::writable(result.strain), {&result.own, 1}});
   return result;
 }
 
 TEST(ExpressionLaw, KnowsStressTemperatureTimeAndStrain) {
   const double eps = 0.5;
-  const Point at{.stress = uniaxial.data(), .internal = &eps, .time = 3.0, .temperature = 7.0};
+  const PointState at{.stress = tensor::view(uniaxial), .internal = {&eps, 1}, .time = 3.0, .temperature = 7.0};
   EXPECT_EQ(rate(law("q + 1000*T + 10000*t + eps"), at).strain[0], 37200.5);
   EXPECT_EQ(rate(law("q + 1000*T + 10000*t + eps"), at).own, 37200.5);
 }
@@ -50,7 +50,7 @@ TEST(ExpressionLaw, HasAnInternalVariableOnlyIfItOccurs) {
 TEST(ExpressionLaw, NortonWrittenOutIsNorton) {
   const std::vector<double> parameters{3.125e-14, 5.0};
   const Tensor6 stress = (Tensor6() << 120, -30, 14, 50, -20, 5).finished();
-  const Point at{.stress = stress.data(), .parameters = parameters.data()};
+  const PointState at{.stress = tensor::view(stress), .parameters = parameters};
   const Norton norton(parameters[0], parameters[1]);
   const Result expected = rate(norton, at);
   EXPECT_LT((rate(law("3.125e-14*q^5"), at).strain - expected.strain).norm(), 1e-14 * expected.strain.norm());
@@ -61,7 +61,7 @@ TEST(ExpressionLaw, NortonWrittenOutIsNorton) {
 }
 
 TEST(ExpressionLaw, ARateBelowZeroOrUndefinedIsNoNumber) {
-  const Point at{.stress = uniaxial.data()};
+  const PointState at{.stress = tensor::view(uniaxial)};
   EXPECT_TRUE(std::isnan(rate(law("100 - q"), at).strain[0]));
   EXPECT_TRUE(std::isnan(rate(law("sqrt(100 - q)"), at).strain[0]));
   EXPECT_FALSE(std::isfinite(rate(law("1/(q - 200)"), at).strain[0]));
@@ -70,10 +70,10 @@ TEST(ExpressionLaw, ARateBelowZeroOrUndefinedIsNoNumber) {
 TEST(ExpressionLaw, AStartSingularInTimeIsTimeHardening) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
   const TimeHardening built_in("time_hardening", {parameters[0]}, {parameters[1]}, {parameters[2]});
-  const Point at{.stress = uniaxial.data(), .parameters = parameters.data()};
+  const PointState at{.stress = tensor::view(uniaxial), .parameters = parameters};
   const ExpressionLaw written = law("0.5*3.125e-14*q^5*t^-0.5");
   EXPECT_NEAR(written.start_exponent(at), 0.5, 1e-12);
-  Point later = at;
+  PointState later = at;
   later.time = 1.0;
   EXPECT_EQ(written.start_exponent(later), 1.0);
   for (const double d : {1e-12, 1e-3, 10.0}) {
@@ -84,7 +84,7 @@ TEST(ExpressionLaw, AStartSingularInTimeIsTimeHardening) {
 
 TEST(ExpressionLaw, WhatIsAddedToASingularTermIsNotLost) {
   // 2 sqrt(t) + 3 t
-  const Point at{.stress = uniaxial.data()};
+  const PointState at{.stress = tensor::view(uniaxial)};
   const ExpressionLaw sum = law("1e-4*(t^-0.5 + 3)");
   EXPECT_NEAR(sum.start_exponent(at), 0.5, 1e-12);
   const double expected = 1e-4 * (2 * std::sqrt(0.04) + 3 * 0.04);
@@ -95,7 +95,8 @@ TEST(ExpressionLaw, AStartSingularInStrainIsStrainHardening) {
   const std::vector<double> parameters{3.125e-14, 5.0, 1.0 / 3};
   const StrainHardening built_in(parameters[0], parameters[1], parameters[2]);
   const double virgin = 0;
-  const Point at{.stress = uniaxial.data(), .internal = &virgin, .parameters = parameters.data(), .time = 8.0};
+  const PointState at{
+      .stress = tensor::view(uniaxial), .internal = {&virgin, 1}, .parameters = parameters, .time = 8.0};
   const ExpressionLaw written = law("(3.125e-14*q^5)^3/3*eps^-2");
   EXPECT_NEAR(written.start_exponent(at), 1.0 / 3, 1e-12);
   for (const double d : {1e-9, 1e-3, 1.0}) {
@@ -108,7 +109,7 @@ TEST(ExpressionLaw, AStartSingularInStrainIsStrainHardening) {
 TEST(ExpressionLaw, SingularInBoth) {
   // eps' = c t^-0.5 eps^-1: eps^2/2 = 2 c sqrt(t)
   const double virgin = 0;
-  const Point at{.stress = uniaxial.data(), .internal = &virgin};
+  const PointState at{.stress = tensor::view(uniaxial), .internal = {&virgin, 1}};
   const ExpressionLaw both = law("1e-6*t^-0.5/eps");
   EXPECT_NEAR(both.start_exponent(at), 0.25, 1e-12);
   const double expected = std::sqrt(4e-6 * std::sqrt(0.01));
@@ -117,7 +118,7 @@ TEST(ExpressionLaw, SingularInBoth) {
 
 TEST(ExpressionLaw, RegularRatesStartRegularly) {
   const double virgin = 0;
-  const Point at{.stress = uniaxial.data(), .internal = &virgin};
+  const PointState at{.stress = tensor::view(uniaxial), .internal = {&virgin, 1}};
   for (const char* text : {"1e-13*q^5", "1e-5*exp(-t)", "1e-5*sqrt(t)", "1e-5*(t + 1e-3)^-0.5", "1e-5/(1e-3 + eps)"})
     EXPECT_EQ(law(text).start_exponent(at), 1.0) << text;
 }

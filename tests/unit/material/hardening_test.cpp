@@ -19,23 +19,23 @@ TEST(TimeHardening, PrimaryCreepOfNafems) {
   // NAFEMS R0027: eps = A q^5 sqrt(t), A = 3.125e-14: 0.01 sqrt(t) at 200 MPa, the rate half of that by sqrt(t).
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
   Tensor6 rate = Tensor6::Zero(), strain = Tensor6::Zero();
-  const Point at{.stress = uniaxial.data(), .parameters = parameters.data(), .time = 100.0};
-  time_law(parameters).rate(at, rate.data(), nullptr);
+  const PointState at{.stress = tensor::view(uniaxial), .parameters = parameters, .time = 100.0};
+  time_law(parameters).rate(at, {tensor::writable(rate)});
   EXPECT_NEAR(rate[0], 0.0005, 1e-16);
   EXPECT_NEAR(rate[1], -0.00025, 1e-16);
   time_law(parameters)
-      .increment({.stress = uniaxial.data(), .parameters = parameters.data()}, 1000.0, strain.data(), nullptr);
+      .increment({.stress = tensor::view(uniaxial), .parameters = parameters}, 1000.0, {tensor::writable(strain)});
   EXPECT_NEAR(strain[0], 0.01 * std::sqrt(1000.0), 1e-14);
 }
 
 TEST(TimeHardening, IsSingularAtTimeZeroAlone) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5}, steady{1e-13, 5.0, 1.0}, none{0.0, 5.0, 0.5};
-  EXPECT_EQ(time_law(parameters).start_exponent({.parameters = parameters.data()}), 0.5);
-  EXPECT_EQ(time_law(parameters).start_exponent({.parameters = parameters.data(), .time = 1e-300}), 1.0);
-  EXPECT_EQ(time_law(steady).start_exponent({.parameters = steady.data()}), 1.0);
-  EXPECT_EQ(time_law(none).start_exponent({.parameters = none.data()}), 1.0);
+  EXPECT_EQ(time_law(parameters).start_exponent({.parameters = parameters}), 0.5);
+  EXPECT_EQ(time_law(parameters).start_exponent({.parameters = parameters, .time = 1e-300}), 1.0);
+  EXPECT_EQ(time_law(steady).start_exponent({.parameters = steady}), 1.0);
+  EXPECT_EQ(time_law(none).start_exponent({.parameters = none}), 1.0);
   Tensor6 rate = Tensor6::Zero();
-  time_law(none).rate({.stress = uniaxial.data(), .parameters = none.data()}, rate.data(), nullptr);
+  time_law(none).rate({.stress = tensor::view(uniaxial), .parameters = none}, {tensor::writable(rate)});
   EXPECT_EQ(rate.norm(), 0.0);
 }
 
@@ -43,8 +43,8 @@ TEST(TimeHardening, AShortStepLateLosesNoDigits) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
   Tensor6 strain = Tensor6::Zero();
   time_law(parameters)
-      .increment({.stress = uniaxial.data(), .parameters = parameters.data(), .time = 1e6}, 1e-8, strain.data(),
-                 nullptr);
+      .increment({.stress = tensor::view(uniaxial), .parameters = parameters, .time = 1e6}, 1e-8,
+                 {tensor::writable(strain)});
   const double expected = 0.01 * 0.5 / std::sqrt(1e6) * 1e-8;
   EXPECT_NEAR(strain[0], expected, 1e-12 * expected);
 }
@@ -54,11 +54,11 @@ TEST(GrahamWalles, AddsItsTerms) {
   const std::vector<double> parameters{1e-8, 1e-13, 1e-15, 2.0, 5.0, 5.0, 1.0 / 3, 1.0, 3.0};
   const TimeHardening law("graham_walles", {1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0});
   Tensor6 strain = Tensor6::Zero(), rate = Tensor6::Zero();
-  law.increment({.stress = uniaxial.data(), .parameters = parameters.data()}, 8.0, strain.data(), nullptr);
+  law.increment({.stress = tensor::view(uniaxial), .parameters = parameters}, 8.0, {tensor::writable(strain)});
   EXPECT_NEAR(strain[0], 1e-8 * 4e4 * 2 + 1e-13 * 3.2e11 * 8 + 1e-15 * 3.2e11 * 512, 1e-13);
-  law.rate({.stress = uniaxial.data(), .parameters = parameters.data(), .time = 8.0}, rate.data(), nullptr);
+  law.rate({.stress = tensor::view(uniaxial), .parameters = parameters, .time = 8.0}, {tensor::writable(rate)});
   EXPECT_NEAR(rate[0], 1e-8 * 4e4 / 12 + 1e-13 * 3.2e11 + 3e-15 * 3.2e11 * 64, 1e-13);
-  EXPECT_EQ(law.start_exponent({.parameters = parameters.data()}), 1.0 / 3);
+  EXPECT_EQ(law.start_exponent({.parameters = parameters}), 1.0 / 3);
 }
 
 TEST(GrahamWalles, ListsThatDifferAreNamed) {
@@ -78,7 +78,8 @@ TEST(StrainHardening, PrimaryCreepOfNafems) {
   Tensor6 rate = Tensor6::Zero();
   double own = 7;
   const StrainHardening law(parameters[0], parameters[1], parameters[2]);
-  law.rate({.stress = uniaxial.data(), .internal = &eps, .parameters = parameters.data()}, rate.data(), &own);
+  law.rate({.stress = tensor::view(uniaxial), .internal = {&eps, 1}, .parameters = parameters},
+           {tensor::writable(rate), {&own, 1}});
   EXPECT_NEAR(rate[0], 0.0005, 1e-16);
   EXPECT_NEAR(own, 0.0005, 1e-16);
 }
@@ -89,8 +90,9 @@ TEST(StrainHardening, VirginMaterialFollowsTheClosedForm) {
   double own = 0;
   const double virgin = 0;
   Tensor6 strain = Tensor6::Zero();
-  const Point at{.stress = uniaxial.data(), .internal = &virgin, .parameters = parameters.data(), .time = 55.0};
-  law.increment(at, 1e-6, strain.data(), &own);
+  const PointState at{
+      .stress = tensor::view(uniaxial), .internal = {&virgin, 1}, .parameters = parameters, .time = 55.0};
+  law.increment(at, 1e-6, {tensor::writable(strain), {&own, 1}});
   EXPECT_NEAR(own, 1e-5, 1e-19);
   EXPECT_NEAR(strain[0], 1e-5, 1e-19);
   EXPECT_EQ(law.start_exponent(at), 0.5);
@@ -100,10 +102,11 @@ TEST(StrainHardening, NegativeAndVirginStrainCountAsTheFloor) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
   const StrainHardening law(parameters[0], parameters[1], parameters[2]);
   double expected = 0;
-  for (const double eps : {Point{}.least_strain, 0.0, -1e-3}) {
+  for (const double eps : {PointState{}.least_strain, 0.0, -1e-3}) {
     Tensor6 rate = Tensor6::Zero();
     double own = 0;
-    law.rate({.stress = uniaxial.data(), .internal = &eps, .parameters = parameters.data()}, rate.data(), &own);
+    law.rate({.stress = tensor::view(uniaxial), .internal = {&eps, 1}, .parameters = parameters},
+             {tensor::writable(rate), {&own, 1}});
     EXPECT_TRUE(std::isfinite(own));
     if (expected == 0) expected = own;
     EXPECT_EQ(own, expected);
@@ -115,7 +118,7 @@ TEST(StrainHardening, ASteepLawNeitherOverflowsNorUnderflows) {
   const std::vector<double> parameters{1e-30, 1.0, 0.05};
   const double eps = 1e-28;
   const StrainHardening law(parameters[0], parameters[1], parameters[2]);
-  const double f = law.equivalent_rate(300.0, eps, {.parameters = parameters.data()});
+  const double f = law.equivalent_rate(300.0, eps, {.parameters = parameters});
   const double expected = 0.05 * 3e-28 * std::pow(3.0, 19.0);
   EXPECT_NEAR(f, expected, 1e-12 * expected);
 }

@@ -17,6 +17,13 @@ struct Sample {
   bool closed_form = false;  ///< increment() is exact
 };
 
+std::span<const double> numbers(const Eigen::VectorXd& of) {
+  return {of.data(), std::size_t(of.size())};
+}
+std::span<double> numbers(Eigen::VectorXd& of) {
+  return {of.data(), std::size_t(of.size())};
+}
+
 Function expression_rate(const std::string& text) {
   return Function::expression(text, {"q", "T", "t", "eps"});
 }
@@ -66,23 +73,28 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
     return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(generator); });
   }
 
-  Point point(const Tensor6& stress) const {
-    return {stress.data(), creep_strain.data(), internal.data(), parameters.data(), 2.0, 500.0};
+  PointState point(const Tensor6& stress) const {
+    return {.stress = tensor::view(stress),
+            .creep_strain = tensor::view(creep_strain),
+            .internal = numbers(internal),
+            .parameters = parameters,
+            .time = 2.0,
+            .temperature = 500.0};
   }
 
   Tensor6 rate(const Tensor6& stress, Eigen::VectorXd* internal_rate = nullptr) const {
     Tensor6 strain_rate = Tensor6::Zero();
     Eigen::VectorXd own(law->n_internal());
-    law->rate(point(stress), strain_rate.data(), own.data());
+    law->rate(point(stress), {tensor::writable(strain_rate), numbers(own)});
     if (internal_rate != nullptr) *internal_rate = own;
     return strain_rate;
   }
 
   /// Changes of creep strain and of the internal variables.
-  std::pair<Tensor6, Eigen::VectorXd> increment(const Point& at, double duration) const {
+  std::pair<Tensor6, Eigen::VectorXd> increment(const PointState& at, double duration) const {
     Tensor6 strain = Tensor6::Zero();
     Eigen::VectorXd own = Eigen::VectorXd::Zero(law->n_internal());
-    law->increment(at, duration, strain.data(), own.data());
+    law->increment(at, duration, {tensor::writable(strain), numbers(own)});
     return {strain, own};
   }
 
@@ -128,7 +140,7 @@ TEST_P(CreepLawProperties, RateIsAddedToWhatIsThere) {
   const Tensor6 stress = random(6, -150, 150);
   Tensor6 twice = rate(stress);
   Eigen::VectorXd own(law->n_internal());
-  law->rate(point(stress), twice.data(), own.data());
+  law->rate(point(stress), {tensor::writable(twice), numbers(own)});
   EXPECT_LT((twice - 2 * rate(stress)).norm(), 1e-14 * twice.norm());
 }
 
@@ -140,7 +152,8 @@ TEST_P(CreepLawProperties, DerivativeIsTheLimitOfCentralDifferences) {
     const Eigen::VectorXd d_own = random(law->n_internal(), -1e-2, 1e-2);
     Tensor6 exact = Tensor6::Zero();
     Eigen::VectorXd exact_own(law->n_internal());
-    law->derivative(point(stress), d_stress.data(), d_strain.data(), d_own.data(), exact.data(), exact_own.data());
+    law->derivative(point(stress), {tensor::view(d_stress), tensor::view(d_strain), numbers(d_own)},
+                    {tensor::writable(exact), numbers(exact_own)});
 
     const double h = 1e-5;
     Eigen::VectorXd plus_own, minus_own;
@@ -160,7 +173,6 @@ TEST_P(CreepLawProperties, DerivativeIsTheLimitOfCentralDifferences) {
 }
 
 TEST_P(CreepLawProperties, StressTangentIsTheDerivativeInTheStress) {
-  const Tensor6 no_strain = Tensor6::Zero();
   const Eigen::VectorXd no_own = Eigen::VectorXd::Zero(law->n_internal());
   for (const double size : {0.0, 1.0, 150.0}) {
     const Tensor6 stress = random(6, -size, size), d_stress = random(6, -50, 50);
@@ -171,7 +183,8 @@ TEST_P(CreepLawProperties, StressTangentIsTheDerivativeInTheStress) {
                              c.volumetric * tensor::trace(d_stress) / 3.0 * tensor::identity();
     Tensor6 exact = Tensor6::Zero();
     Eigen::VectorXd exact_own(law->n_internal());
-    law->derivative(point(stress), d_stress.data(), no_strain.data(), no_own.data(), exact.data(), exact_own.data());
+    law->derivative(point(stress), {.stress = tensor::view(d_stress), .internal = numbers(no_own)},
+                    {tensor::writable(exact), numbers(exact_own)});
     EXPECT_TRUE(exact.allFinite());
     EXPECT_LE((exact - expected).norm(), 1e-12 * exact.norm());
   }
@@ -213,7 +226,7 @@ TEST_P(CreepLawProperties, TwoIncrementsAreOne) {
   for (const bool virgin : {true, false}) {
     if (virgin) internal.setZero();
     if (!virgin) internal = random(law->n_internal(), 1e-4, 1e-3);
-    Point at = point(stress);
+    PointState at = point(stress);
     at.time = virgin ? 0.0 : 2.0;
     const auto [whole, own_whole] = increment(at, 0.7);
     const auto [first, own_first] = increment(at, 0.1);
@@ -232,7 +245,7 @@ TEST_P(CreepLawProperties, TwoIncrementsAreOne) {
 TEST_P(CreepLawProperties, ASingularStartGrowsWithItsExponent) {
   internal.setZero();
   const Tensor6 stress = random(6, -150, 150);
-  Point at = point(stress);
+  PointState at = point(stress);
   at.time = 0;
   const double exponent = law->start_exponent(at);
   ASSERT_GT(exponent, 0.0);

@@ -13,8 +13,8 @@
 namespace creepcontact::material {
 namespace {
 
-Point at(const std::vector<double>& parameters) {
-  return {.parameters = parameters.data()};
+PointState at(const std::vector<double>& parameters) {
+  return {.parameters = parameters};
 }
 
 TEST(Power, WholeExponentsAgreeWithTheLibrary) {
@@ -36,9 +36,9 @@ TEST(Norton, UniaxialTestOfNafems) {
   // NAFEMS R0027: 200 MPa give 0.01 per hour along and -0.005 across the load.
   const std::vector<double> parameters{3.125e-14, 5.0};
   const Tensor6 stress = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
-  const Point point{.stress = stress.data(), .parameters = parameters.data()};
+  const PointState point{.stress = tensor::view(stress), .parameters = parameters};
   Tensor6 rate = Tensor6::Zero();
-  Norton(parameters[0], parameters[1]).rate(point, rate.data(), nullptr);
+  Norton(parameters[0], parameters[1]).rate(point, {tensor::writable(rate)});
   const Tensor6 expected = (Tensor6() << 0.01, -0.005, -0.005, 0, 0, 0).finished();
   EXPECT_LT((rate - expected).norm(), 1e-15);
 }
@@ -48,9 +48,9 @@ TEST(Norton, PureShear) {
   const std::vector<double> parameters{1e-10, 3.5};
   const double tau = 40.0, q = std::sqrt(3.0) * tau;
   const Tensor6 stress = (Tensor6() << 0, 0, 0, tensor::sqrt2 * tau, 0, 0).finished();
-  const Point point{.stress = stress.data(), .parameters = parameters.data()};
+  const PointState point{.stress = tensor::view(stress), .parameters = parameters};
   Tensor6 rate = Tensor6::Zero();
-  Norton(parameters[0], parameters[1]).rate(point, rate.data(), nullptr);
+  Norton(parameters[0], parameters[1]).rate(point, {tensor::writable(rate)});
   const double expected = 1.5 * 1e-10 * std::pow(q, 2.5) * tau;
   EXPECT_NEAR(tensor::to_matrix(rate)(0, 1), expected, 1e-13 * expected);
 }
@@ -58,7 +58,7 @@ TEST(Norton, PureShear) {
 TEST(Norton, LinearCreepHasItsTangentAtZeroStress) {
   const std::vector<double> parameters{1e-12, 1.0};
   const Tensor6 stress = Tensor6::Zero();
-  const Point point{.stress = stress.data(), .parameters = parameters.data()};
+  const PointState point{.stress = tensor::view(stress), .parameters = parameters};
   const StressTangent c = Norton(parameters[0], parameters[1]).stress_tangent(point);
   EXPECT_DOUBLE_EQ(c.deviatoric, 1.5e-12);
   EXPECT_EQ(c.radial, 0.0);
@@ -85,8 +85,8 @@ TEST(Ageing, IsAStrainOfTheMoment) {
   const std::vector<double> parameters{1e-13, 5.0, 0.5};
   const Ageing law(parameters[0], parameters[1], parameters[2]);
   EXPECT_TRUE(law.is_isochronous());
-  EXPECT_NEAR(law.equivalent_rate(100.0, {.parameters = parameters.data(), .time = 4.0}).value, 2e-3, 1e-17);
-  EXPECT_EQ(law.equivalent_rate(100.0, {.parameters = parameters.data(), .time = 0.0}).value, 0.0);
+  EXPECT_NEAR(law.equivalent_rate(100.0, {.parameters = parameters, .time = 4.0}).value, 2e-3, 1e-17);
+  EXPECT_EQ(law.equivalent_rate(100.0, {.parameters = parameters, .time = 0.0}).value, 0.0);
 }
 
 class Arrhenius : public testing::TestWithParam<std::string> {

@@ -17,7 +17,7 @@ Tensor6 diagonal(double x, double y, double z) {
 double rate(const LifeFraction& law, const Tensor6& stress, double T = 500) {
   Tensor6 strain = Tensor6::Zero();
   double own = 7;
-  law.rate({.stress = stress.data(), .temperature = T}, strain.data(), &own);
+  law.rate({.stress = tensor::view(stress), .temperature = T}, {tensor::writable(strain), {&own, 1}});
   EXPECT_EQ(strain.norm(), 0.0);
   return own;
 }
@@ -81,10 +81,10 @@ TEST(LifeFraction, DerivativeIsTheLimitOfCentralDifferences) {
         const Tensor6 stress = Tensor6::NullaryExpr([&] { return uniform(generator); });
         const Tensor6 change = Tensor6::NullaryExpr([&] { return uniform(generator); });
         Tensor6 strain = Tensor6::Zero();
-        const double no_change = 0, h = 1e-5;
+        const double h = 1e-5;
         double exact = 0;
-        law.derivative({.stress = stress.data(), .temperature = 500}, change.data(), strain.data(), &no_change,
-                       strain.data(), &exact);
+        law.derivative({.stress = tensor::view(stress), .temperature = 500}, {.stress = tensor::view(change)},
+                       {tensor::writable(strain), {&exact, 1}});
         const double difference = (rate(law, stress + h * change) - rate(law, stress - h * change)) / (2 * h);
         EXPECT_NEAR(exact, difference, 1e-6 * std::abs(exact) + 1e-9 * rate(law, stress));
       }
@@ -94,8 +94,8 @@ TEST(LifeFraction, DerivativeIsTheLimitOfCentralDifferences) {
 TEST(LifeFraction, TellsTheLifeAlone) {
   const LifeFraction law(power_law(), 0.0);
   const double own = 0.3;
-  EXPECT_EQ(law.measure(Measure::life_fraction, {.internal = &own}), 0.3);
-  EXPECT_FALSE(law.measure(Measure::damage, {.internal = &own}).has_value());
+  EXPECT_EQ(law.measure(Measure::life_fraction, {.internal = {&own, 1}}), 0.3);
+  EXPECT_FALSE(law.measure(Measure::damage, {.internal = {&own, 1}}).has_value());
 }
 
 std::string message(const LarsonMiller& data) {

@@ -32,9 +32,9 @@ class TwoVariables final : public CreepLaw {
   TwoVariables() : CreepLaw({}) {}
   std::string name() const override { return "two_variables"; }
   int n_internal() const override { return 2; }
-  void rate(const Point&, double*, double*) const override {}
-  void derivative(const Point&, const double*, const double*, const double*, double*, double*) const override {}
-  StressTangent stress_tangent(const Point&) const override { return {}; }
+  void rate(const PointState&, PointRate) const override {}
+  void derivative(const PointState&, const PointChange&, PointRate) const override {}
+  StressTangent stress_tangent(const PointState&) const override { return {}; }
 };
 
 TEST(Material, StateIsTheCreepStrainAndTheLawsOwnVariables) {

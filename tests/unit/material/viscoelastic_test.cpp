@@ -17,11 +17,11 @@ std::vector<double> values_of(const CreepLaw& law) {
 /// Creep strain after a time under constant stress, from the virgin state.
 Tensor6 creep(const CreepLaw& law, const Tensor6& stress, double time) {
   const std::vector<double> parameters = values_of(law);
-  Eigen::VectorXd own = Eigen::VectorXd::Zero(law.n_internal());
-  const Eigen::VectorXd virgin = own;
+  std::vector<double> own(law.n_internal(), 0.0);
+  const std::vector<double> virgin = own;
   Tensor6 strain = Tensor6::Zero();
-  law.increment({.stress = stress.data(), .internal = virgin.data(), .parameters = parameters.data()}, time,
-                strain.data(), own.data());
+  law.increment({.stress = tensor::view(stress), .internal = virgin, .parameters = parameters}, time,
+                {tensor::writable(strain), own});
   return strain;
 }
 
@@ -57,8 +57,8 @@ TEST(Hereditary, TheIncrementSolvesTheRateEquation) {
   const int n = 200000;
   for (int i = 0; i < n; ++i) {
     Tensor6 rate = Tensor6::Zero(), own_rate;
-    law.rate({.stress = uniaxial.data(), .internal = own.data(), .parameters = parameters.data()}, rate.data(),
-             own_rate.data());
+    law.rate({.stress = tensor::view(uniaxial), .internal = {own.data(), 6}, .parameters = parameters},
+             {tensor::writable(rate), {own_rate.data(), 6}});
     own += 3.0 / n * own_rate;
     strain += 3.0 / n * rate;
   }

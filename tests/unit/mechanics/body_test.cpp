@@ -226,9 +226,9 @@ TEST(Body, RightHandSideIsLinearInTheCreepStrain) {
   const std::size_t n = body.constraints().n_free();
   std::vector<double> with(n), without(n), alone(n);
   const mechanics::BodyConditions at = body.at(0);
-  body.right_hand_side(at, {creep.data(), 6}, with);
+  body.right_hand_side(at, {creep, 6}, with);
   body.right_hand_side(at, {}, without);
-  body.initial_strain_force({at.moduli}, {creep.data(), 6}, alone);
+  body.initial_strain_force({at.moduli}, {creep, 6}, alone);
   EXPECT_GT(largest(without), 0.01);
   for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(with[i], without[i] + alone[i], 1e-11);
 }

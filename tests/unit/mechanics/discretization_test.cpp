@@ -53,10 +53,10 @@ TEST_P(ElementLoops, InitialStrainForceIsThatOfItsStress) {
   const ElasticState elastic{moduli, thermal};
   const std::vector<double> zero(n_dofs_, 0.0);
   std::vector<double> stress(n_values_), expected(n_dofs_, 1.0), forces(n_dofs_, 1.0);
-  body_.stress(zero, elastic, {creep.data(), 6}, stress);
+  body_.stress(zero, elastic, {creep, 6}, stress);
   for (double& s : stress) s = -s;
   body_.add_internal_force(stress, expected);
-  body_.add_initial_strain_force(elastic, {creep.data(), 6}, forces);
+  body_.add_initial_strain_force(elastic, {creep, 6}, forces);
   for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(forces[i], expected[i], 1e-11);
 }
 
@@ -118,7 +118,7 @@ TEST_P(ElementLoops, ResultsDoNotDependOnTheNumberOfThreads) {
   const auto compute = [&](int threads) {
     omp_set_num_threads(threads);
     std::vector<double> forces(3 * body.n_nodes(), 0.0);
-    body.add_initial_strain_force({moduli, {}}, {creep.data(), 6}, forces);
+    body.add_initial_strain_force({moduli, {}}, {creep, 6}, forces);
     const auto matrix = body.stiffness({moduli, {}});
     forces.insert(forces.end(), matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
     return forces;

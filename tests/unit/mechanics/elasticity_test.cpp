@@ -77,7 +77,7 @@ TEST_P(ExactState, UniformCreepStrainOfAFreeBlockGivesNoStress) {
   const Tensor6 creep = (Tensor6() << 2e-3, -1e-3, -1e-3, 0, 0, 0).finished();
   for (std::size_t p = 0; p < body.discretization().n_points(); ++p)
     std::copy_n(creep.data(), 6, state.data() + stride * p);
-  const mechanics::CreepStrainView view{state.data(), stride};
+  const mechanics::CreepStrainView view{state, stride};
   const std::vector<double> u = solve(body, 0, view);
   EXPECT_LT(largest(stress_of(body, u, 0, view)), 1e-12);
   const std::vector<double> exact =

@@ -15,7 +15,7 @@ TEST_P(Projection, MeanStressIsThatOfTheProjectedVolumetricStrain) {
   const std::vector<double> thermal = noise(body_.n_points(), 5);
   const std::vector<Moduli> moduli = varied_moduli();
   std::vector<double> stress(n_values_);
-  body_.stress(u, {moduli, thermal}, {creep.data(), 9}, stress);
+  body_.stress(u, {moduli, thermal}, {creep, 9}, stress);
   const auto strains = as_tensors(strain(u)), stresses = as_tensors(stress);
   for (std::size_t e = 0; e < body_.n_elements(); ++e) {
     const std::size_t first = body_.first_point(e), n = body_.first_point(e + 1) - first;
@@ -106,7 +106,7 @@ TEST_P(Projection, TangentStrainOfElasticModuliIsTheElasticOne) {
     matrices.push_back(h);
     Tensor6::Map(&initial_stress[6 * p]) = h * Tensor6::Map(&creep[6 * p]);
   }
-  body_.stress(u, {moduli}, {creep.data(), 6}, stress);
+  body_.stress(u, {moduli}, {creep, 6}, stress);
   body_.tangent_strain(u, matrices, initial_stress, strain);
   for (std::size_t p = 0; p < body_.n_points(); ++p) {
     const Tensor6 elastic = Tensor6::Map(&strain[6 * p]) - Tensor6::Map(&creep[6 * p]);
@@ -114,7 +114,7 @@ TEST_P(Projection, TangentStrainOfElasticModuliIsTheElasticOne) {
   }
   std::vector<double> forces(n_dofs_, 0.0), expected(n_dofs_, 0.0);
   body_.add_initial_stress_force(matrices, initial_stress, forces);
-  body_.add_initial_strain_force({moduli}, {creep.data(), 6}, expected);
+  body_.add_initial_strain_force({moduli}, {creep, 6}, expected);
   for (std::size_t i = 0; i < n_dofs_; ++i) EXPECT_NEAR(forces[i], expected[i], 1e-10);
 }
 
