@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
 
@@ -31,10 +32,10 @@ double elastic_energy(const mechanics::Discretization& discretization, const mec
 }
 
 Eigen::Map<Eigen::VectorXd> vector(std::vector<double>& values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
+  return {values.data(), static_cast<Index>(values.size())};
 }
 Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
+  return {values.data(), static_cast<Index>(values.size())};
 }
 
 /// What the last two accepted steps lead to. @param steps  with the factors in use, the last one first; not empty

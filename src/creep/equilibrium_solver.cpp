@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
 #include "frozen_solve.hpp"
 
@@ -66,8 +67,8 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
   }
   parallel_passes_ = all - largest > parallel_bytes;
   for (const mechanics::Body& body : assembly.bodies()) {
-    const auto n_free = static_cast<std::size_t>(body.constraints().n_free());
-    const auto n_full = static_cast<std::size_t>(body.constraints().n_full());
+    const std::size_t n_free = body.constraints().n_free();
+    const std::size_t n_full = body.constraints().n_full();
     stiffness_changes_ = stiffness_changes_ || body.stiffness_changes();
     work_.push_back({std::vector<double>(n_free), std::vector<double>(n_free), std::vector<double>(n_free),
                      std::vector<double>(n_full), std::vector<double>(n_full)});
@@ -98,7 +99,7 @@ void EquilibriumSolver::for_each_factor(const std::function<void(std::size_t)>& 
   const int n_bodies = static_cast<int>(work_.size());
   // One thread cannot use the whole bandwidth of the memory, which is what a pass costs.
 #pragma omp parallel for schedule(dynamic, 1) if (parallel_passes_)
-  for (int b = 0; b < n_bodies; ++b) pass(static_cast<std::size_t>(b));
+  for (int b = 0; b < n_bodies; ++b) pass(b);
 }
 
 void EquilibriumSolver::forward() {
@@ -205,7 +206,7 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
 void EquilibriumSolver::restore(const Memory& memory, History& history) {
   const auto vector = [&](const char* name) {
     const std::vector<double>& values = memory.at(name);
-    return Eigen::VectorXd(Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size())));
+    return Eigen::VectorXd(Eigen::VectorXd::Map(values.data(), values.size()));
   };
   history.contact.multiplier = vector("contact.multiplier");
   history.contact.rigid = vector("contact.rigid");

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/base/stopwatch.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"

@@ -1,11 +1,10 @@
 #include "creepcontact/creep/material_tangent.hpp"
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::creep {
 namespace {
-
-using Index = Eigen::Index;
 
 Matrix6 compliance(const material::Moduli& h) {
   const double volumetric = 1 / (3 * (3 * h.lambda + 2 * h.mu)), deviatoric = 1 / (2 * h.mu);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/quadrature.hpp"
 
 namespace creepcontact::fem {

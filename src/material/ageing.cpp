@@ -1,6 +1,6 @@
-#include "creepcontact/material/ageing.hpp"
+#include "ageing.hpp"
 
-#include "creepcontact/material/power.hpp"
+#include "power.hpp"
 
 namespace creepcontact::material {
 

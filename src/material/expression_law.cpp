@@ -1,4 +1,4 @@
-#include "creepcontact/material/expression_law.hpp"
+#include "expression_law.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "creepcontact/material/flow_law.hpp"
+#include "flow_law.hpp"
 
 #include "coaxial.hpp"
 

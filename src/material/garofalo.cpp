@@ -1,7 +1,7 @@
-#include "creepcontact/material/garofalo.hpp"
+#include "garofalo.hpp"
 
 #include "arrhenius.hpp"
-#include "creepcontact/material/power.hpp"
+#include "power.hpp"
 
 namespace creepcontact::material {
 

@@ -1,4 +1,4 @@
-#include "creepcontact/material/hardening_law.hpp"
+#include "hardening_law.hpp"
 
 #include <algorithm>
 

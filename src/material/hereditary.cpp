@@ -1,4 +1,4 @@
-#include "creepcontact/material/hereditary.hpp"
+#include "hereditary.hpp"
 
 #include "lists.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "creepcontact/material/hereditary.hpp"
+#include "hereditary.hpp"
 
 namespace creepcontact::material {
 namespace {

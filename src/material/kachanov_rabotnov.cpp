@@ -1,7 +1,7 @@
-#include "creepcontact/material/kachanov_rabotnov.hpp"
+#include "kachanov_rabotnov.hpp"
 
 #include "coaxial.hpp"
-#include "creepcontact/material/power.hpp"
+#include "power.hpp"
 #include "stress_measure.hpp"
 
 namespace creepcontact::material {

@@ -1,7 +1,7 @@
-#include "creepcontact/material/norton.hpp"
+#include "norton.hpp"
 
 #include "arrhenius.hpp"
-#include "creepcontact/material/power.hpp"
+#include "power.hpp"
 
 namespace creepcontact::material {
 

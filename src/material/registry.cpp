@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "creepcontact/material/ageing.hpp"
-#include "creepcontact/material/expression_law.hpp"
-#include "creepcontact/material/garofalo.hpp"
-#include "creepcontact/material/hereditary.hpp"
-#include "creepcontact/material/kachanov_rabotnov.hpp"
-#include "creepcontact/material/norton.hpp"
-#include "creepcontact/material/strain_hardening.hpp"
-#include "creepcontact/material/time_hardening.hpp"
+#include "ageing.hpp"
+#include "expression_law.hpp"
+#include "garofalo.hpp"
+#include "hereditary.hpp"
+#include "kachanov_rabotnov.hpp"
+#include "norton.hpp"
+#include "strain_hardening.hpp"
+#include "time_hardening.hpp"
 
 namespace creepcontact::material {
 

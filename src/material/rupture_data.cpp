@@ -40,7 +40,7 @@ class LarsonMillerData final : public RuptureData {
     const double x = std::log10(stress);
     // The piece that x is in; the first or last one beyond the ends.
     const auto next = std::upper_bound(logarithm_.begin() + 1, logarithm_.end() - 1, x);
-    const auto i = static_cast<std::size_t>(next - logarithm_.begin());
+    const std::size_t i = next - logarithm_.begin();
     const double slope = (data_.parameter[i] - data_.parameter[i - 1]) / (logarithm_[i] - logarithm_[i - 1]);
     const double P = data_.parameter[i - 1] + slope * (x - logarithm_[i - 1]);
     const double value = data_.time_unit * std::pow(10.0, data_.constant - P / above_zero);

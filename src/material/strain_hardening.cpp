@@ -1,7 +1,7 @@
-#include "creepcontact/material/strain_hardening.hpp"
+#include "strain_hardening.hpp"
 
 #include "constant_parameter.hpp"
-#include "creepcontact/material/power.hpp"
+#include "power.hpp"
 
 namespace creepcontact::material {
 

@@ -1,10 +1,10 @@
-#include "creepcontact/material/time_hardening.hpp"
+#include "time_hardening.hpp"
 
 #include <algorithm>
 
 #include "coaxial.hpp"
-#include "creepcontact/material/power.hpp"
 #include "lists.hpp"
+#include "power.hpp"
 
 namespace creepcontact::material {
 namespace {

@@ -45,7 +45,7 @@ class BubbleTerms {
   /// @param geometry, derivatives  as ElementBlock has them @param linear  its linear_functions()
   BubbleTerms(const Bubble& bubble, const Geometry& geometry, const Vectors& linear, const Vectors& derivatives)
       : bubble_(bubble), weight_(geometry.col(9).data()), linear_(linear) {
-    for (Eigen::Index i = 0; i < 3; ++i)
+    for (Index i = 0; i < 3; ++i)
       gradient_.col(i) = geometry.col(i) * derivatives.col(0) + geometry.col(3 + i) * derivatives.col(1) +
                          geometry.col(6 + i) * derivatives.col(2) - bubble.mean_gradient[i];
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::results {
 namespace {
 
@@ -11,8 +13,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Multipliers are linear on triangles and bilinear on quadrilaterals: means of corners at the nodes between them.
 void fill_between_corners(const mesh::Face& face, std::vector<double>& values) {
-  const auto corners = static_cast<std::size_t>(mesh::n_corners(face.type));
-  const auto value = [&](std::size_t k) -> double& { return values[static_cast<std::size_t>(face.nodes[k])]; };
+  const std::size_t corners = mesh::n_corners(face.type);
+  const auto value = [&](std::size_t k) -> double& { return values[face.nodes[k]]; };
   for (std::size_t k = corners; k < std::min(2 * corners, face.nodes.size()); ++k)
     value(k) = 0.5 * (value(k - corners) + value((k - corners + 1) % corners));
   if (face.type == mesh::CellType::quad9) value(8) = 0.25 * (value(0) + value(1) + value(2) + value(3));
@@ -51,7 +53,7 @@ ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const cr
   Values result{std::vector<double>(surface.nodes.size()), std::vector<double>(surface.nodes.size(), unknown)};
   for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i) {
     const contact::MultiplierNode& node = contact.coupling.nodes[i];
-    const auto k = static_cast<std::size_t>(std::ranges::lower_bound(surface.nodes, node.node) - surface.nodes.begin());
+    const std::size_t k = std::ranges::lower_bound(surface.nodes, node.node) - surface.nodes.begin();
     const Index row = contact.first_row + (tied ? 3 * i : i);
     const double pressure = tied ? node.normal.dot(at.contact.multiplier.segment<3>(row)) : at.contact.multiplier[row];
     const double gap = tied ? 0.0 : at.gaps[row] / contact.coupling.area[i];
@@ -71,9 +73,8 @@ io::FieldMesh ContactSurfaces::mesh() const {
   io::FieldMesh result;
   io::TextArray names{"contacts", {}};
   for (const Surface& surface : surfaces_) {
-    const auto first = static_cast<std::int64_t>(result.points.size());
-    for (const std::int64_t node : surface.nodes)
-      result.points.push_back(body(surface).nodes[static_cast<std::size_t>(node)]);
+    const std::int64_t first = result.points.size();
+    for (const std::int64_t node : surface.nodes) result.points.push_back(body(surface).nodes[node]);
     for (const mesh::Face& face : surface.faces) {
       if (result.blocks.empty() || result.blocks.back().type != face.type) result.blocks.push_back({face.type, {}});
       for (const std::int64_t node : face.nodes) result.blocks.back().connectivity.push_back(first + node);

@@ -16,8 +16,8 @@ std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const
                                          std::vector<char>& is_free) {
   std::vector<std::pair<int, int>> rows;
   const auto add = [&](int row, int distance) {
-    if (!is_free[static_cast<std::size_t>(row)]) return;
-    is_free[static_cast<std::size_t>(row)] = 0;
+    if (!is_free[row]) return;
+    is_free[row] = 0;
     rows.emplace_back(row, distance);
   };
   for (const int row : first) add(row, 1);
@@ -33,8 +33,8 @@ std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const
 std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row) {
   const auto n_rows = static_cast<int>(grid.places.size());
   std::vector<char> closed(grid.places.size());
-  for (int row = 0; row < n_rows; ++row) closed[static_cast<std::size_t>(row)] = force_of_row[row] > 0 ? 1 : 0;
-  const auto is_open = [&](int row) { return closed[static_cast<std::size_t>(row)] == 0; };
+  for (int row = 0; row < n_rows; ++row) closed[row] = force_of_row[row] > 0 ? 1 : 0;
+  const auto is_open = [&](int row) { return closed[row] == 0; };
   const std::vector<char> all_closed = closed;
   const double least = no_matter * force_of_row.sum();
 
@@ -47,9 +47,8 @@ std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen
     std::vector<char> in_zone(grid.places.size());
     for (const auto& [member, distance] : zone) {
       force += force_of_row[member];
-      in_zone[static_cast<std::size_t>(member)] = 1;
-      if (std::ranges::any_of(grid.around(member), [&](int o) { return all_closed[static_cast<std::size_t>(o)] == 0; }))
-        edge.push_back(member);
+      in_zone[member] = 1;
+      if (std::ranges::any_of(grid.around(member), [&](int o) { return all_closed[o] == 0; })) edge.push_back(member);
     }
     if (edge.empty() || force < least) continue;
     const int deepest = reached(grid, edge, in_zone).back().second;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 
 namespace creepcontact::results {
@@ -60,8 +61,7 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   reference.gradient(reference.nodes().colwise().mean().transpose(), gradient);
   Matrix3 jacobian = Matrix3::Zero();
   const auto nodes = discretization.element_nodes(element);
-  for (int i = 0; i < reference.n_nodes(); ++i)
-    jacobian += mesh.nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])] * gradient.row(i);
+  for (int i = 0; i < reference.n_nodes(); ++i) jacobian += mesh.nodes[nodes[i]] * gradient.row(i);
   return jacobian;
 }
 
@@ -70,8 +70,8 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
 Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
   Eigen::MatrixXd basis(matrix.rows(), matrix.cols());
   Eigen::MatrixXd upper = Eigen::MatrixXd::Zero(matrix.cols(), matrix.cols());
-  Eigen::Index rank = 0;
-  for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+  Index rank = 0;
+  for (Index k = 0; k < matrix.cols(); ++k) {
     const auto before = basis.leftCols(rank);
     Eigen::VectorXd rest = matrix.col(k) - before * (before.transpose() * matrix.col(k));
     rest -= before * (before.transpose() * rest);  // twice is enough for orthogonality
@@ -94,20 +94,19 @@ std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretiz
   const Matrix3 to_reference = jacobian_at_centre(discretization, mesh, element).inverse();
 
   // Value at the place = first coefficient c0 of the fit, with the place as origin: c = (W M)^+ W f.
-  const auto n = static_cast<Eigen::Index>(samples.size());
+  const Index n = samples.size();
   Eigen::MatrixXd matrix(n, 10);
   Eigen::VectorXd weights(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
+  for (Index i = 0; i < n; ++i) {
     // Distances in element sizes, each direction by its own: flat elements weigh right.
-    const Vector3 x = to_reference * (samples[static_cast<std::size_t>(i)].place - at);
+    const Vector3 x = to_reference * (samples[i].place - at);
     weights[i] = 1 / (1 + x.squaredNorm() * x.squaredNorm());
     matrix.row(i) = weights[i] * monomials(x);
   }
   const Eigen::VectorXd row = row_of_constant(matrix);
   std::vector<std::pair<std::size_t, double>> result;
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (const auto& [point, share] : samples[static_cast<std::size_t>(i)].points)
-      result.emplace_back(point, share * row[i] * weights[i]);
+  for (Index i = 0; i < n; ++i)
+    for (const auto& [point, share] : samples[i].points) result.emplace_back(point, share * row[i] * weights[i]);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/contact_area.hpp"
 #include "probe_kinds.hpp"
 
@@ -84,7 +85,7 @@ class ContactProbe final : public Probe {
     const Eigen::VectorXd forces =
         rows.transpose() * snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
     double sum = 0;
-    for (auto i = static_cast<Eigen::Index>(info_.axis); i < forces.size(); i += 3) sum += forces[i];
+    for (auto i = static_cast<Index>(info_.axis); i < forces.size(); i += 3) sum += forces[i];
     return sum;
   }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
 #include "creepcontact/contact/floating_motions.hpp"

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/condensed_interface.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
 #include "creepcontact/contact/solver/frozen_system.hpp"

@@ -1,5 +1,7 @@
 #include "creepcontact/contact/geometry/pair.hpp"
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::contact {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::contact {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
 #include "schwarz_gradients.hpp"
 

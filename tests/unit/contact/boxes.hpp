@@ -1,6 +1,7 @@
 #pragma once
 /// Two boxes, one on the other, in contact at z = 0: the lower from z = -height to 0, the upper from 0 to height.
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/condensed_interface.hpp"
 #include "creepcontact/contact/solver/contact_solver.hpp"
 #include "unit/mechanics/meshes.hpp"

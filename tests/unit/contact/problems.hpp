@@ -71,7 +71,8 @@ inline void expect_solved(const ContactProblem& problem, const ContactLoad& load
   }
   if (problem.n_motions() > 0) {
     const Eigen::VectorXd left = problem.rigid.transpose() * multiplier + load.resultant;
-    EXPECT_LE(left.cwiseAbs().maxCoeff(), tolerance * multiplier.cwiseAbs().sum() + rounding * problem.n_rows());
+    EXPECT_LE(left.cwiseAbs().maxCoeff(),
+              tolerance * multiplier.cwiseAbs().sum() + rounding * static_cast<double>(problem.n_rows()));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "unit/model/blocks.hpp"
 
 namespace creepcontact::run::test {

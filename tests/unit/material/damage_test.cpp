@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "creepcontact/material/kachanov_rabotnov.hpp"
+#include "../../../src/material/kachanov_rabotnov.hpp"
 
 namespace creepcontact::material {
 namespace {

@@ -1,13 +1,13 @@
 // Numbers of the law that the user writes.
-#include "creepcontact/material/expression_law.hpp"
+#include "../../../src/material/expression_law.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "creepcontact/material/norton.hpp"
-#include "creepcontact/material/strain_hardening.hpp"
-#include "creepcontact/material/time_hardening.hpp"
+#include "../../../src/material/norton.hpp"
+#include "../../../src/material/strain_hardening.hpp"
+#include "../../../src/material/time_hardening.hpp"
 
 namespace creepcontact::material {
 namespace {

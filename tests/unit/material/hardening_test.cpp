@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "creepcontact/material/strain_hardening.hpp"
-#include "creepcontact/material/time_hardening.hpp"
+#include "../../../src/material/strain_hardening.hpp"
+#include "../../../src/material/time_hardening.hpp"
 
 namespace creepcontact::material {
 namespace {

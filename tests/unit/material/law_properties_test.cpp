@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/material/registry.hpp"
 
 namespace creepcontact::material {
@@ -61,8 +62,7 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
     ASSERT_EQ(law->name(), GetParam());
     internal = random(law->n_internal(), 0.01, 0.1);
     if (sample.tensors)
-      for (Eigen::Index i = 0; i < internal.size(); i += 6)
-        internal.segment<6>(i) = tensor::deviator(internal.segment<6>(i));
+      for (Index i = 0; i < internal.size(); i += 6) internal.segment<6>(i) = tensor::deviator(internal.segment<6>(i));
     Tensor6 any = random(6, -150, 150);
     volumetric = law->stress_tangent(point(any)).volumetric != 0.0;
     creep_strain = tensor::deviator(random(6, -0.01, 0.01));
@@ -204,7 +204,7 @@ TEST_P(CreepLawProperties, RotatedStressGivesTheRotatedRate) {
     const Tensor6 expected = rotate(R, rate(stress));
     creep_strain = rotate(R, strain);
     if (sample.tensors)
-      for (Eigen::Index k = 0; k < own.size(); k += 6) internal.segment<6>(k) = rotate(R, own.segment<6>(k));
+      for (Index k = 0; k < own.size(); k += 6) internal.segment<6>(k) = rotate(R, own.segment<6>(k));
     EXPECT_LT((rate(rotate(R, stress)) - expected).norm(), 1e-11 * expected.norm());
   }
 }

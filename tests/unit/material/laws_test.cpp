@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "../../../src/material/ageing.hpp"
+#include "../../../src/material/garofalo.hpp"
+#include "../../../src/material/norton.hpp"
+#include "../../../src/material/power.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/material/ageing.hpp"
-#include "creepcontact/material/garofalo.hpp"
-#include "creepcontact/material/norton.hpp"
-#include "creepcontact/material/power.hpp"
 
 namespace creepcontact::material {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "creepcontact/material/norton.hpp"
+#include "../../../src/material/norton.hpp"
 
 namespace creepcontact::material {
 namespace {

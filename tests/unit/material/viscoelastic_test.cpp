@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "creepcontact/material/hereditary.hpp"
+#include "../../../src/material/hereditary.hpp"
 
 namespace creepcontact::material {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "creepcontact/base/index.hpp"
 #include "unit/contact/curved_pair.hpp"
 
 namespace creepcontact::results::test {
@@ -20,8 +21,8 @@ std::optional<int> width(int nx, int ny, const Force& force, mesh::CellType type
   pair.slave_surface = "z1";
   pair.coupling = contact::mortar_coupling(slave.surface(), master.surface(), contact::ContactType::unilateral);
   const contact::ContactGrid grid(pair, slave.mesh);
-  Eigen::VectorXd forces(static_cast<Eigen::Index>(grid.places.size()));
-  for (Eigen::Index i = 0; i < forces.size(); ++i)
+  Eigen::VectorXd forces(grid.places.size());
+  for (Index i = 0; i < forces.size(); ++i)
     forces[i] = force(grid.place(static_cast<int>(i)).x(), grid.place(static_cast<int>(i)).y());
   return elements_across(grid, forces);
 }

@@ -4,8 +4,8 @@
 /// a virgin point (eps = 0) under stress creeps infinitely fast if m < 1.
 /// Source: A. Nadai, J. Appl. Phys. 8 (1937); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
 
-#include "creepcontact/material/hardening_law.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "hardening_law.hpp"
 
 namespace creepcontact::material {
 

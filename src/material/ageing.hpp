@@ -3,8 +3,8 @@
 /// 3/2 (A q^n t^m)/q s. Where the stress falls, strain comes back; for stresses that change little.
 /// Source: C. R. Soderberg, Trans. ASME 58 (1936); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
 
-#include "creepcontact/material/flow_law.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "flow_law.hpp"
 
 namespace creepcontact::material {
 

@@ -1,8 +1,8 @@
 #pragma once
 /// Norton's law of secondary creep: f = A q^n. Source: F. H. Norton, The Creep of Steel at High Temperatures (1929).
 
-#include "creepcontact/material/flow_law.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "flow_law.hpp"
 
 namespace creepcontact::material {
 

@@ -6,8 +6,8 @@
 /// Sources: P. G. McVetty, Mechanical Engineering 56 (1934); A. Graham, K. F. A. Walles, J. Iron Steel Inst. 179
 /// (1955).
 
-#include "creepcontact/material/flow_law.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "flow_law.hpp"
 
 namespace creepcontact::material {
 

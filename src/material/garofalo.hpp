@@ -2,8 +2,8 @@
 /// Garofalo's law: f = A sinh(alpha q)^n, Norton's law at low and exponential creep at high stress.
 /// Source: F. Garofalo, Fundamentals of Creep and Creep-Rupture in Metals (1965).
 
-#include "creepcontact/material/flow_law.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "flow_law.hpp"
 
 namespace creepcontact::material {
 

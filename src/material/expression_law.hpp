@@ -5,8 +5,8 @@
 /// number makes the integrator take a smaller step. Rates that are infinite at t = 0 (as t^-0.5) or at eps = 0 (as
 /// eps^-2) start with the closed form of the power law that they tend to there, found numerically.
 
-#include "creepcontact/material/hardening_law.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "hardening_law.hpp"
 
 namespace creepcontact::material {
 
