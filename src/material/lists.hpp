@@ -17,7 +17,7 @@ using NamedList = std::pair<const char*, const std::vector<Function>*>;
 std::vector<Function> joined(const std::vector<NamedList>& lists);
 
 /// The values of one of the lists that joined() made. @param number  of the list @param length  of each
-inline std::span<const double> list_of(std::span<const double> joined, int number, int length) {
+inline std::span<const double> list_of(std::span<const double> joined, std::size_t number, std::size_t length) {
   return joined.subspan(number * length, length);
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/plot/run_plots.hpp"
+#include "creepcontact/results/quantities.hpp"
 
 namespace creepcontact::plot {
 namespace {
@@ -43,6 +44,14 @@ TEST(HistoryPanels, SumsHaveTheUnitOfTheirIntegral) {
                                     {"grown", {"creep_strain_equivalent", "body"}}}};
   EXPECT_EQ(names(history_panels(history, heading)),
             (Names{{"force (N)", "clamping"}, {"contact area (mm²)", "area"}, {"creep strain, sum", "grown"}}));
+}
+
+TEST(HistoryPanels, EveryQuantityIsKnown) {
+  for (const results::QuantityInfo& info : results::quantities()) {
+    const auto panels = history_panels({{"time", "a"}, {{0, 1}, {1, 2}}}, {"", "", "", {{"a", {info.name, ""}}}});
+    ASSERT_EQ(panels.size(), 1u);
+    EXPECT_NE(panels[0].y.label, "value") << info.name << ": give it a line in src/plot/units.cpp";
+  }
 }
 
 TEST(HistoryPanels, WithoutQuantitiesMagnitudesTell) {
