@@ -8,6 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/process/args.hpp>
+#include <boost/process/child.hpp>
+#include <boost/process/error.hpp>
+#include <boost/process/exe.hpp>
+#include <boost/process/extend.hpp>
 #include <cerrno>
 #include <cstring>
 
@@ -56,6 +61,41 @@ class Copies {
   std::vector<std::pair<int, int>> pairs_;
 };
 
+/// What happens around the fork, on both sides.
+class Setup : public boost::process::extend::handler {
+ public:
+  Setup(const ChildSetup& setup, const Copies& copies) : setup_(setup), copies_(copies) { sigemptyset(&no_signals_); }
+
+  /// In the child. Between fork and exec nothing that takes memory or locks.
+  template <typename Executor>
+  void on_exec_setup(Executor&) const {
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, setup_.signal_at_death);
+    if (::getppid() != parent_) ::_exit(0);  // it died before it could be watched
+    copies_.hand_over();
+    // What this process blocks just now must end the child all the same.
+    if (!setup_.lets_signals_through) ::sigprocmask(SIG_SETMASK, &no_signals_, nullptr);
+  }
+  template <typename Executor>
+  void on_exec_error(Executor&, const std::error_code&) const {
+    ::_exit(127);
+  }
+  template <typename Executor>
+  void on_fork_error(Executor&, const std::error_code& error) const {
+    throw SolverError(fmt::format("cannot start '{}': {}", setup_.program.string(), error.message()));
+  }
+  template <typename Executor>
+  void on_success(Executor& executor) const {
+    ::setpgid(executor.pid, executor.pid);  // here too: kill() may come before the child has done it
+  }
+
+ private:
+  const ChildSetup& setup_;
+  const Copies& copies_;
+  pid_t parent_ = ::getpid();
+  sigset_t no_signals_;
+};
+
 }  // namespace
 
 Pipe::Pipe() {
@@ -85,35 +125,18 @@ void Pipe::close_writing_end() {
 }
 
 ChildProcess::ChildProcess(const ChildSetup& setup) {
-  std::vector<std::string> words{setup.program.string()};
-  words.insert(words.end(), setup.arguments.begin(), setup.arguments.end());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-
   const Copies copies(setup);
   if (!copies.are_made() || ::access(setup.program.c_str(), X_OK) != 0)
     throw SolverError(fmt::format("cannot start '{}': {}", setup.program.string(), std::strerror(errno)));
-  sigset_t no_signals;
-  sigemptyset(&no_signals);
-  const pid_t parent = ::getpid();
   // Handlers of this process must not take what is meant for the program that replaces it.
   const BlockedSignals until_handled_again;
-  process_ = ::fork();
-  if (process_ == 0) {
-    // Between fork and exec nothing that takes memory or locks.
-    ::setpgid(0, 0);
-    ::prctl(PR_SET_PDEATHSIG, setup.signal_at_death);
-    if (::getppid() != parent) ::_exit(0);  // it died before it could be watched
-    copies.hand_over();
-    // What this process blocks just now must end the child all the same.
-    if (!setup.lets_signals_through) ::sigprocmask(SIG_SETMASK, &no_signals, nullptr);
-    ::execv(setup.program.c_str(), pointers.data());
-    ::_exit(127);
-  }
-  if (process_ < 0)
-    throw SolverError(fmt::format("cannot start '{}': {}", setup.program.string(), std::strerror(errno)));
-  ::setpgid(process_, process_);  // here too: kill() may come before the child has done it
+  namespace process = boost::process;
+  // Told to ignore errors, which Setup reports: else Boost watches the exec through a pipe that whatever another thread
+  // starts meanwhile inherits.
+  process::child child(process::exe = setup.program.string(), process::args = setup.arguments, Setup(setup, copies),
+                       process::ignore_error);
+  process_ = child.id();
+  child.detach();
 }
 
 ChildProcess::~ChildProcess() {
@@ -123,20 +146,27 @@ ChildProcess::~ChildProcess() {
 }
 
 std::optional<int> ChildProcess::poll() {
-  int status = 0;
-  if (!status_ && ::waitpid(process_, &status, WNOHANG) == process_) status_ = exit_status(status);
+  look(WNOHANG);
   return status_;
 }
 
 int ChildProcess::wait() {
-  int status = 0;
+  look(0);
+  return *status_;
+}
+
+/// By hand: boost::process::child takes a status that the system has thrown away (SIGCHLD ignored) for success.
+void ChildProcess::look(int options) {
+  constexpr int unknown = 127;
   while (!status_) {
-    if (::waitpid(process_, &status, 0) == process_)
+    int status = 0;
+    const pid_t found = ::waitpid(process_, &status, options);
+    if (found == 0) return;
+    if (found == process_)
       status_ = exit_status(status);
     else if (errno != EINTR)
-      status_ = 127;
+      status_ = unknown;
   }
-  return *status_;
 }
 
 void ChildProcess::interrupt() {

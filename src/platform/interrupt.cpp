@@ -81,6 +81,7 @@ sigset_t signal_set() {
 
 void end_at_signals() {
   install(nullptr);
+  std::signal(SIGCHLD, SIG_DFL);  // ignored, as a program that starts this one may leave it, it hides how processes end
   const sigset_t set = signal_set();
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }

@@ -16,6 +16,8 @@ LIBRARY_HOME = {
     "toml++/": "config",
     "toml.hpp": "config",
     "gmsh.h": "mesher",
+    "boost/geometry": "mesh",
+    "boost/process": "platform",
     **{f"{part}/": "ode" for part in ("arkode", "cvode", "cvodes", "ida", "kinsol", "nvector", "sundials", "sunlinsol",
                                       "sunmatrix", "sunnonlinsol")},
 }

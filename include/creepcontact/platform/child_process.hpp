@@ -51,7 +51,8 @@ class ChildProcess {
   /// Interrupts it if it still runs, and waits for it.
   ~ChildProcess();
 
-  /// Its exit status, 128 + signal if one ended it; nullopt while it runs. Returns at once.
+  /// Its exit status, 128 + signal if one ended it, 127 if the system does not tell (SIGCHLD is ignored); nullopt while
+  /// it runs. Returns at once.
   std::optional<int> poll();
   /// Waits for its end. @returns as poll
   int wait();
@@ -61,6 +62,8 @@ class ChildProcess {
   void kill();
 
  private:
+  void look(int options);
+
   pid_t process_ = 0;
   std::optional<int> status_;
 };

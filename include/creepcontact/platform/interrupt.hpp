@@ -11,7 +11,7 @@ constexpr int interrupted_status = 130;
 
 /// To be called first in main: from here on such a signal ends the process with a sentence on standard error and
 /// status 130. A SIGHUP that is ignored (nohup) stays so; signals that were blocked before the program was started are
-/// let through.
+/// let through, and a SIGCHLD that was ignored is not.
 void end_at_signals();
 
 /// Blocks the signals for its life, in this thread and in the processes that are made meanwhile. A program that calls
