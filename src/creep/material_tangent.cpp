@@ -1,5 +1,7 @@
 #include "creepcontact/creep/material_tangent.hpp"
 
+#include <Eigen/LU>
+
 #include "creepcontact/numerics/parallel.hpp"
 
 namespace creepcontact::creep {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "creepcontact/linalg/dense.hpp"
@@ -112,6 +113,10 @@ RigidMotion RigidMotion::combination(const std::vector<RigidMotion>& motions, co
     sum.rotation += amplitudes[static_cast<int>(i)] * motions[i].rotation;
   }
   return sum;
+}
+
+Vector3 RigidMotion::displacement(const Vector3& x) const {
+  return translation + rotation.cross(x - centre);
 }
 
 RigidMotion RigidMotion::tidied(double size) const {

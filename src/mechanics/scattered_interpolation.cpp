@@ -1,6 +1,6 @@
 #include "creepcontact/mechanics/scattered_interpolation.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>

@@ -1,5 +1,7 @@
 #include "point_location.hpp"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "creepcontact/fem/reference_element.hpp"

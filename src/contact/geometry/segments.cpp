@@ -1,5 +1,6 @@
 #include "creepcontact/contact/geometry/segments.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
