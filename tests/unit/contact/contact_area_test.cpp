@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "unit/contact/curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact::contact::test {
 namespace {

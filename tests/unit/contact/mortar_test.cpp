@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "boxes.hpp"
+#include <Eigen/Geometry>
+
 #include "creepcontact/base/error.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact {
 namespace {

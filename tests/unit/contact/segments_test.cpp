@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 
-#include "curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact {
 namespace {

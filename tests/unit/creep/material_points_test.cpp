@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "unit/model/blocks.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "unit/mechanics/meshes.hpp"
-#include "unit/mechanics/solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::creep::test {
 namespace {

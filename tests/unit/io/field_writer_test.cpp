@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <map>
@@ -191,7 +192,7 @@ TEST_P(VtkOrder, MidNodesLieWhereVtkExpectsThem) {
   for (std::size_t f = 0; f < faces.size(); ++f) EXPECT_EQ(vtk[20 + f], faces[f]) << "face " << f;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, VtkOrder, testing::ValuesIn(mesh::test::volume_cells),
+INSTANTIATE_TEST_SUITE_P(Cells, VtkOrder, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "creepcontact/base/error.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "unit/contact/curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact::results::test {
 namespace {

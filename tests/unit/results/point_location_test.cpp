@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "unit/mechanics/meshes.hpp"
+#include "support/mechanics/meshes.hpp"
 
 namespace creepcontact::results::test {
 namespace {
@@ -68,7 +68,7 @@ TEST_P(Locate, FarPointsAreNotFound) {
   EXPECT_FALSE(locate(mesh, {2, 2, 2}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, Locate, testing::ValuesIn(creepcontact::test::volume_types),
+INSTANTIATE_TEST_SUITE_P(Types, Locate, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& tested) { return std::string(mesh::name(tested.param)); });
 
 TEST(LocateCurved, PointsOfTheTrueCircleOutsideItsChords) {
