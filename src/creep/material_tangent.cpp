@@ -1,5 +1,7 @@
 #include "creepcontact/creep/material_tangent.hpp"
 
+#include <Eigen/LU>
+
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/numerics/parallel.hpp"
 

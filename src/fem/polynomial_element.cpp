@@ -1,5 +1,6 @@
 #include "polynomial_element.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <stdexcept>
 

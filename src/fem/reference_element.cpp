@@ -1,6 +1,5 @@
 #include "creepcontact/fem/reference_element.hpp"
 
-#include <array>
 #include <memory>
 #include <stdexcept>
 
@@ -10,10 +9,6 @@
 namespace creepcontact::fem {
 
 namespace {
-
-constexpr std::array all_types{CellType::line2, CellType::line3, CellType::tri3,   CellType::tri6,   CellType::quad4,
-                               CellType::quad8, CellType::quad9, CellType::tet4,   CellType::tet10,  CellType::hex8,
-                               CellType::hex20, CellType::hex27, CellType::wedge6, CellType::wedge15};
 
 /// Volumes: the points that carry the creep state. Curves and surfaces: exact for N_i N_j times the element's own
 /// (curved, polynomial) normal vector.
@@ -51,14 +46,15 @@ QuadratureRule stiffness_rule(CellType type) {
   throw std::invalid_argument("no quadrature for a point");
 }
 
-using Table = std::array<std::unique_ptr<const ReferenceElement>, all_types.size() + 1>;
+using Table = std::vector<std::unique_ptr<const ReferenceElement>>;  // null: a point
 
 Table make_table() {
   Table table;
-  for (const CellType type : all_types) {
-    table[static_cast<std::size_t>(type)] =
-        std::make_unique<PolynomialElement>(type, reference_nodes(type), mesh::cell_faces(type), stiffness_rule(type));
-  }
+  for (const CellType type : mesh::cell_types())
+    table.push_back(type == CellType::point1
+                        ? nullptr
+                        : std::make_unique<PolynomialElement>(type, reference_nodes(type), mesh::cell_faces(type),
+                                                              stiffness_rule(type)));
   return table;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <numeric>
+#include <stdexcept>
 
 namespace creepcontact::io {
 
@@ -37,9 +38,10 @@ std::uint8_t vtk_cell_type(CellType type) {
       return 29;
     case CellType::wedge6:
       return 13;
-    default:
+    case CellType::wedge15:
       return 26;
   }
+  throw std::invalid_argument("no cell type of VTK");
 }
 
 std::span<const int> vtk_order(CellType type) {

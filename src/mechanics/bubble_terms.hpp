@@ -5,6 +5,8 @@
 /// the patch test is exact with any rule), and its projection v = sum of m_j l_j on the linear functions l,
 ///   P B_b a = sym(g a) + 1/3 (v . a - g . a) I.
 
+#include <Eigen/LU>
+
 #include "creepcontact/base/index.hpp"
 #include "element_block.hpp"
 

@@ -1,5 +1,6 @@
 #include "creepcontact/mechanics/mesh_quality.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "creepcontact/base/index.hpp"

@@ -1,5 +1,7 @@
 #include "node_conditions.hpp"
 
+#include <Eigen/Geometry>
+
 namespace creepcontact::mechanics {
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "creepcontact/base/index.hpp"
@@ -113,6 +114,10 @@ RigidMotion RigidMotion::combination(const std::vector<RigidMotion>& motions, co
     sum.rotation += amplitudes[i] * motions[i].rotation;
   }
   return sum;
+}
+
+Vector3 RigidMotion::displacement(const Vector3& x) const {
+  return translation + rotation.cross(x - centre);
 }
 
 RigidMotion RigidMotion::tidied(double size) const {

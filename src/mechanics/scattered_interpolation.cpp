@@ -1,6 +1,6 @@
 #include "scattered_interpolation.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>

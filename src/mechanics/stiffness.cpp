@@ -1,5 +1,6 @@
 #include <omp.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "creepcontact/base/index.hpp"

@@ -71,10 +71,7 @@ const Edges& cell_edges(CellType type) {
 const std::vector<LocalFace>& cell_faces(CellType type) {
   static const std::map<CellType, std::vector<LocalFace>> faces = [] {
     std::map<CellType, std::vector<LocalFace>> all;
-    for (int i = 0; i <= static_cast<int>(CellType::wedge15); ++i) {
-      const auto cell = static_cast<CellType>(i);
-      all.emplace(cell, make_faces(cell));
-    }
+    for (const CellType cell : cell_types()) all.emplace(cell, make_faces(cell));
     return all;
   }();
   return faces.at(type);

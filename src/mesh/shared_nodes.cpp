@@ -1,5 +1,6 @@
 #include "creepcontact/mesh/shared_nodes.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <unordered_map>

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <array>
 #include <limits>
 #include <set>
@@ -10,22 +11,32 @@
 namespace creepcontact::model {
 namespace {
 
+std::vector<Function> listed(const std::array<Function, 3>& components) {
+  return {components.begin(), components.end()};
+}
+
+/// Those of a kind of load.
+struct LoadFunctions {
+  std::vector<Function> operator()(const config::Pressure& pressure) const { return {pressure.value}; }
+  std::vector<Function> operator()(const config::Traction& traction) const { return listed(traction.value); }
+  std::vector<Function> operator()(const config::PointForce& force) const { return listed(force.value); }
+  std::vector<Function> operator()(const config::BodyForce& force) const { return listed(force.value); }
+  std::vector<Function> operator()(const config::Rotation& rotation) const {
+    return {rotation.angular_velocity, rotation.density};
+  }
+};
+
 /// Every function of the configuration that may depend on the time.
 std::vector<Function> functions_of_time(const config::Config& config) {
   std::vector<Function> all;
-  const auto add = [&](const auto& list) { all.insert(all.end(), list.begin(), list.end()); };
   for (const config::Support& support : config.supports) {
     for (const auto& value : support.displacement)
       if (value) all.push_back(*value);
     if (support.normal) all.push_back(*support.normal);
   }
   for (const config::Load& load : config.loads) {
-    if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) all.push_back(pressure->value);
-    if (const auto* rotation = std::get_if<config::Rotation>(&load.kind))
-      add(std::array{rotation->angular_velocity, rotation->density});
-    if (const auto* traction = std::get_if<config::Traction>(&load.kind)) add(traction->value);
-    if (const auto* force = std::get_if<config::PointForce>(&load.kind)) add(force->value);
-    if (const auto* force = std::get_if<config::BodyForce>(&load.kind)) add(force->value);
+    const std::vector<Function> functions = std::visit(LoadFunctions{}, load.kind);
+    all.insert(all.end(), functions.begin(), functions.end());
   }
   if (config.temperature && config.temperature->file.empty()) all.push_back(config.temperature->value);
   for (const config::Contact& contact : config.contacts) all.push_back(contact.gap);

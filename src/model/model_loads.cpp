@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <limits>
 
 #include "creepcontact/base/error.hpp"

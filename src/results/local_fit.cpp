@@ -1,5 +1,6 @@
 #include "local_fit.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <set>
 

@@ -1,5 +1,7 @@
 #include "point_location.hpp"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "creepcontact/fem/reference_element.hpp"
@@ -11,15 +13,14 @@ constexpr double reach = 0.1;  // of an element's size, for points outside the m
 
 /// Nearest place of the reference domain.
 Vector3 clamp(const Vector3& xi, mesh::CellType type) {
-  using mesh::CellType;
   const auto into_simplex = [](Vector3 p, int dimension) {
     for (int i = 0; i < dimension; ++i) p[i] = std::max(p[i], 0.0);
     const double sum = p.head(dimension).sum();
     if (sum > 1) p.head(dimension) /= sum;
     return p;
   };
-  if (type == CellType::tet4 || type == CellType::tet10) return into_simplex(xi, 3);
-  if (type == CellType::wedge6 || type == CellType::wedge15) {
+  if (mesh::n_corners(type) == 4) return into_simplex(xi, 3);
+  if (mesh::n_corners(type) == 6) {
     Vector3 p = into_simplex(xi, 2);
     p[2] = std::clamp(p[2], -1.0, 1.0);
     return p;

@@ -1,5 +1,7 @@
 #include "probe_quantity.hpp"
 
+#include <Eigen/Geometry>
+
 namespace creepcontact::results {
 namespace {
 

@@ -79,8 +79,7 @@ Table laws() {
 Table elements() {
   using mesh::CellType;
   Table table{{"element", "what"}, {}};
-  for (const CellType type : {CellType::tet4, CellType::tet10, CellType::hex8, CellType::hex20, CellType::hex27,
-                              CellType::wedge6, CellType::wedge15}) {
+  for (const CellType type : mesh::volume_cell_types()) {
     const fem::ReferenceElement& element = fem::reference_element(type);
     const std::size_t points = element.rule().size();
     std::string remark =

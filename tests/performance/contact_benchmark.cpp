@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "performance/measuring.hpp"
-#include "unit/contact/boxes.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact::test {
 namespace {

@@ -1,6 +1,8 @@
 /// Two blocks in series, pressed and held: the closed form of their relaxation on matching and other meshes, and all
 /// integrators against it.
 
+#include <fmt/format.h>
+
 #include "creepcontact/ode/integrator.hpp"
 #include "verification/case.hpp"
 #include "verification/reference/relaxation.hpp"

@@ -1,5 +1,7 @@
 /// One body in several pairs whose surfaces meet in an edge, and the balance of forces between bodies.
 
+#include <Eigen/LU>
+
 #include "verification/boxes.hpp"
 #include "verification/contact_state.hpp"
 #include "verification/rings.hpp"

@@ -1,5 +1,7 @@
 /// Thick cylinder under internal pressure (NAFEMS R0027, test 7): Lame at the start, the steady state at the end.
 
+#include <fmt/format.h>
+
 #include "verification/case.hpp"
 #include "verification/reference/thick_cylinder.hpp"
 #include "verification/rings.hpp"
@@ -29,7 +31,7 @@ Outcome run_cylinder(const test::RingMesh& mesh, int order, const std::string& t
 
 TEST(ThickCylinder, ReachesTheSteadyState) {
   const Outcome outcome = run_cylinder({"pipe", 100, 200, 16, 18, 1.03}, 2, "[time]\nend = 200\ntolerance = 1e-5\n");
-  const test::History& history = outcome.history;
+  const test::Table& history = outcome.history;
   for (const double r : radii) {
     const bool wall = r == 100 || r == 200;
     EXPECT_RELATIVE(history.at(fmt::format("theta{}", r), 0), exact.elastic_sigma_theta(r), wall ? 3e-3 : 1e-3);

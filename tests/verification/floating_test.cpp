@@ -1,4 +1,9 @@
 /// Assemblies that contact alone holds together: no supports but symmetry, or none at all.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "boxes.hpp"
 #include "case.hpp"
 #include "rings.hpp"
@@ -55,7 +60,7 @@ TEST(FloatingRings, PressEachOtherAsLameSays) {
         probe("most", "contact_pressure", "on = \"shaft_outer\"\nreduce = \"max\"") +
         probe("x", "contact_force_x", "on = \"shaft_outer\"") + probe("z", "contact_force_z", "on = \"shaft_outer\"") +
         probe("shift", "displacement_z", "on = \"ring_outer\"");
-    const History history = run_case(toml, geo).history;
+    const Table history = run_case(toml, geo).history;
     EXPECT_RELATIVE(history.at("mean", 1), exact, 0.01);
     EXPECT_RELATIVE(history.at("least", 1), exact, 0.02);
     EXPECT_RELATIVE(history.at("most", 1), exact, 0.02);
@@ -105,7 +110,7 @@ std::string clamp_toml() {
 /// Preload, an external load that pulls the plates apart until they separate, and back. Every force follows from
 /// equilibrium but the preload and its share of the external load.
 TEST(BoltedStack, CarriesTheLoadBeyondSeparation) {
-  const History history = run_case(clamp_toml(), clamp_geo()).history;
+  const Table history = run_case(clamp_toml(), clamp_geo()).history;
   const double preload = history.at("bolt", 0);
   EXPECT_GT(preload, 0);
   for (const double t : {0.0, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0}) {
@@ -124,10 +129,10 @@ TEST(BoltedStack, CarriesTheLoadBeyondSeparation) {
 
 TEST(BoltedStack, SolversAgree) {
   const std::string geo = clamp_geo();
-  const History reference = run_case(clamp_toml(), geo, {"contact_solver.method=active_set"}).history;
+  const Table reference = run_case(clamp_toml(), geo, {"contact_solver.method=active_set"}).history;
   for (const char* way : {"contact_solver.dense_limit_mb=0", "contact_solver.acceleration=none"}) {
     testing::internal::CaptureStderr();
-    const History other = run_case(clamp_toml(), geo, {way}).history;
+    const Table other = run_case(clamp_toml(), geo, {way}).history;
     testing::internal::GetCapturedStderr();  // sweeps may hand over to conjugate gradients
     for (const double t : {0.0, 1.0, 2.0, 4.0})
       for (const char* force : {"bolt", "joint"})
@@ -155,7 +160,7 @@ TEST(HeatedStack, CarriesASmallLoad) {
   for (const char* loaded : {"up_z1", "middle_z1"}) {
     SCOPED_TRACE(loaded);
     testing::internal::CaptureStderr();
-    const History history = run_case(toml + "[[loads]]\non = \"" + loaded + "\"\npressure = 0.2\n", geo).history;
+    const Table history = run_case(toml + "[[loads]]\non = \"" + loaded + "\"\npressure = 0.2\n", geo).history;
     const std::string warnings = testing::internal::GetCapturedStderr();
     EXPECT_NE(warnings.find("body 'middle': Poisson's ratio is 0.4999999; above 0.4999 "), std::string::npos);
     EXPECT_EQ(warnings.find("body 'low': Poisson's"), std::string::npos);

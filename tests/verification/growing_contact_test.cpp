@@ -1,5 +1,8 @@
 /// Contact that grows by creep under a constant force: contact_area against exact solutions and by refinement.
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 
 #include "verification/boxes.hpp"
@@ -24,7 +27,7 @@ void expect_area_of_example(const std::vector<std::string>& changes) {
   config.output.fields = false;
   const auto results = directory.path() / "results";
   ASSERT_EQ(run::run(config, {.output = results.string()}).exit_status, 0);
-  const History history = read_history(results / "history.csv");
+  const Table history(results / "history.csv");
   for (const double t : history.times()) {
     const double compliance = 0.21834 + 0.77151 * (1 - std::exp(-t / 161.326)) + 0.84837 * (1 - std::exp(-t / 17288));
     const double radius = std::cbrt(3.0 * 10 * compliance / 16);

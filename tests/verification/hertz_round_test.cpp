@@ -1,5 +1,7 @@
 /// Hertz contact of a meshed sphere and a meshed cylinder on a block, the gap measured from the meshes or given.
 
+#include <fmt/format.h>
+
 #include "verification/boxes.hpp"
 #include "verification/hertz_profile.hpp"
 #include "verification/rings.hpp"

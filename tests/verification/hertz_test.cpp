@@ -1,5 +1,7 @@
 /// Hertz contact of spheres and cylinders on a half space: two large blocks and the parabola between them as given gap.
 
+#include <fmt/format.h>
+
 #include "verification/boxes.hpp"
 #include "verification/half_space.hpp"
 #include "verification/hertz_profile.hpp"

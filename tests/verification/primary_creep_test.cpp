@@ -1,5 +1,7 @@
 // Primary creep in uniform states: NAFEMS R0027 10A, 10B, and loads that step, where theories differ.
 
+#include <cmath>
+
 #include "creepcontact/ode/integrator.hpp"
 #include "verification/cube.hpp"
 

@@ -1,4 +1,7 @@
 /// Contact that opens and closes again in the course of creep, under a load that comes and goes.
+#include <algorithm>
+#include <cmath>
+
 #include "boxes.hpp"
 #include "case.hpp"
 #include "rings.hpp"
@@ -34,7 +37,7 @@ TEST(Recontact, IsNotPassedOverByAnyIntegrator) {
   }
   for (const char* integrator : {"cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk"}) {
     SCOPED_TRACE(integrator);
-    const History history = run_case(toml, geo, {std::string("time.integrator=") + integrator}).history;
+    const Table history = run_case(toml, geo, {std::string("time.integrator=") + integrator}).history;
     for (const double t : {500.0, 1000.0}) EXPECT_RELATIVE(history.at("p", t), pressure_by_small_steps(t), 3e-3);
   }
 }

@@ -1,5 +1,7 @@
 /// Creep in a temperature that varies through a wall, given as an expression and as a file of points; loads that
 /// repeat.
+#include <fmt/format.h>
+
 #include "boxes.hpp"
 #include "case.hpp"
 #include "reference/hot_cylinder.hpp"
@@ -91,7 +93,7 @@ TEST(Temperature, StartsAndStopsFoundInAnExpression) {
   const double exact = 20 * a * 1e8 * (23 + 2.0 / 5);
   EXPECT_RELATIVE(given.history.at("creep", 1000), exact, 1e-3);
   EXPECT_RELATIVE(found.history.at("creep", 1000), given.history.at("creep", 1000), 1e-6);
-  EXPECT_NEAR(found.count("steps") / given.count("steps"), 1, 0.1) << found.count("steps");
+  EXPECT_NEAR(found.summary.number("steps") / given.summary.number("steps"), 1, 0.1) << found.summary.number("steps");
   const std::vector<double> ends = found.steps.times();
   for (const double t : {1.0, 24.0, 25.0, 50.0, 51.0, 974.0, 975.0})
     EXPECT_EQ(std::count(ends.begin(), ends.end(), t), 1) << t;

@@ -3,7 +3,7 @@
 ///   (xx, yy, zz, sqrt2 xy, sqrt2 yz, sqrt2 zx),
 /// so that the scalar product of two tensors is the dot product of their arrays and one rule serves stress and strain.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 /// Contact rows B of one body condensed onto the unknowns that a factor of its stiffness eliminates last:
 ///   G = L22^-1 B^T,   gaps of y = L^-1 P f: G^T y2,   forces of multipliers: y2 += G lambda,   flexibility F = G^T G.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <span>
 
 #include "creepcontact/contact/geometry/pair.hpp"

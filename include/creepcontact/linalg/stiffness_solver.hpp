@@ -2,7 +2,7 @@
 /// A factored stiffness matrix K = P^T L L^T P, with chosen unknowns eliminated last, so that the trailing block L22 of
 /// the factor is the Cholesky factor of their Schur complement: S = L22 L22^T.
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 #include <cstdint>
 #include <functional>
 #include <memory>

@@ -2,7 +2,7 @@
 /// The null space of a body's stiffness: motions without strain that no support prevents. Usually the whole body moves
 /// as one; a mesh in several pieces, or pieces joined at an edge or a node only, has motions of its parts.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>

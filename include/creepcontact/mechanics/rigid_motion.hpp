@@ -1,7 +1,7 @@
 #pragma once
 /// Rigid motions, and those of a set of nodes that supports leave free.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -22,7 +22,7 @@ struct RigidMotion {
   /// 1e-4 of the whole.
   RigidMotion tidied(double size) const;
   /// Displacement of a point.
-  Vector3 displacement(const Vector3& x) const { return translation + rotation.cross(x - centre); }
+  Vector3 displacement(const Vector3& x) const;
 };
 
 /// Basis of the free rigid-body motions: empty for a body that is held. Prefers pure translations and rotations about

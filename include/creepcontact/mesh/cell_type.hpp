@@ -2,6 +2,7 @@
 /// Kinds of mesh cells. Node numbering within a cell is Gmsh's throughout the program.
 
 #include <string_view>
+#include <vector>
 
 namespace creepcontact::mesh {
 
@@ -22,6 +23,11 @@ enum class CellType {
   wedge6,
   wedge15
 };
+
+/// All of them, in the order of the enumeration.
+const std::vector<CellType>& cell_types();
+/// Those of dimension 3.
+const std::vector<CellType>& volume_cell_types();
 
 int dimension(CellType type);
 int n_nodes(CellType type);

@@ -1,7 +1,7 @@
 #pragma once
 /// How finely the slave surface divides a contact zone.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>

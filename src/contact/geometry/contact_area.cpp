@@ -1,5 +1,6 @@
 #include "creepcontact/contact/geometry/contact_area.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "creepcontact/base/index.hpp"

@@ -1,5 +1,6 @@
 #include "creepcontact/contact/geometry/facet.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "open_edge_normals.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>

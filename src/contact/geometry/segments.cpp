@@ -1,5 +1,6 @@
 #include "segments.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

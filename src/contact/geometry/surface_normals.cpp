@@ -1,5 +1,6 @@
 #include "creepcontact/contact/geometry/surface_normals.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>

@@ -1,7 +1,7 @@
 #pragma once
 /// Relaxation of a fixed-point iteration x = g(x) by Aitken's delta-squared. Source: Irons and Tuck (1969).
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace creepcontact::contact {
 

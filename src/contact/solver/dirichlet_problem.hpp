@@ -1,6 +1,8 @@
 #pragma once
 /// One body's half of the even half-sweep: the multipliers that move its trace as prescribed.
 
+#include <Eigen/Cholesky>
+
 #include "creepcontact/contact/solver/problem.hpp"
 
 namespace creepcontact::contact {

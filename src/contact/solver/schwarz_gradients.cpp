@@ -1,5 +1,6 @@
 #include "schwarz_gradients.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <map>
 

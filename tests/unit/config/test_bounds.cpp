@@ -1,5 +1,7 @@
 // Numbers and keys that are right in kind and beyond all measure.
 
+#include <fmt/format.h>
+
 #include "config_fixture.hpp"
 #include "creepcontact/config/study.hpp"
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "config_fixture.hpp"
 #include "creepcontact/config/study.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "creepcontact/base/index.hpp"
-#include "unit/contact/curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact::contact::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "../../../src/contact/geometry/segments.hpp"
-#include "curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact {
 namespace {

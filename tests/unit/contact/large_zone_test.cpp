@@ -1,7 +1,7 @@
 /// Contact zones that are not condensed to dense matrices.
 #include <gtest/gtest.h>
 
-#include "boxes.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact::test {
 namespace {

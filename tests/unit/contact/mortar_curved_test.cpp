@@ -1,9 +1,10 @@
 // Rows of the coupling on curved surfaces: balance of force and moment, and motions that contact leaves free.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 
-#include "curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact {
 namespace {

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "boxes.hpp"
+#include <Eigen/Geometry>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact {
 namespace {

@@ -3,7 +3,7 @@
 // the two pairs alone ends inside facets of the long body.
 #include <gtest/gtest.h>
 
-#include "boxes.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact {
 namespace {

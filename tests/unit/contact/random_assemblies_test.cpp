@@ -1,8 +1,8 @@
 /// Schwarz and active set on assemblies of finite elements: random ones, and bodies as dissimilar as they come.
 #include "accelerations.hpp"
-#include "boxes.hpp"
 #include "problems.hpp"
 #include "random_assembly.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact::test {
 namespace {

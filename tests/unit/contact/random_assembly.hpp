@@ -7,10 +7,10 @@
 
 #include <random>
 
-#include "boxes.hpp"
 #include "creepcontact/mechanics/loads.hpp"
-#include "unit/mechanics/meshes.hpp"
-#include "unit/mechanics/solve.hpp"
+#include "support/contact/boxes.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "boxes.hpp"
+#include "support/contact/boxes.hpp"
 
 namespace creepcontact::test {
 namespace {

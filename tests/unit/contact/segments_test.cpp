@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "curved_pair.hpp"
+#include <Eigen/Geometry>
+#include <random>
+
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact {
 namespace {

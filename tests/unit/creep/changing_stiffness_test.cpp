@@ -4,7 +4,7 @@
 #include <random>
 
 #include "../../../src/run/time_loop.hpp"
-#include "unit/run/running.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {
@@ -189,7 +189,7 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
   ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
   EXPECT_EQ(read_text(parts / "history.csv"), read_text(whole / "history.csv"));
   EXPECT_EQ(read_text(parts / "steps.csv"), read_text(whole / "steps.csv"));
-  EXPECT_GT(number_in(read_text(whole / "summary.json"), "factorizations"), 4) << "the stiffness is factored anew";
+  EXPECT_GT(SummaryFile(whole / "summary.json").number("factorizations"), 4) << "the stiffness is factored anew";
 }
 
 }  // namespace

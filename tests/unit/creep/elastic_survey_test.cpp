@@ -1,5 +1,5 @@
 #include "creepcontact/base/error.hpp"
-#include "unit/model/blocks.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

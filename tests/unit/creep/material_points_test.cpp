@@ -3,8 +3,8 @@
 #include <numeric>
 #include <random>
 
-#include "unit/mechanics/meshes.hpp"
-#include "unit/model/blocks.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "creepcontact/base/index.hpp"
-#include "unit/mechanics/meshes.hpp"
-#include "unit/mechanics/solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::creep::test {
 namespace {

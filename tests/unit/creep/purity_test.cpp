@@ -3,7 +3,7 @@
 #include <random>
 #include <thread>
 
-#include "unit/model/blocks.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

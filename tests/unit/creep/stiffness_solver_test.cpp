@@ -5,7 +5,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
-#include "unit/model/blocks.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

@@ -6,8 +6,8 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/run/run.hpp"
-#include "unit/model/blocks.hpp"
-#include "unit/run/running.hpp"
+#include "support/run/blocks.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {
@@ -159,12 +159,12 @@ TEST(Tangent, RelaxesTheBlocksLikeTheClosedForm) {
         blocks.config(pressure_probe, {"time.linear_solver=tangent", std::string("time.integrator=") + integrator,
                                        "time.end=100", "time.tolerance=1e-5", "time.output=[1,10]"});
     ASSERT_EQ(run(config, {.output = (blocks / "results").string()}).exit_status, 0);
-    const Csv history(blocks / "results" / "history.csv");
-    for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 1e-4) << integrator;
-    const std::string summary = read_text(blocks / "results" / "summary.json");
-    EXPECT_EQ(number_in(summary, "jacobian_products"), 0);
-    EXPECT_GT(number_in(summary, "factorizations"), 4);
-    EXPECT_LT(number_in(summary, "factorizations"), 2 + 2 * number_in(summary, "steps"));
+    const Table history(blocks / "results" / "history.csv");
+    expect_relaxed_pressure(history, 1e-4, integrator);
+    const SummaryFile summary(blocks / "results" / "summary.json");
+    EXPECT_EQ(summary.number("jacobian_products"), 0);
+    EXPECT_GT(summary.number("factorizations"), 4);
+    EXPECT_LT(summary.number("factorizations"), 2 + 2 * summary.number("steps"));
   }
 }
 

@@ -1,6 +1,7 @@
 /// Node order and faces against Gmsh's own reference coordinates (getElementProperties of Gmsh 4.8).
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <map>
 
 #include "creepcontact/base/index.hpp"
@@ -40,7 +41,7 @@ const std::map<CellType, std::vector<double>>& gmsh_nodes() {
 }
 
 class NodeOrder : public ::testing::TestWithParam<CellType> {};
-INSTANTIATE_TEST_SUITE_P(AllTypes, NodeOrder, ::testing::ValuesIn(testing::all_types), testing::type_name);
+INSTANTIATE_TEST_SUITE_P(AllTypes, NodeOrder, ::testing::ValuesIn(testing::element_types()), testing::type_name);
 
 TEST_P(NodeOrder, is_that_of_gmsh) {
   const ReferenceElement& element = reference_element(GetParam());

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 
@@ -19,7 +20,7 @@ class Element : public ::testing::TestWithParam<CellType> {
   const ReferenceElement& element_ = reference_element(GetParam());
   int order_ = mesh::order(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(AllTypes, Element, ::testing::ValuesIn(testing::all_types), testing::type_name);
+INSTANTIATE_TEST_SUITE_P(AllTypes, Element, ::testing::ValuesIn(testing::element_types()), testing::type_name);
 
 TEST_P(Element, has_one_instance_of_its_type) {
   EXPECT_EQ(element_.type(), GetParam());

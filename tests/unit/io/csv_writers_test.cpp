@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 
+#include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/io/history_writer.hpp"
 #include "creepcontact/io/step_writer.hpp"
 #include "unit/io/temporary_directory.hpp"
@@ -30,12 +31,9 @@ TEST_F(CsvWriters, RowsAreOnDiskAtOnce) {
 TEST_F(CsvWriters, NumbersReadBackToTheSameDouble) {
   const double third = 1.0 / 3, tiny = 4.9406564584124654e-324, large = std::numeric_limits<double>::max();
   HistoryWriter(path_, {"a", "b"}).write(third, std::array{tiny, large});
-  const std::string text = read_text(path_);
-  double time = 0, a = 0, b = 0;
-  ASSERT_EQ(std::sscanf(text.c_str(), "time,a,b\n%lf,%lf,%lf\n", &time, &a, &b), 3);
-  EXPECT_EQ(time, third);
-  EXPECT_EQ(a, tiny);
-  EXPECT_EQ(b, large);
+  const CsvTable table = read_csv_table(path_);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"time", "a", "b"}));
+  EXPECT_EQ(table.columns, (std::vector<std::vector<double>>{{third}, {tiny}, {large}}));
 }
 
 TEST_F(CsvWriters, StepsHaveTheColumnsOfTheContract) {

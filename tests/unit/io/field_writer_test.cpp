@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <map>
@@ -153,7 +154,7 @@ class VtkOrder : public testing::TestWithParam<CellType> {
     const auto points = vtu.values<double>("Points", "Points");
     std::vector<Vector3> result;
     for (std::int64_t node : vtu.values<std::int64_t>("Cells", "connectivity"))
-      result.emplace_back(Vector3(&points[3 * static_cast<std::size_t>(node)]));
+      result.emplace_back(Vector3(&points[3 * node]));
     return result;
   }
   test::TemporaryDirectory directory_;
@@ -181,7 +182,7 @@ TEST_P(VtkOrder, MidNodesLieWhereVtkExpectsThem) {
     return;
   }
   const auto vtk = cell();
-  const auto corners = static_cast<std::size_t>(mesh::n_corners(GetParam()));
+  const std::size_t corners = mesh::n_corners(GetParam());
   for (std::size_t e = 0; e < found->second.size(); ++e) {
     const auto [a, b] = found->second[e];
     EXPECT_EQ(vtk[corners + e], Vector3(0.5 * (vtk[a] + vtk[b]))) << "edge " << e;
@@ -191,7 +192,7 @@ TEST_P(VtkOrder, MidNodesLieWhereVtkExpectsThem) {
   for (std::size_t f = 0; f < faces.size(); ++f) EXPECT_EQ(vtk[20 + f], faces[f]) << "face " << f;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, VtkOrder, testing::ValuesIn(mesh::test::volume_cells),
+INSTANTIATE_TEST_SUITE_P(Cells, VtkOrder, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "creepcontact/mesh/cell_faces.hpp"
 #include "unit/io/cube.hpp"
 #include "unit/io/temporary_directory.hpp"

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <thread>
 #include <utility>
 #include <vector>

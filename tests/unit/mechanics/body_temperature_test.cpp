@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/mechanics/body.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 namespace {

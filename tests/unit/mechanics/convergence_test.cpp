@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 namespace {

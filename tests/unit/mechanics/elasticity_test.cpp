@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/base/error.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using mechanics::Body;
 
 class ExactState : public testing::TestWithParam<CellType> {};
-INSTANTIATE_TEST_SUITE_P(Types, ExactState, testing::ValuesIn(volume_types),
+INSTANTIATE_TEST_SUITE_P(Types, ExactState, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
 TEST_P(ExactState, PassesThePatchTest) {

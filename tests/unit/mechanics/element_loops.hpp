@@ -3,14 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <random>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "creepcontact/base/error.hpp"
-#include "meshes.hpp"
-#include "solve.hpp"
+#include "support/mechanics/meshes.hpp"
+#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 namespace {
@@ -37,7 +39,7 @@ mesh::Mesh ring_sector(CellType type, std::array<int, 3> divisions) {
 }
 
 class SurfaceLoads : public testing::TestWithParam<CellType> {};
-INSTANTIATE_TEST_SUITE_P(Types, SurfaceLoads, testing::ValuesIn(volume_types),
+INSTANTIATE_TEST_SUITE_P(Types, SurfaceLoads, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
 TEST_P(SurfaceLoads, PressureOnAClosedCurvedSurfaceHasNoResultant) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "meshes.hpp"
+#include "support/mechanics/meshes.hpp"
 
 namespace creepcontact::test {
 namespace {

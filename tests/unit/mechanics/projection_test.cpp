@@ -5,7 +5,7 @@ namespace creepcontact::test {
 namespace {
 
 class Projection : public ElementLoops {};
-INSTANTIATE_TEST_SUITE_P(Types, Projection, testing::ValuesIn(volume_types),
+INSTANTIATE_TEST_SUITE_P(Types, Projection, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
 TEST_P(Projection, MeanStressIsThatOfTheProjectedVolumetricStrain) {

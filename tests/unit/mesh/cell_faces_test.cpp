@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
 
 #include "unit/mesh/reference_cells.hpp"
@@ -75,7 +77,7 @@ TEST_P(VolumeCell, EdgesNumberTheMidNodes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(CellFaces, VolumeCell, testing::ValuesIn(test::volume_cells),
+INSTANTIATE_TEST_SUITE_P(CellFaces, VolumeCell, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& cell) { return std::string(name(cell.param)); });
 
 TEST(CellFaces, TypesFollowTheCell) {
@@ -91,14 +93,17 @@ TEST(CellFaces, TypesFollowTheCell) {
 
 TEST(CellType, PropertiesAreConsistent) {
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(CellType::wedge15); ++i) {
-    const auto type = static_cast<CellType>(i);
+  for (const CellType type : cell_types()) {
     names.insert(name(type));
     // The name ends in the number of nodes; a linear cell is all corners.
     EXPECT_TRUE(name(type).ends_with(std::to_string(n_nodes(type)))) << name(type);
     EXPECT_EQ(order(type) == 1, n_nodes(type) == n_corners(type)) << name(type);
   }
-  EXPECT_EQ(names.size(), 15u);
+  EXPECT_EQ(names.size(), cell_types().size());
+  EXPECT_EQ(cell_types().front(), CellType::point1);
+  EXPECT_EQ(cell_types().back(), CellType::wedge15);
+  for (const CellType type : cell_types())
+    EXPECT_EQ(std::ranges::count(volume_cell_types(), type), dimension(type) == 3 ? 1 : 0) << name(type);
   EXPECT_EQ(dimension(CellType::point1), 0);
   EXPECT_EQ(dimension(CellType::line3), 1);
   EXPECT_EQ(dimension(CellType::quad9), 2);

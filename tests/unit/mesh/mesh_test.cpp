@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <functional>
 
 #include "creepcontact/base/error.hpp"

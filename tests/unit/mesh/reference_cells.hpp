@@ -35,7 +35,4 @@ inline std::vector<Vector3> reference_nodes(CellType type) {
   }
 }
 
-inline const std::vector<CellType> volume_cells{CellType::tet4,  CellType::tet10,  CellType::hex8,   CellType::hex20,
-                                                CellType::hex27, CellType::wedge6, CellType::wedge15};
-
 }  // namespace creepcontact::mesh::test

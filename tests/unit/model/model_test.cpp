@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "blocks.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/run/check.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "creepcontact/base/error.hpp"
-#include "unit/results/probing.hpp"
-#include "unit/run/running.hpp"
+#include "support/run/probing.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {
@@ -136,8 +136,8 @@ TEST(SharedNodes, SupportsMustNotMoveThemApart) {
 }
 
 /// History of a run with fixed steps. @param joint  the body at a place of the joint
-Csv history(const Case& blocks, const std::string& bodies, const std::string& joint,
-            const std::vector<std::string>& overrides) {
+Table history(const Case& blocks, const std::string& bodies, const std::string& joint,
+              const std::vector<std::string>& overrides) {
   const std::string probes = probe_tables({{"u_end", "displacement_y", "at = [1, 1, 1]"},
                                            {"u_top", "displacement_x", "on = 'top'"},
                                            {"u_joint", "displacement_z", "at = [0, 0.5, 0.7], body = '" + joint + "'"},
@@ -148,21 +148,23 @@ Csv history(const Case& blocks, const std::string& bodies, const std::string& jo
   RunOptions options;
   const RunResult result = run(blocks.parse(probes + common + bodies, overrides), options);
   EXPECT_EQ(result.exit_status, 0) << result.message;
-  return Csv(blocks / "results" / "history.csv");
+  return Table(blocks / "results" / "history.csv");
 }
 
 /// Supports on the shared nodes, an edge that four bodies share, stresses that vary over the joints.
 TEST(SharedNodes, TiedBodiesMoveAsOne) {
   const Case blocks(quarters);
-  const Csv one = history(blocks, body("all", "['a', 'b', 'c', 'd']"), "all", {});
-  ASSERT_EQ(one.rows.size(), 2u);
-  EXPECT_GT(std::abs(one.rows[1][1] / one.rows[0][1] - 1), 0.01) << "creep matters";
+  const Table one = history(blocks, body("all", "['a', 'b', 'c', 'd']"), "all", {});
+  ASSERT_EQ(one.rows(), 2);
+  EXPECT_GT(std::abs(one.column("u_end")[1] / one.column("u_end")[0] - 1), 0.01) << "creep matters";
   for (const char* method : {"contact_solver.method=schwarz", "contact_solver.method=active_set"}) {
-    const Csv tied = history(blocks, four, "b", {tie, method});
-    ASSERT_EQ(tied.rows.size(), one.rows.size());
-    for (std::size_t i = 0; i < one.rows.size(); ++i)
-      for (std::size_t k = 0; k < one.columns.size(); ++k)
-        EXPECT_NEAR(tied.rows[i][k], one.rows[i][k], 1e-8 * std::abs(one.rows[i][k]) + 1e-12) << one.columns[k];
+    const Table tied = history(blocks, four, "b", {tie, method});
+    ASSERT_EQ(tied.rows(), one.rows());
+    for (const std::string& name : one.names()) {
+      const std::vector<double>&expected = one.column(name), &found = tied.column(name);
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_NEAR(found[i], expected[i], 1e-8 * std::abs(expected[i]) + 1e-12) << name;
+    }
   }
 }
 

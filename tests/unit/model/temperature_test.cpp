@@ -5,7 +5,7 @@
 
 #include "creepcontact/model/table_range_monitor.hpp"
 #include "creepcontact/run/check.hpp"
-#include "unit/run/running.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {

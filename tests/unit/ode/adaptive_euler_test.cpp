@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "creepcontact/base/error.hpp"
 #include "systems.hpp"
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "creepcontact/base/error.hpp"
 #include "systems.hpp"
 

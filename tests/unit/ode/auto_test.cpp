@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "creepcontact/base/log.hpp"
 #include "unit/ode/systems.hpp"
 

@@ -3,6 +3,8 @@
 #include <arkode/arkode_arkstep.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "../../../src/ode/sundials/butcher_tables.hpp"
 #include "creepcontact/base/error.hpp"
 #include "systems.hpp"

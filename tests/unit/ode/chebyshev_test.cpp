@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "../../../src/ode/chebyshev_stages.hpp"
 #include "creepcontact/base/error.hpp"
 #include "systems.hpp"

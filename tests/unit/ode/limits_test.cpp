@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "every_integrator.hpp"
 
 namespace creepcontact::ode {

@@ -1,5 +1,7 @@
 /// States long enough for the threaded vector operations give what the short ones give.
 
+#include <cmath>
+
 #include "every_integrator.hpp"
 
 extern "C" void omp_set_num_threads(int);

@@ -1,5 +1,8 @@
 /// How the error falls, and that all integrators find the same solution.
 
+#include <algorithm>
+#include <cmath>
+
 #include "every_integrator.hpp"
 
 namespace creepcontact::ode {

@@ -1,5 +1,8 @@
 /// An integration taken up again from a restart point, as a resumed run does.
 
+#include <algorithm>
+#include <cmath>
+
 #include "every_integrator.hpp"
 
 namespace creepcontact::ode {

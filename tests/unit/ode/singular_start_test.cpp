@@ -1,6 +1,9 @@
 // Creep strain that grows as t^m from a point where its rate is infinite.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "every_integrator.hpp"
 
 namespace creepcontact::ode {

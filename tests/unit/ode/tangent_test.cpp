@@ -1,5 +1,7 @@
 /// The implicit integrators with a direct solver of their Newton systems.
 
+#include <algorithm>
+
 #include "creepcontact/base/error.hpp"
 #include "every_integrator.hpp"
 

@@ -1,4 +1,4 @@
-#include "probing.hpp"
+#include "support/run/probing.hpp"
 
 namespace creepcontact::run::test {
 namespace {

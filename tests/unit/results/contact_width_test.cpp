@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "creepcontact/base/index.hpp"
-#include "unit/contact/curved_pair.hpp"
+#include "support/contact/curved_pair.hpp"
 
 namespace creepcontact::results::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/results/quantities.hpp"
-#include "probing.hpp"
+#include "support/run/probing.hpp"
 
 namespace creepcontact::run::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/mechanics/meshes.hpp"
+#include "support/mechanics/meshes.hpp"
 
 namespace creepcontact::results::test {
 namespace {
@@ -48,12 +48,12 @@ TEST_P(LocalFit, LinearFieldsWhereTheMeshDeterminesThem) {
   for (const Vector3& at : places) EXPECT_NEAR(fitted(discretization, mesh, 0, at, linear), linear(at), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, LocalFit, testing::ValuesIn(creepcontact::test::volume_types),
+INSTANTIATE_TEST_SUITE_P(Types, LocalFit, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& tested) { return std::string(mesh::name(tested.param)); });
 
 TEST(LocalFitOfThreeLayers, QuadraticFieldsOfQuadraticElements) {
   // Of linear elements the middle is taken with the mean over the element, which is another value of a quadratic field.
-  for (const mesh::CellType type : creepcontact::test::volume_types) {
+  for (const mesh::CellType type : mesh::volume_cell_types()) {
     if (mesh::order(type) == 1) continue;
     const mesh::Mesh mesh = box_mesh(type, {3, 3, 3}, lengths, Vector3::Zero(), 0.1);
     const mechanics::Discretization discretization(mesh);

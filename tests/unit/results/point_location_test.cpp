@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "unit/mechanics/meshes.hpp"
+#include "support/mechanics/meshes.hpp"
 
 namespace creepcontact::results::test {
 namespace {
@@ -71,7 +71,7 @@ TEST_P(Locate, FarPointsAreNotFound) {
   EXPECT_FALSE(locator.locate({2, 2, 2}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, Locate, testing::ValuesIn(creepcontact::test::volume_types),
+INSTANTIATE_TEST_SUITE_P(Types, Locate, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& tested) { return std::string(mesh::name(tested.param)); });
 
 TEST(LocateInBlocks, NumbersAreThoseOfAllVolumeCells) {

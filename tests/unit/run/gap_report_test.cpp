@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "creepcontact/run/check.hpp"
-#include "unit/model/blocks.hpp"
+#include "support/run/blocks.hpp"
 
 namespace creepcontact::run::test {
 namespace {

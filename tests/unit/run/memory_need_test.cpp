@@ -1,7 +1,7 @@
 #include "../../../src/run/memory_need.hpp"
 
 #include "creepcontact/base/error.hpp"
-#include "running.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {

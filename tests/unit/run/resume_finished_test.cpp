@@ -5,10 +5,13 @@
 
 #include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
-#include "running.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {
+
+/// Of summary.json, where the keys of the contact begin.
+const std::string contact = "contacts/lower_top-upper_bottom/";
 
 struct FileState {
   std::string content;
@@ -42,7 +45,7 @@ TEST(ResumeFinished, ACompletedRunIsLeftAsItIs) {
         pressure_probe, {std::string("time.integrator=") + integrator, "time.output=[1, 3]", "time.step=0.5"});
     const std::filesystem::path out = blocks / integrator;
     ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
-    EXPECT_GT(number_in(read_text(out / "summary.json"), "final_normal_force"), 0);
+    EXPECT_GT(SummaryFile(out / "summary.json").number(contact + "final_normal_force"), 0);
     expect_left_alone(config, out, "the run is complete up to t = 4; a later time.end prolongs it");
     expect_left_alone(blocks.config(pressure_probe, {"time.end=3"}), out, "the run is complete up to t = 4");
   }
@@ -64,7 +67,7 @@ TEST(ResumeFinished, ARupturedRunIsLeftAsItIs) {
                        "supports.3.displacement.z={t=[0, 100], values=[-0.025, -5]}", "time.end=100"});
   const std::filesystem::path out = blocks / "out";
   ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
-  ASSERT_TRUE(contains(read_text(out / "summary.json"), "\"status\": \"ruptured\"")) << read_text(out / "summary.json");
+  ASSERT_EQ(SummaryFile(out / "summary.json").text("status"), "ruptured");
   expect_left_alone(config, out, "the run ended by rupture at t = ");
 }
 
@@ -74,8 +77,8 @@ TEST(ResumeFinished, AMissingSummaryIsWritten) {
   const config::Config config = blocks.config(pressure_probe, {"time.output=[1, 3]"});
   const std::filesystem::path out = blocks / "out";
   ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
-  const std::string summary = read_text(out / "summary.json");
-  std::string killed = summary;
+  const SummaryFile summary(out / "summary.json");
+  std::string killed = read_text(out / "summary.json");
   killed.replace(killed.find("completed"), 9, "interrupted");
   for (const std::string& left : {killed, std::string()}) {
     if (left.empty())
@@ -84,12 +87,12 @@ TEST(ResumeFinished, AMissingSummaryIsWritten) {
       io::test::write_text(out / "summary.json", left);
     auto before = files_in(out);
     ASSERT_EQ(run(config, {.output = out.string(), .resume = true}).exit_status, 0);
-    const std::string found = read_text(out / "summary.json");
-    EXPECT_TRUE(contains(found, "\"status\": \"completed\"")) << found;
-    for (const char* name : {"time_reached", "steps", "largest_normal_force"})
-      EXPECT_EQ(number_in(found, name), number_in(summary, name)) << name;
-    for (const char* name : {"final_normal_force", "remaining_fraction"})
-      EXPECT_NEAR(number_in(found, name), number_in(summary, name), 1e-6) << name;
+    const SummaryFile found(out / "summary.json");
+    EXPECT_EQ(found.text("status"), "completed");
+    for (const std::string& key : {std::string("time_reached"), std::string("steps"), contact + "largest_normal_force"})
+      EXPECT_EQ(found.number(key), summary.number(key)) << key;
+    for (const std::string& key : {contact + "final_normal_force", contact + "remaining_fraction"})
+      EXPECT_NEAR(found.number(key), summary.number(key), 1e-6) << key;
     for (const auto& [file, state] : files_in(out)) {
       const bool same = state.content == before[file].content;
       EXPECT_TRUE(same || contains(file, "summary.json")) << file;

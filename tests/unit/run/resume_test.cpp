@@ -2,7 +2,7 @@
 
 #include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
-#include "running.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {
@@ -45,20 +45,20 @@ TEST_P(Resume, EndsAsTheUninterruptedRun) {
   const std::string resumed = read_text(parts / "history.csv");
   EXPECT_EQ(resumed.substr(0, begin.size()), begin);
 
-  const Csv expected(whole / "history.csv"), found(parts / "history.csv");
-  EXPECT_EQ(found.column("time"), expected.column("time"));
-  for (std::size_t i = 0; i < std::min(found.rows.size(), expected.rows.size()); ++i)
-    EXPECT_NEAR(found.rows[i][1], expected.rows[i][1], GetParam().tolerance) << "row " << i;
+  const Table expected(whole / "history.csv"), found(parts / "history.csv");
+  EXPECT_EQ(found.times(), expected.times());
+  for (const double t : expected.times())
+    EXPECT_NEAR(found.at("pressure", t), expected.at("pressure", t), GetParam().tolerance) << t;
   if (GetParam().tolerance == 0) {
     EXPECT_EQ(resumed, read_text(whole / "history.csv"));
     EXPECT_EQ(read_text(parts / "steps.csv"), read_text(whole / "steps.csv"));
   }
   // The costs of both parts are in the summary.
-  const std::string summary = read_text(parts / "summary.json");
-  EXPECT_TRUE(contains(summary, "\"status\": \"completed\"")) << summary;
-  EXPECT_EQ(number_in(summary, "steps"), static_cast<double>(Csv(parts / "steps.csv").rows.size()));
-  EXPECT_EQ(number_in(summary, "factorizations"), 4);
-  // A field file an output time, none twice.
+  const SummaryFile summary(parts / "summary.json");
+  EXPECT_EQ(summary.text("status"), "completed");
+  EXPECT_EQ(summary.number("steps"), Table(parts / "steps.csv").rows());
+  EXPECT_EQ(summary.number("factorizations"), 4);
+  // One field file per output time.
   for (const char* file : {"fields.pvd", "contact.pvd"}) EXPECT_EQ(read_text(parts / file), read_text(whole / file));
 }
 
@@ -111,16 +111,16 @@ TEST(ResumeTwice, LeavesTheStepsOfTheUninterruptedRun) {
   ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
   for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
     EXPECT_EQ(read_text(parts / file), read_text(whole / file)) << file;
-  EXPECT_GT(Csv(whole / "steps.csv").rows.size(), 60U);
+  EXPECT_GT(Table(whole / "steps.csv").rows(), 60);
 }
 
 TEST(ResumeAtOnce, FromAnInterruptionBeforeTheFirstStep) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe, {"time.output=[1]"});
   EXPECT_EQ(interrupted_run(config, blocks / "out", 1), 0);
-  EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), std::vector<double>{0});
+  EXPECT_EQ(Table(blocks / "out/history.csv").times(), std::vector<double>{0});
   ASSERT_EQ(run(config, {.output = (blocks / "out").string(), .resume = true}).exit_status, 0);
-  EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), (std::vector<double>{0, 1, 4}));
+  EXPECT_EQ(Table(blocks / "out/history.csv").times(), (std::vector<double>{0, 1, 4}));
 }
 
 TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
@@ -170,8 +170,7 @@ TEST(ResumeChanges, TolerancesTimesAndIntegratorsMay) {
     changed.emplace_back(change);
     const RunResult result = run(blocks.config(pressure_probe, changed), {.output = out.string(), .resume = true});
     EXPECT_EQ(result.exit_status, 0) << change << ": " << result.message;
-    for (const auto& row : Csv(out / "history.csv").rows)
-      EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 2e-2) << change << " at " << row[0];
+    expect_relaxed_pressure(Table(out / "history.csv"), 2e-2, change);
   }
 }
 
@@ -188,11 +187,11 @@ TEST(ResumeChanges, ALaterEndProlongsACompletedRun) {
     ASSERT_EQ(run(blocks.config(pressure_probe, first), {.output = out.string()}).exit_status, 0);
     const std::string steps = read_text(out / "steps.csv");
     ASSERT_EQ(run(blocks.config(pressure_probe, second), {.output = out.string(), .resume = true}).exit_status, 0);
-    const Csv history(out / "history.csv");
-    EXPECT_EQ(history.column("time"), (std::vector<double>{0, 1, 3, 4, 5, 6, 7})) << "the old end stays";
-    for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), 5e-3) << integrator << row[0];
+    const Table history(out / "history.csv");
+    EXPECT_EQ(history.times(), (std::vector<double>{0, 1, 3, 4, 5, 6, 7})) << "the old end stays";
+    expect_relaxed_pressure(history, 5e-3, integrator);
     EXPECT_EQ(read_text(out / "steps.csv").substr(0, steps.size()), steps);
-    EXPECT_TRUE(contains(read_text(out / "summary.json"), "\"time_reached\": 7")) << integrator;
+    EXPECT_EQ(SummaryFile(out / "summary.json").number("time_reached"), 7) << integrator;
   }
 }
 

@@ -1,5 +1,5 @@
 #include "creepcontact/base/error.hpp"
-#include "running.hpp"
+#include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace {
@@ -20,35 +20,34 @@ TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
   const RunResult result = run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string()});
   ASSERT_EQ(result.exit_status, 0) << result.message;
 
-  const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
-  EXPECT_EQ(history.columns, (std::vector<std::string>{"time", "pressure"}));
-  EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.1, 1, 1.7, 3, 4}));
-  for (const auto& row : history.rows) EXPECT_NEAR(row[1], relaxed_pressure(row[0]), GetParam().tolerance) << row[0];
+  const Table history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
+  EXPECT_EQ(history.names(), (std::vector<std::string>{"time", "pressure"}));
+  EXPECT_EQ(history.times(), (std::vector<double>{0, 0.1, 1, 1.7, 3, 4}));
+  expect_relaxed_pressure(history, GetParam().tolerance);
 
   double time = 0;
-  for (const auto& row : steps.rows) {
-    EXPECT_GT(row[1], 0);
-    EXPECT_NEAR(row[0] - time, row[1], 1e-12);
-    time = row[0];
+  for (std::size_t i = 0; i < steps.rows(); ++i) {
+    EXPECT_GT(steps.column("step")[i], 0);
+    EXPECT_NEAR(steps.times()[i] - time, steps.column("step")[i], 1e-12);
+    time = steps.times()[i];
   }
   EXPECT_EQ(time, 4);
   for (const double active : steps.column("active_contacts")) EXPECT_EQ(active, 12);
   for (const double order : steps.column("order")) EXPECT_GE(order, 1);
 
-  const std::string summary = read_text(blocks / "out/summary.json");
-  EXPECT_TRUE(contains(summary, "\"status\": \"completed\"")) << summary;
-  EXPECT_TRUE(contains(summary, std::string("\"integrator\": \"") + GetParam().integrator + "\""));
-  EXPECT_FALSE(contains(summary, "\"message\""));
-  EXPECT_EQ(number_in(summary, "time_reached"), 4);
-  EXPECT_EQ(number_in(summary, "steps"), static_cast<double>(steps.rows.size()));
-  EXPECT_EQ(number_in(summary, "factorizations"), 2);
+  const SummaryFile summary(blocks / "out/summary.json");
+  EXPECT_EQ(summary.text("status"), "completed");
+  EXPECT_EQ(summary.text("integrator"), GetParam().integrator);
+  EXPECT_FALSE(summary.has("message"));
+  EXPECT_EQ(summary.number("time_reached"), 4);
+  EXPECT_EQ(summary.number("steps"), steps.rows());
+  EXPECT_EQ(summary.number("factorizations"), 2);
   // Outputs and the error scale have their solves outside the steps.
   for (const char* count : {"rhs_evaluations", "elastic_solves", "schwarz_iterations"}) {
-    EXPECT_GE(number_in(summary, count), steps.sum(count)) << count;
+    EXPECT_GE(summary.number(count), steps.sum(count)) << count;
     EXPECT_GT(steps.sum(count), 0) << count;
   }
-  EXPECT_EQ(number_in(summary, "elastic_solves"),
-            number_in(summary, "contact_solves") + number_in(summary, "jacobian_products"));
+  EXPECT_EQ(summary.number("elastic_solves"), summary.number("contact_solves") + summary.number("jacobian_products"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Run,
@@ -74,9 +73,9 @@ TEST(RunBreakpoints, AreEndsOfSteps) {
     all.push_back(std::string("time.integrator=") + integrator);
     const std::filesystem::path out = blocks / integrator;
     ASSERT_EQ(run(blocks.config(pressure_probe, all), {.output = out.string()}).exit_status, 0);
-    const Csv history(out / "history.csv"), steps(out / "steps.csv");
-    EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.5, 1, 2, 2.75, 4}));
-    const std::vector<double> times = steps.column("time");
+    const Table history(out / "history.csv"), steps(out / "steps.csv");
+    EXPECT_EQ(history.times(), (std::vector<double>{0, 0.5, 1, 2, 2.75, 4}));
+    const std::vector<double> times = steps.times();
     for (const double breakpoint : {1.0, 2.5, 3.0})
       EXPECT_EQ(std::count(times.begin(), times.end(), breakpoint), 1) << integrator << " " << breakpoint;
     // the pressure follows the top: the highest at the first kink
@@ -94,14 +93,14 @@ TEST(RunElastic, HistoryFollowsTheLoads) {
   for (const bool resume : {false, true}) {  // a run that has ended may be resumed: nothing is left to do
     const RunResult result = run(config, {.output = (blocks / "out").string(), .resume = resume});
     ASSERT_EQ(result.exit_status, 0) << result.message;
-    const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
-    EXPECT_EQ(history.column("time"), (std::vector<double>{0, 0.5, 1, 3, 4}));
-    EXPECT_EQ(steps.rows.size(), 0U);
-    for (const auto& row : history.rows) EXPECT_NEAR(row[1], std::max(0.0, row[0] - 1), 1e-9);
-    const std::string summary = read_text(blocks / "out/summary.json");
-    EXPECT_TRUE(contains(summary, "\"status\": \"completed\"")) << summary;
-    EXPECT_EQ(number_in(summary, "steps"), 0);
-    EXPECT_EQ(number_in(summary, "time_reached"), 4);
+    const Table history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
+    EXPECT_EQ(history.times(), (std::vector<double>{0, 0.5, 1, 3, 4}));
+    EXPECT_EQ(steps.rows(), 0);
+    for (const double t : history.times()) EXPECT_NEAR(history.at("pressure", t), std::max(0.0, t - 1), 1e-9);
+    const SummaryFile summary(blocks / "out/summary.json");
+    EXPECT_EQ(summary.text("status"), "completed");
+    EXPECT_EQ(summary.number("steps"), 0);
+    EXPECT_EQ(summary.number("time_reached"), 4);
   }
 }
 
@@ -116,24 +115,24 @@ TEST(RunFailure, KeepsWhatWasComputed) {
   EXPECT_TRUE(contains(result.message, "beta_euler: the inner iterations")) << result.message;
   EXPECT_TRUE(contains(result.message, (blocks / "out").string())) << result.message;
 
-  const Csv history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
-  ASSERT_GE(history.rows.size(), 3U);
-  EXPECT_LT(history.rows.size(), 5U);
-  EXPECT_EQ(history.column("time")[2], 2);
+  const Table history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
+  ASSERT_GE(history.rows(), 3);
+  EXPECT_LT(history.rows(), 5);
+  EXPECT_EQ(history.times()[2], 2);
   EXPECT_NEAR(history.column("pressure")[1], relaxed_pressure(1), 2e-2);
-  const std::string summary = read_text(blocks / "out/summary.json");
-  EXPECT_TRUE(contains(summary, "\"status\": \"failed\"")) << summary;
-  EXPECT_TRUE(contains(summary, "\"message\": \"beta_euler: the inner iterations")) << summary;
-  EXPECT_EQ(number_in(summary, "time_reached"), steps.column("time").back());
-  EXPECT_EQ(number_in(summary, "steps"), static_cast<double>(steps.rows.size()));
+  const SummaryFile summary(blocks / "out/summary.json");
+  EXPECT_EQ(summary.text("status"), "failed");
+  EXPECT_TRUE(summary.text("message").starts_with("beta_euler: the inner iterations")) << summary.text("message");
+  EXPECT_EQ(summary.number("time_reached"), steps.times().back());
+  EXPECT_EQ(summary.number("steps"), steps.rows());
 
   // Mended, it goes on from there.
   config::Config mended = config;
   mended.time.integrator = "cvode_bdf";
   const RunResult resumed = run(mended, {.output = (blocks / "out").string(), .resume = true});
   EXPECT_EQ(resumed.exit_status, 0) << resumed.message;
-  EXPECT_EQ(Csv(blocks / "out/history.csv").column("time"), (std::vector<double>{0, 1, 2, 3, 4}));
-  EXPECT_TRUE(contains(read_text(blocks / "out/summary.json"), "\"status\": \"completed\""));
+  EXPECT_EQ(Table(blocks / "out/history.csv").times(), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(SummaryFile(blocks / "out/summary.json").text("status"), "completed");
 }
 
 TEST(RunMistakes, OutputDirectoryThatCannotBe) {

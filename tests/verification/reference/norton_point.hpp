@@ -1,7 +1,7 @@
 #pragma once
 /// Norton's flow rule for the principal stresses of an axisymmetric state, and its derivative.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 namespace creepcontact::reference {

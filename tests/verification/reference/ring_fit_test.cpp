@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include "verification/reference/relaxation.hpp"
 #include "verification/reference/sheath_on_pellet.hpp"
 #include "verification/reference/thick_cylinder.hpp"

@@ -1,6 +1,6 @@
 #include "verification/reference/stiff_integrator.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>

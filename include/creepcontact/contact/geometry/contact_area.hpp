@@ -1,7 +1,7 @@
 #pragma once
 /// Area in contact, with the edge of contact found between the multiplier nodes.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "creepcontact/contact/geometry/contact_edge.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Where the edge of contact runs between the multiplier nodes.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <map>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Geometry of one face of a contact surface: position, normal, projection onto a plane and back.
 
+#include <Eigen/Geometry>
 #include <array>
 #include <vector>
 

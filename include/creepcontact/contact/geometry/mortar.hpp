@@ -1,7 +1,7 @@
 #pragma once
 /// Segment-based dual mortar: the weighted gaps of a contact pair as linear functions of both bodies' displacements.
 
-#include <Eigen/Sparse>
+#include <Eigen/SparseCore>
 #include <span>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Convex polygons in a plane: what remains of one face under another.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 namespace creepcontact::contact {

@@ -1,7 +1,7 @@
 #pragma once
 /// The bodies' flexibility as an operator, for contact zones too large for dense matrices.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <memory>
 #include <vector>
 

@@ -4,6 +4,7 @@
 /// F_II may be singular at the pins of bodies held by contact alone; F_II + c N_I N_I^T in its place is not, and
 /// changes the amplitudes by c N_I^T lambda only.
 
+#include <Eigen/Cholesky>
 #include <memory>
 #include <vector>
 

@@ -8,7 +8,7 @@
 /// the solution does not, since N^T lambda + resultant = 0 leaves the pins without force. Source: Farhat and Roux
 /// (1991), rigid motions of floating subdomains in dual form.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "creepcontact/base/index.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -41,38 +41,10 @@ Physical Point("corner") = Point In BoundingBox{2 - e, 1 - e, 1 - e, 9, 9, 9};
 )";
 
 /// Hexahedra, 3 x 2 x 2 in the lower block and 4 x 2 x 2 in the upper one: the meshes of the joint do not match.
-inline std::string separate_blocks() {
-  return R"(SetFactory("OpenCASCADE");
-e = 1e-3;
-Box(1) = {0, 0, -2, 2, 1, 2};
-Box(2) = {0, 0, 0, 2, 1, 1};
-Transfinite Curve{1:24} = 3;
-Transfinite Curve{9:12} = 4;
-Transfinite Curve{21:24} = 5;
-Transfinite Surface{1:12};
-Recombine Surface{1:12};
-Transfinite Volume{1:2};
-Physical Surface("lower_top") = {6};
-Physical Surface("upper_bottom") = {11};
-)" + groups;
-}
+std::string separate_blocks();
 
 /// The blocks share the nodes of the joint, one surface that two groups name.
-inline std::string joined_blocks() {
-  return R"(SetFactory("OpenCASCADE");
-e = 1e-3;
-Box(1) = {0, 0, -2, 2, 1, 2};
-Box(2) = {0, 0, 0, 2, 1, 1};
-BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }
-Transfinite Curve{:} = 3;
-Transfinite Surface{:};
-Recombine Surface{:};
-Transfinite Volume{:};
-joint() = Surface In BoundingBox{-e, -e, -e, 9, 9, e};
-Physical Surface("lower_top") = {joint()};
-Physical Surface("upper_bottom") = {joint()};
-)" + groups;
-}
+std::string joined_blocks();
 
 inline const std::string case_text = R"(title = "blocks"
 units = "none"
@@ -118,26 +90,14 @@ directory = "results"
 /// A directory with the mesh of the case, and configurations for it.
 class Case {
  public:
-  explicit Case(const std::string& geometry = separate_blocks()) {
-    io::test::write_text(directory_ / "blocks.geo", geometry);
-  }
+  explicit Case(const std::string& geometry = separate_blocks());
 
   /// @param more  tables to be appended to case_text
-  config::Config config(const std::string& more = "", const std::vector<std::string>& overrides = {}) const {
-    return parse(case_text + more, overrides);
-  }
-  config::Config parse(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-    return config::parse(text, directory_ / "case.toml", vocabulary(), overrides);
-  }
+  config::Config config(const std::string& more = "", const std::vector<std::string>& overrides = {}) const;
+  config::Config parse(const std::string& text, const std::vector<std::string>& overrides = {}) const;
   std::filesystem::path operator/(const std::string& name) const { return directory_ / name; }
   /// Begin of a message about what stands at the first occurrence of `text` in case_text + more.
-  std::string place(const std::string& text, const std::string& more = "") const {
-    const std::string whole = case_text + more;
-    const std::size_t at = whole.find(text);
-    const auto line = 1 + std::count(whole.begin(), whole.begin() + at, '\n');
-    const std::size_t column = at - (at == 0 ? 0 : whole.rfind('\n', at - 1));
-    return (directory_ / "case.toml").string() + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
-  }
+  std::string place(const std::string& text, const std::string& more = "") const;
 
  private:
   io::test::TemporaryDirectory directory_;
@@ -145,11 +105,7 @@ class Case {
 
 /// A model with all that evaluates it.
 struct System {
-  explicit System(const config::Config& config)
-      : model(build_model(config)),
-        solver(model.assembly, model.solver, watch),
-        rate(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints), config.time.tolerance,
-             watch) {}
+  explicit System(const config::Config& config);
   /// Of the last evaluation of the rate.
   const creep::Equilibrium& equilibrium() const { return rate.step_evaluation().equilibrium; }
 

@@ -1,20 +1,8 @@
-#pragma once
-/// Values of probes in an elastic state of the two blocks.
-
-#include <map>
-#include <string>
-
-#include "creepcontact/results/probes.hpp"
-#include "unit/model/blocks.hpp"
+#include "support/run/probing.hpp"
 
 namespace creepcontact::run::test {
 
-struct ProbeTable {
-  std::string name, quantity, place;  ///< place: the keys on, at, body as TOML, separated by commas
-  std::string reduce = "";
-};
-
-inline std::string probe_tables(const std::vector<ProbeTable>& probes) {
+std::string probe_tables(const std::vector<ProbeTable>& probes) {
   std::string text = "probes = [\n";
   for (const ProbeTable& probe : probes) {
     text += "  { name = '" + probe.name + "', quantity = '" + probe.quantity + "', " + probe.place;
@@ -23,10 +11,8 @@ inline std::string probe_tables(const std::vector<ProbeTable>& probes) {
   return text + "]\n";
 }
 
-/// The elastic state of the case at time t, and the probes' values in it by name.
-inline std::map<std::string, double> probe(const Case& blocks, const std::vector<ProbeTable>& probes,
-                                           const std::vector<std::string>& overrides = {}, const std::string& more = "",
-                                           double t = 0) {
+std::map<std::string, double> probe(const Case& blocks, const std::vector<ProbeTable>& probes,
+                                    const std::vector<std::string>& overrides, const std::string& more, double t) {
   const config::Config config = blocks.parse(probe_tables(probes) + case_text + more, overrides);
   System system(config);
   const auto made = make_probes(config, system.model);
@@ -37,8 +23,8 @@ inline std::map<std::string, double> probe(const Case& blocks, const std::vector
   return values;
 }
 
-inline void expect_values(const std::map<std::string, double>& found, const std::map<std::string, double>& expected,
-                          double tolerance) {
+void expect_values(const std::map<std::string, double>& found, const std::map<std::string, double>& expected,
+                   double tolerance) {
   EXPECT_EQ(found.size(), expected.size());
   for (const auto& [name, value] : expected) {
     ASSERT_TRUE(found.contains(name)) << name;

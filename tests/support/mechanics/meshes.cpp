@@ -1,8 +1,6 @@
-#pragma once
-/// Small meshes made in code, for the tests of mechanics and contact.
+#include "support/mechanics/meshes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <random>
 #include <string>
@@ -10,23 +8,16 @@
 #include <vector>
 
 #include "creepcontact/mesh/cell_faces.hpp"
-#include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::test {
-
-using mesh::CellType;
-
-inline constexpr std::array volume_types{CellType::tet4,  CellType::tet10,  CellType::hex8,   CellType::hex20,
-                                         CellType::hex27, CellType::wedge6, CellType::wedge15};
-
-namespace detail {
+namespace {
 
 /// Twice the grid index, so that the middle of any edge, face or cell has whole numbers too.
 using GridPoint = std::array<int, 3>;
 
 /// Cells of the unit grid cell by their corners (as bits x + 2 y + 4 z): 1 hexahedron, 2 wedges or 6 tetrahedra, the
 /// same in every grid cell and fitting its neighbours.
-inline std::vector<std::vector<int>> corner_bits(CellType type) {
+std::vector<std::vector<int>> corner_bits(CellType type) {
   switch (mesh::n_corners(type)) {
     case 8:
       return {{0, 1, 3, 2, 4, 5, 7, 6}};
@@ -37,7 +28,7 @@ inline std::vector<std::vector<int>> corner_bits(CellType type) {
   }
 }
 
-inline GridPoint middle(const std::vector<GridPoint>& corners) {
+GridPoint middle(const std::vector<GridPoint>& corners) {
   GridPoint sum{};
   for (const GridPoint& corner : corners)
     for (std::size_t i = 0; i < 3; ++i) sum[i] += corner[i];
@@ -46,7 +37,7 @@ inline GridPoint middle(const std::vector<GridPoint>& corners) {
 }
 
 /// All nodes of a cell in Gmsh's order, from its corners.
-inline std::vector<GridPoint> cell_nodes(CellType type, const std::vector<GridPoint>& corners) {
+std::vector<GridPoint> cell_nodes(CellType type, const std::vector<GridPoint>& corners) {
   std::vector<GridPoint> nodes = corners;
   if (mesh::order(type) == 1) return nodes;
   for (const auto& [a, b] : mesh::cell_edges(type)) nodes.push_back(middle({corners[a], corners[b]}));
@@ -171,25 +162,14 @@ class BoxBuilder {
   std::map<CellType, std::vector<std::pair<std::string, std::size_t>>> surface_cells_;  // group, cell of the block
 };
 
-}  // namespace detail
+}  // namespace
 
-/// A box of nx x ny x nz grid cells of one element type.
-/// Groups: "volume", and the surfaces "x0", "x1", "y0", "y1", "z0", "z1" with their cells.
-/// @param distortion  corner nodes inside the box are moved by up to this part of a grid cell (same every time);
-///                    middle nodes stay in the middle of their corners
-inline mesh::Mesh box_mesh(CellType type, std::array<int, 3> divisions, const Vector3& lengths = Vector3::Ones(),
-                           const Vector3& origin = Vector3::Zero(), double distortion = 0) {
-  detail::BoxBuilder builder(type, divisions);
+mesh::Mesh box_mesh(CellType type, std::array<int, 3> divisions, const Vector3& lengths, const Vector3& origin,
+                    double distortion) {
+  BoxBuilder builder(type, divisions);
   builder.place_corners(lengths, origin, distortion);
   builder.add_cells();
   return std::move(builder).build();
-}
-
-/// The mesh with its nodes moved to map(x); middle nodes too, so that faces may become curved.
-template <typename Map>
-mesh::Mesh mapped(mesh::Mesh mesh, const Map& map) {
-  for (Vector3& x : mesh.nodes) x = map(x);
-  return mesh;
 }
 
 }  // namespace creepcontact::test

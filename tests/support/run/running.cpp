@@ -1,0 +1,16 @@
+#include "support/run/running.hpp"
+
+#include <cmath>
+
+namespace creepcontact::run::test {
+
+double relaxed_pressure(double t) {
+  return std::pow(1 + 3 * (3 * 1e-3 / 0.025) * t, -1.0 / 3);
+}
+
+void expect_relaxed_pressure(const Table& history, double tolerance, const std::string& where) {
+  for (const double t : history.times())
+    EXPECT_NEAR(history.at("pressure", t), relaxed_pressure(t), tolerance) << where << " at t = " << t;
+}
+
+}  // namespace creepcontact::run::test

@@ -1,0 +1,28 @@
+#pragma once
+/// Whole runs of the two blocks, and the tables they leave.
+
+#include <string>
+
+#include "creepcontact/run/run.hpp"
+#include "support/run/blocks.hpp"
+#include "support/run/result_files.hpp"
+
+namespace creepcontact::run::test {
+
+using creepcontact::test::SummaryFile;
+using creepcontact::test::Table;
+
+inline const std::string pressure_probe = R"(
+[[probes]]
+name = "pressure"
+quantity = "contact_pressure"
+on = "upper_bottom"
+)";
+
+/// Mean pressure of the blocks, pressed with 1 and held: (0.025 / 1) d(sigma)/dt = -(2 + 1) A sigma^4
+double relaxed_pressure(double t);
+
+/// At all output times of the probe `pressure`.
+void expect_relaxed_pressure(const Table& history, double tolerance, const std::string& where = "");
+
+}  // namespace creepcontact::run::test

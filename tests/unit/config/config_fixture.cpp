@@ -1,0 +1,31 @@
+#include "unit/config/config_fixture.hpp"
+
+namespace creepcontact::config {
+
+Config parse_text(const std::string& text, const std::vector<std::string>& overrides) {
+  return parse(text, "cases/block.toml", test_vocabulary(), overrides);
+}
+
+std::vector<std::string> mistakes(const std::string& text, const std::vector<std::string>& overrides) {
+  std::vector<std::string> lines;
+  try {
+    parse_text(text, overrides);
+  } catch (const ConfigError& error) {
+    std::string message = error.what();
+    std::size_t begin = 0;
+    for (std::size_t end = message.find('\n'); end != std::string::npos; end = message.find('\n', begin)) {
+      lines.push_back(message.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    lines.push_back(message.substr(begin));
+  }
+  return lines;
+}
+
+void expect_mistake(const std::string& text, const std::string& begin, const std::vector<std::string>& overrides) {
+  const std::vector<std::string> lines = mistakes(text, overrides);
+  ASSERT_EQ(lines.size(), 1u) << (lines.empty() ? "no mistake found" : lines[0] + "\n" + lines.back());
+  EXPECT_EQ(lines[0].substr(0, begin.size()), begin) << "in " << lines[0];
+}
+
+}  // namespace creepcontact::config
