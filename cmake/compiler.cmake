@@ -1,5 +1,11 @@
 add_library(creepcontact_options INTERFACE)
-target_compile_options(creepcontact_options INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -Wshadow)
+target_compile_options(creepcontact_options INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion)
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Names of one source are no shadows in the next, and its types have the linkage of that source.
+  target_compile_options(creepcontact_options INTERFACE -Wshadow=local -Wno-subobject-linkage)
+else()
+  target_compile_options(creepcontact_options INTERFACE -Wshadow)
+endif()
 if(CREEPCONTACT_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()

@@ -12,7 +12,7 @@ find_package(OpenMP REQUIRED)
 find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
 find_package(BLAS REQUIRED)
 
-# SuiteSparse of Debian 12 brings no usable CMake package.
+# SuiteSparse and xxHash of Debian 12 bring no usable CMake package.
 function(creepcontact_find_library target header library)
   if(TARGET ${target}::${target})
     return()
@@ -26,3 +26,4 @@ function(creepcontact_find_library target header library)
 endfunction()
 creepcontact_find_library(CHOLMOD cholmod.h cholmod SUFFIXES suitesparse)
 target_link_libraries(CHOLMOD::CHOLMOD INTERFACE ${BLAS_LIBRARIES})
+creepcontact_find_library(xxHash xxhash.h xxhash)

@@ -112,7 +112,7 @@ bool Function::is_constant() const {
 bool Function::is_zero() const {
   return is_constant() && definition_->value({}) == 0.0;
 }
-bool Function::depends_on_place() const {
+bool Function::depends_on_position() const {
   const auto& used = definition_->variables;
   return used.contains("x") || used.contains("y") || used.contains("z");
 }

@@ -89,7 +89,7 @@ class Table final : public Function::Definition {
 };
 
 void check_period(const std::string& variable, const std::vector<double>& abscissae, double period) {
-  if (const std::string mistake = Function::period_mistake(variable, abscissae, period); !mistake.empty())
+  if (const std::string mistake = Function::period_error(variable, abscissae, period); !mistake.empty())
     throw std::invalid_argument(mistake);
 }
 
@@ -103,7 +103,7 @@ std::size_t Function::misplaced_point(const std::string& variable, const std::ve
   return abscissae.size();
 }
 
-std::string Function::period_mistake(const std::string& variable, const std::vector<double>& abscissae, double period) {
+std::string Function::period_error(const std::string& variable, const std::vector<double>& abscissae, double period) {
   if (variable != "t") return fmt::format("a table in {} has no period; only one in t repeats", variable);
   if (abscissae.front() != 0)
     return fmt::format("the first point is {}; a table with a period begins at t = 0", abscissae.front());

@@ -42,7 +42,7 @@ double round_down(double a) {
 double Arguments::*known_variable(const std::string& name) {
   const auto* found = std::find_if(known_variables.begin(), known_variables.end(),
                                    [&](const Variable& variable) { return name == variable.name; });
-  if (found == known_variables.end()) throw std::invalid_argument(fmt::format("'{}' is no variable", name));
+  if (found == known_variables.end()) throw std::invalid_argument(fmt::format("'{}' is not a variable", name));
   return found->member;
 }
 

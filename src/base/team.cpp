@@ -102,7 +102,7 @@ const Team& serial_team() {
   return alone;
 }
 
-void agree_on_failure(const Team& team, std::exception_ptr own) {
+void agree_on_failure(const Team& team, const std::exception_ptr& own) {
   const Failure failure = describe(own);
   const double weight = failure.kind == Kind::none ? 0.0 : is_fatal(failure.kind) ? 2.0 : 1.0;
   // One reduction where nothing has failed: the heaviest failure, and of equals that of the lowest rank.

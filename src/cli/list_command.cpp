@@ -26,11 +26,12 @@ std::string all_lists() {
 }
 
 struct Output {
-  bool markdown = false, names = false, values = false;
+  bool markdown = false, names = false, values = false, json_schema = false;
 };
 
 /// @param wanted  which keys; not given: all
 std::string keys(const std::string& what, const std::optional<std::string>& wanted, const Output& output) {
+  if (output.json_schema) return what == "keys" ? config::json_schema(run::vocabulary()) : config::study_json_schema();
   auto sections = config::key_sections(what == "keys" ? config::schema(run::vocabulary()) : config::study_schema());
   if (wanted) sections = config::select_keys(sections, *wanted);
   if (output.names) return config::key_names(sections);
@@ -39,18 +40,20 @@ std::string keys(const std::string& what, const std::optional<std::string>& want
   return config::key_listing(sections);
 }
 
-void check(const std::string& what, const CommandLine& line, const Output& output) {
+void require_valid(const std::string& what, const CommandLine& line, const Output& output) {
   if (!contains(key_lists, what) && !contains(name_lists, what)) {
     std::vector<std::string> lists = key_lists;
     lists.insert(lists.end(), name_lists.begin(), name_lists.end());
     throw ConfigError(
         fmt::format("list: unknown list '{}'{} (allowed: {})", what, did_you_mean(what, lists), all_lists()));
   }
-  if (contains(name_lists, what) && (line.optional() || output.names || output.values))
-    throw ConfigError(
-        fmt::format("list {}: KEY, --names and --values are for {} only", what, fmt::join(key_lists, " and ")));
-  if (output.markdown + output.names + output.values > 1)
-    throw ConfigError("list: --markdown, --names and --values exclude each other");
+  if (contains(name_lists, what) && (line.optional() || output.names || output.values || output.json_schema))
+    throw ConfigError(fmt::format("list {}: KEY, --names, --values and --json-schema are for {} only", what,
+                                  fmt::join(key_lists, " and ")));
+  if (output.markdown + output.names + output.values + output.json_schema > 1)
+    throw ConfigError("list: --markdown, --names, --values and --json-schema exclude each other");
+  if (output.json_schema && line.optional())
+    throw ConfigError("list: --json-schema takes no KEY, it describes all keys");
 }
 
 }  // namespace
@@ -62,11 +65,12 @@ int list(const Command& self, const Arguments& arguments) {
     line.add_options()(name, boost::program_options::bool_switch(&value), meaning);
   };
   flag("markdown", output.markdown, "as in the documentation");
-  flag("names", output.names, "keys: their names alone, one a line");
-  flag("values", output.values, "keys: the words that they may be, one a line");
+  flag("names", output.names, "keys: their names alone, one per line");
+  flag("values", output.values, "keys: the words that they may be, one per line");
+  flag("json-schema", output.json_schema, "keys: as JSON Schema, for editors");
   if (!line.parse(arguments, "one of " + all_lists(), "KEY")) return 0;
   const std::string& what = line.positional();
-  check(what, line, output);
+  require_valid(what, line, output);
   if (contains(key_lists, what)) {
     std::cout << keys(what, line.optional(), output);
   } else {

@@ -31,7 +31,7 @@ const std::vector<Command>& commands() {
       {"plot", "DIR [options]", "Draws the probes and the time steps of a run, as SVG and PNG (by gnuplot).", plot},
       {"list", "(keys|study-keys|integrators|laws|elements|quantities) [KEY] [options]",
        "Shows what a configuration or a study may say.", list,
-       "KEY picks keys: a path (time, contacts[0].gap) with all below it, a table as it stands in\n"
+       "KEY picks keys: a path (time, contacts[0].gap) with all below it, a table as written in\n"
        "the file ('[time]'; '[]' for the keys above all tables), or a word: one in their names or one\n"
        "they may be (tolerance, cvode_bdf), else one in their descriptions.\n"},
   };

@@ -16,7 +16,7 @@ namespace po = boost::program_options;
 int run(const Command& self, const Arguments& arguments) {
   run::RunOptions options;
   int threads = 0;
-  bool quiet = false;
+  bool quiet = false, verbose = false;
   CommandLine line(self);
   add_overrides(line);
   line.add_options()("output,o", po::value(&options.output)->value_name("DIR"),
@@ -26,6 +26,7 @@ int run(const Command& self, const Arguments& arguments) {
   line.add_options()("resume", po::bool_switch(&options.resume), "go on from the checkpoint in the output directory");
   line.add_options()("log-contact", po::value(&options.log_contact)->value_name("FILE.csv"),
                      "write a row of every iteration of the contact solver");
+  line.add_options()("verbose,v", po::bool_switch(&verbose), "at the end also steps, solves, accuracy, time, memory");
   line.add_options()("quiet,q", po::bool_switch(&quiet), "warnings and errors only");
   add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
@@ -46,7 +47,7 @@ int run(const Command& self, const Arguments& arguments) {
     }
   }
   if (!quiet) {
-    std::cout << result.report;
+    std::cout << result.report << (verbose ? result.details : "");
     for (const std::string& line : result.advice) log::warning("{}", line);
   }
   return result.exit_status;

@@ -40,7 +40,7 @@ double RunProgress::share_done(double time) const {
          static_cast<double>(output_times_.size() - 1);
 }
 
-void RunProgress::step(double time, std::int64_t steps, std::int64_t elastic_solves) {
+void RunProgress::step(double time, const RunCounters& work) {
   if (quiet_) return;
   const Clock::time_point now = Clock::now();
   const double since = std::chrono::duration<double>(now - last_).count();
@@ -51,15 +51,15 @@ void RunProgress::step(double time, std::int64_t steps, std::int64_t elastic_sol
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = share > 0 ? elapsed * (1 - share) / share : 0;
   if (!terminal_) {
-    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves, about {} left", time, end, steps, elastic_solves,
-              clock_text(left));
+    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves, about {} left", time, end, work.steps,
+              work.elastic_solves, clock_text(left));
     return;
   }
   const int full = static_cast<int>(share * bar_width);
   const std::string bar = std::string(full, '#') + std::string(bar_width - full, '.');
   // fmt::print throws where the terminal is gone.
   const std::string line = fmt::format("\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time,
-                                       end, steps, elastic_solves, clock_text(left));
+                                       end, work.steps, work.elastic_solves, clock_text(left));
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;

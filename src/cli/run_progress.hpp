@@ -18,7 +18,7 @@ class RunProgress final : public run::RunObserver {
   RunProgress& operator=(const RunProgress&) = delete;
 
   /// Draws at most some times per second.
-  void step(double time, std::int64_t steps, std::int64_t elastic_solves) override;
+  void step(double time, const RunCounters& work) override;
   /// Ends the bar's line.
   void before_message() override;
 

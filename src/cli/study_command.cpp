@@ -17,7 +17,7 @@ int study(const Command& self, const Arguments& arguments) {
   line.add_options()("jobs", po::value(&options.jobs)->value_name("N"),
                      "runs at a time; not given: as many as there are cores");
   line.add_options()("output,o", po::value(&output)->value_name("DIR"),
-                     "where results go; not given: results/<name of the study> beside its file");
+                     "where results go; not given: results/<name of the study> next to its file");
   add_trust(line);
   if (!line.parse(arguments, "STUDY.toml")) return 0;
   constexpr int most_jobs = 1000;

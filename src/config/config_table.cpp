@@ -17,8 +17,9 @@ const Material& Config::material(const std::string& name) const {
 
 Value<Config> config_table(const Vocabulary& vocabulary) {
   return table<Config>({
-      field<Config>("title", &Config::title, text(), "what the run is about; goes into `summary.json`"),
-      field<Config>("units", &Config::units, text(), "the set of units; goes into `summary.json` and the fields"),
+      field<Config>("title", &Config::title, text(), "what the run is about; goes into `summary.json`").changeable(),
+      field<Config>("units", &Config::units, text(), "the set of units; goes into `summary.json` and the fields")
+          .changeable(),
       field<Config>("mesh", &Config::mesh, mesh_table(), "the mesh of all bodies", Presence::required),
       field<Config>("bodies", &Config::bodies, named(body_table()),
                     "the bodies; the order of the file is the order of all results", Presence::required),
@@ -30,8 +31,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
           .otherwise("each material at its `reference_temperature`"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),
       field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(), "how contact is solved"),
-      field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required),
-      field<Config>("output", &Config::output, output_table(), "where results go, and which"),
+      field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),
+      field<Config>("output", &Config::output, output_table(), "where results go, and which").changeable(),
       field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),
   });
 }

@@ -12,11 +12,14 @@ struct Gap {
 };
 
 Value<Gap> gap_value() {
-  const Value<Function> given = function(place_and_time);
+  const Value<Function> given = function(position_and_time);
   Value<Gap> value{.type = given.type + ", or \"geometric\"",
                    .read = {},
                    .brief = given.brief + ", or `\"geometric\"`",
-                   .words = words_of({"geometric"})};
+                   .words = words_of({"geometric"}),
+                   .json = [given] {
+                     return schema_of_any({given.json(), schema_of_words({"geometric"})});
+                   }};
   value.read = [given](const Item& item, Context& context) -> std::optional<Gap> {
     if (item.node->value<std::string>() == "geometric") return Gap{.geometric = true};
     const auto found = given.read(item, context);
@@ -29,7 +32,8 @@ Value<Gap> gap_value() {
 
 Value<std::array<Reference, 2>> two_surfaces() {
   const std::string type = "two physical surfaces";
-  Value<std::array<Reference, 2>> value{.type = type, .read = {}};
+  Value<std::array<Reference, 2>> value{
+      .type = type, .read = {}, .json = [] { return schema_of_list(reference("a physical surface").json(), 2); }};
   value.read = [type](const Item& item, Context& context) -> std::optional<std::array<Reference, 2>> {
     const toml::array* array = item.node->as_array();
     if (!array || array->size() != 2) {
@@ -51,7 +55,13 @@ Value<Alpha> alpha_value(Range range) {
   const auto single = word_or_number("diagonal", range);
   const std::string type = single.type + ", or a table of numbers by body";
   Value<Alpha> value{
-      .type = type, .read = {}, .brief = single.brief + ", or a table of such numbers by body", .words = single.words};
+      .type = type,
+      .read = {},
+      .brief = single.brief + ", or a table of such numbers by body",
+      .words = single.words,
+      .json = [=] {
+        return schema_of_any({single.json(), {{"type", "object"}, {"additionalProperties", range.json()}}});
+      }};
   value.read = [=](const Item& item, Context& context) -> std::optional<Alpha> {
     Alpha alpha;
     if (const toml::table* bodies = item.node->as_table()) {
@@ -101,8 +111,7 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
 }  // namespace
 
 Value<Contact> contact_table() {
-  const auto type =
-      choice<ContactType>("contact type", {{"unilateral", ContactType::unilateral}, {"tied", ContactType::tied}});
+  const auto type = choice<ContactType>("contact type");
   auto slave = name("\"auto\" or one of the two surfaces");
   slave.brief = "`\"auto\"` or one of the two surfaces";
   slave.words = words_of({"auto"});
@@ -114,18 +123,15 @@ Value<Contact> contact_table() {
       field<ContactKeys>("slave", &ContactKeys::slave_name, slave, "the surface that the multipliers live on"),
       field<ContactKeys>("gap", &ContactKeys::initial_gap, gap_value(),
                          "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh; "
-                         "unilateral contacts only"),
+                         "unilateral contacts only")
+          .in("length"),
   });
   return converted<Contact>(keys, make_contact);
 }
 
 Value<ContactSolver> contact_solver_table() {
-  const auto method =
-      choice<ContactMethod>("method", {{"schwarz", ContactMethod::schwarz}, {"active_set", ContactMethod::active_set}});
-  const auto acceleration = choice<Acceleration>("acceleration", {{"none", Acceleration::none},
-                                                                  {"aitken", Acceleration::aitken},
-                                                                  {"anderson", Acceleration::anderson},
-                                                                  {"cg", Acceleration::cg}});
+  const auto method = choice<settings::ContactMethod>("method");
+  const auto acceleration = choice<settings::Acceleration>("acceleration");
   const Range relaxation{.min = 0, .max = 1, .open_min = true};
   return table<ContactSolver>({
       field<ContactSolver>("method", &ContactSolver::method, method,
@@ -139,12 +145,16 @@ Value<ContactSolver> contact_solver_table() {
       field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration,
                            "Schwarz: plain sweeps, accelerated ones, or conjugate gradients"),
       field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)),
-                           "relative error of the multipliers"),
+                           "relative error of the multipliers")
+          .changeable(),
       field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1, 1'000'000),
-                           "bound on the iterations on one active set"),
+                           "bound on the iterations on one active set")
+          .changeable(),
       field<ContactSolver>("dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
                            "memory [MB] for the matrices of the contact zones; beyond it contact is iterated by passes "
-                           "through the factor"),
+                           "through the factor")
+          .changeable()
+          .in("MB"),
   });
 }
 

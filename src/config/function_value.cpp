@@ -44,6 +44,17 @@ struct Allowed {
       text += fmt::format(", a table {{ {} = [...], values = [...] }}", name);
     return text;
   }
+  Json json() const {
+    std::vector<Json> alternatives{range.json(), {{"type", "string"}, {"description", "an expression"}}};
+    for (const std::string& name : table_variables()) {
+      Json table = schema_of_table();
+      table["properties"] = {{name, schema_of_list(Range{}.json())}, {"values", schema_of_list(range.json())}};
+      if (name == "t") table["properties"]["period"] = greater(0).json();
+      table["required"] = Json::array({name, "values"});
+      alternatives.push_back(std::move(table));
+    }
+    return schema_of_any(std::move(alternatives));
+  }
 };
 
 std::optional<Function> read_expression(const Item& item, const std::string& written, const Allowed& allowed,
@@ -104,7 +115,7 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
   if (const Item item_period = item.child("period"); item_period.node) {
     period = number(greater(0)).read(item_period, context);
     if (!period) return std::nullopt;
-    if (const std::string mistake = Function::period_mistake(*given, *abscissae, *period); !mistake.empty()) {
+    if (const std::string mistake = Function::period_error(*given, *abscissae, *period); !mistake.empty()) {
       context.errors.add(item_period.location, mistake);
       return std::nullopt;
     }
@@ -120,6 +131,15 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
   return Function::table(*given, *abscissae, *values, period);
 }
 
+std::optional<Function> read_function(const Item& item, const Allowed& allowed, Context& context) {
+  if (const auto* string = item.node->as_string()) return read_expression(item, string->get(), allowed, context);
+  if (item.node->is_table()) return read_points(item, allowed, context);
+  const auto found = item.node->is_number() ? item.node->value<double>() : std::nullopt;
+  if (found && std::isfinite(*found) && allowed.range.contains(*found)) return Function(*found);
+  context.errors.add(item.location, describe(*item.node), allowed.describe());
+  return std::nullopt;
+}
+
 }  // namespace
 
 Value<Function> function(const std::vector<std::string>& variables, Range range) {
@@ -127,14 +147,12 @@ Value<Function> function(const std::vector<std::string>& variables, Range range)
   Value<Function> value{.type = allowed.describe(),
                         .read = {},
                         .brief = allowed.brief("function", "number"),
-                        .plural = allowed.brief("functions", "numbers")};
-  value.read = [allowed](const Item& item, Context& context) -> std::optional<Function> {
-    if (const auto* string = item.node->as_string()) return read_expression(item, string->get(), allowed, context);
-    if (item.node->is_table()) return read_points(item, allowed, context);
-    const auto found = item.node->is_number() ? item.node->value<double>() : std::nullopt;
-    if (found && std::isfinite(*found) && allowed.range.contains(*found)) return Function(*found);
-    context.errors.add(item.location, describe(*item.node), allowed.describe());
-    return std::nullopt;
+                        .plural = allowed.brief("functions", "numbers"),
+                        .json = [allowed] { return allowed.json(); }};
+  value.read = [allowed](const Item& item, Context& context) {
+    std::optional<Function> found = read_function(item, allowed, context);
+    if (found) context.functions.push_back({item.location.key, *found, allowed.variables});
+    return found;
   };
   value.show = [](const Function& shown) { return shown.text(); };
   return value;

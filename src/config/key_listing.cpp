@@ -32,6 +32,7 @@ std::string wrapped(const std::string& text, std::size_t column) {
 
 std::string allowed(const KeyInfo& key) {
   std::string text = key.form == Form::value ? key.brief : key_sections({key}).back().title;
+  if (!key.dimension.empty()) text += fmt::format(" [{}]", key.dimension);
   if (key.required) return text + "; required";
   if (!key.default_value.empty()) return text + "; default " + key.default_value;
   if (!key.otherwise.empty()) return text + "; not given: " + key.otherwise;

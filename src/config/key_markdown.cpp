@@ -28,7 +28,8 @@ std::string fallback(const KeyInfo& key) {
 }
 
 std::string type_of(const KeyInfo& key) {
-  if (key.form == Form::value) return key.brief;
+  if (key.form == Form::value)
+    return key.dimension.empty() ? key.brief : fmt::format("{} [{}]", key.brief, key.dimension);
   const std::string title = key_sections({key}).back().title;
   return fmt::format("[`{}`](#{})", title, anchor(title));
 }
@@ -55,7 +56,7 @@ std::string variants(const KeySection& section, const KeyInfo& chooser) {
       std::string& names = key.required ? needed : optional;
       names += fmt::format("{}`{}`", names.empty() ? "" : ", ", section.name(key));
     }
-    if (!optional.empty()) optional = (needed.empty() ? "[" : " [") + optional + "]";
+    if (!optional.empty()) optional = fmt::format("{}[{}]", needed.empty() ? "" : " ", optional);
     text += fmt::format("| `\"{}\"` | {} | {} |\n", word.text, cell(word.meaning), needed + optional);
   }
   return text;

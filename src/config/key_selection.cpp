@@ -82,16 +82,16 @@ std::vector<KeySection> select_keys(const std::vector<KeySection>& sections, con
   const auto has_word = [&](const std::string& text) { return lower_case(text).find(word) != std::string::npos; };
   std::vector<Test> tests;
   if (wanted.starts_with('[')) {
-    tests.push_back([&](const KeySection& section, const KeyInfo&) {
+    tests.emplace_back([&](const KeySection& section, const KeyInfo&) {
       const Parts title = parts_of(section.path);
       return title.size() == parts.size() && begins_with(title, parts);
     });
   } else {
-    tests.push_back([&](const KeySection&, const KeyInfo& key) { return begins_with(parts_of(key.path), parts); });
-    tests.push_back([&](const KeySection& section, const KeyInfo& key) {
+    tests.emplace_back([&](const KeySection&, const KeyInfo& key) { return begins_with(parts_of(key.path), parts); });
+    tests.emplace_back([&](const KeySection& section, const KeyInfo& key) {
       return has_word(section.name(key)) || key.only_with == word || may_be(key, word);
     });
-    tests.push_back([&](const KeySection&, const KeyInfo& key) { return has_word(key.description); });
+    tests.emplace_back([&](const KeySection&, const KeyInfo& key) { return has_word(key.description); });
   }
   for (const Test& test : tests) {
     std::vector<KeySection> kept = keep(sections, test);

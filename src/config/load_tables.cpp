@@ -29,6 +29,7 @@ const std::vector<Kind> kinds{
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
+  names.reserve(kinds.size());
   for (const Kind& kind : kinds) names.push_back(kind.name);
   return names;
 }
@@ -45,7 +46,7 @@ void check_place(const Item& item, const Kind& kind, Context& context) {
                        fmt::format("'{}' with '{}'", kind.name, kind.place));
   }
   if (item.has("tolerance") && kind.place != "at") {
-    context.errors.add(item.child("tolerance").location, "has no meaning here", "beside 'at' only");
+    context.errors.add(item.child("tolerance").location, "has no meaning here", "with 'at' only");
   }
 }
 
@@ -72,14 +73,16 @@ std::optional<Load> make_load(LoadKeys keys, const Item& item, Context& context)
 Value<Rotation> rotation_table() {
   const auto keys = written_inline(table<Rotation>({
       field<Rotation>("axis", &Rotation::axis, triple(number()), "direction of the axis, of any length"),
-      field<Rotation>("origin", &Rotation::origin, triple(number()), "a point of the axis"),
+      field<Rotation>("origin", &Rotation::origin, triple(number()), "a point of the axis").in("length"),
       field<Rotation>(
           "angular_velocity", &Rotation::angular_velocity, function({"t"}),
           "radians per unit of time, the one in which mass x length / time^2 is a force: rad/s with tonne, mm, "
           "N, whatever the unit of `t`",
-          Presence::required),
-      field<Rotation>("density", &Rotation::density, function(place_and_time, at_least(0)), "mass per volume",
-                      Presence::required),
+          Presence::required)
+          .in("1/time"),
+      field<Rotation>("density", &Rotation::density, function(position_and_time, at_least(0)), "mass per volume",
+                      Presence::required)
+          .in("mass/volume"),
   }));
   return converted<Rotation>(keys, [](Rotation found, const Item& item, Context& context) -> std::optional<Rotation> {
     if (found.axis == std::array<double, 3>{}) {
@@ -92,20 +95,23 @@ Value<Rotation> rotation_table() {
 }  // namespace
 
 Value<Load> load_table() {
-  const Value<Functions3> vector = triple(function(place_and_time));
+  const Value<Functions3> vector = triple(function(position_and_time));
   const auto keys = table<LoadKeys>({
       field<LoadKeys>("on", &LoadKeys::on, reference("a physical surface"),
                       "surface of `pressure` and `traction`; on each of its bodies, unless `body` says which"),
-      field<LoadKeys>("at", &LoadKeys::at, triple(number()), "place of `force`: the mesh node nearest to this point"),
+      field<LoadKeys>("at", &LoadKeys::at, triple(number()), "place of `force`: the mesh node nearest to this point")
+          .in("length"),
       field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)), "largest distance of that node")
+          .in("length")
           .otherwise("1e-6 of the model's size"),
       field<LoadKeys>("body", &LoadKeys::body, reference("the name of a body"),
-                      "place of `body_force` and `rotation`; beside `on` and `at`: in this body only"),
-      field<LoadKeys>("pressure", &LoadKeys::pressure, function(place_and_time),
-                      "with `on`: per area, positive towards the body"),
-      field<LoadKeys>("traction", &LoadKeys::traction, vector, "with `on`: force per area"),
-      field<LoadKeys>("force", &LoadKeys::force, vector, "with `at`: force at the node"),
-      field<LoadKeys>("body_force", &LoadKeys::body_force, vector, "with `body`: force per volume"),
+                      "place of `body_force` and `rotation`; with `on` or `at`: in this body only"),
+      field<LoadKeys>("pressure", &LoadKeys::pressure, function(position_and_time),
+                      "with `on`: per area, positive towards the body")
+          .in("stress"),
+      field<LoadKeys>("traction", &LoadKeys::traction, vector, "with `on`: force per area").in("stress"),
+      field<LoadKeys>("force", &LoadKeys::force, vector, "with `at`: force at the node").in("force"),
+      field<LoadKeys>("body_force", &LoadKeys::body_force, vector, "with `body`: force per volume").in("force/volume"),
       field<LoadKeys>("rotation", &LoadKeys::rotation, rotation_table(), "with `body`: centrifugal force"),
   });
   return converted<Load>(keys, make_load);

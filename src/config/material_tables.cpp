@@ -47,11 +47,11 @@ bool check_lengths(const CreepMechanism& mechanism, const Law& law, Context& con
 }
 
 /// The law's own opinion, once every value is there.
-void judge(CreepMechanism& mechanism, const Law& law, Context& context) {
-  if (!law.judge || mechanism.parameters.size() != law.keys.size()) return;
+void validate(CreepMechanism& mechanism, const Law& law, Context& context) {
+  if (!law.validate || mechanism.parameters.size() != law.keys.size()) return;
   std::vector<std::vector<Function>> values;
   for (const CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
-  const LawVerdict verdict = law.judge(values);
+  const LawValidation verdict = law.validate(values);
   mechanism.depends_on_temperature = verdict.depends_on_temperature;
   if (!verdict.mistake) return;
   const auto at = std::find_if(mechanism.parameters.begin(), mechanism.parameters.end(),
@@ -79,7 +79,7 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
     }
     if (auto parameter = read_parameter(found, key, context)) mechanism.parameters.push_back(std::move(*parameter));
   }
-  if (check_lengths(mechanism, law, context)) judge(mechanism, law, context);
+  if (check_lengths(mechanism, law, context)) validate(mechanism, law, context);
   return mechanism;
 }
 
@@ -109,11 +109,36 @@ std::vector<KeyInfo> law_keys(const std::vector<Law>& laws, const std::vector<st
   return keys;
 }
 
+/// The keys that go with a law, and no others.
+Json law_schema(const Law& law) {
+  Json table = schema_of_table();
+  table["properties"]["law"] = {{"const", law.name}};
+  table["required"] = Json::array({"law"});
+  for (const LawKey& key : law.keys) {
+    const Value<Function> one = function(key.variables, range_of(key));
+    Json& own = table["properties"][key.name] = key.list ? list(one).json() : one.json();
+    own["description"] = key.description;
+    if (key.required) table["required"].push_back(key.name);
+  }
+  return table;
+}
+
+Json laws_schema(const std::vector<Law>& laws, const std::vector<std::string>& names) {
+  Json table{{"type", "object"}, {"required", Json::array({"law"})}, {"properties", {{"law", schema_of_words(names)}}}};
+  for (const Law& law : laws)
+    table["allOf"].push_back({{"if", {{"properties", {{"law", {{"const", law.name}}}}}}}, {"then", law_schema(law)}});
+  return table;
+}
+
 /// The keys depend on `law`, so this is no plain table.
 Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   std::vector<std::string> names;
+  names.reserve(laws.size());
   for (const Law& law : laws) names.push_back(law.name);
-  Value<CreepMechanism> value{.type = "a table", .read = {}, .keys = law_keys(laws, names), .form = Form::table};
+  Value<CreepMechanism> value{
+      .type = "a table", .read = {}, .keys = law_keys(laws, names), .form = Form::table, .json = [=] {
+        return laws_schema(laws, names);
+      }};
   value.read = [=](const Item& item, Context& context) -> std::optional<CreepMechanism> {
     if (!item.node->is_table()) {
       context.errors.add(item.location, describe(*item.node), "a table");
@@ -135,14 +160,17 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
   const Range compressible{.min = -1.0, .max = 0.5, .open_min = true, .open_max = true};
   const auto keys = table<Material>({
       field<Material>("young_modulus", &Material::young_modulus, function(T, greater(0)), "Young's modulus",
-                      Presence::required),
+                      Presence::required)
+          .in("stress"),
       field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio",
                       Presence::required),
       field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
-                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`)"),
+                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`)")
+          .in("1/temperature"),
       field<Material>("reference_temperature", &Material::reference_temperature, number(),
                       "temperature without thermal strain")
-          .otherwise("required with `thermal_expansion` and `[temperature]`"),
+          .otherwise("required with `thermal_expansion` and `[temperature]`")
+          .in("temperature"),
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep mechanisms; their rates add")
           .otherwise("elastic"),

@@ -10,13 +10,15 @@ namespace {
 
 Value<std::string> quantity_name(const std::vector<Quantity>& quantities) {
   std::vector<std::string> names;
+  names.reserve(quantities.size());
   for (const Quantity& quantity : quantities) names.push_back(quantity.name);
   const std::string type = "a quantity; `creepcontact list quantities` shows all";
   Value<std::string> value = text();
   value.type = type;
   value.words = words_of(names);
+  value.json = [names] { return schema_of_words(names); };
   value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
-    const auto found = name(type).read(item, context);
+    auto found = name(type).read(item, context);
     if (!found || std::find(names.begin(), names.end(), *found) != names.end()) return found;
     context.errors.add_unknown(item.location, fmt::format("unknown quantity '{}'", *found), *found, names, type);
     return std::nullopt;
@@ -57,7 +59,7 @@ void check_axis(const Probe& probe, const Quantity& quantity, const std::vector<
     if (one.cylindrical) names.push_back(one.name);
   for (const std::string& key : given_keys(item, {"axis", "origin"}))
     context.errors.add(item.child(key).location,
-                       fmt::format("has no meaning for '{}', which is no cylindrical component", quantity.name),
+                       fmt::format("has no meaning for '{}', which is not a cylindrical component", quantity.name),
                        fmt::format("with {}", fmt::join(names, ", ")));
 }
 
@@ -82,22 +84,22 @@ Value<Output> output_table() {
           .otherwise("`results/<name of the configuration>`"),
       field<Output>("fields", &Output::fields, boolean(), "write `fields.pvd`, `contact.pvd` and their `.vtu` files"),
       field<Output>("checkpoint_seconds", &Output::checkpoint_seconds, number(at_least(0)),
-                    "wall time between checkpoints for `--resume`; 0: one after every step"),
+                    "wall time between checkpoints for `--resume`; 0: one after every step")
+          .in("seconds"),
   });
 }
 
 Value<Probe> probe_table(const Vocabulary& vocabulary) {
-  const auto reduce = choice<Reduce>(
-      "reduction", {{"mean", Reduce::mean}, {"max", Reduce::max}, {"min", Reduce::min}, {"sum", Reduce::sum}});
+  const auto reduce = choice<Reduce>("reduction");
   const auto keys = table<Probe>({
       field<Probe>("name", &Probe::name, column_name(), "heads its column of `history.csv`; unique",
                    Presence::required),
       field<Probe>("quantity", &Probe::quantity, quantity_name(vocabulary.quantities), "what is recorded",
                    Presence::required),
       field<Probe>("on", &Probe::on, reference("a physical surface, curve or point"), "over this group ..."),
-      field<Probe>("at", &Probe::at, triple(number()), "... or at this point of the undeformed body ..."),
+      field<Probe>("at", &Probe::at, triple(number()), "... or at this point of the undeformed body ...").in("length"),
       field<Probe>("body", &Probe::body, reference("the name of a body"),
-                   "... or, alone, over this body; beside `on` and `at`: in this body only"),
+                   "... or, alone, over this body; with `on` or `at`: in this body only"),
       field<Probe>(
           "reduce", &Probe::reduce, reduce,
           "over a group or body; `\"mean\"` is weighted by area or volume, `\"sum\"` integrates; areas and forces have "
@@ -106,7 +108,7 @@ Value<Probe> probe_table(const Vocabulary& vocabulary) {
           "axis", &Probe::axis, triple(number()),
           "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "
           "length"),
-      field<Probe>("origin", &Probe::origin, triple(number()), "a point of that axis"),
+      field<Probe>("origin", &Probe::origin, triple(number()), "a point of that axis").in("length"),
   });
   return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {
     probe.location = item.location;

@@ -11,9 +11,10 @@ namespace {
 constexpr int most_outputs = 100'000;  // each is a row, and a file of fields
 
 Value<OutputSeries> series_table() {
-  const auto spacing = choice<Spacing>("spacing", {{"log", Spacing::logarithmic}, {"linear", Spacing::linear}});
+  const auto spacing = choice<Spacing>("spacing");
   const auto keys = table<OutputSeries>({
       field<OutputSeries>("first", &OutputSeries::first, number(greater(0)), "first time after 0")
+          .in("time")
           .otherwise("linear: `end` / `count`; log: required"),
       field<OutputSeries>("count", &OutputSeries::count, integer(2, most_outputs), "number of times after 0",
                           Presence::required),
@@ -56,7 +57,10 @@ Value<OutputTimes> output_times() {
   Value<OutputTimes> value{.type = "a list of times, or { first, count, spacing }",
                            .read = {},
                            .keys = series.keys,
-                           .brief = "list of times, or `{ first, count, spacing }`"};
+                           .brief = "list of times, or `{ first, count, spacing }`",
+                           .json = [=] {
+                             return schema_of_any({times.json(), series.json()});
+                           }};
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<OutputTimes> {
     if (item.node->is_array()) {
       const auto found = times.read(item, context);

@@ -3,11 +3,15 @@
 
 #include <variant>
 
+#include "creepcontact/settings/enum_names.hpp"
 #include "value.hpp"
 
 namespace creepcontact::config {
 
 enum class Spacing { linear, logarithmic };
+constexpr auto names_of(Spacing) {
+  return std::to_array<settings::EnumName<Spacing>>({{"log", Spacing::logarithmic}, {"linear", Spacing::linear}});
+}
 
 struct OutputSeries {
   std::optional<double> first;  ///< not given: linear only, end / count

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "configured_values.hpp"
 #include "creepcontact/base/error.hpp"
 #include "cross_checks.hpp"
 #include "overrides.hpp"
@@ -27,14 +28,17 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
              const std::vector<std::string>& overrides) {
   toml::table document = parse_toml(text, file, [&] { return schema(vocabulary); });
   require_no_study(document, file);
-  Context context{file.parent_path(), {}};
+  Context context{.directory = file.parent_path(), .errors = {}};
   for (const std::string& one : overrides) apply_override(one, document, context.errors);
   context.end = document["time"]["end"].value<double>().value_or(0.0);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
-  Config config = config_table(vocabulary).read(root, context).value();
+  const Value<Config> table = config_table(vocabulary);
+  Config config = table.read(root, context).value();
   cross_check(config, root, context.errors);
   context.errors.throw_if_any();
   config.file = file;
+  config.functions = std::move(context.functions);
+  config.values = configured_values(document, table.keys);
   if (config.output.directory.empty()) config.output.directory = file.parent_path() / "results" / file.stem();
   return config;
 }

@@ -13,4 +13,22 @@ std::vector<KeyInfo> study_schema() {
   return study_table().keys;
 }
 
+namespace {
+
+std::string document(const std::string& title, const Json& table) {
+  Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
+  schema.update(table);
+  return schema.dump(2) + '\n';
+}
+
+}  // namespace
+
+std::string json_schema(const Vocabulary& vocabulary) {
+  return document("configuration of creepcontact", config_table(vocabulary).json());
+}
+
+std::string study_json_schema() {
+  return document("study of creepcontact", study_table().json());
+}
+
 }  // namespace creepcontact::config

@@ -9,7 +9,7 @@ namespace creepcontact::config {
 namespace {
 
 /// NaN if the text is none.
-double number(const std::string& text) {
+double number_or_nan(const std::string& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc() && end == text.data() + text.size();
@@ -33,7 +33,7 @@ const std::vector<std::string>& study_counts() {
 
 std::vector<double> numbers(const Axis& axis) {
   std::vector<double> values;
-  for (const StudyValue& value : axis.values) values.push_back(number(value.label));
+  for (const StudyValue& value : axis.values) values.push_back(number_or_nan(value.label));
   const bool any = std::ranges::any_of(values, [](double value) { return !std::isnan(value); });
   return any ? values : std::vector<double>();
 }

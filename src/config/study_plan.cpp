@@ -132,8 +132,8 @@ void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const V
         if (std::find(probes.begin(), probes.end(), quantity.name) == probes.end() &&
             missing.insert(quantity.name).second)
           errors.add_unknown(quantity.location,
-                             fmt::format("'{}' is no probe of {}", quantity.name, study.base.string()), quantity.name,
-                             probes);
+                             fmt::format("'{}' is not a probe of {}", quantity.name, study.base.string()),
+                             quantity.name, probes);
     } catch (const ConfigError& error) {
       mistakes.add(error.what(), settings, where);
     }

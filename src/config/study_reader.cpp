@@ -49,9 +49,9 @@ void check_plot(const Study& study, Diagnostics& errors) {
     }
   for (const Reference& key : study.plot.over) {
     if (std::find(keys.begin(), keys.end(), key.name) == keys.end())
-      errors.add_unknown(key.location, fmt::format("'{}' is no key of an axis", key.name), key.name, keys);
+      errors.add_unknown(key.location, fmt::format("'{}' is not a key of an axis", key.name), key.name, keys);
     else if (std::find(numeric.begin(), numeric.end(), key.name) == numeric.end())
-      errors.add(key.location, fmt::format("the values of '{}' are no numbers", key.name), "axes of numbers");
+      errors.add(key.location, fmt::format("the values of '{}' are not numbers", key.name), "axes of numbers");
   }
 }
 

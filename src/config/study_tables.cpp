@@ -154,7 +154,7 @@ Value<StudyPlot> plot_table() {
                        "the axes along which the curves of the pictures run")
           .otherwise("`time.step`, `time.tolerance`, or the last axis of numbers"),
       field<StudyPlot>("show", &StudyPlot::show, list(choice("column", study_counts())),
-                       "columns of `study.csv` that are drawn over these axes beside the errors"),
+                       "columns of `study.csv` that are drawn over these axes in addition to the errors"),
   });
 }
 
@@ -199,9 +199,7 @@ Value<Compare> compare_table() {
   return table<Compare>({
       field<Compare>("quantities", &Compare::quantities, list(reference("the name of a probe")),
                      "probes that are compared with the reference", Presence::required),
-      field<Compare>("norm", &Compare::norm,
-                     choice<ErrorNorm>("norm", {{"max", ErrorNorm::max}, {"final", ErrorNorm::final}}),
-                     "over all output times, or at the last one"),
+      field<Compare>("norm", &Compare::norm, choice<ErrorNorm>("norm"), "over all output times, or at the last one"),
   });
 }
 
@@ -214,7 +212,7 @@ Value<Study> study_table() {
                    Presence::required),
       field<Study>("set", &Study::settings, settings(), "settings of all runs and of the reference"),
       field<Study>("axes", &Study::axes, tables(axis_table()), "what is varied"),
-      field<Study>("runs", &Study::runs, tables(runs_table()), "runs beside the product of the axes"),
+      field<Study>("runs", &Study::runs, tables(runs_table()), "runs in addition to the product of the axes"),
       field<Study>("reference", &Study::reference, reference_table(),
                    "what the runs are compared with; together with `[compare]`"),
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),

@@ -18,16 +18,17 @@ struct TemperatureKeys {
 };
 
 Value<Displacement> displacement_table() {
-  const Value<Function> value = function(place_and_time);
+  const Value<Function> value = function(position_and_time);
   const auto component = [](std::size_t i) {
     return [i](Displacement& into) -> std::optional<Function>& { return into.components[i]; };
   };
   const auto keys = written_inline(table<Displacement>({
-      field<Displacement>("x", component(0), value, "displacement along x"),
-      field<Displacement>("y", component(1), value, "displacement along y"),
-      field<Displacement>("z", component(2), value, "displacement along z"),
+      field<Displacement>("x", component(0), value, "displacement along x").in("length"),
+      field<Displacement>("y", component(1), value, "displacement along y").in("length"),
+      field<Displacement>("z", component(2), value, "displacement along z").in("length"),
       field<Displacement>("normal", &Displacement::normal, value,
-                          "displacement along the outward normal; surfaces only"),
+                          "displacement along the outward normal; surfaces only")
+          .in("length"),
   }));
   return converted<Displacement>(
       keys, [](Displacement found, const Item& item, Context& context) -> std::optional<Displacement> {
@@ -62,14 +63,17 @@ Value<Support> support_table() {
 
 Value<Temperature> temperature_table() {
   const auto keys = table<TemperatureKeys>({
-      field<TemperatureKeys>("value", &TemperatureKeys::value, function(place_and_time),
-                             "temperature of all bodies, or ..."),
+      field<TemperatureKeys>("value", &TemperatureKeys::value, function(position_and_time),
+                             "temperature of all bodies, or ...")
+          .in("temperature"),
       field<TemperatureKeys>("file", &TemperatureKeys::file, path(),
-                             "... temperatures at points, `.csv`, `.h5` or `.hdf5`, interpolated to all bodies"),
+                             "... temperatures at points, `.csv`, `.h5` or `.hdf5`, interpolated to all bodies")
+          .changeable(),
       field<TemperatureKeys>(
           "refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
-          "change of the stiffness with the temperature, relative, beyond which it is factored anew; it moves the "
-          "cost, not the results"),
+          "change of the stiffness with the temperature, relative, beyond which it is factorised again; it moves the "
+          "cost, not the results")
+          .changeable(),
   });
   return converted<
       Temperature>(keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {

@@ -107,7 +107,7 @@ std::string wrong_value(const Written& written) {
   if (matches(value, R"(([A-Za-z_\\/~]|\.\.?/)[^"]*)") && !matches(value, R"(.*[*+()^].*)"))
     return fmt::format("'{0}' is text and needs quotation marks: {1}\"{0}\"", value, begin);
   if (matches(value, R"([^"]*[*/+()^-][^"]*)"))
-    return fmt::format("'{0}' is no number; an expression needs quotation marks: {1}\"{0}\"", value, begin);
+    return fmt::format("'{0}' is not a number; an expression needs quotation marks: {1}\"{0}\"", value, begin);
   return {};
 }
 
@@ -116,7 +116,7 @@ std::string wrong_value(const Written& written) {
 std::string explain_syntax(const std::string& text, const Location& where, std::string_view description,
                            const std::vector<KeyInfo>& schema) {
   const auto says = [&](std::string_view words) { return description.find(words) != std::string_view::npos; };
-  const std::string own(description);
+  std::string own(description);
   const Lines lines = lines_of(text);
   if (where.line < 1 || static_cast<std::size_t>(where.line) > lines.size()) return own;
   const auto at = static_cast<std::size_t>(where.line) - 1;
@@ -125,21 +125,21 @@ std::string explain_syntax(const std::string& text, const Location& where, std::
   if (column >= longest_line) return own;
 
   if (says("cannot redefine")) {
-    if (const std::string heading = repeated_heading(lines, at, schema); !heading.empty()) return heading;
+    if (std::string heading = repeated_heading(lines, at, schema); !heading.empty()) return heading;
     return "the key is given for the second time; leave one of the two out";
   }
   if (says("escape sequence"))
     return "a backslash has a meaning of its own in double quotation marks; write / in paths, or single quotation "
            "marks";
   if (says("parsing string")) return "the text has no closing quotation mark in its line";
-  if (const std::string comma = decimal_comma(line, column); !comma.empty()) return comma;
+  if (std::string comma = decimal_comma(line, column); !comma.empty()) return comma;
   if (trimmed(line).starts_with("//")) return "a comment begins with #";
   if (says("inline table"))
     return "a table in braces ends in the line where it begins, without a comma after its last key; write a longer one "
            "under a heading of its own";
   if (line.find('=') == std::string::npos && line.find_first_of("[]") == std::string::npos)
-    return fmt::format("'{}' is no assignment: a line is written key = value", trimmed(line));
-  if (const std::string value = wrong_value(written_at(line, column)); !value.empty()) return value;
+    return fmt::format("'{}' is not an assignment: a line is written key = value", trimmed(line));
+  if (std::string value = wrong_value(written_at(line, column)); !value.empty()) return value;
   return own;
 }
 

@@ -42,6 +42,25 @@ bool has_wrong_brackets(const Item& item, Form form, Context& context) {
   return false;
 }
 
+Json schema_of_table() {
+  return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
+}
+
+void add_key(const KeyInfo& key, Json value, Json& table) {
+  value["description"] =
+      key.dimension.empty() ? key.description : fmt::format("{} [{}]", key.description, key.dimension);
+  if (const Json shown = Json::parse(key.default_value, nullptr, false); !shown.is_discarded())
+    value["default"] = shown;
+  table["properties"][key.path] = std::move(value);
+  if (key.required) table["required"].push_back(key.path);
+}
+
+Json schema_of_list(const Json& entry, int size) {
+  Json schema{{"type", "array"}, {"items", entry}};
+  if (size > 0) schema["minItems"] = schema["maxItems"] = size;
+  return schema;
+}
+
 std::string brief_type(const std::string& type, const std::string& brief) {
   if (!brief.empty()) return brief;
   for (const std::string_view article : {"a ", "an ", "the "})
@@ -59,6 +78,12 @@ void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, s
 Value<std::vector<Reference>> one_or_more(const std::string& what) {
   const std::string type = what + " or a list of them";
   Value<std::vector<Reference>> value{.type = type, .read = {}};
+  value.json = [what] {
+    const Json one = reference(what).json();
+    Json several = schema_of_list(one);
+    several["minItems"] = 1;
+    return schema_of_any({one, several});
+  };
   value.read = [=](const Item& item, Context& context) -> std::optional<std::vector<Reference>> {
     if (item.node->is_array()) {
       auto all = list(reference(what)).read(item, context);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <type_traits>
 
 #include "value.hpp"
@@ -19,11 +20,23 @@ struct Field {
   KeyInfo info;
   std::vector<KeyInfo> keys;  ///< below it
   std::function<void(const Item&, Context&, S&)> read;
+  MakeJson json;  ///< of the value
 
   /// @param words  what holds if the key is not given, where that is no default to be written
   Field otherwise(const std::string& words) && {
     info.default_value.clear();
     info.otherwise = words;
+    return std::move(*this);
+  }
+  /// @param dimension  KeyInfo::dimension
+  Field in(const std::string& dimension) && {
+    info.dimension = dimension;
+    return std::move(*this);
+  }
+  /// It, and all below it, may differ between a run and the one that goes on from its checkpoint.
+  Field changeable() && {
+    info.identifies_model = false;
+    for (KeyInfo& key : keys) key.identifies_model = false;
     return std::move(*this);
   }
 };
@@ -34,6 +47,13 @@ bool known_keys_only(const Item& table, const std::vector<std::string>& keys, Co
 void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& context);
 /// `keys` below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
 void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all);
+
+/// Of a table without keys, to which they are added: no others are allowed.
+Json schema_of_table();
+/// Adds a key with its meaning and default. @param value  schema of its value
+void add_key(const KeyInfo& key, Json value, Json& table);
+/// @param size  number of entries; 0: any
+Json schema_of_list(const Json& entry, int size = 0);
 
 /// A table written with one bracket too few or too many, [supports] or [[time]]: reports it.
 /// @returns true if it is one. @param form  how the key is written
@@ -55,21 +75,23 @@ Field<S> field(const std::string& name, Member member, const Value<T>& value, co
                  .form = value.form,
                  .words = value.words},
                 value.keys,
-                {}};
-  made.read = [=](const Item& item, Context& context, S& into) {
-    if (auto found = value.read(item, context)) std::invoke(member, into) = std::move(*found);
+                {},
+                value.json};
+  made.read = [member, read = value.read](const Item& item, Context& context, S& into) {
+    if (auto found = read(item, context)) std::invoke(member, into) = std::move(*found);
   };
   S defaults{};
   const auto& initial = std::invoke(member, defaults);
   if constexpr (std::is_convertible_v<decltype(initial), const T&>) {
     if (presence == Presence::optional) made.info.default_value = value.show(initial);
+    made.info.implied = value.form == Form::table;
   }
   return made;
 }
 
 template <class S>
 Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a table") {
-  Value<S> value{.type = type, .read = {}, .form = Form::table};
+  Value<S> value{.type = type, .read = {}, .form = Form::table, .json = {}};
   std::vector<std::string> names;
   std::vector<KeyInfo> own;
   for (const Field<S>& entry : fields) {
@@ -78,7 +100,13 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
     value.keys.push_back(entry.info);
     append_below(entry.info.path, entry.keys, value.keys);
   }
-  value.read = [=](const Item& item, Context& context) -> std::optional<S> {
+  const auto shared = std::make_shared<const std::vector<Field<S>>>(fields);  // copies of copies add up
+  value.json = [shared] {
+    Json schema = schema_of_table();
+    for (const Field<S>& entry : *shared) add_key(entry.info, entry.json(), schema);
+    return schema;
+  };
+  value.read = [shared, names, own, type](const Item& item, Context& context) -> std::optional<S> {
     if (has_wrong_brackets(item, Form::table, context)) return std::nullopt;
     if (!item.node->is_table()) {
       context.errors.add(item.location, describe(*item.node), type);
@@ -87,7 +115,7 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
     known_keys_only(item, names, context);
     require_keys(item, own, context);
     S into{};
-    for (const Field<S>& entry : fields) {
+    for (const Field<S>& entry : *shared) {
       const Item found = item.child(entry.info.path);
       if (found.node) entry.read(found, context, into);
     }
@@ -112,9 +140,10 @@ Value<B> converted(const Value<A>& from, Convert convert) {
                  .brief = from.brief,
                  .plural = from.plural,
                  .form = from.form,
-                 .words = from.words};
-  value.read = [=](const Item& item, Context& context) -> std::optional<B> {
-    auto found = from.read(item, context);
+                 .words = from.words,
+                 .json = from.json};
+  value.read = [read = from.read, convert](const Item& item, Context& context) -> std::optional<B> {
+    auto found = read(item, context);
     if (!found) return std::nullopt;
     return convert(std::move(*found), item, context);
   };
@@ -126,10 +155,12 @@ enum class Partial { dropped, kept };
 
 template <class T>
 Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dropped) {
-  Value<std::vector<T>> value{.type = "a list, each " + entry.type, .read = {}};
+  Value<std::vector<T>> value{
+      .type = "a list, each " + entry.type, .read = {}, .json = [json = entry.json] { return schema_of_list(json()); }};
   if (!entry.plural.empty()) value.brief = "list of " + entry.plural;
   append_below("[]", entry.keys, value.keys);
-  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
+  value.read = [read = entry.read, partial, type = value.type](const Item& item,
+                                                               Context& context) -> std::optional<std::vector<T>> {
     const toml::array* array = item.node->as_array();
     if (!array) {
       context.errors.add(item.location, describe(*item.node), type);
@@ -137,14 +168,14 @@ Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dro
     }
     std::vector<T> all;
     for (std::size_t i = 0; i < array->size(); ++i) {
-      if (auto found = entry.read(item.element(i), context)) all.push_back(std::move(*found));
+      if (auto found = read(item.element(i), context)) all.push_back(std::move(*found));
     }
     if (partial == Partial::dropped && all.size() != array->size()) return std::nullopt;
     return all;
   };
-  value.show = [entry](const std::vector<T>& shown) {
+  value.show = [show = entry.show](const std::vector<T>& shown) {
     std::string text;
-    for (const T& one : shown) text += (text.empty() ? "" : ", ") + entry.show(one);
+    for (const T& one : shown) text += (text.empty() ? "" : ", ") + show(one);
     return '[' + text + ']';
   };
   return value;
@@ -168,8 +199,10 @@ Value<std::vector<T>> tables(const Value<T>& entry) {
 
 template <class T>
 Value<std::array<T, 3>> triple(const Value<T>& entry) {
-  Value<std::array<T, 3>> value{
-      .type = "[x, y, z], each " + entry.type, .read = {}, .brief = "`[x, y, z]`, " + entry.plural};
+  Value<std::array<T, 3>> value{.type = "[x, y, z], each " + entry.type,
+                                .read = {},
+                                .brief = "`[x, y, z]`, " + entry.plural,
+                                .json = [json = entry.json] { return schema_of_list(json(), 3); }};
   value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::array<T, 3>> {
     const toml::array* array = item.node->as_array();
     if (!array || array->size() != 3) {
@@ -189,9 +222,12 @@ Value<std::array<T, 3>> triple(const Value<T>& entry) {
 /// Tables by a name of the user's, in the order of the file. T has members name and location.
 template <class T>
 Value<std::vector<T>> named(const Value<T>& entry) {
-  Value<std::vector<T>> value{.type = "tables by name", .read = {}, .form = Form::named};
+  Value<std::vector<T>> value{.type = "tables by name", .read = {}, .form = Form::named, .json = [json = entry.json] {
+                                return Json{{"type", "object"}, {"minProperties", 1}, {"additionalProperties", json()}};
+                              }};
   append_below("<name>", entry.keys, value.keys);
-  value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<T>> {
+  value.read = [read = entry.read, type = value.type](const Item& item,
+                                                      Context& context) -> std::optional<std::vector<T>> {
     if (has_wrong_brackets(item, Form::named, context)) return std::nullopt;
     const toml::table* tables = item.node->as_table();
     if (!tables || tables->empty()) {
@@ -200,7 +236,7 @@ Value<std::vector<T>> named(const Value<T>& entry) {
     }
     std::vector<T> all;
     for (const auto& [key, node] : *tables) {
-      if (auto found = entry.read(item.child(key.str()), context)) {
+      if (auto found = read(item.child(key.str()), context)) {
         found->name = key.str();
         all.push_back(std::move(*found));
       }

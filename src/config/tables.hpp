@@ -23,7 +23,7 @@ Value<Probe> probe_table(const Vocabulary& vocabulary);
 Value<Config> config_table(const Vocabulary& vocabulary);
 
 /// Variables of functions of place and time.
-inline const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
+inline const std::vector<std::string> position_and_time{"x", "y", "z", "t"};
 
 /// Which of `keys` the table has.
 std::vector<std::string> given_keys(const Item& item, const std::vector<std::string>& keys);

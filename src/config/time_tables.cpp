@@ -19,18 +19,23 @@ struct TimeKeys : Time {
   OutputTimes wanted;
 };
 
-Value<TimeStep> time_step() {
-  const Value<WordOrNumber> given = words_or_number({"stable", "adaptive"}, greater(0));
-  Value<TimeStep> value{.type = given.type, .read = {}, .brief = given.brief, .words = given.words};
-  value.read = [=](const Item& item, Context& context) -> std::optional<TimeStep> {
+Value<settings::StepChoice> time_step() {
+  using Mode = settings::StepMode;
+  std::vector<std::string> words;
+  for (const auto& [name, mode] : names_of(Mode{})) words.emplace_back(name);
+  const Value<WordOrNumber> given = words_or_number(words, greater(0));
+  Value<settings::StepChoice> value{
+      .type = given.type, .read = {}, .brief = given.brief, .words = given.words, .json = given.json};
+  value.read = [=](const Item& item, Context& context) -> std::optional<settings::StepChoice> {
     const auto found = given.read(item, context);
     if (!found) return std::nullopt;
-    if (found->word.empty()) return TimeStep{StepMode::fixed, found->number};
-    return TimeStep{found->word == "stable" ? StepMode::stable : StepMode::adaptive};
+    for (const auto& [name, mode] : names_of(Mode{}))
+      if (name == found->word) return mode;
+    return found->number;
   };
-  value.show = [=](const TimeStep& step) {
-    const std::string word = step.mode == StepMode::stable ? "stable" : "adaptive";
-    return given.show(step.mode == StepMode::fixed ? WordOrNumber{{}, step.length} : WordOrNumber{word});
+  value.show = [=](const settings::StepChoice& step) {
+    const std::string word(settings::name_of(step.mode));
+    return given.show(word.empty() ? WordOrNumber{{}, step.length} : WordOrNumber{word, 0});
   };
   return value;
 }
@@ -67,7 +72,8 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
   std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
   if (keys.end > 0) keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
   check_table(keys, vocabulary, item.child("table").location, context);
-  if (const double steps = keys.end / keys.step.length; keys.step.mode == StepMode::fixed && steps > most_steps)
+  if (const double steps = keys.end / keys.step.length;
+      keys.step.mode == settings::StepMode::fixed && steps > most_steps)
     context.errors.add(item.child("step").location,
                        fmt::format("{:.6g} steps of {} up to time.end = {}", steps, keys.step.length, keys.end),
                        fmt::format("up to {:.0e} steps; is the step in the unit of time.end?", most_steps));
@@ -77,35 +83,37 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
 }  // namespace
 
 Value<Time> time_table(const Vocabulary& vocabulary) {
-  const auto linear_solver =
-      choice<LinearSolver>("linear solver", {{"krylov", LinearSolver::krylov}, {"tangent", LinearSolver::tangent}});
+  const auto linear_solver = choice<settings::LinearSolver>("linear solver");
   auto integrator = choice("integrator", vocabulary.integrators);
   integrator.brief = "integrator; `creepcontact list integrators` shows all";
   const auto keys = table<TimeKeys>({
-      field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required),
+      field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required)
+          .in("time"),
       field<TimeKeys>("integrator", &TimeKeys::integrator, integrator, "method of time integration"),
       field<TimeKeys>("tolerance", &TimeKeys::tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
                       "relative accuracy of the stress; the Euler schemes use it with `step = \"adaptive\"` only"),
       field<TimeKeys>(
           "linear_solver", &TimeKeys::linear_solver, linear_solver,
           "`auto`, `cvode_bdf`, `arkode_dirk`: GMRES on the elastic factors, or a factored tangent stiffness"),
-      field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and `end` always are"),
+      field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and `end` always are")
+          .in("time"),
+      field<TimeKeys>("stop_at_output", &TimeKeys::stop_at_output, boolean(),
+                      "steps end at the output times; otherwise results are interpolated within the steps"),
       field<TimeKeys>("step", &TimeKeys::step, time_step(),
                       "Euler schemes: fixed step, the stable step times `step_factor` (with fixed-point iterations at "
                       "most 0.8 of the "
-                      "bound up to which these contract), or chosen to meet `tolerance`"),
+                      "bound up to which these contract), or chosen to meet `tolerance`")
+          .in("time"),
       field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(at_least(1e-6)),
                       "Euler schemes with `step = \"stable\"`"),
       field<TimeKeys>("beta", &TimeKeys::beta, number({.min = 0.5, .max = 1}),
                       "`beta_euler`: 0.5 trapezoidal rule, 1 implicit Euler"),
-      field<TimeKeys>("inner", &TimeKeys::inner,
-                      choice<InnerIteration>("inner iteration", {{"fixed_point", InnerIteration::fixed_point},
-                                                                 {"newton", InnerIteration::newton}}),
+      field<TimeKeys>("inner", &TimeKeys::inner, choice<settings::InnerIteration>("inner iteration"),
                       "`beta_euler`: inner iterations; Newton's converge for steps of any length"),
-      field<TimeKeys>("inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
-                      "`beta_euler`: bound on the change of creep strain in the last inner iteration; what they leave "
-                      "adds up over many short steps "
-                      "unless `residual_correction` = 1"),
+      field<TimeKeys>(
+          "inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
+          "`beta_euler`: bound on the change of creep strain in the last inner iteration; the rest adds up over many "
+          "short steps if `residual_correction` < 1"),
       field<TimeKeys>(
           "inner_anderson", &TimeKeys::inner_anderson, integer(0, 100),
           "`beta_euler`: depth of Anderson acceleration of the fixed-point iterations (3 to 5 is enough); 0: the "
@@ -116,7 +124,8 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "`arkode_erk`, `arkode_dirk`: one with an embedded method")
           .otherwise("the integrator's own"),
       field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
-                      "further times to stop at; jumps and kinks of tables and expressions are found"),
+                      "further times to stop at; jumps and kinks of tables and expressions are found")
+          .in("time"),
   });
   return converted<Time>(keys, [vocabulary](TimeKeys read, const Item& item, Context& context) {
     return make_time(std::move(read), vocabulary, item, context);

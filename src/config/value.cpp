@@ -23,8 +23,24 @@ std::string Range::describe(const std::string& what) const {
   return what;
 }
 
+Json Range::json() const {
+  Json schema{{"type", "number"}};
+  if (std::isfinite(min)) schema[open_min ? "exclusiveMinimum" : "minimum"] = min;
+  if (std::isfinite(max)) schema[open_max ? "exclusiveMaximum" : "maximum"] = max;
+  return schema;
+}
+
+Json schema_of_words(const std::vector<std::string>& words) {
+  return {{"type", "string"}, {"enum", words}};
+}
+
+Json schema_of_any(std::vector<Json> alternatives) {
+  return {{"anyOf", std::move(alternatives)}};
+}
+
 std::vector<Word> words_of(const std::vector<std::string>& texts) {
   std::vector<Word> words;
+  words.reserve(texts.size());
   for (const std::string& text : texts) words.push_back({text});
   return words;
 }
@@ -34,7 +50,7 @@ std::string quoted(const std::vector<std::string>& words) {
 }
 
 Value<std::string> text() {
-  Value<std::string> value{.type = "a string", .read = {}};
+  Value<std::string> value{.type = "a string", .read = {}, .json = [] { return Json{{"type", "string"}}; }};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::string> {
     if (const auto* string = item.node->as_string()) return string->get();
     context.errors.add(item.location, describe(*item.node), type);
@@ -47,6 +63,7 @@ Value<std::string> text() {
 Value<std::string> name(const std::string& what) {
   Value<std::string> value = text();
   value.type = what;
+  value.json = reference(what).json;
   value.read = [what](const Item& item, Context& context) -> std::optional<std::string> {
     const auto found = reference(what).read(item, context);
     if (!found) return std::nullopt;
@@ -56,7 +73,7 @@ Value<std::string> name(const std::string& what) {
 }
 
 Value<Reference> reference(const std::string& what) {
-  Value<Reference> value{.type = what, .read = {}};
+  Value<Reference> value{.type = what, .read = {}, .json = [] { return Json{{"type", "string"}, {"minLength", 1}}; }};
   value.read = [what](const Item& item, Context& context) -> std::optional<Reference> {
     const auto* string = item.node->as_string();
     if (string && !string->get().empty()) return Reference{string->get(), item.location};
@@ -70,7 +87,8 @@ Value<double> number(Range range, const std::string& type) {
   Value<double> value{.type = type.empty() ? range.describe() : type,
                       .read = {},
                       .brief = range.describe("number"),
-                      .plural = range.describe("numbers")};
+                      .plural = range.describe("numbers"),
+                      .json = [range] { return range.json(); }};
   value.read = [range, type = value.type](const Item& item, Context& context) -> std::optional<double> {
     const auto found = item.node->is_number() ? item.node->value<double>() : std::nullopt;
     if (found && std::isfinite(*found) && range.contains(*found)) return found;
@@ -84,7 +102,11 @@ Value<double> number(Range range, const std::string& type) {
 Value<int> integer(int min, int max) {
   Range range = at_least(min);
   if (max < std::numeric_limits<int>::max()) range.max = max;
-  Value<int> value{.type = range.describe("an integer"), .read = {}};
+  Value<int> value{.type = range.describe("an integer"), .read = {}, .json = [range] {
+                     Json schema = range.json();
+                     schema["type"] = "integer";
+                     return schema;
+                   }};
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<int> {
     const auto* found = item.node->as_integer();
     if (found && found->get() >= min && found->get() <= max) return static_cast<int>(found->get());
@@ -96,8 +118,13 @@ Value<int> integer(int min, int max) {
 }
 
 Value<bool> boolean() {
-  Value<bool> value{
-      .type = "true or false", .read = {}, .brief = "`true`, `false`", .words = words_of({"true", "false"})};
+  Value<bool> value{.type = "true or false",
+                    .read = {},
+                    .brief = "`true`, `false`",
+                    .words = words_of({"true", "false"}),
+                    .json = [] {
+                      return Json{{"type", "boolean"}};
+                    }};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<bool> {
     if (const auto* found = item.node->as_boolean()) return found->get();
     context.errors.add(item.location, describe(*item.node), type);
@@ -108,7 +135,10 @@ Value<bool> boolean() {
 }
 
 Value<std::filesystem::path> path() {
-  Value<std::filesystem::path> value{.type = "a path, relative to the configuration file", .read = {}, .brief = "path"};
+  Value<std::filesystem::path> value{
+      .type = "a path, relative to the configuration file", .read = {}, .brief = "path", .json = [] {
+        return Json{{"type", "string"}, {"minLength", 1}};
+      }};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<std::filesystem::path> {
     const auto name = reference(type).read(item, context);
     if (!name) return std::nullopt;
@@ -136,6 +166,7 @@ Value<std::string> choice(const std::string& what, const std::vector<std::string
   value.type = fmt::format("\"{}\"", fmt::join(names, "\", \""));
   value.brief = value.plural = quoted(names);
   value.words = words_of(names);
+  value.json = [names] { return schema_of_words(names); };
   value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
     const auto index = read_choice(item, context, what, names);
     if (!index) return std::nullopt;
@@ -150,7 +181,10 @@ Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range
   Value<WordOrNumber> value{.type = given.type,
                             .read = {},
                             .brief = fmt::format("{}, {}", range.describe("number"), quoted(words)),
-                            .words = words_of(words)};
+                            .words = words_of(words),
+                            .json = [=] {
+                              return schema_of_any({schema_of_words(words), range.json()});
+                            }};
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<WordOrNumber> {
     const auto* text = item.node->as_string();
     if (!text) {
@@ -169,7 +203,8 @@ Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range
 
 Value<std::optional<double>> word_or_number(const std::string& word, Range range) {
   const Value<WordOrNumber> either = words_or_number({word}, range);
-  Value<std::optional<double>> value{.type = either.type, .read = {}, .brief = either.brief, .words = either.words};
+  Value<std::optional<double>> value{
+      .type = either.type, .read = {}, .brief = either.brief, .words = either.words, .json = either.json};
   value.read = [=](const Item& item, Context& context) -> std::optional<std::optional<double>> {
     const auto found = either.read(item, context);
     if (!found) return std::nullopt;

@@ -2,24 +2,35 @@
 /// Kinds of values: what is allowed, how it is read, how a default of it is written. They combine into tables
 /// (table.hpp).
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/schema.hpp"
+#include "creepcontact/settings/enum_names.hpp"
 #include "diagnostics.hpp"
 #include "item.hpp"
 
 namespace creepcontact::config {
 
+using Json = nlohmann::ordered_json;
+
+/// Made when it is asked for: reading a configuration needs no schema.
+using MakeJson = std::function<Json()>;
+
 struct Context {
   std::filesystem::path directory;  ///< of the configuration file
   Diagnostics errors;
+  std::vector<ConfiguredFunction> functions = {};  ///< all that were read
   double end = 0;  ///< time.end, as far as it is a number: what repeats is bounded by it
 };
 
@@ -33,8 +44,12 @@ struct Value {
   std::string brief = {};          ///< KeyInfo::brief; empty: the type without its article
   std::string plural = {};         ///< brief of several: "numbers > 0"; may be empty
   Form form = Form::value;
-  std::vector<Word> words = {};  ///< that it may be
+  std::vector<Word> words = {};                   ///< that it may be
+  MakeJson json = [] { return Json::object(); };  ///< JSON Schema of what is allowed; {}: anything
 };
+
+Json schema_of_words(const std::vector<std::string>& words);
+Json schema_of_any(std::vector<Json> alternatives);
 
 std::vector<Word> words_of(const std::vector<std::string>& texts);
 /// `"a"`, `"b"`: as code
@@ -48,6 +63,7 @@ struct Range {
   bool contains(double value) const;
   /// "a number", "a number > 0", "a number in (0, 1]"
   std::string describe(const std::string& what = "a number") const;
+  Json json() const;
 };
 inline Range greater(double min) {
   return {.min = min, .open_min = true};
@@ -83,23 +99,19 @@ std::optional<std::size_t> read_choice(const Item& item, Context& context, const
                                        const std::vector<std::string>& names);
 Value<std::string> choice(const std::string& what, const std::vector<std::string>& names);
 
+/// One of the names that the enumeration declares (settings/enum_names.hpp).
 template <class Enum>
-Value<Enum> choice(const std::string& what, const std::vector<std::pair<std::string, Enum>>& meanings) {
+Value<Enum> choice(const std::string& what) {
   std::vector<std::string> names;
-  for (const auto& [name, meaning] : meanings) names.push_back(name);
+  for (const auto& [name, value] : names_of(Enum{})) names.emplace_back(name);
   const Value<std::string> word = choice(what, names);
-  Value<Enum> value{.type = word.type, .read = {}, .brief = word.brief, .words = word.words};
+  Value<Enum> value{.type = word.type, .read = {}, .brief = word.brief, .words = word.words, .json = word.json};
   value.read = [=](const Item& item, Context& context) -> std::optional<Enum> {
     const auto index = read_choice(item, context, what, names);
     if (!index) return std::nullopt;
-    return meanings[*index].second;
+    return names_of(Enum{})[*index].value;
   };
-  value.show = [=](const Enum& wanted) {
-    for (const auto& [name, meaning] : meanings) {
-      if (meaning == wanted) return '"' + name + '"';
-    }
-    return std::string();
-  };
+  value.show = [](const Enum& shown) { return fmt::format("\"{}\"", settings::name_of(shown)); };
   return value;
 }
 

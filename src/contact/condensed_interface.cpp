@@ -13,11 +13,12 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double rounding = 1e-13;            // of the forces on a body: what sums to zero but for it
+constexpr double force_round_off = 1e-13;     // of the forces on a body: what sums to zero but for it
 constexpr double overlap_of_rounding = 1e-9;  // of the size of a multiplier's area
 constexpr double no_component = 1e-14;        // of the largest entry of the contact rows
-constexpr double idle_work = 1e-8;            // of the forces on the body: rounding, or a load along an idle motion
-constexpr double imbalance_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
+constexpr double unconstrained_work =
+    1e-8;  // of the forces on the body: rounding, or a load along an unconstrained motion
+constexpr double residual_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
 
 }  // namespace
 
@@ -33,10 +34,10 @@ std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
 }
 
 CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, std::span<const Pair> pairs,
-                                       const FloatingMotions& floating, Conditions at, double dense_bytes,
+                                       const RigidBodyModes& rigid_body_modes, Conditions at, double dense_bytes,
                                        const Admission& admit, const linalg::StiffnessSolverFactory& make_solver)
-    : bodies_(bodies), pairs_(pairs), floating_(floating), sides_(bodies.size()) {
-  floating_.require_contact(pairs_);
+    : bodies_(bodies), pairs_(pairs), rigid_body_modes_(rigid_body_modes), sides_(bodies.size()) {
+  rigid_body_modes_.require_contact(pairs_);
   make_problem();
   make_rows();
   const bool dense = dense_bytes_ <= dense_bytes;
@@ -67,7 +68,7 @@ void CondensedInterface::make_problem() {
       problem_.master_body.push_back(static_cast<int>(pair.master_body));
       problem_.bilateral.push_back(pair.coupling.type == ContactType::tied);
     }
-  problem_.rigid.setZero(n_rows(), floating_.held().cols());
+  problem_.rigid.setZero(n_rows(), rigid_body_modes_.held().cols());
   problem_.bodies.resize(bodies_.size());
   problem_.rigid_of_body.resize(bodies_.size());
 }
@@ -81,7 +82,7 @@ void CondensedInterface::make_rows() {
     sides_[b].full_rows = body_rows(pairs_, b, body.mesh().nodes.size(), rows.rows);
     rows.reduced = body.constraints().reduce_rows(sides_[b].full_rows);
     std::vector<char> is_pin(rows.reduced.cols(), 0);
-    for (const std::int64_t pin : body.pins()) is_pin[pin] = 1;
+    for (const std::int64_t pin : body.fixing_dofs()) is_pin[pin] = 1;
     // Components that are rounding would make unknowns of the whole surface's nodes trailing ones.
     const double least = rows.reduced.nonZeros() > 0 ? no_component * rows.reduced.coeffs().cwiseAbs().maxCoeff() : 0.0;
     rows.reduced.prune([&](auto, auto column, double value) { return std::abs(value) > least && !is_pin[column]; });
@@ -91,8 +92,8 @@ void CondensedInterface::make_rows() {
     dense_bytes_ += 8 * (n_trailing * (n + 1.5 * n_trailing) + n * n);  // G, L22 in the factor and copied, F_b
 
     const Index n_motions = body.free_motions().size();
-    const auto held = floating_.held().middleRows(floating_.first_of_body(b), n_motions);
-    problem_.rigid_of_body[b] = floating_.gaps(b, pairs_)(rows.rows, Eigen::all) * held;
+    const auto held = rigid_body_modes_.held().middleRows(rigid_body_modes_.first_of_body(b), n_motions);
+    problem_.rigid_of_body[b] = rigid_body_modes_.gaps(b, pairs_)(rows.rows, Eigen::all) * held;
     problem_.rigid(rows.rows, Eigen::all) += problem_.rigid_of_body[b];
     problem_.bodies[b].rows = rows.rows;
     rows_.push_back(std::move(rows));
@@ -129,8 +130,8 @@ std::int64_t CondensedInterface::n_products() const {
 }
 
 InterfaceLoad CondensedInterface::no_load() const {
-  return {Eigen::VectorXd::Zero(n_rows()), Eigen::VectorXd::Zero(floating_.size()),
-          Eigen::VectorXd::Zero(floating_.size()), 0.0};
+  return {Eigen::VectorXd::Zero(n_rows()), Eigen::VectorXd::Zero(rigid_body_modes_.size()),
+          Eigen::VectorXd::Zero(rigid_body_modes_.size()), 0.0};
 }
 
 InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
@@ -141,7 +142,7 @@ InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
     gap = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
     if (!gap.allFinite())
       throw ModelError(
-          fmt::format("contact '{}': the gap is no finite number at t = {:.6g}; look for divisions by zero and "
+          fmt::format("contact '{}': the gap is not a finite number at t = {:.6g}; look for divisions by zero and "
                       "roots or logarithms of negative numbers in its expression",
                       pair.name, t));
   }
@@ -160,7 +161,7 @@ void CondensedInterface::add_resultant(std::size_t body, const mechanics::BodyCo
                                        InterfaceLoad& load) const {
   const std::size_t n_motions = bodies_[body].free_motions().size();
   if (n_motions == 0) return;
-  const std::size_t first = floating_.first_of_body(body);
+  const std::size_t first = rigid_body_modes_.first_of_body(body);
   const double force = bodies_[body].external_resultant(at, {load.work.data() + first, n_motions});
   load.force.segment(first, n_motions).setConstant(force);
 }
@@ -185,35 +186,35 @@ void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
 
 ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   warn_of_held_overlaps(load);
-  const Eigen::VectorXd idle = floating_.idle().transpose() * load.work;
-  const Eigen::VectorXd force = floating_.idle().cwiseAbs().transpose() * load.force;
-  for (Index j = 0; j < idle.size(); ++j) {
-    if (std::abs(idle[j]) <= idle_work * force[j]) continue;
-    const std::string motion = floating_.describe(floating_.idle().col(j));
-    if (std::abs(idle[j]) > imbalance_of_meshes * force[j])
+  const Eigen::VectorXd unconstrained = rigid_body_modes_.unconstrained().transpose() * load.work;
+  const Eigen::VectorXd force = rigid_body_modes_.unconstrained().cwiseAbs().transpose() * load.force;
+  for (Index j = 0; j < unconstrained.size(); ++j) {
+    if (std::abs(unconstrained[j]) <= unconstrained_work * force[j]) continue;
+    const std::string motion = rigid_body_modes_.describe(rigid_body_modes_.unconstrained().col(j));
+    if (std::abs(unconstrained[j]) > residual_of_meshes * force[j])
       throw ModelError(fmt::format(
           "{}: at t = {:.6g} the loads drive this motion (generalised force {:.4g}), and neither supports nor "
           "contact hold it; add a support, or balance the loads",
-          motion, load.time, idle[j]));
-    if (!imbalance_warned_)
+          motion, load.time, unconstrained[j]));
+    if (!residual_warned_)
       log::warning(
           "{}: the loads are out of balance along this motion by {:.2g} of their sum, as on a mesh that is not quite "
           "symmetric; single nodes hold it",
-          motion, std::abs(idle[j]) / force[j]);
-    imbalance_warned_ = true;
+          motion, std::abs(unconstrained[j]) / force[j]);
+    residual_warned_ = true;
   }
-  Eigen::VectorXd resultant = floating_.held().transpose() * load.work;
-  const Eigen::VectorXd sum = floating_.held().cwiseAbs().transpose() * load.force;
-  resultant = (resultant.array().abs() > rounding * sum.array()).select(resultant, 0.0);
+  Eigen::VectorXd resultant = rigid_body_modes_.held().transpose() * load.work;
+  const Eigen::VectorXd sum = rigid_body_modes_.held().cwiseAbs().transpose() * load.force;
+  resultant = (resultant.array().abs() > force_round_off * sum.array()).select(resultant, 0.0);
   return {load.gap, resultant};
 }
 
 void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {
   throw ModelError(
-      fmt::format("{}: at t = {:.6g} the loads drive the assembly along this motion and no contact stands in its way; "
+      fmt::format("{}: at t = {:.6g} the loads drive the assembly along this motion and no contact stops it; "
                   "add a support, or "
                   "a load that presses the bodies together",
-                  floating_.describe(floating_.held() * unbalanced.motion), t));
+                  rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion), t));
 }
 
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
@@ -246,7 +247,8 @@ void CondensedInterface::add_rigid_motion(std::size_t body, const Eigen::VectorX
                                           std::span<double> displacement) const {
   const std::size_t n_motions = bodies_[body].free_motions().size();
   if (n_motions == 0 || rigid.size() == 0) return;
-  const Eigen::VectorXd own = floating_.held().middleRows(floating_.first_of_body(body), n_motions) * rigid;
+  const Eigen::VectorXd own =
+      rigid_body_modes_.held().middleRows(rigid_body_modes_.first_of_body(body), n_motions) * rigid;
   bodies_[body].add_free_motions({own.data(), n_motions}, displacement);
 }
 

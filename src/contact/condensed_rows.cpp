@@ -4,12 +4,12 @@ namespace creepcontact::contact {
 
 CondensedRows::CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing,
                              const linalg::StiffnessSolver& factor) {
-  std::vector<int> place(rows.cols(), -1);
-  for (std::size_t i = 0; i < trailing.size(); ++i) place[trailing[i]] = static_cast<int>(i);
+  std::vector<int> position(rows.cols(), -1);
+  for (std::size_t i = 0; i < trailing.size(); ++i) position[trailing[i]] = static_cast<int>(i);
   traces_.setZero(trailing.size(), rows.rows());
   for (int r = 0; r < rows.outerSize(); ++r)
     for (RowMatrix::InnerIterator it(rows, r); it; ++it)
-      if (const int i = place[it.col()]; i >= 0) traces_(i, r) = it.value();
+      if (const int i = position[it.col()]; i >= 0) traces_(i, r) = it.value();
   if (traces_.size() == 0) return;
   const Eigen::MatrixXd trailing_factor = factor.trailing_factor();
   trailing_factor.triangularView<Eigen::Lower>().solveInPlace(traces_);

@@ -8,16 +8,16 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double rounding = 1e-12;
+constexpr double least_pivot = 1e-12;
 
 /// K restricted to the unknowns that contact rows touch, both triangles. @param place  of each unknown, or -1
-Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& place, int n) {
+Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& position, int n) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::int64_t column = 0; column < lower.outerSize(); ++column) {
-    const int j = place[column];
+    const int j = position[column];
     if (j < 0) continue;
     for (linalg::SparseMatrix::InnerIterator it(lower, column); it; ++it) {
-      const int i = place[it.row()];
+      const int i = position[it.row()];
       if (i < 0) continue;
       entries.emplace_back(i, j, it.value());
       if (i != j) entries.emplace_back(j, i, it.value());
@@ -30,12 +30,12 @@ Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& pla
 
 /// Entries of a sparse matrix in chosen rows and columns.
 Sparse submatrix(const Sparse& matrix, const std::vector<int>& chosen) {
-  std::vector<int> place(matrix.rows(), -1);
-  for (std::size_t k = 0; k < chosen.size(); ++k) place[chosen[k]] = static_cast<int>(k);
+  std::vector<int> position(matrix.rows(), -1);
+  for (std::size_t k = 0; k < chosen.size(); ++k) position[chosen[k]] = static_cast<int>(k);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < chosen.size(); ++k)
     for (Sparse::InnerIterator it(matrix, chosen[k]); it; ++it)
-      if (const int i = place[it.row()]; i >= 0) entries.emplace_back(i, static_cast<int>(k), it.value());
+      if (const int i = position[it.row()]; i >= 0) entries.emplace_back(i, static_cast<int>(k), it.value());
   const auto n = static_cast<int>(chosen.size());
   Sparse result(n, n);
   result.setFromTriplets(entries.begin(), entries.end());
@@ -58,21 +58,23 @@ FactoredFlexibility::FactoredFlexibility(std::span<mechanics::FactoredBody> bodi
     const BodyRows& own = rows[b];
     work_.emplace_back(own.reduced.cols());
     if (own.rows.empty()) continue;
-    std::vector<int> place(own.reduced.cols(), -1);
+    std::vector<int> position(own.reduced.cols(), -1);
     int n_touched = 0;
     for (int r = 0; r < own.reduced.outerSize(); ++r)
       for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it)
-        if (place[it.col()] < 0) place[it.col()] = n_touched++;
+        if (position[it.col()] < 0) position[it.col()] = n_touched++;
     std::vector<Eigen::Triplet<double>> entries;
     for (int r = 0; r < own.reduced.outerSize(); ++r)
-      for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it) entries.emplace_back(r, place[it.col()], it.value());
+      for (RowMatrix::InnerIterator it(own.reduced, r); it; ++it)
+        entries.emplace_back(r, position[it.col()], it.value());
     Sparse touched(static_cast<int>(own.rows.size()), n_touched);
     touched.setFromTriplets(entries.begin(), entries.end());
 
-    const Sparse stiffness = touched * restricted(bodies[b].stiffness(at[b]), place, n_touched) * touched.transpose();
+    const Sparse stiffness =
+        touched * restricted(bodies[b].stiffness(at[b]), position, n_touched) * touched.transpose();
     const Sparse square = touched * touched.transpose();
     // Rows that the body cannot follow (held there) are none of its own but for rounding.
-    const double least = rounding * square.diagonal().maxCoeff();
+    const double least = least_pivot * square.diagonal().maxCoeff();
     Lumped lumped;
     std::vector<int> as_slave;
     for (int r = 0; r < std::ssize(own.rows); ++r) {
@@ -108,7 +110,7 @@ Eigen::VectorXd FactoredFlexibility::gaps(const Eigen::VectorXd& multiplier) con
 
 std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::vector<int>& set) const {
   struct Block {
-    std::vector<int> places;  // in the set
+    std::vector<int> positions;  // in the set
     Sparse stiffness;
     Eigen::SimplicialLDLT<Sparse> square;
   };
@@ -117,10 +119,10 @@ std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::v
     Eigen::VectorXd multipliers(const Eigen::VectorXd& gaps) const override {
       Eigen::VectorXd result = rest.cwiseProduct(gaps);
       for (const auto& block : blocks) {
-        const Eigen::VectorXd displacement = block->square.solve(Eigen::VectorXd(gaps(block->places)));
+        const Eigen::VectorXd displacement = block->square.solve(Eigen::VectorXd(gaps(block->positions)));
         const Eigen::VectorXd force = block->stiffness * displacement;
         const Eigen::VectorXd closing = block->square.solve(force);  // the solver permutes in place: no indexed target
-        result(block->places) = closing;
+        result(block->positions) = closing;
       }
       return result;
     }
@@ -135,7 +137,7 @@ std::unique_ptr<Preconditioner> FactoredFlexibility::preconditioner(const std::v
     for (std::size_t k = 0; k < set.size(); ++k) {
       const auto found = std::lower_bound(lumped.rows.begin(), lumped.rows.end(), set[k]);
       if (found == lumped.rows.end() || *found != set[k]) continue;
-      block->places.push_back(static_cast<int>(k));
+      block->positions.push_back(static_cast<int>(k));
       own.push_back(static_cast<int>(found - lumped.rows.begin()));
     }
     if (own.empty()) continue;

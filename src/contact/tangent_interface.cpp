@@ -4,7 +4,7 @@ namespace creepcontact::contact {
 
 TangentInterface::TangentInterface(const CondensedInterface& interface,
                                    std::span<const linalg::StiffnessSolver* const> factors, double elastic_scale)
-    : interface_(interface), condensed_(factors.size()), frozen_(problem_) {
+    : interface_(interface), condensed_(factors.size()), active_set_(problem_) {
   const ContactProblem& elastic = interface.problem();
   problem_.slave_body = elastic.slave_body;
   problem_.master_body = elastic.master_body;
@@ -29,7 +29,7 @@ void TangentInterface::add_trace(std::size_t body, std::span<const double> y, Ei
 }
 
 ContactState TangentInterface::close(const std::vector<int>& active, const Eigen::VectorXd& gap) {
-  return frozen_.solve(active, {gap, {}}).state;
+  return active_set_.solve(active, {gap, {}}).state;
 }
 
 void TangentInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {

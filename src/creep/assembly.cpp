@@ -14,9 +14,9 @@ std::vector<contact::Pair> numbered(std::vector<contact::Pair> pairs) {
 
 Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake,
                    const Team& team)
-    : team_(&team), bodies_(std::move(bodies)), pairs_(numbered(std::move(pairs))), floating_(bodies_, pairs_) {
+    : team_(&team), bodies_(std::move(bodies)), pairs_(numbered(std::move(pairs))), rigid_body_modes_(bodies_, pairs_) {
   if (!remake) return;
-  const auto sliding = floating_.sliding(pairs_);
+  const auto sliding = rigid_body_modes_.sliding(pairs_);
   bool remade = false;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (sliding[p].empty() || pairs_[p].ties_nodes()) continue;
@@ -25,7 +25,7 @@ Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pai
   }
   if (!remade) return;
   contact::number_rows(pairs_);
-  floating_ = contact::FloatingMotions(bodies_, pairs_);
+  rigid_body_modes_ = contact::RigidBodyModes(bodies_, pairs_);
 }
 
 bool Assembly::creeps() const {

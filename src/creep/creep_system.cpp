@@ -245,19 +245,13 @@ void CreepSystem::restore(const Memory& memory) {
 }
 
 RunCounters CreepSystem::run_counters() const {
-  const EquilibriumSolver::Counters elastic = solver_.counters();
-  RunCounters result;
-  result.rate_evaluations = rate_evaluations_;
+  RunCounters result = solver_.counters();
+  result.rhs_evaluations = rate_evaluations_;
   result.jacobian_products = jacobian_products_;
-  result.elastic_solves = elastic.elastic_solves;
-  result.contact_solves = elastic.contact_solves;
-  result.schwarz_iterations = elastic.schwarz_iterations;
-  result.factorizations = elastic.factorizations;
   if (tangent_) {
     result.elastic_solves += tangent_->solves();
     result.factorizations += tangent_->factorizations();
   }
-  result.active_contacts = std::ssize(step_.equilibrium.contact.active);
   return result;
 }
 

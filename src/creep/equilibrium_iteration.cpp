@@ -88,7 +88,7 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
     if (interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)) changed.push_back(b);
   interface_.refactorize(changed, at);
   contact_solver_->flexibility_changed();
-  frozen_.flexibility_changed();
+  active_set_.flexibility_changed();
   counters_.factorizations += std::ssize(changed);
   ++factors_;
 }
@@ -145,7 +145,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   for (std::size_t b = 0; b < work_.size(); ++b) {
     const mechanics::Body& body = assembly_.bodies()[b];
     body.right_hand_side(into.conditions[b], creep[b], work_[b].right_hand_side);
-    body.clear_pins(work_[b].right_hand_side);
+    body.clear_fixing_dofs(work_[b].right_hand_side);
     interface_.add_resultant(b, into.conditions[b], given);
   }
   for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
@@ -184,7 +184,7 @@ void EquilibriumSolver::leave_residual(const Equilibrium& of) {
   for (std::size_t b = 0; b < work_.size(); ++b) {
     interface_.factored(b).residual(of.conditions[b], of.bodies[b].stress, of.displacements[b].free,
                                     work_[b].right_hand_side);
-    assembly_.bodies()[b].clear_pins(work_[b].right_hand_side);
+    assembly_.bodies()[b].clear_fixing_dofs(work_[b].right_hand_side);
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
-#include "frozen_solve.hpp"
+#include "fixed_contact_solve.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -21,10 +21,10 @@ std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) 
   return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
 }
 
-/// The contact of frozen_solve(), with one active set.
+/// The contact of fixed_contact_solve(), with one active set.
 struct ClosedRows {
   contact::CondensedInterface& interface;
-  contact::FrozenSystem& frozen;
+  contact::ActiveSetSystem& active_set;
   const std::vector<int>& active;
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
@@ -32,7 +32,7 @@ struct ClosedRows {
   }
   contact::ContactState close(const Eigen::VectorXd& gap) const {
     // Initial strains are in equilibrium with themselves: no resultants.
-    return frozen.solve(active, {gap, {}}).state;
+    return active_set.solve(active, {gap, {}}).state;
   }
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
     interface.add_multipliers(body, multiplier, y);
@@ -53,11 +53,11 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
       watch_(watch),
       interface_([&] {
         const auto lap = watch.lap(Part::factorize);
-        return contact::CondensedInterface(assembly.bodies(), assembly.pairs(), assembly.floating(), at_start,
+        return contact::CondensedInterface(assembly.bodies(), assembly.pairs(), assembly.rigid_body_modes(), at_start,
                                            1e6 * options.dense_limit_mb, admit, options.stiffness_solver);
       }()),
       contact_solver_(make_contact_solver()),
-      frozen_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)) {
+      active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)) {
   counters_.factorizations = std::ssize(assembly.bodies());
   std::int64_t largest = 0, all = 0;
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b) {
@@ -123,18 +123,18 @@ void EquilibriumSolver::set_recorder(contact::IterationRecorder* recorder) {
 void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
                                    std::vector<std::vector<double>>& stress) {
   const std::size_t n_bodies = work_.size();
-  std::vector<FrozenSide> sides;
+  std::vector<FactoredSide> sides;
   {
     const auto lap = watch_.lap(Part::material);
     for (std::size_t b = 0; b < n_bodies; ++b) {
       mechanics::FactoredBody& factored = interface_.factored(b);
       factored.body().initial_strain_force(factored.elastic(), creep_change[b], work_[b].free);
-      factored.body().clear_pins(work_[b].free);
+      factored.body().clear_fixing_dofs(work_[b].free);
       sides.push_back({&factored.solver(), work_[b].free});
     }
   }
-  ClosedRows rows{interface_, frozen_, at.contact.active};
-  const contact::ContactState change = frozen_solve(
+  ClosedRows rows{interface_, active_set_, at.contact.active};
+  const contact::ContactState change = fixed_contact_solve(
       sides, interface_.n_rows(), [&](const auto& pass) { for_each_factor(pass); }, rows, watch_);
   const auto lap = watch_.lap(Part::material);
   stress.resize(n_bodies);
@@ -176,8 +176,8 @@ void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
   if (accepted.size() > 2) accepted.pop_back();
 }
 
-EquilibriumSolver::Counters EquilibriumSolver::counters() const {
-  Counters all = counters_;
+RunCounters EquilibriumSolver::counters() const {
+  RunCounters all = counters_;
   all.elastic_solves += interface_.n_products();
   return all;
 }

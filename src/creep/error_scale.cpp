@@ -40,7 +40,10 @@ std::vector<double> ErrorScale::typical(const Assembly& assembly, const Equilibr
       const double q = tensor::von_mises(tensor::view(state.stress, p));
       return q * q;
     }));
-  for (const BodyState& state : at.bodies) sums.push_back(static_cast<double>(state.stress.size() / 6));
+  for (const BodyState& state : at.bodies) {
+    const std::size_t n_points = state.stress.size() / 6;
+    sums.push_back(static_cast<double>(n_points));
+  }
   assembly.team().sum(sums);
   std::vector<double> result(n_bodies);
   for (std::size_t b = 0; b < n_bodies; ++b) result[b] = std::sqrt(sums[b] / sums[n_bodies + b]);

@@ -6,13 +6,13 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/ode/system.hpp"
-#include "frozen_solve.hpp"
+#include "fixed_contact_solve.hpp"
 
 namespace creepcontact::creep {
 namespace {
 
-/// The contact of frozen_solve(), with one active set.
-struct ClosedRows {
+/// The contact of fixed_contact_solve(), with one active set.
+struct TangentContact {
   contact::TangentInterface& interface;
   const std::vector<int>& active;
 
@@ -88,7 +88,7 @@ void TangentSystem::for_each_side(const Work& work) {
 
 void TangentSystem::solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z) {
   // Nothing but contact strains an elastic body, and its displacement is not asked for: it takes no part.
-  std::vector<FrozenSide> sides(sides_.size());
+  std::vector<FactoredSide> sides(sides_.size());
   {
     const auto lap = watch_.lap(Part::material);
     for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
@@ -97,12 +97,12 @@ void TangentSystem::solve(const std::vector<int>& active, std::span<const double
       body.discretization().add_initial_stress_force(side.material->moduli(), side.stress, side.displacement);
       body.constraints().restrict_to_free(side.displacement, side.free);
       // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
-      body.clear_pins(side.free);
+      body.clear_fixing_dofs(side.free);
       sides[b] = {side.factor.get(), side.free};
     });
   }
-  ClosedRows rows{*interface_, active};
-  const contact::ContactState change = frozen_solve(
+  TangentContact rows{*interface_, active};
+  const contact::ContactState change = fixed_contact_solve(
       sides, interface_->n_rows(), [&](const auto& pass) { solver_.for_each_factor(pass); }, rows, watch_);
   const auto lap = watch_.lap(Part::material);
   for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {

@@ -35,7 +35,8 @@ QuadratureRule gauss_line(int n) {
 
 QuadratureRule gauss_quadrilateral(int n) {
   const QuadratureRule line = gauss_line(n);
-  QuadratureRule rule{Eigen::MatrixX3d::Zero(n * n, 3), Eigen::VectorXd(n * n)};
+  const Index size = Index{n} * n;
+  QuadratureRule rule{Eigen::MatrixX3d::Zero(size, 3), Eigen::VectorXd(size)};
   for (int j = 0, point = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i, ++point) {
       rule.points.row(point) << line.points(i, 0), line.points(j, 0), 0;

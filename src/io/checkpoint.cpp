@@ -110,7 +110,7 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
           fmt::format("cannot rename '{}' to '{}': {}", previous.string(), path.string(), error.message()));
     return checkpoint;
   } catch (const ConfigError& error) {
-    throw ConfigError(fmt::format("{}, and {}; run without --resume to begin anew", damage, error.what()));
+    throw ConfigError(fmt::format("{}, and {}; run without --resume to start again", damage, error.what()));
   }
 }
 

@@ -1,23 +1,23 @@
 #include "checkpoint_seal.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <vector>
 
+#include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/error.hpp"
 
 namespace creepcontact::io {
 namespace {
 
-constexpr std::string_view magic = "creepcontact checkpoint 2\n";
+constexpr std::string_view magic = "creepcontact checkpoint 3\n";
 
 /// The user block: what the bytes behind it must be like. Padded with zeros.
-std::string seal(std::uint64_t n_bytes, std::uint32_t crc) {
-  std::string text = fmt::format("{}bytes {}\ncrc32 {:08x}\n", magic, n_bytes, crc);
+std::string seal(std::uint64_t n_bytes, std::uint64_t checksum) {
+  std::string text = fmt::format("{}bytes {}\nxxh3 {:016x}\n", magic, n_bytes, checksum);
   text.resize(seal_size, '\0');
   return text;
 }
@@ -27,13 +27,13 @@ std::string computed_seal(std::istream& stream) {
   stream.seekg(seal_size);
   std::vector<char> buffer(std::size_t{1} << 16);
   std::uint64_t n_bytes = 0;
-  uLong crc = ::crc32(0, nullptr, 0);
+  Checksum sum;
   while (stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), stream.gcount() > 0) {
-    crc = ::crc32(crc, reinterpret_cast<const Bytef*>(buffer.data()), static_cast<uInt>(stream.gcount()));
-    n_bytes += static_cast<std::uint64_t>(stream.gcount());
+    sum.add(buffer.data(), stream.gcount());
+    n_bytes += stream.gcount();
   }
   stream.clear();
-  return seal(n_bytes, static_cast<std::uint32_t>(crc));
+  return seal(n_bytes, sum.value());
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ void check_seal(const std::filesystem::path& path) {
   const bool complete = stream.gcount() == static_cast<std::streamsize>(seal_size);
   stream.clear();
   if (!found.starts_with(magic))
-    throw ConfigError(fmt::format("'{}' is no checkpoint of this version of creepcontact", path.string()));
+    throw ConfigError(fmt::format("'{}' is not a checkpoint of this version of creepcontact", path.string()));
   if (!complete || found != computed_seal(stream)) {
     throw ConfigError(
         fmt::format("the checkpoint '{}' is cut short or damaged (its checksum is wrong)", path.string()));

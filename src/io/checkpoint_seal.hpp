@@ -12,7 +12,7 @@ constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
 void write_seal(const std::filesystem::path& path);
 
 /// Compares the whole file with its seal, before HDF5 sees it: the library may crash on damaged structures.
-/// @throws ConfigError if the file cannot be read, is no checkpoint of this version, or differs from its seal
+/// @throws ConfigError if the file cannot be read, is not a checkpoint of this version, or differs from its seal
 void check_seal(const std::filesystem::path& path);
 
 }  // namespace creepcontact::io

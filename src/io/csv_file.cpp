@@ -20,6 +20,7 @@ namespace {
 
 std::string header_line(const std::vector<std::string>& columns) {
   std::vector<std::string> cells;
+  cells.reserve(columns.size());
   for (const std::string& column : columns) cells.push_back(csv_cell(column));
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
@@ -55,10 +56,11 @@ bool cut(const std::filesystem::path& path, const std::string& header, double la
   if (!text.starts_with(header)) {
     throw ConfigError(
         fmt::format("'{}' has other columns than this run: '{}' instead of '{}'; resume with the same "
-                    "probes, or begin anew in another directory",
+                    "probes, or start again in another directory",
                     path.string(), text.substr(0, text.find('\n')), header.substr(0, header.size() - 1)));
   }
-  platform::replace_file(path, std::string_view(text).substr(0, kept_length(text, header.size(), last_time)));
+  const std::string_view rows = text;
+  platform::replace_file(path, rows.substr(0, kept_length(rows, header.size(), last_time)));
   return true;
 }
 
@@ -72,7 +74,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
   const bool append = continuation.resume && cut(path, header, continuation.last_time);
   file_.reset(std::fopen(path.c_str(), append ? "ab" : "wb"));
   if (!file_) throw ConfigError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
-  if (!append) write(std::string_view(header).substr(0, header.size() - 1));
+  if (!append) write({header.data(), header.size() - 1});
 }
 
 void CsvFile::write(std::string_view row) {

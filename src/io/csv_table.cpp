@@ -16,7 +16,7 @@ double number(const std::string& cell, const std::string& where) {
   double value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size())
-    throw ConfigError(fmt::format("{}: '{}' is no number", where, cell));
+    throw ConfigError(fmt::format("{}: '{}' is not a number", where, cell));
   return value;
 }
 

@@ -30,7 +30,7 @@ std::vector<EncodedArray> encode_cells(const FieldMesh& mesh) {
     types.insert(types.end(), block.size(), vtk_cell_type(block.type));
     for (std::size_t c = 0; c < block.size(); ++c) {
       const auto cell = block.cell(c);
-      for (int node : order) connectivity.push_back(cell[static_cast<std::size_t>(node)]);
+      for (int node : order) connectivity.push_back(cell[node]);
       offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
     }
   }
@@ -149,7 +149,7 @@ void FieldWriter::read_collection(double last_time) {
   const pugi::xml_parse_result parsed = document.load_file(path.c_str());
   const pugi::xml_node collection = document.child("VTKFile").child("Collection");
   if (!parsed || !collection) {
-    throw ConfigError(fmt::format("'{}' is no list of fields: {}; remove it to begin it anew", path.string(),
+    throw ConfigError(fmt::format("'{}' is not a list of fields: {}; remove it to start it again", path.string(),
                                   parsed ? "no collection in it" : parsed.description()));
   }
   for (const pugi::xml_node& node : collection.children("DataSet")) {

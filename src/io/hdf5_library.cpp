@@ -9,8 +9,10 @@ namespace creepcontact::io {
 namespace {
 
 [[noreturn]] void fail() {
-  const char* reason = ::dlerror();
-  throw Hdf5Error(std::string("cannot load the HDF5 library: ") + (reason == nullptr ? "unknown reason" : reason));
+  const char* given = ::dlerror();
+  std::string reason = given == nullptr ? "unknown reason" : given;
+  if (reason.find("failed to map segment") != std::string::npos) reason += " (too little memory)";
+  throw Hdf5Error("cannot load the HDF5 library: " + reason);
 }
 
 class Loader {

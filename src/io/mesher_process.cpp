@@ -173,7 +173,7 @@ fs::path find_mesher() {
   std::string names;
   for (const fs::path& place : places) names += (names.empty() ? "" : ", ") + place.string();
   throw ModelError(
-      fmt::format("creepcontact-mesher, which meshes .geo files, is at none of {}; install it anew, or name it in the "
+      fmt::format("creepcontact-mesher, which meshes .geo files, is at none of {}; install it again, or name it in the "
                   "environment variable CREEPCONTACT_MESHER. {}",
                   names, remedy_by_hand));
 }

@@ -14,7 +14,7 @@ T number(const std::string& text) {
   T value{};
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failure != std::errc() || end != text.data() + text.size())
-    throw ConfigError(fmt::format("'{}' is no number; creepcontact-mesher is started by creepcontact", text));
+    throw ConfigError(fmt::format("'{}' is not a number; creepcontact-mesher is started by creepcontact", text));
   return value;
 }
 

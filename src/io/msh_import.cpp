@@ -172,10 +172,10 @@ mesh::Mesh import_msh(const MshContent& content, const std::string& file) {
       log::warning("{}: physical {} '{}' has no cells and is left out", file, kind(group.dimension), group.name);
       continue;
     }
-    const auto place = [](const mesh::CellRef& ref) { return std::pair(ref.block, ref.cell); };
-    std::sort(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    const auto position = [](const mesh::CellRef& ref) { return std::pair(ref.block, ref.cell); };
+    std::sort(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return position(a) < position(b); });
     refs.erase(
-        std::unique(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return place(a) == place(b); }),
+        std::unique(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return position(a) == position(b); }),
         refs.end());
     has_volume |= group.dimension == 3;
     result.groups.emplace(group.name, std::move(filled));

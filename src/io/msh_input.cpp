@@ -57,16 +57,16 @@ bool MshInput::skip_behind(std::string_view text) {
 void MshInput::begin_binary() {
   file_is_binary_ = binary_ = true;
   constexpr std::int32_t one = 1, swapped_one = 1 << 24;
-  const std::int32_t mark = raw<std::int32_t>("the number 1 that tells the order of bytes");
+  const std::int32_t mark = raw<std::int32_t>("the number 1 that gives the byte order");
   if (mark != one && mark != swapped_one)
-    fail("the number that tells the order of bytes is {}, not 1: the file is damaged; write it anew", mark);
+    fail("the number that gives the byte order is {}, not 1: the file is damaged; write it again", mark);
   swapped_ = mark == swapped_one;
 }
 
 template <typename T>
 T MshInput::raw(const char* what) {
   if (bytes_.size() - position_ < sizeof(T))
-    fail("the file ends before {}; it is incomplete: write or copy it anew", what);
+    fail("the file ends before {}; it is incomplete: write or copy it again", what);
   std::array<char, sizeof(T)> value;
   std::copy_n(bytes_.begin() + position_, sizeof(T), value.begin());
   if (swapped_) std::reverse(value.begin(), value.end());
@@ -79,7 +79,7 @@ T MshInput::raw(const char* what) {
 template <typename T>
 T MshInput::parsed(const char* what) {
   skip_blanks();
-  if (at_end()) fail("the file ends before {}; it is incomplete: write or copy it anew", what);
+  if (at_end()) fail("the file ends before {}; it is incomplete: write or copy it again", what);
   const char* begin = bytes_.data() + position_;
   const char* end = bytes_.data() + bytes_.size();
   T value{};
@@ -95,7 +95,7 @@ int MshInput::integer(const char* what) {
 
 int MshInput::non_negative(const char* what) {
   const int value = integer(what);
-  if (value < 0) fail("{} is {}; it cannot be negative: the file is damaged, write it anew", what, value);
+  if (value < 0) fail("{} is {}; it cannot be negative: the file is damaged, write it again", what, value);
   return value;
 }
 
@@ -105,7 +105,7 @@ std::uint64_t MshInput::size(const char* what) {
 
 double MshInput::real(const char* what) {
   const double value = binary_ ? raw<double>(what) : parsed<double>(what);
-  if (!std::isfinite(value)) fail("{} is {}, not a finite number; write the mesh anew", what, value);
+  if (!std::isfinite(value)) fail("{} is {}, not a finite number; write the mesh again", what, value);
   return value;
 }
 
@@ -118,26 +118,26 @@ void MshInput::expect_room(std::uint64_t n, const MshRecord& record, const char*
   const std::uint64_t least = binary_ ? 4 * record.ints + 8 * record.wides : 2 * (record.ints + record.wides);
   const std::uint64_t left = bytes_.size() - position_ + 1;
   if (least > 0 && n > left / least) {
-    fail("{} {} are announced, but only {} bytes follow: the file is incomplete or damaged; write or copy it anew", n,
+    fail("{} {} are announced, but only {} bytes follow: the file is incomplete or damaged; write or copy it again", n,
          what, left - 1);
   }
 }
 
 void MshInput::fail_with(const std::string& text) const {
-  std::string place;
+  std::string position;
   if (file_is_binary_) {
-    place = fmt::format("byte {}", position_);
+    position = fmt::format("byte {}", position_);
   } else {
     const auto until = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(position_, bytes_.size()));
-    place = fmt::format("line {}", 1 + std::count(bytes_.begin(), until, '\n'));
+    position = fmt::format("line {}", 1 + std::count(bytes_.begin(), until, '\n'));
   }
-  throw ModelError(fmt::format("{}, {}{}: {}", name_, place, section_.empty() ? "" : ", in $" + section_, text));
+  throw ModelError(fmt::format("{}, {}{}: {}", name_, position, section_.empty() ? "" : ", in $" + section_, text));
 }
 
 void MshInput::fail_at_value(const char* what) const {
   const std::string_view rest = bytes_.substr(position_);
   const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-  fail("expected {}, a number, but found '{}'; the file is damaged: write it anew", what, printable(word));
+  fail("expected {}, a number, but found '{}'; the file is damaged: write it again", what, printable(word));
 }
 
 }  // namespace creepcontact::io

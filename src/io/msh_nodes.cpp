@@ -16,14 +16,14 @@ MshNodes::MshNodes(const MshContent& content, const std::string& file) : content
   const auto before = [&](std::size_t a, std::size_t b) { return tags[a] < tags[b]; };
   if (!std::is_sorted(order.begin(), order.end(), before)) std::stable_sort(order.begin(), order.end(), before);
   tags_.reserve(order.size());
-  place_.reserve(order.size());
-  for (std::size_t place : order) {
-    if (tags_.empty() || tags_.back() != tags[place]) {
-      tags_.push_back(tags[place]);
-      place_.push_back(place);
-    } else if (content.nodes[place_.back()] != content.nodes[place]) {
+  position_.reserve(order.size());
+  for (std::size_t position : order) {
+    if (tags_.empty() || tags_.back() != tags[position]) {
+      tags_.push_back(tags[position]);
+      position_.push_back(position);
+    } else if (content.nodes[position_.back()] != content.nodes[position]) {
       throw ModelError(
-          fmt::format("{}: node {} stands twice, at different places; write the mesh anew", file, tags[place]));
+          fmt::format("{}: node {} appears twice, at different positions; write the mesh again", file, tags[position]));
     }
   }
   used_.assign(tags_.size(), false);
@@ -37,7 +37,7 @@ std::int64_t MshNodes::use(std::uint64_t tag, std::uint64_t element) {
   if (number == tags_.size() || tags_[number] != tag) {
     throw ModelError(
         fmt::format("{}: element {} has the node {}, which is not among the nodes; the mesh is damaged: "
-                    "write it anew",
+                    "write it again",
                     file_, element, tag));
   }
   used_[number] = true;
@@ -50,7 +50,7 @@ std::vector<Vector3> MshNodes::take_used(std::vector<mesh::CellBlock>& blocks) c
   for (std::size_t i = 0; i < used_.size(); ++i) {
     if (!used_[i]) continue;
     number[i] = static_cast<std::int64_t>(nodes.size());
-    nodes.push_back(content_.nodes[place_[i]]);
+    nodes.push_back(content_.nodes[position_[i]]);
   }
   for (mesh::CellBlock& block : blocks) {
     for (std::int64_t& node : block.connectivity) node = number[node];

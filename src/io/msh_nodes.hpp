@@ -25,8 +25,8 @@ class MshNodes {
  private:
   const MshContent& content_;
   const std::string& file_;
-  std::vector<std::uint64_t> tags_;  // ascending
-  std::vector<std::size_t> place_;   // in the content
+  std::vector<std::uint64_t> tags_;    // ascending
+  std::vector<std::size_t> position_;  // in the content
   std::vector<bool> used_;
 };
 

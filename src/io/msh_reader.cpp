@@ -37,8 +37,8 @@ class Reader {
     for (input_.skip_blanks(); !input_.at_end(); input_.skip_blanks()) read_section();
     for (const char* needed : {"Nodes", "Elements"}) {
       if (read_.count(needed) == 0)
-        throw ModelError(
-            fmt::format("{}: has no section ${}; it is incomplete or no mesh: write it anew with Gmsh", name_, needed));
+        throw ModelError(fmt::format("{}: has no section ${}; it is incomplete or not a mesh: write it again with Gmsh",
+                                     name_, needed));
     }
     return std::move(content_);
   }
@@ -50,7 +50,7 @@ class Reader {
         throw ModelError(fmt::format("{}: is in Gmsh's format 1.0; formats {}", name_, conversion));
     }
     throw ModelError(
-        fmt::format("{}: does not begin with $MeshFormat, so it is no mesh of Gmsh's; if it is a geometry, call it "
+        fmt::format("{}: does not begin with $MeshFormat, so it is not a Gmsh mesh; if it is a geometry, call it "
                     "NAME.geo, and if it is a mesh of another program, convert it with Gmsh: gmsh FILE -save -format "
                     "msh41 -o NEW.msh",
                     name_));
@@ -64,10 +64,10 @@ class Reader {
     int type = -1, width = -1;
     words >> version >> type >> width;
     if (!words || (type != 0 && type != 1))
-      input_.fail("expected the version, 0 (ASCII) or 1 (binary), and 8; the file is damaged: write it anew");
+      input_.fail("expected the version, 0 (ASCII) or 1 (binary), and 8; the file is damaged: write it again");
     if (version != "2.2" && version != "4.1")
       throw ModelError(fmt::format("{}: is in Gmsh's format {}; formats {}", name_, version.substr(0, 10), conversion));
-    if (width != 8) input_.fail("numbers of {} bytes; only those of 8 bytes are read: write the file anew", width);
+    if (width != 8) input_.fail("numbers of {} bytes; only those of 8 bytes are read: write the file again", width);
     version_ = version == "2.2" ? Version::v22 : Version::v41;
     if (type == 1) input_.begin_binary();
     end_section("MeshFormat");
@@ -76,11 +76,11 @@ class Reader {
   void read_section() {
     input_.enter("");
     if (!input_.take("$"))
-      input_.fail("expected the beginning of a section ($...); the file is damaged: write it anew");
+      input_.fail("expected the beginning of a section ($...); the file is damaged: write it again");
     const std::string_view line = input_.line();
     const std::string section(line.substr(0, line.find_first_of(" \t")));
     if (section.empty() || section.size() > 40 || !std::all_of(section.begin(), section.end(), is_word))
-      input_.fail("the name of a section is damaged; write the file anew");
+      input_.fail("the name of a section is damaged; write the file again");
     input_.enter(section);
     if (!read_known(section)) {
       skip_section(section);
@@ -117,7 +117,7 @@ class Reader {
       const int tag = read_physical_tag(input_);
       const std::string_view quoted = input_.line();
       const std::size_t begin = quoted.find('"'), end = quoted.rfind('"');
-      if (begin == end) input_.fail("expected a name in quotation marks; the file is damaged: write it anew");
+      if (begin == end) input_.fail("expected a name in quotation marks; the file is damaged: write it again");
       if (end > begin + 1)
         content_.physical_names.emplace(MshContent::Key{dimension, tag}, quoted.substr(begin + 1, end - begin - 1));
     }
@@ -125,7 +125,7 @@ class Reader {
 
   void skip_section(const std::string& section) {
     if (!input_.skip_behind("$End" + section))
-      input_.fail("the section has no end ($End{}); the file is incomplete: write or copy it anew", section);
+      input_.fail("the section has no end ($End{}); the file is incomplete: write or copy it again", section);
     input_.line();
   }
 
@@ -133,7 +133,7 @@ class Reader {
     input_.skip_blanks();
     if (!input_.take("$End" + section))
       input_.fail(
-          "expected $End{}: the section holds more or less than it announces; the file is damaged: write it anew",
+          "expected $End{}: the section holds more or less than it announces; the file is damaged: write it again",
           section);
     input_.line();
   }

@@ -90,7 +90,7 @@ void read_elements_22(MshInput& input, MshContent& content) {
     const int n_tags = input.non_negative("how many tags elements have");
     const MshElement& element = known_element(input, type);
     if (n_following == 0 || n_following > n_elements - read)
-      input.fail("{} elements of one type follow where {} are left; the file is damaged: write it anew", n_following,
+      input.fail("{} elements of one type follow where {} are left; the file is damaged: write it again", n_following,
                  n_elements - read);
     input.expect_room(n_following,
                       {1 + static_cast<std::uint64_t>(n_tags) + static_cast<std::uint64_t>(element.n_nodes), 0},

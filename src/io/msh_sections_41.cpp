@@ -10,7 +10,7 @@ namespace {
 int read_dimension(MshInput& input, const char* what) {
   const int dimension = input.integer(what);
   if (dimension < 0 || dimension > 3)
-    input.fail("{} is {}; it may be 0, 1, 2 or 3: the file is damaged, write it anew", what, dimension);
+    input.fail("{} is {}; it may be 0, 1, 2 or 3: the file is damaged, write it again", what, dimension);
   return dimension;
 }
 
@@ -46,7 +46,7 @@ struct BlockCounts {
 
 void expect_total(const MshInput& input, std::uint64_t announced, std::uint64_t found, const char* what) {
   if (announced != found)
-    input.fail("{} {} are announced, but the blocks hold {}; the file is damaged: write it anew", announced, what,
+    input.fail("{} {} are announced, but the blocks hold {}; the file is damaged: write it again", announced, what,
                found);
 }
 
@@ -56,7 +56,7 @@ const MshElement& known_element(const MshInput& input, int type) {
   const MshElement* element = msh_element(type);
   if (element == nullptr)
     input.fail(
-        "elements of type {} are unknown: it is no number of Gmsh's, or that of a polygon or polyhedron; mesh without "
+        "elements of type {} are unknown: Gmsh has no such type, or it is a polygon or polyhedron; mesh without "
         "them (`creepcontact list elements` names those that are supported)",
         type);
   return *element;
@@ -65,13 +65,13 @@ const MshElement& known_element(const MshInput& input, int type) {
 int read_physical_tag(MshInput& input) {
   const int tag = input.integer("the number of a physical group");
   if (tag == std::numeric_limits<int>::min())
-    input.fail("the number of a physical group is {}; the file is damaged: write it anew", tag);
+    input.fail("the number of a physical group is {}; the file is damaged: write it again", tag);
   return std::abs(tag);
 }
 
 void skip_node_parameters(MshInput& input, int dimension, std::uint64_t n_nodes) {
   if (dimension < 0 || dimension > 3)
-    input.fail("the dimension of a node's entity is {}; it may be 0, 1, 2 or 3: the file is damaged, write it anew",
+    input.fail("the dimension of a node's entity is {}; it may be 0, 1, 2 or 3: the file is damaged, write it again",
                dimension);
   input.skip_reals(n_nodes * static_cast<std::uint64_t>(dimension), "a parameter of a node");
 }
@@ -123,7 +123,7 @@ void read_elements_41(MshInput& input, MshContent& content) {
     elements.type = input.integer("the type of elements");
     const MshElement& element = known_element(input, elements.type);
     if (element.dimension != elements.entity.dimension)
-      input.fail("elements of the kind '{}' stand in an entity of dimension {}; the file is damaged: write it anew",
+      input.fail("elements of the kind '{}' are in an entity of dimension {}; the file is damaged: write it again",
                  element.name(), elements.entity.dimension);
     const std::uint64_t n = input.size("the number of elements in a block");
     const auto n_nodes = static_cast<std::uint64_t>(element.n_nodes);

@@ -11,8 +11,9 @@ StepWriter::StepWriter(const std::filesystem::path& path, Continuation continuat
             continuation) {}
 
 void StepWriter::write(const StepRow& row) {
-  file_.write(fmt::format("{},{},{},{},{},{},{},{}", row.time, row.step, row.order, row.rhs_evaluations,
-                          row.elastic_solves, row.schwarz_iterations, row.active_contacts, row.error_estimate));
+  file_.write(fmt::format("{},{},{},{},{},{},{},{}", row.time, row.step, row.order, row.work.rhs_evaluations,
+                          row.work.elastic_solves, row.work.schwarz_iterations, row.active_contacts,
+                          row.error_estimate));
 }
 
 }  // namespace creepcontact::io

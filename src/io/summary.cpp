@@ -25,14 +25,19 @@ const char* text(Summary::Status status) {
 Json bodies(const Summary& summary) {
   Json result = Json::object();
   for (const auto& [name, body] : summary.bodies) {
-    result[name] = {{"dofs", body.dofs}, {"elements", body.elements}, {"integration_points", body.integration_points}};
+    result[name] = {{"dofs", body.dofs},
+                    {"elements", body.elements},
+                    {"integration_points", body.integration_points},
+                    {"initial_von_mises", body.von_mises.start},
+                    {"largest_von_mises", body.von_mises.largest},
+                    {"final_von_mises", body.von_mises.end}};
   }
   return result;
 }
 
 Json largest(const std::map<std::string, Summary::Largest>& values) {
   Json result = Json::object();
-  for (const auto& [body, value] : values) result[body] = {{"largest", value.value}, {"place", value.place}};
+  for (const auto& [body, value] : values) result[body] = {{"largest", value.value}, {"place", value.position}};
   return result;
 }
 
@@ -43,13 +48,16 @@ void add_life(const Summary& summary, Json& json) {
   if (const auto& rupture = summary.rupture)
     json["rupture"] = {{"time", rupture->time},
                        {"body", rupture->body},
-                       {"place", rupture->damage.place},
+                       {"place", rupture->damage.position},
                        {"damage", rupture->damage.value}};
-  for (const auto& [name, contact] : summary.contacts)
-    json["contacts"][name] = {
-        {"largest_normal_force", contact.largest_force},
-        {"final_normal_force", contact.final_force},
-        {"remaining_fraction", contact.largest_force > 0 ? contact.final_force / contact.largest_force : 0}};
+  for (const auto& [name, contact] : summary.contacts) {
+    Json& json_contact = json["contacts"][name];
+    json_contact = {{"initial_normal_force", contact.normal_force.start},
+                    {"largest_normal_force", contact.normal_force.largest},
+                    {"final_normal_force", contact.normal_force.end},
+                    {"remaining_fraction", contact.normal_force.remaining()}};
+    if (contact.opened) json_contact["opened"] = *contact.opened;
+  }
 }
 
 }  // namespace
@@ -57,7 +65,7 @@ void add_life(const Summary& summary, Json& json) {
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
   for (const auto& [name, probe] : summary.probes) {
-    json["probes"][name] = {{"quantity", probe.quantity}};
+    json["probes"][name] = {{"quantity", probe.quantity}, {"label", probe.label}, {"dimension", probe.dimension}};
     if (!probe.integrated_over.empty()) json["probes"][name]["integrated_over"] = probe.integrated_over;
   }
   json["status"] = text(summary.status);
@@ -65,15 +73,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["time_reached"] = summary.time_reached;
   json["integrator"] = summary.integrator;
   if (!summary.method.empty()) json["method"] = summary.method;
-  json["steps"] = summary.steps;
-  json["rejected_steps"] = summary.rejected_steps;
-  json["convergence_failures"] = summary.convergence_failures;
-  json["rhs_evaluations"] = summary.rhs_evaluations;
-  json["jacobian_products"] = summary.jacobian_products;
-  json["elastic_solves"] = summary.elastic_solves;
-  json["contact_solves"] = summary.contact_solves;
-  json["schwarz_iterations"] = summary.schwarz_iterations;
-  json["factorizations"] = summary.factorizations;
+  for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;
   json["bodies"] = bodies(summary);
   add_life(summary, json);
   const auto& seconds = summary.wall_seconds;

@@ -11,8 +11,8 @@ namespace creepcontact::io {
 namespace {
 
 /// @throws nlohmann::json::exception if there is no whole number of this name: no other number fits one
-std::int64_t count(const nlohmann::json& json, const char* name) {
-  const nlohmann::json& value = json.at(name);
+std::int64_t count(const nlohmann::json& json, std::string_view name) {
+  const nlohmann::json& value = json.at(std::string(name));
   return value.is_number_unsigned() ? value.get<std::int64_t>() : value.get_ref<const std::int64_t&>();
 }
 
@@ -32,11 +32,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.message = json.value("message", "");
     summary.version = json.at("version");
     summary.time_reached = json.at("time_reached");
-    summary.steps = count(json, "steps");
-    summary.elastic_solves = count(json, "elastic_solves");
-    summary.schwarz_iterations = count(json, "schwarz_iterations");
-    summary.rejected_steps = count(json, "rejected_steps");
-    summary.convergence_failures = count(json, "convergence_failures");
+    for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
     summary.wall_seconds.total = json.at("wall_seconds").at("total");
     return summary;
   } catch (const nlohmann::json::exception&) {
@@ -54,7 +50,7 @@ std::optional<Summary> read_summary(const std::filesystem::path& path) {
 
 SummaryHeading parse_summary_heading(std::string_view content, const std::string& name) {
   const auto json = nlohmann::json::parse(content, nullptr, false);
-  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is no JSON object", name));
+  if (!json.is_object()) throw ConfigError(fmt::format("'{}' is not a JSON object", name));
   const auto text = [](const nlohmann::json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -62,7 +58,9 @@ SummaryHeading parse_summary_heading(std::string_view content, const std::string
   SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}};
   if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
     for (const auto& [key, probe] : probes->items())
-      if (probe.is_object()) heading.probes[key] = {text(probe, "quantity"), text(probe, "integrated_over")};
+      if (probe.is_object())
+        heading.probes[key] = {text(probe, "quantity"), text(probe, "label"), text(probe, "dimension"),
+                               text(probe, "integrated_over")};
   return heading;
 }
 

@@ -57,11 +57,11 @@ PointTemperatures read_datasets(const std::string& file, hid_t root) {
                       "n) and, with "
                       "several times, times (n_times)",
                       file, name, fmt::join(names, ", ")));
-  const std::vector<std::size_t> places = extents(root, "coordinates"), given = extents(root, "temperature");
-  if (places.size() != 2 || places[1] != 3)
-    throw ModelError(fmt::format("'{}': 'coordinates' is {}; it must be n x 3", file, shape(places)));
+  const std::vector<std::size_t> positions = extents(root, "coordinates"), given = extents(root, "temperature");
+  if (positions.size() != 2 || positions[1] != 3)
+    throw ModelError(fmt::format("'{}': 'coordinates' is {}; it must be n x 3", file, shape(positions)));
   const std::vector<double> times = has("times") ? read_array<double>(root, "times") : std::vector<double>{0.0};
-  const std::size_t n = places[0];
+  const std::size_t n = positions[0];
   const bool fits = given == std::vector{times.size(), n} || (times.size() == 1 && given == std::vector{n});
   if (!fits)
     throw ModelError(fmt::format("'{}': 'temperature' is {}; with {} points and {} times it must be {} x {}", file,
@@ -72,8 +72,8 @@ PointTemperatures read_datasets(const std::string& file, hid_t root) {
   const std::vector<double> x = read_array<double>(root, "coordinates"), T = read_array<double>(root, "temperature");
   TemperatureRows rows(file, [n](std::size_t row) { return fmt::format("point {}, time {}", row % n, row / n); });
   for (std::size_t i = 0; i < T.size(); ++i) {
-    const double* place = &x[3 * (i % n)];
-    rows.add(i, {place[0], place[1], place[2]}, times[i / n], T[i]);
+    const double* position = &x[3 * (i % n)];
+    rows.add(i, {position[0], position[1], position[2]}, times[i / n], T[i]);
   }
   return rows.sorted();
 }
@@ -106,7 +106,7 @@ PointTemperatures parse_temperatures(std::string_view text, const std::string& n
       const auto [stop, error] = std::from_chars(row[column].data(), end, result);
       if (error != std::errc() || stop != end)
         throw ModelError(
-            fmt::format("'{}', line {}: '{}' in the column '{}' is no number", name, number, row[column], of));
+            fmt::format("'{}', line {}: '{}' in the column '{}' is not a number", name, number, row[column], of));
       return result;
     };
     const auto& [x, y, z, T] = columns.required;

@@ -17,7 +17,7 @@ class TemperatureRows {
       : file_(std::move(file)), row_name_(std::move(row_name)) {}
 
   /// @throws ModelError if a number is not finite, or the place has another temperature at this time already
-  void add(std::size_t row, const Vector3& place, double time, double temperature);
+  void add(std::size_t row, const Vector3& position, double time, double temperature);
   /// @throws ModelError if there are no rows, or the places differ between the times
   PointTemperatures sorted() const;
 

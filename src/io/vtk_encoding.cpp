@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <vector>
 
@@ -12,20 +13,8 @@ namespace {
 
 constexpr std::size_t block_size = std::size_t{1} << 18;  // bytes
 
-std::string base64(std::span<const std::byte> bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text((bytes.size() + 2) / 3 * 4, '=');
-  std::size_t out = 0;
-  for (std::size_t i = 0; i < bytes.size(); i += 3, out += 4) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0);
-    for (std::size_t k = 0; k <= n; ++k) text[out + k] = digits[group >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
-
-void append_compressed(std::span<const std::byte> block, std::vector<std::byte>& data) {
+/// @returns the compressed size
+std::uint64_t append_compressed(std::span<const std::byte> block, std::string& data) {
   uLongf length = ::compressBound(block.size());
   const std::size_t begin = data.size();
   data.resize(begin + length);
@@ -34,6 +23,7 @@ void append_compressed(std::span<const std::byte> block, std::vector<std::byte>&
                   block.size(), Z_BEST_SPEED) != Z_OK)
     throw std::runtime_error("zlib could not compress a field");
   data.resize(begin + length);
+  return length;
 }
 
 }  // namespace
@@ -41,13 +31,13 @@ void append_compressed(std::span<const std::byte> block, std::vector<std::byte>&
 std::string vtk_encode(std::span<const std::byte> bytes) {
   const std::size_t n_blocks = (bytes.size() + block_size - 1) / block_size;
   std::vector<std::uint64_t> header{n_blocks, block_size, bytes.size() % block_size};
-  std::vector<std::byte> data;
-  for (std::size_t b = 0; b < n_blocks; ++b) {
-    const std::size_t begin = data.size();
-    append_compressed(bytes.subspan(b * block_size, std::min(block_size, bytes.size() - b * block_size)), data);
-    header.push_back(data.size() - begin);
-  }
-  return base64(std::as_bytes(std::span(header))) + base64(data);
+  const std::size_t header_size = (header.size() + n_blocks) * sizeof(std::uint64_t);
+  std::string data(header_size, '\0');
+  for (std::size_t b = 0; b < n_blocks; ++b)
+    header.push_back(
+        append_compressed(bytes.subspan(b * block_size, std::min(block_size, bytes.size() - b * block_size)), data));
+  std::memcpy(data.data(), header.data(), header_size);
+  return data;
 }
 
 }  // namespace creepcontact::io

@@ -1,5 +1,5 @@
 #pragma once
-/// Binary arrays as VTK's XML files hold them: compressed block by block by zlib, then base64.
+/// Binary arrays as VTK's XML files hold them: compressed block by block by zlib.
 
 #include <cstddef>
 #include <span>
@@ -7,8 +7,8 @@
 
 namespace creepcontact::io {
 
-/// Header (UInt64: number of blocks, size of a block, of the last one if smaller, compressed sizes) and data, each
-/// base64 for itself. Source: "VTK File Formats", Kitware, section on XML formats.
+/// Header (UInt64: number of blocks, size of a block, of the last one if smaller, compressed sizes) and data.
+/// Source: "VTK File Formats", Kitware, section on XML formats.
 std::string vtk_encode(std::span<const std::byte> bytes);
 
 }  // namespace creepcontact::io

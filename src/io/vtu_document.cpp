@@ -15,7 +15,7 @@ void add_component_names(pugi::xml_node array, const std::vector<std::string>& n
     array.append_attribute(fmt::format("ComponentName{}", i).c_str()) = names[i].c_str();
 }
 
-/// Adds the arrays to the document and gathers their bytes for its end.
+/// Adds the arrays to the document and gathers their bytes for its end, which is no XML.
 class Appender {
  public:
   void add(pugi::xml_node parent, const EncodedArray& array) {
@@ -25,13 +25,13 @@ class Appender {
     node.append_attribute("NumberOfComponents") = array.components;
     add_component_names(node, array.component_names);
     node.append_attribute("format") = "appended";
-    node.append_attribute("offset") = static_cast<unsigned long long>(data_.size() - 1);
+    node.append_attribute("offset") = static_cast<unsigned long long>(data_.size());
     data_ += array.data;
   }
   const std::string& data() const { return data_; }
 
  private:
-  std::string data_ = "_";  // VTK's mark of the beginning; offsets count from behind it
+  std::string data_;
 };
 
 pugi::xml_node add_ascii_array(pugi::xml_node parent, const char* type, const std::string& name,
@@ -85,11 +85,14 @@ std::string vtu_document(const VtuContent& content) {
   for (const EncodedArray& array : *content.cells) appender.add(cells, array);
 
   pugi::xml_node appended = file.append_child("AppendedData");
-  appended.append_attribute("encoding") = "base64";
-  appended.text() = appender.data().c_str();
+  appended.append_attribute("encoding") = "raw";
+  appended.text() = "_";  // VTK's mark of the beginning; offsets count from behind it
   std::ostringstream stream;
   document.save(stream, " ");
-  return std::move(stream).str();
+  std::string text = std::move(stream).str();
+  // meshio takes a line break for the end of the data.
+  text.insert(text.rfind("</AppendedData>"), appender.data() + "\n ");
+  return text;
 }
 
 }  // namespace creepcontact::io

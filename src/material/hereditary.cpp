@@ -23,7 +23,7 @@ Hereditary::Hereditary(std::string name, const std::vector<Function>& J, const s
                        const std::vector<Function>& B, const Function& fluidity)
     : CreepLaw(all_parameters(J, tau, B, fluidity)),
       name_(std::move(name)),
-      n_elements_(static_cast<int>(J.size())),
+      n_elements_(std::ssize(J)),
       volumetric_(!B.empty()) {}
 
 Hereditary::Chain Hereditary::chain(const PointState& at) const {

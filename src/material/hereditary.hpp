@@ -8,6 +8,7 @@
 /// Internal variables: e_i, 6 a Kelvin element. Limits: parameters may depend on T, but no time-temperature shift is
 /// made.
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/material/creep_law.hpp"
 #include "creepcontact/material/registry.hpp"
 
@@ -23,7 +24,7 @@ class Hereditary final : public CreepLaw {
   Hereditary(std::string name, const std::vector<Function>& J, const std::vector<Function>& tau,
              const std::vector<Function>& B, const Function& fluidity);
   std::string name() const override { return name_; }
-  int n_internal() const override { return 6 * n_elements_; }
+  int n_internal() const override { return static_cast<int>(6 * n_elements_); }
 
   void rate(const PointState& at, PointRate into) const override;
   void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
@@ -42,7 +43,7 @@ class Hereditary final : public CreepLaw {
   Chain chain(const PointState& at) const;
 
   std::string name_;
-  int n_elements_;
+  Index n_elements_;
   bool volumetric_;
 };
 

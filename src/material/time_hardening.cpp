@@ -18,9 +18,7 @@ double growth(double t, double d, double m) {
 
 TimeHardening::TimeHardening(std::string name, std::vector<Function> A, std::vector<Function> n,
                              std::vector<Function> m)
-    : FlowLaw(joined({{"A", &A}, {"n", &n}, {"m", &m}})),
-      name_(std::move(name)),
-      n_terms_(static_cast<int>(A.size())) {}
+    : FlowLaw(joined({{"A", &A}, {"n", &n}, {"m", &m}})), name_(std::move(name)), n_terms_(std::ssize(A)) {}
 
 TimeHardening::Terms TimeHardening::terms(const PointState& at) const {
   return {list_of(at.parameters, 0, n_terms_), list_of(at.parameters, 1, n_terms_),
@@ -30,7 +28,7 @@ TimeHardening::Terms TimeHardening::terms(const PointState& at) const {
 EquivalentRate TimeHardening::equivalent_rate(double q, const PointState& at) const {
   const auto [A, n, m] = terms(at);
   EquivalentRate sum;
-  for (int i = 0; i < n_terms_; ++i) {
+  for (Index i = 0; i < n_terms_; ++i) {
     if (A[i] == 0.0) continue;  // not 0 * infinity at t = 0
     const double secant = A[i] * m[i] * std::pow(at.time, m[i] - 1.0) * power(q, n[i] - 1.0);
     sum.value += secant * q;
@@ -43,7 +41,7 @@ double TimeHardening::start_exponent(const PointState& at) const {
   if (at.time != 0.0) return 1.0;
   const auto [A, n, m] = terms(at);
   double exponent = 1.0;
-  for (int i = 0; i < n_terms_; ++i)
+  for (Index i = 0; i < n_terms_; ++i)
     if (A[i] > 0.0) exponent = std::min(exponent, m[i]);
   return exponent;
 }

@@ -6,6 +6,7 @@
 /// Sources: P. G. McVetty, Mechanical Engineering 56 (1934); A. Graham, K. F. A. Walles, J. Iron Steel Inst. 179
 /// (1955).
 
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "flow_law.hpp"
 
@@ -31,7 +32,7 @@ class TimeHardening final : public FlowLaw {
   Terms terms(const PointState& at) const;
 
   std::string name_;
-  int n_terms_;
+  Index n_terms_;
 };
 
 LawInfo time_hardening_info();

@@ -60,24 +60,24 @@ std::size_t Body::n_parts() const {
 const std::vector<FreeMotion>& Body::free_motions() const {
   return impl_->free_motions;
 }
-const std::vector<std::int64_t>& Body::pins() const {
-  return impl_->pins;
+const std::vector<std::int64_t>& Body::fixing_dofs() const {
+  return impl_->fixing_dofs;
 }
 
-void Body::clear_pins(std::span<double> right_hand_side) const {
-  for (const std::int64_t pin : impl_->pins) right_hand_side[pin] = 0;
+void Body::clear_fixing_dofs(std::span<double> right_hand_side) const {
+  for (const std::int64_t pin : impl_->fixing_dofs) right_hand_side[pin] = 0;
 }
 
 void Body::add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const {
   Eigen::Map<Eigen::VectorXd> u(displacement.data(), displacement.size());
-  for (std::size_t i = 0; i < impl_->pins.size(); ++i) u += amplitudes[i] * impl_->free_motions[i].displacement;
+  for (std::size_t i = 0; i < impl_->fixing_dofs.size(); ++i) u += amplitudes[i] * impl_->free_motions[i].displacement;
 }
 
 double Body::external_resultant(const BodyConditions& at, std::span<double> resultant) const {
-  if (impl_->pins.empty()) return 0;
+  if (impl_->fixing_dofs.empty()) return 0;
   const std::span<const double> forces = at.external_forces();
   const Eigen::Map<const Eigen::VectorXd> external(forces.data(), forces.size());
-  for (std::size_t i = 0; i < impl_->pins.size(); ++i)
+  for (std::size_t i = 0; i < impl_->fixing_dofs.size(); ++i)
     resultant[i] += impl_->free_motions[i].displacement.dot(external);
   return external.cwiseAbs().sum();
 }
@@ -117,9 +117,9 @@ linalg::SparseMatrix Body::full_stiffness(const BodyConditions& at) const {
 
 linalg::SparseMatrix Body::on_free_unknowns(const linalg::SparseMatrix& full) const {
   linalg::SparseMatrix stiffness = impl_->constraints.reduce(full);
-  if (impl_->pins.empty()) return stiffness;
+  if (impl_->fixing_dofs.empty()) return stiffness;
   std::vector<char> pinned(impl_->constraints.n_free(), 0);
-  for (const std::int64_t pin : impl_->pins) pinned[pin] = 1;
+  for (const std::int64_t pin : impl_->fixing_dofs) pinned[pin] = 1;
   for (std::int64_t column = 0; column < stiffness.outerSize(); ++column)
     for (linalg::SparseMatrix::InnerIterator it(stiffness, column); it; ++it)
       if (it.row() != column && (pinned[it.row()] || pinned[column])) it.valueRef() = 0;

@@ -16,7 +16,7 @@ Moduli moduli_at(const material::Material& material, double temperature) {
   if (!(young_modulus > 0) || !(poisson_ratio > -1 && poisson_ratio < 0.5)) {
     throw ModelError(
         fmt::format("material '{}' at the temperature {:g}: young_modulus {:g} must be positive and poisson_ratio {:g} "
-                    "between -1 and 0.5 (excluded); mend the functions of T",
+                    "between -1 and 0.5 (excluded); correct the functions of T",
                     material.name, temperature, young_modulus, poisson_ratio));
   }
   return material::lame(young_modulus, poisson_ratio);
@@ -69,7 +69,7 @@ void Body::update(double t, BodyConditions& at) const {
     at.moduli.clear();
     if (!impl_->temperature || !moduli_depend_on_temperature(material))
       at.moduli.push_back(moduli_at(material, material.reference_temperature));
-    else if (!impl_->temperature->depends_on_place())
+    else if (!impl_->temperature->depends_on_position())
       at.moduli.push_back(moduli_at(material, (*impl_->temperature)({.t = t})));
     else
       for (const double temperature : at.temperature) at.moduli.push_back(moduli_at(material, temperature));

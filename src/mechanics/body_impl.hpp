@@ -16,7 +16,7 @@ struct Body::Impl {
         constraints(mesh.nodes, supports),
         parts(mesh_parts(mesh)),
         free_motions(mechanics::free_motions(mesh, parts, constraints)),
-        pins(determinate_pins(free_motions, constraints)),
+        fixing_dofs(determinate_fixing_dofs(free_motions, constraints)),
         temperature(std::move(temperature_in)) {
     if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
   }
@@ -29,9 +29,9 @@ struct Body::Impl {
   Constraints constraints;
   MeshParts parts;
   std::vector<FreeMotion> free_motions;
-  std::vector<std::int64_t> pins;
+  std::vector<std::int64_t> fixing_dofs;
   std::optional<TemperatureField> temperature;
-  std::unique_ptr<const TemperatureAtPlaces> temperature_at_points;
+  std::unique_ptr<const TemperatureAtPositions> temperature_at_points;
   std::vector<std::unique_ptr<const Load>> loads;
 };
 

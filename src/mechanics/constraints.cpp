@@ -23,7 +23,7 @@ struct Candidate {
 
 /// Two supports agree if they do at t = 0, at t = 1 (ramps from zero) and wherever a table has its points.
 void require_consistent(const std::vector<Support>& supports, std::size_t support,
-                        const NodeConditions::Dependent& dependent, const Vector3& direction, const Vector3& place) {
+                        const NodeConditions::Dependent& dependent, const Vector3& direction, const Vector3& position) {
   std::vector<double> times{0.0, 1.0};
   const auto add_breakpoints = [&](std::size_t i) {
     const auto points = supports[i].value.breakpoints();
@@ -32,10 +32,10 @@ void require_consistent(const std::vector<Support>& supports, std::size_t suppor
   add_breakpoints(support);
   for (const std::size_t other : dependent.on) add_breakpoints(other);
   for (const double t : times) {
-    const double value = value_at(supports[support].value, place, t);
+    const double value = value_at(supports[support].value, position, t);
     double implied = 0, size = std::abs(value);
     for (std::size_t i = 0; i < dependent.on.size(); ++i) {
-      const double part = dependent.coefficients[i] * value_at(supports[dependent.on[i]].value, place, t);
+      const double part = dependent.coefficients[i] * value_at(supports[dependent.on[i]].value, position, t);
       implied += part;
       size += std::abs(part);
     }
@@ -47,8 +47,8 @@ void require_consistent(const std::vector<Support>& supports, std::size_t suppor
         "supports {} and '{}' contradict each other at the node ({:.6g}, {:.6g}, {:.6g}): the displacement "
         "along ({:.4g}, {:.4g}, {:.4g}) would be {:.6g} and {:.6g} at t = {:g}; remove one of them, or give "
         "both the same value",
-        others, supports[support].on, place[0], place[1], place[2], direction[0], direction[1], direction[2], implied,
-        value, t));
+        others, supports[support].on, position[0], position[1], position[2], direction[0], direction[1], direction[2],
+        implied, value, t));
   }
 }
 
@@ -64,17 +64,17 @@ Constraints::Constraints(const std::vector<Vector3>& nodes, const std::vector<Su
       candidates[supports[s].nodes[i]].push_back({s, directions[directions.size() == 1 ? 0 : i].normalized()});
   }
   for (const auto& [node, list] : candidates) {
-    const Vector3& place = nodes[node];
+    const Vector3& position = nodes[node];
     NodeConditions conditions;
     for (const Candidate& candidate : list) {
       if (const auto dependent = conditions.add(candidate.support, candidate.direction))
-        require_consistent(supports, candidate.support, *dependent, candidate.direction, place);
+        require_consistent(supports, candidate.support, *dependent, candidate.direction, position);
     }
     frame_of_node_[node] = static_cast<std::int64_t>(frames_.size());
     frames_.push_back({conditions.frame(), conditions.n_held()});
     const Eigen::Matrix3Xd displacements = conditions.displacements();
     for (int i = 0; i < conditions.n_held(); ++i)
-      supports_[conditions.label(i)].conditions.push_back({node, place, displacements.col(i)});
+      supports_[conditions.label(i)].conditions.push_back({node, position, displacements.col(i)});
   }
   number_free(nodes.size());
 }
@@ -159,10 +159,10 @@ bool Constraints::prescribed(double t, std::span<double> full) const {
   bool nonzero = false;
   for (const auto& [value, conditions] : supports_) {
     if (conditions.empty() || value.is_zero()) continue;
-    const bool varies = value.depends_on_place();
+    const bool varies = value.depends_on_position();
     double g = varies ? 0.0 : value_at(value, Vector3::Zero(), t);
     for (const Condition& condition : conditions) {
-      if (varies) g = value_at(value, condition.place, t);
+      if (varies) g = value_at(value, condition.position, t);
       if (g == 0) continue;
       Eigen::Map<Vector3>(full.data() + 3 * condition.node) += g * condition.displacement;
       nonzero = true;

@@ -33,11 +33,11 @@ Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
   const Eigen::MatrixX3d& points = reference.rule().points;
   const bool complete = points.rows() >= reference.n_nodes();
   const auto& basis = fem::reference_element(complete ? reference.type() : linear_type(reference.type()));
-  const auto values_at = [&](const Eigen::MatrixX3d& places) {
-    Eigen::MatrixXd values(places.rows(), basis.n_nodes());
+  const auto values_at = [&](const Eigen::MatrixX3d& positions) {
+    Eigen::MatrixXd values(positions.rows(), basis.n_nodes());
     Eigen::VectorXd shape(basis.n_nodes());
-    for (Index i = 0; i < places.rows(); ++i) {
-      basis.shape(places.row(i).transpose(), shape);
+    for (Index i = 0; i < positions.rows(); ++i) {
+      basis.shape(positions.row(i).transpose(), shape);
       values.row(i) = shape.transpose();
     }
     return values;
@@ -67,7 +67,7 @@ std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& ce
     case CellType::wedge15:
       return std::make_unique<ElementLoops<15, 12, Projection::linear, true>>(cells, nodes, start);
     default:
-      throw ModelError(fmt::format("cells of type {} are no volume elements", mesh::name(cells.type)));
+      throw ModelError(fmt::format("cells of type {} are not volume elements", mesh::name(cells.type)));
   }
 }
 
@@ -119,7 +119,7 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
         const Vector3 x = point(e, p, nodes);
         throw ModelError(
             fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) is inverted or has no volume: "
-                        "Jacobian {:.3g}; mend the mesh there",
+                        "Jacobian {:.3g}; correct the mesh there",
                         start_.element + e, mesh::name(type()), x[0], x[1], x[2], determinant));
       }
       const Matrix3 inverse = jacobian.inverse();
@@ -156,15 +156,15 @@ void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
   linear_functions_.resize(3 * n_elements() * n_points_);
   for (std::size_t e = 0; e < n_elements(); ++e) {
     const auto weight = weights(e);
-    Eigen::Map<Eigen::MatrixX3d> places(&linear_functions_[3 * n_points_ * e], weight.size(), 3);
-    for (std::size_t p = 0; p < n_points_; ++p) places.row(p) = point(e, p, nodes);
-    places.rowwise() -= (weight.transpose() * places / weight.sum()).eval();
+    Eigen::Map<Eigen::MatrixX3d> positions(&linear_functions_[3 * n_points_ * e], weight.size(), 3);
+    for (std::size_t p = 0; p < n_points_; ++p) positions.row(p) = point(e, p, nodes);
+    positions.rowwise() -= (weight.transpose() * positions / weight.sum()).eval();
     // Gram and Schmidt, twice: flat elements too.
     for (Index j = 0; j < 3; ++j) {
       for (int pass = 0; pass < 2; ++pass)
         for (Index k = 0; k < j; ++k)
-          places.col(j) -= places.col(k).cwiseProduct(weight).dot(places.col(j)) * places.col(k);
-      places.col(j) /= std::sqrt(places.col(j).cwiseAbs2().dot(weight));
+          positions.col(j) -= positions.col(k).cwiseProduct(weight).dot(positions.col(j)) * positions.col(k);
+      positions.col(j) /= std::sqrt(positions.col(j).cwiseAbs2().dot(weight));
     }
   }
 }

@@ -55,7 +55,7 @@ void FactoredBody::stabilize(const BodyConditions& at) {
     report_singular(error);
   }
   log::warning(
-      "body '{}': hex20 elements stand in single rows, where their reduced integration misses some motions; a "
+      "body '{}': hex20 elements form single rows, where their reduced integration misses some motions; a "
       "millionth "
       "of their stiffness holds these",
       body_->name());
@@ -99,16 +99,16 @@ void FactoredBody::residual(const BodyConditions& at, std::span<const double> st
 
 void FactoredBody::report_singular(const linalg::SingularMatrix& error) const {
   const Constraints& constraints = body_->constraints();
-  std::string place;
+  std::string position;
   if (error.row >= 0 && error.row < constraints.n_free()) {
     const std::int64_t node = constraints.node_of_free()[error.row];
     const Vector3& x = body_->mesh().nodes[node];
-    place = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
+    position = fmt::format(" at the node ({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
   }
-  throw ModelError(
-      fmt::format("body '{}': the stiffness is singular{} (reciprocal condition {:.2g}); a part of the body hangs on "
-                  "too few nodes, or the elements there are too thin or the material almost incompressible",
-                  body_->name(), place, error.rcond));
+  throw ModelError(fmt::format(
+      "body '{}': the stiffness is singular{} (reciprocal condition {:.2g}); a part of the body is attached at "
+      "too few nodes, or the elements there are too thin or the material almost incompressible",
+      body_->name(), position, error.rcond));
 }
 
 std::int64_t estimate_factor_bytes(const Body& body) {

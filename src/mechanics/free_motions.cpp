@@ -16,13 +16,13 @@ using Nodes = std::vector<std::int64_t>;
 
 constexpr double not_held = 1e-9;  // singular value of the conditions on a motion
 
-Vector3 place(const mesh::Mesh& mesh, std::int64_t node) {
+Vector3 position(const mesh::Mesh& mesh, std::int64_t node) {
   return mesh.nodes[node];
 }
 
 Vector3 centre_of(const mesh::Mesh& mesh, const Nodes& nodes) {
   Vector3 centre = Vector3::Zero();
-  for (const std::int64_t node : nodes) centre += place(mesh, node) / static_cast<double>(nodes.size());
+  for (const std::int64_t node : nodes) centre += position(mesh, node) / static_cast<double>(nodes.size());
   return centre;
 }
 
@@ -38,7 +38,7 @@ FreeMotion motion_of_nodes(const mesh::Mesh& mesh, const Nodes& nodes, const Rig
   FreeMotion motion;
   motion.displacement.setZero(3 * mesh.nodes.size());
   for (const std::int64_t node : nodes)
-    motion.displacement.segment<3>(3 * node) = rigid.displacement(place(mesh, node));
+    motion.displacement.segment<3>(3 * node) = rigid.displacement(position(mesh, node));
   const double length = normalize(motion.displacement);
   motion.description = rigid.describe();
   motion.rigid = RigidMotion{rigid.translation / length, rigid.rotation / length, rigid.centre};
@@ -52,10 +52,10 @@ std::vector<FreeMotion> motions_of_hinged_parts(const mesh::Mesh& mesh, const Co
   for (const Nodes& part : parts) all.insert(all.end(), part.begin(), part.end());
   const Vector3 centre = centre_of(mesh, all);
   double size = 0;
-  for (const std::int64_t node : all) size = std::max(size, (place(mesh, node) - centre).norm());
+  for (const std::int64_t node : all) size = std::max(size, (position(mesh, node) - centre).norm());
   // Displacement of a node by the six unknowns (t, size w) of its part.
   const auto motion_at = [&](std::int64_t node) {
-    const Vector3 r = (place(mesh, node) - centre) / size;
+    const Vector3 r = (position(mesh, node) - centre) / size;
     Eigen::Matrix<double, 3, 6> m;
     m << Matrix3::Identity(), Vector3::UnitX().cross(r), Vector3::UnitY().cross(r), Vector3::UnitZ().cross(r);
     return m;
@@ -143,7 +143,8 @@ std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const MeshParts& pa
   return motions;
 }
 
-std::vector<std::int64_t> determinate_pins(const std::vector<FreeMotion>& motions, const Constraints& constraints) {
+std::vector<std::int64_t> determinate_fixing_dofs(const std::vector<FreeMotion>& motions,
+                                                  const Constraints& constraints) {
   if (motions.empty()) return {};
   const Index n = motions.size();
   Eigen::MatrixXd rows(n, constraints.n_free());

@@ -16,17 +16,17 @@ constexpr double not_spanned = 1e-12;  // of the largest eigenvalue: a direction
 LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntries& entries,
                                            std::span<const Vector3> point_coordinates, std::span<const double> weights,
                                            const std::function<std::size_t(std::size_t)>& element_of)
-    : places_(point_coordinates.begin(), point_coordinates.end()), offsets_{0} {
+    : positions_(point_coordinates.begin(), point_coordinates.end()), offsets_{0} {
   for (const auto& block : blocks)
     for (std::size_t e = 0; e < block->n_elements(); ++e) {
       Vector3 moment = Vector3::Zero();
       double volume = 0;
       const std::size_t first = block->start().point + e * block->n_points();
       for (std::size_t p = first; p < first + block->n_points(); ++p) {
-        moment += weights[p] * places_[p];
+        moment += weights[p] * positions_[p];
         volume += weights[p];
       }
-      centres_.push_back(moment / volume);
+      centres_.emplace_back(moment / volume);
       volumes_.push_back(volume);
     }
   std::vector<std::uint32_t> around;
@@ -42,13 +42,14 @@ LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntri
         std::sort(around.begin(), around.end());
         around.erase(std::unique(around.begin(), around.end()), around.end());
         std::erase(around, static_cast<std::uint32_t>(element));
-        const auto add = [&](const Vector3& place, double weight) {
-          const Vector3 arm = place - centres_[element];
+        const auto add = [&](const Vector3& position, double weight) {
+          const Vector3 arm = position - centres_[element];
           normal += weight * arm * arm.transpose();
         };
         for (const std::uint32_t other : around) add(centres_[other], volumes_[other]);
         const std::size_t first = block->start().point + e * block->n_points();
-        for (std::size_t p = first; p < first + block->n_points(); ++p) add(places_[p], own_weight * volumes_[element]);
+        for (std::size_t p = first; p < first + block->n_points(); ++p)
+          add(positions_[p], own_weight * volumes_[element]);
       }
       neighbours_.insert(neighbours_.end(), around.begin(), around.end());
       offsets_.push_back(neighbours_.size());
@@ -68,7 +69,7 @@ LinearReconstruction::Rows LinearReconstruction::gradient(const ElementBlock& bl
              (mean(neighbours_[k]) - mean(element));
   for (std::size_t p = 0; p < block.n_points(); ++p)
     right += own_weight * volumes_[element] *
-             (places_[block.start().point + e * block.n_points() + p] - centres_[element]) *
+             (positions_[block.start().point + e * block.n_points() + p] - centres_[element]) *
              (own.row(p) - mean(element));
   return inverse_[element] * right;
 }

@@ -34,7 +34,7 @@ class LinearReconstruction {
                 const Eigen::Ref<const Rows>& own) const;
 
  private:
-  std::vector<Vector3> centres_, places_;
+  std::vector<Vector3> centres_, positions_;
   std::vector<double> volumes_;
   std::vector<std::size_t> offsets_;  // of the neighbours of an element
   std::vector<std::uint32_t> neighbours_;

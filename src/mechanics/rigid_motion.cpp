@@ -13,7 +13,7 @@ namespace creepcontact::mechanics {
 namespace {
 
 /// For unit directions and motions; rotations are measured by the displacement at the body's outer reach.
-constexpr double tolerance = 1e-9;
+constexpr double rank_tolerance = 1e-9;
 
 Vector3 readable(Vector3 v) {
   Index largest = 0;
@@ -26,7 +26,7 @@ Vector3 readable(Vector3 v) {
 std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
   if (columns.cols() == 0) return {};
   const linalg::SingularValues svd = linalg::singular_values(columns);
-  const Index rank = (svd.values.array() > tolerance).count();
+  const Index rank = (svd.values.array() > rank_tolerance).count();
   const Eigen::Matrix3Xd space = svd.left.leftCols(rank);
   std::vector<Vector3> basis;
   const auto without_basis = [&](Vector3 v) {
@@ -36,7 +36,7 @@ std::vector<Vector3> readable_basis(const Eigen::Matrix3Xd& columns) {
   };
   for (int i = 0; i < 3; ++i) {
     if ((space * (space.transpose() * Vector3::Unit(i)) - Vector3::Unit(i)).norm() < 1e-8)
-      basis.push_back(Vector3::Unit(i));
+      basis.emplace_back(Vector3::Unit(i));
   }
   while (static_cast<Index>(basis.size()) < rank) {
     Vector3 best = Vector3::Zero();
@@ -65,11 +65,11 @@ std::string along(const Vector3& direction) {
 
 std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset) {
-  const auto place = [&](std::int64_t node) { return nodes[node]; };
+  const auto position = [&](std::int64_t node) { return nodes[node]; };
   Vector3 centre = Vector3::Zero();
-  for (const std::int64_t node : subset) centre += place(node) / static_cast<double>(subset.size());
+  for (const std::int64_t node : subset) centre += position(node) / static_cast<double>(subset.size());
   double size = 0;
-  for (const std::int64_t node : subset) size = std::max(size, (place(node) - centre).norm());
+  for (const std::int64_t node : subset) size = std::max(size, (position(node) - centre).norm());
 
   // q . (t + w x r) = 0 for every held direction q; unknowns t and size * w.
   std::vector<Eigen::Matrix<double, 6, 1>> held;
@@ -78,23 +78,24 @@ std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, c
     for (int k = 0; k < constraints.n_held(node); ++k) {
       const Vector3 q = frame.col(k);
       held.emplace_back();
-      held.back() << q, (place(node) - centre).cross(q) / size;
+      held.back() << q, (position(node) - centre).cross(q) / size;
     }
   }
   Eigen::MatrixXd rows(held.size(), 6);
   for (std::size_t i = 0; i < held.size(); ++i) rows.row(i) = held[i].transpose();
-  const Eigen::MatrixXd free = linalg::null_space(rows, tolerance);
+  const Eigen::MatrixXd free = linalg::null_space(rows, rank_tolerance);
   if (free.cols() == 0) return {};
 
   std::vector<RigidMotion> motions;
+  motions.reserve(6);
   // Pure translations: the combinations of free motions that do not rotate.
   const std::vector<Vector3> translations =
-      readable_basis(free.topRows<3>() * linalg::null_space(free.bottomRows<3>(), tolerance));
+      readable_basis(free.topRows<3>() * linalg::null_space(free.bottomRows<3>(), rank_tolerance));
   for (const Vector3& direction : translations) motions.push_back({direction, Vector3::Zero(), centre});
   // Rotations are determined up to those translations.
   const Eigen::Matrix3Xd t = as_columns(translations);
   for (const Vector3& axis : readable_basis(free.bottomRows<3>())) {
-    const Eigen::VectorXd combination = linalg::least_squares(free.bottomRows<3>(), axis, tolerance);
+    const Eigen::VectorXd combination = linalg::least_squares(free.bottomRows<3>(), axis, rank_tolerance);
     Vector3 shift = size * (free.topRows<3>() * combination);
     shift -= t * (t.transpose() * shift);
     RigidMotion motion{axis * axis.dot(shift), axis, centre + axis.cross(shift)};

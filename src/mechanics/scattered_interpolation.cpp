@@ -38,7 +38,7 @@ struct ScatteredInterpolation::Cloud {
     tree_.emplace(points);
   }
 
-  Vector3 local(const Vector3& place) const { return axes_ * (place - center_); }
+  Vector3 local(const Vector3& position) const { return axes_ * (position - center_); }
 
   /// So many that they lie in all directions of the cloud as seen from the place, if that many are there.
   Neighbours neighbours(const Vector3& x) const {
@@ -89,8 +89,8 @@ ScatteredInterpolation::~ScatteredInterpolation() = default;
 ScatteredInterpolation::ScatteredInterpolation(ScatteredInterpolation&&) noexcept = default;
 ScatteredInterpolation& ScatteredInterpolation::operator=(ScatteredInterpolation&&) noexcept = default;
 
-std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& place) const {
-  const Vector3 x = cloud_->local(place);
+std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& position) const {
+  const Vector3 x = cloud_->local(position);
   const Neighbours around = cloud_->neighbours(x);
   const std::size_t n = around.size();
   const double radius = reach * around.back().distance;
@@ -121,8 +121,8 @@ std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& place) c
   return result;
 }
 
-double ScatteredInterpolation::distance_outside(const Vector3& place) const {
-  const Vector3 x = cloud_->local(place);
+double ScatteredInterpolation::distance_outside(const Vector3& position) const {
+  const Vector3 x = cloud_->local(position);
   const Neighbours around = cloud_->neighbours(x);
   return cloud_->is_outside(x, around) ? around.front().distance : 0.0;
 }

@@ -28,11 +28,11 @@ class ScatteredInterpolation {
 
   /// Exact for linear functions inside and near the cloud; far outside it is the nearest point alone.
   /// Safe for any number of threads. Cost: a search in a tree of the points.
-  std::vector<PointWeight> weights(const Vector3& place) const;
+  std::vector<PointWeight> weights(const Vector3& position) const;
 
   /// How far a place is from the points if it is so far outside that the nearest stands alone, else 0; measured within
   /// the plane or line of the points.
-  double distance_outside(const Vector3& place) const;
+  double distance_outside(const Vector3& position) const;
 
  private:
   struct Cloud;

@@ -90,9 +90,9 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const M
 namespace {
 
 /// Sorted nodes not below `node` that share an element with it.
-using Neighbours = std::vector<std::vector<std::int64_t>>;
+using NodeNeighbours = std::vector<std::vector<std::int64_t>>;
 
-linalg::SparseMatrix pattern(const Neighbours& neighbours) {
+linalg::SparseMatrix pattern(const NodeNeighbours& neighbours) {
   const std::int64_t n = neighbours.size();
   linalg::SparseMatrix matrix(3 * n, 3 * n);
   std::int64_t* column_start = matrix.outerIndexPtr();
@@ -115,7 +115,7 @@ linalg::SparseMatrix pattern(const Neighbours& neighbours) {
 }
 
 /// Adds the columns of an element matrix that belong to nodes with node % n_owners == owner.
-void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes, const Neighbours& neighbours,
+void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes, const NodeNeighbours& neighbours,
              std::int64_t owner, std::int64_t n_owners, linalg::SparseMatrix& matrix) {
   for (std::size_t cb = 0; cb < nodes.size(); ++cb) {
     const std::int64_t b = nodes[cb];
@@ -138,7 +138,7 @@ void scatter(const Eigen::MatrixXd& element, std::span<const std::int64_t> nodes
 
 template <typename Moduli>
 linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
-  Neighbours neighbours(n_nodes_);
+  NodeNeighbours neighbours(n_nodes_);
 #pragma omp parallel for schedule(dynamic, 256) if (n_nodes_ >= numerics::parallel_elements)
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     auto& list = neighbours[node];

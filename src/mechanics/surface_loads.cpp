@@ -4,7 +4,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
-#include "separated_load.hpp"
+#include "separable_load.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -46,7 +46,7 @@ class SurfaceIntegral final : public SpatialIntegral {
 
   void add(const Function& f, double t, std::span<double> values) const override {
     for (const Point& point : points_) {
-      const Vector3 force = evaluate(f, point.place, t) * point.field;
+      const Vector3 force = evaluate(f, point.position, t) * point.field;
       for (Index a = 0; a < point.shape->size(); ++a) {
         const std::size_t local = local_nodes_[point.first_node + a];
         Eigen::Map<Vector3>(&values[3 * local]) += (*point.shape)[a] * force;
@@ -56,7 +56,7 @@ class SurfaceIntegral final : public SpatialIntegral {
 
  private:
   struct Point {
-    Vector3 place;
+    Vector3 position;
     Vector3 field;                 // direction times area
     const Eigen::VectorXd* shape;  // owned by tables_
     std::size_t first_node;        // of the face, in local_nodes_
@@ -89,32 +89,32 @@ class SurfaceIntegral final : public SpatialIntegral {
 class NodalForce final : public SpatialIntegral {
  public:
   NodalForce(const mesh::Mesh& mesh, std::int64_t node, const Vector3& direction)
-      : nodes_{node}, place_(mesh.nodes[node]), direction_(direction) {}
+      : nodes_{node}, position_(mesh.nodes[node]), direction_(direction) {}
 
   const std::vector<std::int64_t>& nodes() const override { return nodes_; }
   void add(const Function& f, double t, std::span<double> values) const override {
-    Eigen::Map<Vector3>(values.data()) += evaluate(f, place_, t) * direction_;
+    Eigen::Map<Vector3>(values.data()) += evaluate(f, position_, t) * direction_;
   }
 
  private:
   std::vector<std::int64_t> nodes_;
-  Vector3 place_, direction_;
+  Vector3 position_, direction_;
 };
 
 }  // namespace
 
-std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, std::vector<mesh::Face> faces, Function pressure) {
-  return std::make_unique<SeparatedLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Zero()),
+std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, Function pressure) {
+  return std::make_unique<SeparableLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Zero()),
                                          std::move(pressure));
 }
 
-std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, std::vector<mesh::Face> faces,
+std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
                                     std::array<Function, 3> traction) {
   std::vector<std::unique_ptr<Load>> parts;
   for (int i = 0; i < 3; ++i) {
     Function& component = traction[i];
     if (component.is_zero()) continue;
-    parts.push_back(std::make_unique<SeparatedLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Unit(i)),
+    parts.push_back(std::make_unique<SeparableLoad>(std::make_unique<SurfaceIntegral>(mesh, faces, Vector3::Unit(i)),
                                                     std::move(component)));
   }
   return std::make_unique<SumOfLoads>(std::move(parts));
@@ -122,8 +122,9 @@ std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, std::vector<mesh::Fa
 
 std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std::array<Function, 3> force) {
   std::vector<std::unique_ptr<Load>> parts;
+  parts.reserve(3);
   for (int i = 0; i < 3; ++i) {
-    parts.push_back(std::make_unique<SeparatedLoad>(std::make_unique<NodalForce>(mesh, node, Vector3::Unit(i)),
+    parts.push_back(std::make_unique<SeparableLoad>(std::make_unique<NodalForce>(mesh, node, Vector3::Unit(i)),
                                                     std::move(force[i])));
   }
   return std::make_unique<SumOfLoads>(std::move(parts));

@@ -13,8 +13,8 @@ namespace creepcontact::mechanics {
 struct TemperatureField::Definition {
   virtual ~Definition() = default;
   virtual double value(const Arguments& at) const = 0;
-  virtual std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const = 0;
-  bool place = true, time = true;  // whether it depends on them
+  virtual std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const = 0;
+  bool position = true, time = true;  // whether it depends on them
   virtual std::vector<double> breakpoints(double end) const = 0;
   virtual double distance_outside(const Vector3& /*place*/) const { return 0; }
   std::string text;
@@ -22,31 +22,31 @@ struct TemperatureField::Definition {
 
 namespace {
 
-class FunctionAtPlaces final : public TemperatureAtPlaces {
+class FunctionAtPositions final : public TemperatureAtPositions {
  public:
-  FunctionAtPlaces(Function function, std::span<const Vector3> places)
-      : function_(std::move(function)), places_(places.begin(), places.end()) {}
+  FunctionAtPositions(Function function, std::span<const Vector3> positions)
+      : function_(std::move(function)), positions_(positions.begin(), positions.end()) {}
 
   void evaluate(double t, std::span<double> values, TemperatureMemo& /*memo*/) const override {
-    if (!function_.depends_on_place()) return std::fill(values.begin(), values.end(), function_({.t = t}));
-    for (std::size_t p = 0; p < places_.size(); ++p)
-      values[p] = function_({.x = places_[p][0], .y = places_[p][1], .z = places_[p][2], .t = t});
+    if (!function_.depends_on_position()) return std::fill(values.begin(), values.end(), function_({.t = t}));
+    for (std::size_t p = 0; p < positions_.size(); ++p)
+      values[p] = function_({.x = positions_[p][0], .y = positions_[p][1], .z = positions_[p][2], .t = t});
   }
 
  private:
   Function function_;
-  std::vector<Vector3> places_;
+  std::vector<Vector3> positions_;
 };
 
 struct OfFunction final : TemperatureField::Definition {
   explicit OfFunction(Function given) : function(std::move(given)) {
-    place = function.depends_on_place();
+    position = function.depends_on_position();
     time = function.depends_on_time();
     text = function.text();
   }
   double value(const Arguments& at) const override { return function(at); }
-  std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
-    return std::make_unique<FunctionAtPlaces>(function, places);
+  std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const override {
+    return std::make_unique<FunctionAtPositions>(function, positions);
   }
   std::vector<double> breakpoints(double end) const override { return function.breakpoints(end); }
 
@@ -78,14 +78,13 @@ double weighted(std::span<const PointWeight> weights, const std::vector<double>&
   return sum;
 }
 
-class ScatteredAtPlaces final : public TemperatureAtPlaces {
+class ScatteredAtPositions final : public TemperatureAtPositions {
  public:
-  ScatteredAtPlaces(std::shared_ptr<const Scattered> field, std::span<const Vector3> places)
-      : field_(std::move(field)), weights_(places.size()) {
-    const auto n = static_cast<std::ptrdiff_t>(places.size());
+  ScatteredAtPositions(std::shared_ptr<const Scattered> field, std::span<const Vector3> positions)
+      : field_(std::move(field)), weights_(positions.size()) {
+    const auto n = static_cast<std::ptrdiff_t>(positions.size());
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t p = 0; p < n; ++p)
-      weights_[static_cast<std::size_t>(p)] = field_->interpolation.weights(places[static_cast<std::size_t>(p)]);
+    for (std::ptrdiff_t p = 0; p < n; ++p) weights_[p] = field_->interpolation.weights(positions[p]);
   }
 
   void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const override {
@@ -127,8 +126,8 @@ struct OfPoints final : TemperatureField::Definition {
     const double before = weighted(weights, field->given.values[now.before]);
     return before + now.weight * (weighted(weights, field->given.values[now.after]) - before);
   }
-  std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const override {
-    return std::make_unique<ScatteredAtPlaces>(field, places);
+  std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const override {
+    return std::make_unique<ScatteredAtPositions>(field, positions);
   }
   std::vector<double> breakpoints(double end) const override {
     std::vector<double> result;
@@ -152,11 +151,11 @@ TemperatureField::TemperatureField(ScatteredTemperatures given)
 double TemperatureField::operator()(const Arguments& at) const {
   return definition_->value(at);
 }
-std::unique_ptr<const TemperatureAtPlaces> TemperatureField::at(std::span<const Vector3> places) const {
-  return definition_->at(places);
+std::unique_ptr<const TemperatureAtPositions> TemperatureField::at(std::span<const Vector3> positions) const {
+  return definition_->at(positions);
 }
-bool TemperatureField::depends_on_place() const {
-  return definition_->place;
+bool TemperatureField::depends_on_position() const {
+  return definition_->position;
 }
 bool TemperatureField::depends_on_time() const {
   return definition_->time;
@@ -164,8 +163,8 @@ bool TemperatureField::depends_on_time() const {
 std::vector<double> TemperatureField::breakpoints(double end) const {
   return definition_->breakpoints(end);
 }
-double TemperatureField::distance_outside(const Vector3& place) const {
-  return definition_->distance_outside(place);
+double TemperatureField::distance_outside(const Vector3& position) const {
+  return definition_->distance_outside(position);
 }
 const std::string& TemperatureField::text() const {
   return definition_->text;

@@ -1,7 +1,7 @@
 #include <numeric>
 
 #include "creepcontact/base/error.hpp"
-#include "separated_load.hpp"
+#include "separable_load.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -39,12 +39,12 @@ std::unique_ptr<Load> volume_load(const Discretization& body, std::array<Functio
     Function& component = force_density[i];
     if (component.is_zero()) continue;
     auto integral = std::make_unique<VolumeIntegral>(body, [i](const Vector3&) { return Vector3(Vector3::Unit(i)); });
-    parts.push_back(std::make_unique<SeparatedLoad>(std::move(integral), std::move(component)));
+    parts.push_back(std::make_unique<SeparableLoad>(std::move(integral), std::move(component)));
   }
   return std::make_unique<SumOfLoads>(std::move(parts));
 }
 
-std::unique_ptr<Load> centrifugal_load(const Discretization& body, Vector3 axis, Vector3 origin,
+std::unique_ptr<Load> centrifugal_load(const Discretization& body, const Vector3& axis, const Vector3& origin,
                                        Function angular_velocity, Function density) {
   if (!(axis.norm() > 0)) throw ModelError("the axis of a rotation must not be (0, 0, 0)");
   const Vector3 unit = axis.normalized();
@@ -52,7 +52,7 @@ std::unique_ptr<Load> centrifugal_load(const Discretization& body, Vector3 axis,
     const Vector3 arm = x - origin;
     return Vector3(arm - unit * unit.dot(arm));
   });
-  return std::make_unique<SeparatedLoad>(std::move(integral), std::move(density), std::move(angular_velocity), 2);
+  return std::make_unique<SeparableLoad>(std::move(integral), std::move(density), std::move(angular_velocity), 2);
 }
 
 }  // namespace creepcontact::mechanics

@@ -11,7 +11,7 @@
 namespace creepcontact::mesh {
 namespace {
 
-std::string place(const Mesh& mesh, std::span<const std::int64_t> nodes) {
+std::string position(const Mesh& mesh, std::span<const std::int64_t> nodes) {
   Vector3 centre = Vector3::Zero();
   for (std::int64_t node : nodes) centre += mesh.nodes[node];
   centre /= static_cast<double>(nodes.size());
@@ -50,7 +50,7 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
           throw ModelError(
               fmt::format("surface '{}' lies inside the body, between two of its cells, at {}; it has to "
                           "be on the boundary",
-                          surface, place(mesh, face.nodes)));
+                          surface, position(mesh, face.nodes)));
         }
         face = global_face(local, cell);
       }
@@ -60,8 +60,8 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
     if (!faces[i].nodes.empty()) continue;
     const CellBlock& block = mesh.blocks[wanted[i].block];
     const auto cell = block.cell(wanted[i].cell);
-    throw ModelError(fmt::format("surface '{}': the {} at {} is no face of any volume cell", surface, name(block.type),
-                                 place(mesh, cell)));
+    throw ModelError(fmt::format("surface '{}': the {} at {} is not a face of any volume cell", surface,
+                                 name(block.type), position(mesh, cell)));
   }
   return faces;
 }

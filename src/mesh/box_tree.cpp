@@ -8,14 +8,14 @@
 namespace creepcontact::mesh {
 namespace {
 
-using Entries = std::vector<PackedRtree<RtreeBox>::value_type>;
+using Boxes = std::vector<PackedRtree<RtreeBox>::value_type>;
 
 RtreeBox rtree_box(const Eigen::AlignedBox3d& box) {
   return {rtree_point(box.min()), rtree_point(box.max())};
 }
 
-Entries numbered(std::span<const Eigen::AlignedBox3d> boxes) {
-  Entries entries;
+Boxes numbered(std::span<const Eigen::AlignedBox3d> boxes) {
+  Boxes entries;
   entries.reserve(boxes.size());
   for (const Eigen::AlignedBox3d& box : boxes) entries.emplace_back(rtree_box(box), entries.size());
   return entries;

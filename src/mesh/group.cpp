@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::mesh {
@@ -14,30 +14,6 @@ constexpr std::array kinds{"point", "curve", "surface", "volume"};
 
 const char* kind(int dimension) {
   return dimension < 0 ? "group" : kinds[dimension];
-}
-
-/// Number of letters to insert, delete or replace (Levenshtein distance).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-/// "; did you mean 'bore'?" if one of the names differs by a third of the letters at most, else nothing.
-std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
-  const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
-    return edit_distance(name, a) < edit_distance(name, b);
-  });
-  if (nearest == names.end() || 3 * edit_distance(name, *nearest) > name.size()) return "";
-  return fmt::format("; did you mean '{}'?", *nearest);
 }
 
 }  // namespace
@@ -53,7 +29,7 @@ const Group& Mesh::group(const std::string& group_name, int dimension) const {
   const std::string problem = found != groups.end() ? fmt::format("'{}' is a physical {}, not a {}", group_name,
                                                                   kind(found->second.dimension), kind(dimension))
                                                     : fmt::format("the mesh has no physical {} '{}'{}", kind(dimension),
-                                                                  group_name, suggestion(group_name, names));
+                                                                  group_name, did_you_mean(group_name, names));
   throw ModelError(fmt::format("{}; there {}: {}", problem, names.size() == 1 ? "is" : "are",
                                names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }

@@ -29,13 +29,13 @@ PointTree::~PointTree() = default;
 PointTree::PointTree(PointTree&&) noexcept = default;
 PointTree& PointTree::operator=(PointTree&&) noexcept = default;
 
-std::vector<Neighbour> PointTree::nearest(const Vector3& place, std::size_t n) const {
+std::vector<Neighbour> PointTree::nearest(const Vector3& position, std::size_t n) const {
   std::vector<Neighbour> found;
   const auto take = [&](const auto& entry) {
     const RtreePoint& x = entry.first;
-    found.push_back({entry.second, (Vector3(x.get<0>(), x.get<1>(), x.get<2>()) - place).norm()});
+    found.push_back({entry.second, (Vector3(x.get<0>(), x.get<1>(), x.get<2>()) - position).norm()});
   };
-  tree_->entries.query(boost::geometry::index::nearest(rtree_point(place), static_cast<unsigned>(n)),
+  tree_->entries.query(boost::geometry::index::nearest(rtree_point(position), static_cast<unsigned>(n)),
                        boost::make_function_output_iterator(take));
   std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) {
     return std::tie(a.distance, a.point) < std::tie(b.distance, b.point);

@@ -47,12 +47,13 @@ std::string instead_of(const fs::path& file) {
 mesh::Mesh read_mesh(const config::Mesh& mesh) {
   std::error_code failure;
   const fs::file_status status = fs::status(mesh.file, failure);
-  const std::string place = mesh.location.prefix();
+  const std::string position = mesh.location.prefix();
   if (status.type() == fs::file_type::not_found)
-    throw ModelError(fmt::format("{}no such file '{}'; {}", place, mesh.file.string(), instead_of(mesh.file)));
-  if (failure) throw ModelError(fmt::format("{}cannot read '{}': {}", place, mesh.file.string(), failure.message()));
+    throw ModelError(fmt::format("{}no such file '{}'; {}", position, mesh.file.string(), instead_of(mesh.file)));
+  if (failure) throw ModelError(fmt::format("{}cannot read '{}': {}", position, mesh.file.string(), failure.message()));
   if (!fs::is_regular_file(status))
-    throw ModelError(fmt::format("{}'{}' is no regular file; name a .geo or .msh file", place, mesh.file.string()));
+    throw ModelError(
+        fmt::format("{}'{}' is not a regular file; name a .geo or .msh file", position, mesh.file.string()));
   return io::read_mesh(mesh.file, {.order = mesh.order,
                                    .parameters = mesh.parameters,
                                    .time_limit = mesh.time_limit,

@@ -43,7 +43,7 @@ void append_ties(const config::Config& config, const SharedNodes& shared, const 
 
 creep::SolverOptions solver_options(const config::Config& config, const Bodies& bodies) {
   creep::SolverOptions options;
-  options.use_schwarz = config.contact_solver.method == config::ContactMethod::schwarz;
+  options.use_schwarz = config.contact_solver.method == settings::ContactMethod::schwarz;
   options.schwarz = schwarz_options(config.contact_solver, bodies);
   options.dense_limit_mb = config.contact_solver.dense_limit_mb;
   if (config.temperature) options.refactor_change = config.temperature->refactor_change;
@@ -107,7 +107,7 @@ Model build_model(const config::Config& config) {
 
   creep::SolverOptions options = solver_options(config, bodies);
   std::vector<double> times = breakpoints(config, bodies, temperature);
-  if (temperature) warn_of_places_outside(config, bodies, *temperature);
+  if (temperature) warn_of_positions_outside(config, bodies, *temperature);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
     return make_pair(config.contacts[pair], config, all, sliding);

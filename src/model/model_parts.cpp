@@ -108,7 +108,7 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
       result.push_back({support.on.name, nodes, {Vector3(Vector3::Unit(k))}, *value});
   if (support.normal) {
     if (body.group(support.on.name).dimension != 2)
-      throw ModelError(fmt::format("group '{}' is no surface: it has no normal; give x, y or z", support.on.name));
+      throw ModelError(fmt::format("group '{}' is not a surface: it has no normal; give x, y or z", support.on.name));
     const std::vector<mesh::Face> faces = mesh::boundary_faces(body, support.on.name);
     result.push_back({support.on.name, nodes, mechanics::nodal_normals(body, faces, nodes), *support.normal});
   }
@@ -139,10 +139,7 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.master_surface = surfaces[master].name;
   pair.slave_body = body[slave];
   pair.master_body = body[master];
-  pair.coupling = contact::mortar_coupling(
-      surfaces[slave], surfaces[master],
-      contact.type == config::ContactType::tied ? contact::ContactType::tied : contact::ContactType::unilateral,
-      sliding);
+  pair.coupling = contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding);
   pair.gap = contact.gap;
   pair.geometric_gap = contact.geometric_gap;
   return pair;

@@ -45,7 +45,7 @@ void add_load(const config::Load& load, const config::Config& config, const mesh
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
                         std::span<const mechanics::RigidMotion> sliding);
 
-/// Kinks and jumps in time of every function of the configuration, the points of tables, and the user's own
+/// Discontinuities and jumps in time of every function of the configuration, the points of tables, and the user's own
 /// breakpoints; ascending, within (0, end). Warns of expressions with more of them than can be found.
 std::vector<double> breakpoints(const config::Config& config, const Bodies& bodies,
                                 const std::optional<mechanics::TemperatureField>& temperature);

@@ -21,14 +21,12 @@ class Anderson final : public contact::FixedPointSolver {
 
 contact::SchwarzOptions schwarz_options(const config::ContactSolver& config,
                                         const std::vector<mechanics::Body>& bodies) {
-  using To = contact::SchwarzOptions::Acceleration;
-  constexpr To accelerations[] = {To::none, To::aitken, To::anderson, To::cg};  // in the configuration's order
   contact::SchwarzOptions options;
   options.alpha.assign(bodies.size(), config.alpha.all);
   for (const config::Alpha::OfBody& alpha : config.alpha.of_body)
     options.alpha[find_body(bodies, alpha.body.name)] = alpha.value;
   options.damping = config.damping;
-  options.acceleration = accelerations[static_cast<int>(config.acceleration)];
+  options.acceleration = config.acceleration;
   options.tolerance = config.tolerance;
   options.max_iterations = config.max_iterations;
   options.anderson = [](std::size_t size) { return std::make_unique<Anderson>(size); };

@@ -127,7 +127,7 @@ void SharedNodes::cover(const config::Contact& contact, const config::Config& co
       });
     };
     if (!is_on(0) || !is_on(1)) continue;
-    const auto [first, second] = std::minmax(sides[0], sides[1]);
+    const std::size_t first = std::min(sides[0], sides[1]), second = std::max(sides[0], sides[1]);
     auto link = std::find_if(links_[i].begin(), links_[i].end(),
                              [&](const Link& one) { return one.first == first && one.second == second; });
     if (link == links_[i].end()) link = links_[i].insert(links_[i].end(), {first, second, 0, false});

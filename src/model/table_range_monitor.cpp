@@ -15,17 +15,11 @@ constexpr double rounding = 1e-9;  // of temperatures that are interpolated
 }  // namespace
 
 TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
-  for (const config::Material& material : config.materials) {
-    const auto add = [&](const std::string& what, const Function& function) {
-      if (const auto range = function.table_range("T")) tables_[material.name].push_back({what, *range});
-    };
-    add("young_modulus", material.young_modulus);
-    add("poisson_ratio", material.poisson_ratio);
-    add("thermal_expansion", material.thermal_expansion);
-    for (std::size_t i = 0; i < material.creep.size(); ++i)
-      for (const config::CreepParameter& parameter : material.creep[i].parameters)
-        for (const Function& value : parameter.values) add(fmt::format("creep[{}].{}", i, parameter.key), value);
-  }
+  for (const config::ConfiguredFunction& function : config.functions)
+    for (const config::Material& material : config.materials)
+      if (const std::string table = fmt::format("materials.{}.", material.name); function.key.starts_with(table))
+        if (const auto range = function.value.table_range("T"))
+          tables_[material.name].push_back({function.key.substr(table.size()), *range});
   // A temperature from a file may change; the field itself will tell.
   changes_in_time_ =
       config.temperature && (!config.temperature->file.empty() || config.temperature->value.depends_on_time());
@@ -44,7 +38,8 @@ void TableRangeMonitor::see(const mechanics::Body& body, const mechanics::BodyCo
   const std::vector<double>& given = at.temperature;
   const std::span<const double> temperature =
       given.empty() ? std::span<const double>(&body.material().reference_temperature, 1) : given;
-  const auto [coldest, hottest] = std::minmax_element(temperature.begin(), temperature.end());
+  const auto extremes = std::minmax_element(temperature.begin(), temperature.end());
+  const auto coldest = extremes.first, hottest = extremes.second;
   std::erase_if(found->second, [&](const Table& table) {
     const double margin = rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
     const bool above = *hottest > table.range.high + margin;

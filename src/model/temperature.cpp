@@ -15,21 +15,21 @@ mechanics::TemperatureField temperature_field(const config::Temperature& tempera
       mechanics::ScatteredTemperatures{std::move(read.points), std::move(read.times), std::move(read.values)});
 }
 
-void warn_of_places_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
-                            const mechanics::TemperatureField& temperature) {
+void warn_of_positions_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
+                               const mechanics::TemperatureField& temperature) {
   double farthest = 0;
-  Vector3 place = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
   for (const mechanics::Body& body : bodies)
     for (const Vector3& x : body.discretization().point_coordinates())
       if (const double distance = temperature.distance_outside(x); distance > farthest) {
         farthest = distance;
-        place = x;
+        position = x;
       }
   if (farthest > 0)
     log::warning(
         "temperature: '{}' has no points near the whole model; farthest is ({:.6g}, {:.6g}, {:.6g}), {:.4g} from the "
         "nearest point, whose value is taken there",
-        config.temperature->file.string(), place[0], place[1], place[2], farthest);
+        config.temperature->file.string(), position[0], position[1], position[2], farthest);
 }
 
 std::optional<Interval> temperature_range(const config::Config& config, const Model& model) {

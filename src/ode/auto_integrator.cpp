@@ -69,8 +69,8 @@ void AutoIntegrator::initialize(double t, std::span<const double> y, double step
 }
 
 void AutoIntegrator::begin_watch(double loads_since) {
-  steps_ahead_.begin(loads_since);
-  stable_steps_ahead_.begin(loads_since);
+  remaining_step_estimate_.begin(loads_since);
+  stable_remaining_step_estimate_.begin(loads_since);
   last_look_ = time();
   errors_.clear();
   steps_with_method_ = 0;
@@ -114,7 +114,7 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   trouble_ = method_ == Method::stabilized ? stages > most_stages : failures > most_failures;
   if (!trouble_) return;
   reason_ = method_ == Method::stabilized
-                ? fmt::format("{} stages a step at t = {:.6g}", stages, report.time)
+                ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
                 : fmt::format("its iterations failed {} times in the {} steps before t = {:.6g}", failures, window,
                               report.time);
   given_up_.insert(method_);
@@ -123,13 +123,14 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
 void AutoIntegrator::look_ahead(double t_limit) {
   if (!(time() < t_limit) || std::isinf(t_limit)) return;
   const double stable = system_.stable_step(time(), state());
-  steps_ahead_.see(time(), (time() - last_look_) / static_cast<double>(looks));
-  stable_steps_ahead_.see(time(), stable);
+  remaining_step_estimate_.see(time(), (time() - last_look_) / static_cast<double>(looks));
+  stable_remaining_step_estimate_.see(time(), stable);
   last_look_ = time();
   const bool at_limit = last_step_ > limit_of_stability * stable;
   if (!at_limit && *std::max_element(errors_.begin(), errors_.end()) > limited_by_accuracy) return;
-  const std::optional<double> ahead = (at_limit ? stable_steps_ahead_ : steps_ahead_).count(t_limit);
-  const double cost = implicit_cost(steps_ahead_.decades(t_limit), options_.tolerance);
+  const std::optional<double> ahead =
+      (at_limit ? stable_remaining_step_estimate_ : remaining_step_estimate_).count(t_limit);
+  const double cost = implicit_cost(remaining_step_estimate_.decades(t_limit), options_.tolerance);
   if (!ahead || *ahead < (at_limit ? 1 : patience) * cost) return;
   trouble_ = true;
   reason_ = fmt::format("from t = {:.6g} it would take some {:.2g} more steps", time(), *ahead);
@@ -173,7 +174,7 @@ RestartPoint AutoIntegrator::save() const {
   std::vector<double>& methods = point.memory["methods"];  // the present one, then those given up
   methods.push_back(static_cast<double>(method_));
   for (const Method method : given_up_) methods.push_back(static_cast<double>(method));
-  point.memory["loads_since"] = {steps_ahead_.begin()};
+  point.memory["loads_since"] = {remaining_step_estimate_.begin()};
   return point;
 }
 

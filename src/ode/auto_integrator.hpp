@@ -7,7 +7,7 @@
 #include <string>
 
 #include "creepcontact/ode/integrator.hpp"
-#include "steps_ahead.hpp"
+#include "remaining_step_estimate.hpp"
 
 namespace creepcontact::ode {
 
@@ -60,7 +60,8 @@ class AutoIntegrator final : public Integrator {
   std::deque<Observation> recent_;  ///< the last steps, the oldest first
   double last_step_ = 0;
   std::size_t steps_with_method_ = 0;
-  StepsAhead steps_ahead_, stable_steps_ahead_;  ///< of cvode_adams, and of stable length
+  RemainingStepEstimate remaining_step_estimate_,
+      stable_remaining_step_estimate_;  ///< of cvode_adams, and of stable length
   double last_look_ = 0;
   std::deque<double> errors_;  ///< estimates of the last steps
   bool trouble_ = false;       ///< seen at the end of the last step

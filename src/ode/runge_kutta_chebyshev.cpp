@@ -23,8 +23,8 @@ constexpr double step_safety = 0.8;
 constexpr double largest_growth = 10, largest_cut = 0.1;
 constexpr double failure_cut = 0.25;
 /// Relative to the time: a method that creeps up to a point with ever smaller steps has failed.
-constexpr double smallest_step = 1e-12;
-constexpr int max_attempts = 30;
+constexpr double smallest_stabilized_step = 1e-12;
+constexpr int max_stabilized_attempts = 30;
 constexpr double tiny_error = 1e-10;  // grows no further than a larger one would
 }  // namespace
 
@@ -117,7 +117,7 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
       reason = failure.what();
       h = failure_cut * target.step;
     }
-    if (attempt == max_attempts || h <= smallest_step * std::abs(time())) give_up(h, reason);
+    if (attempt == max_stabilized_attempts || h <= smallest_stabilized_step * std::abs(time())) give_up(h, reason);
   }
 }
 
@@ -130,10 +130,9 @@ void RungeKuttaChebyshev::run_stages(const StepClock::Target& target) {
   const std::vector<double>* before = &state_;  // Y_{j-2}, overwritten by Y_j from the third stage on
   for (std::size_t j = 1; j < count; ++j) {
     system_.rate(time() + stages_[j - 1].c * h, newer_, stage_rate_);
-    const auto [mu, nu, mu_rate, gamma_rate, c] = stages_[j];
-    const double own = 1 - mu - nu;
-    const double new_part = h * mu_rate;
-    const double old_part = h * gamma_rate;
+    const double mu = stages_[j].mu, nu = stages_[j].nu, own = 1 - mu - nu;
+    const double new_part = h * stages_[j].mu_rate;
+    const double old_part = h * stages_[j].gamma_rate;
     for_each_index(state_.size(), [&](std::size_t i) {
       older_[i] =
           own * state_[i] + mu * newer_[i] + nu * (*before)[i] + new_part * stage_rate_[i] + old_part * rate_[i];

@@ -15,7 +15,7 @@ namespace creepcontact::ode {
 /// negative: the cost of a step grows with the square root of its length, where explicit methods without
 /// stabilisation pay for the length itself. Needs no Jacobian and no linear solve.
 /// The radius is 2 / System::stable_step: the relaxation rate of the stiffest point bounds that of the whole system,
-/// held together by equilibrium and with the contact set frozen or not.
+/// held together by equilibrium and with the set of closed contacts held fixed or not.
 /// Cost: s rate evaluations a step; memory: 8 vectors with the weights, whatever s.
 class RungeKuttaChebyshev final : public Integrator {
  public:

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "creepcontact/ode/integrator.hpp"
-#include "started_system.hpp"
+#include "time_transformed_system.hpp"
 
 namespace creepcontact::ode {
 
@@ -45,7 +45,7 @@ class SingularStart final : public Integrator {
   bool has_fixed_steps() const;
 
   System& system_;
-  StartedSystem started_;
+  TimeTransformedSystem started_;
   const IntegratorOptions options_;
   std::unique_ptr<Integrator> inner_;
   bool begun_ = false;         ///< the inner integrator has taken over

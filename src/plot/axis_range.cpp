@@ -7,7 +7,7 @@
 namespace creepcontact::plot {
 namespace {
 
-// Beyond these magnitudes decades and margins are no numbers any more.
+// Beyond these magnitudes decades and margins are not numbers any more.
 constexpr double greatest = 1e250, least = 1e-250;
 constexpr double rounding = 1e-6;  // of the values: what differs by less is the same on paper
 

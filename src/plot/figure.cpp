@@ -78,10 +78,13 @@ std::string ticks_between_decades(char name, const Range& range) {
   const std::vector<int> marks =
       range.to < 5 * range.from ? std::vector{1, 2, 3, 4, 5, 6, 7, 8, 9} : std::vector{1, 2, 5};
   std::string text;
-  for (double decade = std::pow(10, std::floor(std::log10(range.from))); decade <= range.to; decade *= 10)
+  double decade = std::pow(10, std::floor(std::log10(range.from)));
+  while (decade <= range.to) {
     for (const int mark : marks)
       if (mark * decade >= range.from && mark * decade <= range.to)
         text += fmt::format("{}'{:g}' {:g}", text.empty() ? "" : ", ", mark * decade, mark * decade);
+    decade *= 10;
+  }
   return fmt::format("set {}tics ({})\n", name, text);
 }
 
@@ -122,9 +125,9 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
   const bool zero = has_zero(figure);
   const std::string x_column = zero ? "($1 > 0 ? $1 : zero)" : "1";
 
-  std::string text =
-      fmt::format("# Drawn anew by:  gnuplot {0}.gp   and   gnuplot -e \"format='png'\" {0}.gp\nset encoding utf8\n{1}",
-                  stem, terminals(width, height, stem));
+  std::string text = fmt::format(
+      "# Draw again with:  gnuplot {0}.gp   and   gnuplot -e \"format='png'\" {0}.gp\nset encoding utf8\n{1}", stem,
+      terminals(width, height, stem));
   text +=
       "set grid linetype 1 linecolor rgb '#d8d8d8' linewidth 1\nset tics nomirror\nset border 3 linecolor rgb "
       "'#404040'\n";

@@ -10,29 +10,17 @@
 namespace creepcontact::plot {
 namespace {
 
-struct KindOfPrefix {
-  std::string_view prefix, name;
-  Dimension dimension;
-};
+constexpr std::array<std::pair<std::string_view, Dimension>, 6> names{{{"time", Dimension::time},
+                                                                       {"length", Dimension::length},
+                                                                       {"area", Dimension::area},
+                                                                       {"force", Dimension::force},
+                                                                       {"stress", Dimension::stress},
+                                                                       {"temperature", Dimension::temperature}}};
 
-// The first that fits counts.
-constexpr std::array kinds{
-    KindOfPrefix{"displacement_", "displacement", Dimension::length},
-    KindOfPrefix{"gap", "gap", Dimension::length},
-    KindOfPrefix{"stress_", "stress", Dimension::stress},
-    KindOfPrefix{"von_mises", "von Mises stress", Dimension::stress},
-    KindOfPrefix{"principal_", "principal stress", Dimension::stress},
-    KindOfPrefix{"hydrostatic", "mean stress", Dimension::stress},
-    KindOfPrefix{"contact_pressure", "contact pressure", Dimension::stress},
-    KindOfPrefix{"creep_strain", "creep strain", Dimension::none},
-    KindOfPrefix{"strain_", "strain", Dimension::none},
-    KindOfPrefix{"temperature", "temperature", Dimension::temperature},
-    KindOfPrefix{"damage", "damage", Dimension::none},
-    KindOfPrefix{"life_fraction", "life fraction", Dimension::none},
-    KindOfPrefix{"contact_area", "contact area", Dimension::area},
-    KindOfPrefix{"contact_force_", "contact force", Dimension::force},
-    KindOfPrefix{"reaction_", "reaction", Dimension::force},
-};
+Dimension dimension_of(const std::string& name) {
+  const auto found = std::ranges::find(names, name, &std::pair<std::string_view, Dimension>::first);
+  return found == names.end() ? Dimension::none : found->second;
+}
 
 using Words = std::vector<std::string_view>;
 
@@ -69,33 +57,17 @@ std::vector<std::string> words(const std::string& units) {
 }  // namespace
 
 QuantityKind kind_of(const io::SummaryProbe& probe) {
-  const auto kind =
-      std::ranges::find_if(kinds, [&](const KindOfPrefix& k) { return probe.quantity.starts_with(k.prefix); });
-  if (kind == kinds.end()) return {"value", Dimension::none};
-  const std::string name(kind->name);
-  const bool is_total = kind->dimension == Dimension::force || kind->dimension == Dimension::area;
-  if (probe.integrated_over.empty() || is_total) return {name, kind->dimension};
-  if (kind->dimension == Dimension::stress && probe.integrated_over == "surface") return {"force", Dimension::force};
-  return {name + ", sum", Dimension::none};
+  if (probe.label.empty()) return {"value", Dimension::none};
+  const Dimension dimension = dimension_of(probe.dimension);
+  const bool is_total = dimension == Dimension::force || dimension == Dimension::area;
+  if (probe.integrated_over.empty() || is_total) return {probe.label, dimension};
+  if (dimension == Dimension::stress && probe.integrated_over == "surface") return {"force", Dimension::force};
+  return {probe.label + ", sum", Dimension::none};
 }
 
 std::string name_of(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::time:
-      return "time";
-    case Dimension::length:
-      return "length";
-    case Dimension::area:
-      return "area";
-    case Dimension::force:
-      return "force";
-    case Dimension::stress:
-      return "stress";
-    case Dimension::temperature:
-      return "temperature";
-    default:
-      return "value";
-  }
+  const auto found = std::ranges::find(names, dimension, &std::pair<std::string_view, Dimension>::second);
+  return found == names.end() ? "value" : std::string(found->first);
 }
 
 std::string unit_of(Dimension dimension, const std::string& units) {

@@ -7,9 +7,9 @@
 namespace creepcontact::results {
 namespace {
 
-constexpr int enough = 4;          // elements across
-constexpr double no_matter = 0.1;  // of the force: zones that carry less
-constexpr double rounding = 1e-9;  // of the largest multiplier
+constexpr int enough = 4;                      // elements across
+constexpr double no_matter = 0.1;              // of the force: zones that carry less
+constexpr double multiplier_round_off = 1e-9;  // of the largest multiplier
 
 /// Rows that can be reached from the first ones, each with its distance in steps.
 std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const std::vector<int>& first,
@@ -21,7 +21,7 @@ std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const
     rows.emplace_back(row, distance);
   };
   for (const int row : first) add(row, 1);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {  // NOLINT(modernize-loop-convert): rows grow within
     const auto [row, distance] = rows[i];
     for (const int other : grid.around(row)) add(other, distance + 1);
   }
@@ -31,8 +31,8 @@ std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const
 }  // namespace
 
 std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row) {
-  const auto n_rows = static_cast<int>(grid.places.size());
-  std::vector<char> closed(grid.places.size());
+  const auto n_rows = static_cast<int>(grid.positions.size());
+  std::vector<char> closed(grid.positions.size());
   for (int row = 0; row < n_rows; ++row) closed[row] = force_of_row[row] > 0 ? 1 : 0;
   const auto is_open = [&](int row) { return closed[row] == 0; };
   const std::vector<char> all_closed = closed;
@@ -44,7 +44,7 @@ std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen
     const std::vector<std::pair<int, int>> zone = reached(grid, {row}, closed);  // which takes it out of `closed`
     double force = 0;
     std::vector<int> edge;
-    std::vector<char> in_zone(grid.places.size());
+    std::vector<char> in_zone(grid.positions.size());
     for (const auto& [member, distance] : zone) {
       force += force_of_row[member];
       in_zone[member] = 1;
@@ -61,7 +61,7 @@ std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const 
   std::vector<std::string> lines;
   const Eigen::VectorXd& multipliers = at.contact.multiplier;
   const double largest = multipliers.size() > 0 ? multipliers.cwiseAbs().maxCoeff() : 0.0;
-  const Eigen::VectorXd pressure = (multipliers.array() > rounding * largest).select(multipliers, 0.0);
+  const Eigen::VectorXd pressure = (multipliers.array() > multiplier_round_off * largest).select(multipliers, 0.0);
   for (const contact::Pair& pair : assembly.pairs()) {
     if (pair.coupling.type == contact::ContactType::tied) continue;
     const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), pair.coupling.n_rows());

@@ -11,22 +11,13 @@ using material::Measure;
 
 constexpr double small_strain = 1;  // creep strain beyond which results mean nothing any more
 
-/// Pressures times the areas of their nodes; tied surfaces may pull.
-double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
-  double force = 0;
-  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-    force += pair.coupling.area[i] * multipliers[pair.first_row + i];
-  return force;
-}
-
 io::Summary::Largest largest(const creep::CreepSystem::Extreme& extreme) {
-  return {extreme.value, {extreme.place.x(), extreme.place.y(), extreme.place.z()}};
+  return {extreme.value, {extreme.position.x(), extreme.position.y(), extreme.position.z()}};
 }
 
 }  // namespace
 
-DamageMonitor::DamageMonitor(const creep::CreepSystem& system)
-    : system_(system), largest_force_(system.assembly().pairs().size(), 0.0), final_force_(largest_force_) {}
+DamageMonitor::DamageMonitor(const creep::CreepSystem& system) : system_(system) {}
 
 creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double> y) const {
   creep::CreepSystem::Extreme result;
@@ -39,12 +30,6 @@ creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double
 }
 
 void DamageMonitor::output(const creep::Evaluation& at) {
-  for (std::size_t p = 0; p < final_force_.size(); ++p) {
-    const contact::Pair& pair = system_.assembly().pairs()[p];
-    if (pair.coupling.type == contact::ContactType::tied) continue;
-    final_force_[p] = normal_force(pair, at.equilibrium.contact.multiplier);
-    largest_force_[p] = std::max(largest_force_[p], final_force_[p]);
-  }
   for (std::size_t b = 0; b < at.equilibrium.bodies.size(); ++b) {
     if (const auto damage = system_.largest(Measure::damage, b, at, at.y)) damage_[b] = *damage;
     if (const auto life = system_.largest(Measure::life_fraction, b, at, at.y)) life_[b] = *life;
@@ -61,7 +46,7 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
       if (!(strain > small_strain)) continue;
       const Vector3& x = bodies[b].discretization().point_coordinates()[p];
       log::warning(
-          "body '{}': the creep strain has come to {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory is that "
+          "body '{}': the creep strain has reached {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory is that "
           "of small strain. Look at the units of the creep constants of material '{}', or end the run before",
           bodies[b].name(), strain, x.x(), x.y(), x.z(), time, bodies[b].material().name);
       warned_of_strain_ = true;
@@ -72,18 +57,8 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
     if (!life || !(life->value > 1)) continue;
     log::warning(
         "body '{}': the creep life is used up before t = {:.6g} at ({:.6g}, {:.6g}, {:.6g}): life_fraction {:.3g}",
-        bodies[b].name(), time, life->place.x(), life->place.y(), life->place.z(), life->value);
+        bodies[b].name(), time, life->position.x(), life->position.y(), life->position.z(), life->value);
     warned_of_life_ = true;
-  }
-}
-
-void DamageMonitor::warn_of_open_contacts() const {
-  for (std::size_t p = 0; p < largest_force_.size(); ++p) {
-    const contact::Pair& pair = system_.assembly().pairs()[p];
-    if (pair.coupling.type == contact::ContactType::tied || largest_force_[p] > 0) continue;
-    log::warning(
-        "contact '{}' was open at every output time and has carried nothing (a negative gap is an interference)",
-        pair.name);
   }
 }
 
@@ -92,16 +67,6 @@ void DamageMonitor::fill(io::Summary& summary) const {
   for (const auto& [b, extreme] : damage_) summary.damage[bodies[b].name()] = largest(extreme);
   for (const auto& [b, extreme] : life_) summary.life_fraction[bodies[b].name()] = largest(extreme);
   if (rupture_) summary.rupture = {rupture_->first, bodies[rupture_->second.body].name(), largest(rupture_->second)};
-  for (std::size_t p = 0; p < final_force_.size(); ++p) {
-    const contact::Pair& pair = system_.assembly().pairs()[p];
-    if (pair.coupling.type != contact::ContactType::tied)
-      summary.contacts[pair.name] = {largest_force_[p], final_force_[p]};
-  }
-}
-
-void DamageMonitor::restore(const creep::Memory& memory) {
-  const auto found = memory.find("largest_contact_force");
-  if (found != memory.end() && found->second.size() == largest_force_.size()) largest_force_ = found->second;
 }
 
 }  // namespace creepcontact::results

@@ -1,60 +1,70 @@
 #include "field_arrays.hpp"
 
+#include "creepcontact/results/quantities.hpp"
+
 namespace creepcontact::results {
 namespace {
 
-void append_components(const Tensor6& mandel, std::vector<double>& values) {
-  for (int k = 0; k < 6; ++k) values.push_back(k < 3 ? mandel[k] : mandel[k] / tensor::sqrt2);
-}
+/// Those that the field files have, each with its array; the name of the array is a member of OutputVariable.
+class Arrays {
+ public:
+  Arrays(std::string OutputVariable::*name, const Snapshot& snapshot) {
+    for (const OutputVariable& variable : output_variables()) {
+      if ((variable.*name).empty() || (variable.measure && !snapshot.knows(*variable.measure))) continue;
+      variables_.push_back(&variable);
+      // Vectors and tensors have the component names of ParaView.
+      const bool own_names = variable.point_array != variable.name;
+      arrays_.push_back({variable.*name,
+                         static_cast<int>(variable.n_components()),
+                         {},
+                         own_names ? variable.components : std::vector<std::string>()});
+    }
+    arrays_.push_back({"body", 1, {}});
+  }
+
+  void append(const Sample& sample, std::size_t body) {
+    for (std::size_t i = 0; i < variables_.size(); ++i) {
+      std::vector<double>& values = arrays_[i].values;
+      values.resize(values.size() + variables_[i]->n_components());
+      variables_[i]->evaluate(sample, values.data() + values.size() - variables_[i]->n_components());
+    }
+    arrays_.back().values.push_back(static_cast<double>(body));
+  }
+
+  std::vector<io::FieldData> take() { return std::move(arrays_); }
+
+ private:
+  std::vector<const OutputVariable*> variables_;
+  std::vector<io::FieldData> arrays_;  // of the variables, then the number of the body
+};
 
 }  // namespace
 
 std::vector<io::FieldData> point_arrays(Snapshot& snapshot) {
-  io::FieldData displacement{"displacement", 3, {}}, stress{"stress", 6, {}}, creep{"creep_strain", 6, {}};
-  io::FieldData von_mises{"von_mises", 1, {}}, equivalent{"creep_strain_equivalent", 1, {}};
-  io::FieldData temperature{"temperature", 1, {}}, body_id{"body", 1, {}};
-  io::FieldData damage{"damage", 1, {}}, life{"life_fraction", 1, {}};
-  const std::vector<mechanics::Body>& bodies = snapshot.assembly().bodies();
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  Arrays arrays(&OutputVariable::point_array, snapshot);
+  for (std::size_t b = 0; b < snapshot.assembly().bodies().size(); ++b) {
     const BodyFields& fields = snapshot.fields(b);
-    for (std::size_t i = 0; i < fields.n_nodes(); ++i) {
-      const Sample sample = fields.at_node(i);
-      displacement.values.insert(displacement.values.end(), sample.displacement.begin(), sample.displacement.end());
-      append_components(sample.stress, stress.values);
-      append_components(sample.creep_strain, creep.values);
-      von_mises.values.push_back(tensor::von_mises(sample.stress));
-      equivalent.values.push_back(tensor::equivalent_strain(sample.creep_strain));
-      temperature.values.push_back(sample.temperature);
-      damage.values.push_back(sample.damage);
-      life.values.push_back(sample.life_fraction);
-      body_id.values.push_back(static_cast<double>(b));
-    }
+    for (std::size_t i = 0; i < fields.n_nodes(); ++i) arrays.append(fields.at_node(i), b);
   }
-  std::vector<io::FieldData> result{displacement, stress, creep, von_mises, equivalent, temperature, body_id};
-  if (snapshot.knows(material::Measure::damage)) result.push_back(std::move(damage));
-  if (snapshot.knows(material::Measure::life_fraction)) result.push_back(std::move(life));
-  return result;
+  return arrays.take();
 }
 
 std::vector<io::FieldData> cell_arrays(Snapshot& snapshot) {
-  io::FieldData stress{"stress", 6, {}}, creep{"creep_strain", 6, {}}, von_mises{"von_mises", 1, {}};
-  io::FieldData body_id{"body", 1, {}};
-  const std::vector<mechanics::Body>& bodies = snapshot.assembly().bodies();
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  Arrays arrays(&OutputVariable::cell_array, snapshot);
+  for (std::size_t b = 0; b < snapshot.assembly().bodies().size(); ++b) {
     const BodyFields& fields = snapshot.fields(b);
-    const mechanics::Discretization& discretization = bodies[b].discretization();
-    std::vector<double> stress_means(6 * discretization.n_elements()), creep_means(6 * discretization.n_elements());
-    discretization.to_elements(fields.point_values(PointField::stress), 6, stress_means);
-    discretization.to_elements(fields.point_values(PointField::creep_strain), 6, creep_means);
+    const mechanics::Discretization& discretization = fields.body().discretization();
+    std::vector<double> stress(6 * discretization.n_elements()), creep(6 * discretization.n_elements());
+    discretization.to_elements(fields.point_values(PointField::stress), 6, stress);
+    discretization.to_elements(fields.point_values(PointField::creep_strain), 6, creep);
+    Sample mean;
     for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
-      const Tensor6 mean = tensor::view(stress_means, e);
-      append_components(mean, stress.values);
-      append_components(tensor::view(creep_means, e), creep.values);
-      von_mises.values.push_back(tensor::von_mises(mean));
-      body_id.values.push_back(static_cast<double>(b));
+      mean.stress = tensor::view(stress, e);
+      mean.creep_strain = tensor::view(creep, e);
+      arrays.append(mean, b);
     }
   }
-  return {stress, creep, von_mises, body_id};
+  return arrays.take();
 }
 
 }  // namespace creepcontact::results

@@ -8,10 +8,9 @@
 
 namespace creepcontact::results {
 
-/// displacement, stress, creep_strain, von_mises, creep_strain_equivalent, temperature, body; damage and life_fraction
-/// if a material has them.
+/// The output variables with a point_array, and body.
 std::vector<io::FieldData> point_arrays(Snapshot& snapshot);
-/// Element means: stress, creep_strain, von_mises, body.
+/// Element means: the output variables with a cell_array, evaluated of the means of stress and creep strain, and body.
 std::vector<io::FieldData> cell_arrays(Snapshot& snapshot);
 
 }  // namespace creepcontact::results

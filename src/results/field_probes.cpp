@@ -24,7 +24,7 @@ class PointProbe final : public Probe {
     if (rank != assembly.team().rank()) return;
     location_ = std::move(location.value());
     const mechanics::Body& owner = assembly.bodies()[body];
-    points_ = local_fit(owner.discretization(), owner.mesh(), location_.element, location_.place);
+    points_ = local_fit(owner.discretization(), owner.mesh(), location_.element, location_.position);
   }
 
   double value(Snapshot& snapshot) const override {
@@ -49,7 +49,7 @@ class PointProbe final : public Probe {
       sample.damage += weight * at_point.damage;
       sample.life_fraction += weight * at_point.life_fraction;
     }
-    sample.place = location_.place;
+    sample.position = location_.position;
     return quantity_(sample);
   }
 
@@ -92,7 +92,7 @@ class VolumeProbe final : public Probe {
   double value(Snapshot& snapshot) const override {
     const BodyFields& fields = snapshot.fields(body_);
     Reduction reduction(reduce_);
-    if (quantity_.info().name.starts_with("displacement")) {
+    if (quantity_.variable().name.starts_with("displacement")) {
       for (std::size_t i = 0; i < fields.n_nodes(); ++i) reduction.add(quantity_(fields.at_node(i)), 1.0);
     } else {
       const std::span<const double> weights = fields.body().discretization().weights();

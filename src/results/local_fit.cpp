@@ -22,7 +22,7 @@ Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
 
 /// Where a value is taken as it is: one integration point, or the mean over some.
 struct SamplePlace {
-  Vector3 place = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
   std::vector<std::pair<std::size_t, double>> points;  // with their shares, which add up to 1
 };
 
@@ -37,7 +37,7 @@ void add_samples(const mechanics::Discretization& discretization, std::size_t el
   for (std::size_t p = first; p < last; ++p) {
     if (!linear || p == first) samples.emplace_back();
     const double share = linear ? discretization.weights()[p] / volume : 1.0;
-    samples.back().place += share * discretization.point_coordinates()[p];
+    samples.back().position += share * discretization.point_coordinates()[p];
     samples.back().points.emplace_back(p, share);
   }
 }
@@ -100,7 +100,7 @@ std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretiz
   Eigen::VectorXd weights(n);
   for (Index i = 0; i < n; ++i) {
     // Distances in element sizes, each direction by its own: flat elements weigh right.
-    const Vector3 x = to_reference * (samples[i].place - at);
+    const Vector3 x = to_reference * (samples[i].position - at);
     weights[i] = 1 / (1 + x.squaredNorm() * x.squaredNorm());
     matrix.row(i) = weights[i] * monomials(x);
   }

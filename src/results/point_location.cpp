@@ -76,7 +76,7 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
   PointLocation result;
   result.nodes.assign(nodes.begin(), nodes.end());
   result.weights.assign(shape.begin(), shape.end());
-  result.place = at;
+  result.position = at;
   result.distance = (at - x.transpose() * shape).norm();
   if (result.distance > reach * size) return std::nullopt;
   return result;

@@ -10,11 +10,11 @@
 namespace creepcontact::results {
 
 struct PointLocation {
-  std::size_t element = 0;          ///< its number among the volume cells of all blocks
-  std::vector<std::int64_t> nodes;  ///< of the element
-  std::vector<double> weights;      ///< shape functions at the point
-  Vector3 place = Vector3::Zero();  ///< the point asked for
-  double distance = 0;              ///< from the point to the element's nearest place
+  std::size_t element = 0;             ///< its number among the volume cells of all blocks
+  std::vector<std::int64_t> nodes;     ///< of the element
+  std::vector<double> weights;         ///< shape functions at the point
+  Vector3 position = Vector3::Zero();  ///< the point asked for
+  double distance = 0;                 ///< from the point to the element's nearest place
 };
 
 class PointLocator {

@@ -14,7 +14,7 @@ Vector3 vector(const std::array<double, 3>& from) {
 }  // namespace
 
 ProbeQuantity::ProbeQuantity(const config::Probe& probe)
-    : info_(quantity(probe.quantity)), origin_(vector(probe.origin)) {
+    : quantity_(quantity(probe.quantity)), origin_(vector(probe.origin)) {
   const Vector3 axis = vector(probe.axis).normalized();
   Vector3 across = Vector3::UnitX() - axis.x() * axis;
   if (across.norm() < along_x) across = Vector3::UnitY() - axis.y() * axis;
@@ -24,11 +24,11 @@ ProbeQuantity::ProbeQuantity(const config::Probe& probe)
 }
 
 double ProbeQuantity::operator()(const Sample& sample) const {
-  if (!info_.cylindrical) return info_.value(sample);
+  if (!variable().cylindrical) return quantity_.value(sample);
   Sample turned = sample;
-  turned.place = axes_ * (sample.place - origin_);
+  turned.position = axes_ * (sample.position - origin_);
   turned.stress = tensor::from_matrix(axes_ * tensor::to_matrix(sample.stress) * axes_.transpose());
-  return info_.value(turned);
+  return quantity_.value(turned);
 }
 
 }  // namespace creepcontact::results

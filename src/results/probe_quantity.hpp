@@ -11,10 +11,10 @@ class ProbeQuantity {
  public:
   explicit ProbeQuantity(const config::Probe& probe);
   double operator()(const Sample& sample) const;
-  const QuantityInfo& info() const { return info_; }
+  const OutputVariable& variable() const { return *quantity_.variable; }
 
  private:
-  const QuantityInfo& info_;
+  const Quantity& quantity_;
   Matrix3 axes_ =
       Matrix3::Identity();  // rows: two directions across the axis, the first as near to x as may be; the axis
   Vector3 origin_ = Vector3::Zero();

@@ -58,10 +58,11 @@ std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, co
   model::ErrorCollector errors;
   for (const config::Probe& probe : config.probes)
     errors.collect(probe.location, [&] {
-      const QuantityInfo::Kind kind = quantity(probe.quantity).kind;
-      if (kind == QuantityInfo::Kind::reaction)
+      using Location = OutputVariable::Location;
+      const Location location = quantity(probe.quantity).variable->location;
+      if (location == Location::reaction)
         result.push_back(reaction_probe(probe, model));
-      else if (kind != QuantityInfo::Kind::field)
+      else if (location != Location::field)
         result.push_back(contact_probe(probe, model));
       else if (probe.at)
         result.push_back(point_probe(probe, model, locators));

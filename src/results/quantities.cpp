@@ -1,116 +1,202 @@
 #include "creepcontact/results/quantities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace creepcontact::results {
 namespace {
 
-using Kind = QuantityInfo::Kind;
-using Axis = QuantityInfo::Axis;
-using Field = Tensor6 Sample::*;
+using Location = OutputVariable::Location;
 
-/// Component (i, j) of a tensor field, Cartesian.
-template <Field field, int i, int j>
-double cartesian(const Sample& sample) {
-  return tensor::to_matrix(sample.*field)(i, j);
+constexpr std::size_t most_components = 6;
+
+template <Tensor6 Sample::*field>
+void cartesian(const Sample& sample, double* into) {
+  const Matrix3 tensor = tensor::to_matrix(sample.*field);
+  const std::array values{tensor(0, 0), tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0)};
+  std::ranges::copy(values, into);
 }
 
-/// Directions of cylindrical coordinates about the z axis.
-enum class Direction { radial, circumferential };
-
-template <Direction first, Direction second>
-double cylindrical(const Sample& sample) {
-  const double r = sample.place.head<2>().norm();
-  const Vector3 radial = r > 0 ? Vector3(sample.place.x() / r, sample.place.y() / r, 0) : Vector3(1, 0, 0);
+/// About the z axis.
+void cylindrical(const Sample& sample, double* into) {
+  const double r = sample.position.head<2>().norm();
+  const Vector3 radial = r > 0 ? Vector3(sample.position.x() / r, sample.position.y() / r, 0) : Vector3(1, 0, 0);
   const Vector3 circumferential(-radial.y(), radial.x(), 0);
-  const auto unit = [&](Direction of) { return of == Direction::radial ? radial : circumferential; };
-  return unit(first).dot(tensor::to_matrix(sample.stress) * unit(second));
+  const Matrix3 stress = tensor::to_matrix(sample.stress);
+  into[0] = radial.dot(stress * radial);
+  into[1] = circumferential.dot(stress * circumferential);
+  into[2] = radial.dot(stress * circumferential);
 }
 
-enum class Rank { smallest, middle, largest };
-
-template <Rank rank>
-double principal(const Sample& sample) {
-  return tensor::principal_values(tensor::to_matrix(sample.stress))[static_cast<int>(rank)];
+void principal(const Sample& sample, double* into) {
+  const Vector3 ascending = tensor::principal_values(tensor::to_matrix(sample.stress));
+  std::reverse_copy(ascending.begin(), ascending.end(), into);
 }
 
-template <Axis axis>
-double displacement(const Sample& sample) {
-  return sample.displacement[static_cast<int>(axis)];
+std::vector<OutputVariable> make_variables() {
+  const std::vector<std::string> vector{"x", "y", "z"}, tensor{"xx", "yy", "zz", "xy", "yz", "zx"};
+  std::vector<OutputVariable> all;
+  all.push_back({.name = "displacement",
+                 .components = vector,
+                 .description = "displacement",
+                 .label = "displacement",
+                 .dimension = "length",
+                 .evaluate = [](const Sample& at, double* into) { std::ranges::copy(at.displacement, into); },
+                 .point_array = "displacement"});
+  all.push_back({.name = "displacement_magnitude",
+                 .components = {},
+                 .description = "length of the displacement",
+                 .label = "displacement",
+                 .dimension = "length",
+                 .evaluate = [](const Sample& at, double* into) { *into = at.displacement.norm(); }});
+  all.push_back({.name = "stress",
+                 .components = tensor,
+                 .description = "stress",
+                 .label = "stress",
+                 .dimension = "stress",
+                 .evaluate = cartesian<&Sample::stress>,
+                 .point_array = "stress",
+                 .cell_array = "stress"});
+  all.push_back({.name = "stress",
+                 .components = {"r", "theta", "rtheta"},
+                 .description = "stress in cylindrical components about the probe's `axis`, by default z",
+                 .label = "stress",
+                 .dimension = "stress",
+                 .evaluate = cylindrical,
+                 .point_array = "stress_cylindrical",
+                 .cylindrical = true});
+  all.push_back({.name = "von_mises",
+                 .components = {},
+                 .description = "von Mises equivalent stress",
+                 .label = "von Mises stress",
+                 .dimension = "stress",
+                 .evaluate = [](const Sample& at, double* into) { *into = tensor::von_mises(at.stress); },
+                 .point_array = "von_mises",
+                 .cell_array = "von_mises"});
+  all.push_back({.name = "principal",
+                 .components = {"1", "2", "3"},
+                 .description = "principal stress; 1: largest, 3: smallest",
+                 .label = "principal stress",
+                 .dimension = "stress",
+                 .evaluate = principal,
+                 .point_array = "principal_stress"});
+  all.push_back({.name = "hydrostatic",
+                 .components = {},
+                 .description = "mean stress",
+                 .label = "mean stress",
+                 .dimension = "stress",
+                 .evaluate = [](const Sample& at, double* into) { *into = tensor::trace(at.stress) / 3; }});
+  all.push_back({.name = "strain",
+                 .components = tensor,
+                 .description = "total strain, tensor components",
+                 .label = "strain",
+                 .dimension = "",
+                 .evaluate = cartesian<&Sample::strain>});
+  all.push_back({.name = "creep_strain",
+                 .components = tensor,
+                 .description = "creep strain, tensor components",
+                 .label = "creep strain",
+                 .dimension = "",
+                 .evaluate = cartesian<&Sample::creep_strain>,
+                 .point_array = "creep_strain",
+                 .cell_array = "creep_strain"});
+  all.push_back({.name = "creep_strain_equivalent",
+                 .components = {},
+                 .description = "equivalent creep strain sqrt(2/3 e:e)",
+                 .label = "creep strain",
+                 .dimension = "",
+                 .evaluate = [](const Sample& at, double* into) { *into = tensor::equivalent_strain(at.creep_strain); },
+                 .point_array = "creep_strain_equivalent"});
+  all.push_back({.name = "temperature",
+                 .components = {},
+                 .description = "temperature",
+                 .label = "temperature",
+                 .dimension = "temperature",
+                 .evaluate = [](const Sample& at, double* into) { *into = at.temperature; },
+                 .point_array = "temperature"});
+  all.push_back({.name = "damage",
+                 .components = {},
+                 .description = "damage of `kachanov_rabotnov`, 0 to 1; 0 where there is none",
+                 .label = "damage",
+                 .dimension = "",
+                 .evaluate = [](const Sample& at, double* into) { *into = at.damage; },
+                 .point_array = "damage",
+                 .measure = material::Measure::damage});
+  all.push_back({.name = "life_fraction",
+                 .components = {},
+                 .description = "fraction of the creep life used up, from rupture data; 0 where there are none",
+                 .label = "life fraction",
+                 .dimension = "",
+                 .evaluate = [](const Sample& at, double* into) { *into = at.life_fraction; },
+                 .point_array = "life_fraction",
+                 .measure = material::Measure::life_fraction});
+
+  all.push_back({.name = "contact_pressure",
+                 .components = {},
+                 .description = "the multipliers; either surface of a pair gives the same",
+                 .label = "contact pressure",
+                 .dimension = "stress",
+                 .location = Location::contact_pressure});
+  all.push_back({.name = "gap",
+                 .components = {},
+                 .description = "normal distance; zero but for rounding where closed",
+                 .label = "gap",
+                 .dimension = "length",
+                 .location = Location::contact_gap});
+  all.push_back({.name = "contact_area",
+                 .components = {},
+                 .description = "area in contact, its edge found between the nodes",
+                 .label = "contact area",
+                 .dimension = "area",
+                 .location = Location::contact_area});
+  all.push_back({.name = "contact_force",
+                 .components = vector,
+                 .description = "resultant contact force on the body of this surface",
+                 .label = "contact force",
+                 .dimension = "force",
+                 .location = Location::contact_force});
+  all.push_back({.name = "reaction",
+                 .components = vector,
+                 .description = "resultant force of the supports on the body",
+                 .label = "reaction",
+                 .dimension = "force",
+                 .location = Location::reaction});
+  return all;
 }
 
-template <Field field>
-void add_components(std::vector<QuantityInfo>& list, const std::string& name, const std::string& description) {
-  const auto add = [&](const char* suffix, double (*value)(const Sample&)) {
-    list.push_back({name + "_" + suffix, description, Kind::field, value});
-  };
-  add("xx", cartesian<field, 0, 0>);
-  add("yy", cartesian<field, 1, 1>);
-  add("zz", cartesian<field, 2, 2>);
-  add("xy", cartesian<field, 0, 1>);
-  add("yz", cartesian<field, 1, 2>);
-  add("zx", cartesian<field, 2, 0>);
-}
-
-std::vector<QuantityInfo> make_quantities() {
-  std::vector<QuantityInfo> list;
-  const auto field = [&](const char* name, const char* description, double (*value)(const Sample&)) {
-    list.push_back({name, description, Kind::field, value});
-  };
-  field("displacement_x", "displacement", displacement<Axis::x>);
-  field("displacement_y", "displacement", displacement<Axis::y>);
-  field("displacement_z", "displacement", displacement<Axis::z>);
-  field("displacement_magnitude", "length of the displacement",
-        [](const Sample& sample) { return sample.displacement.norm(); });
-  add_components<&Sample::stress>(list, "stress", "stress");
-  const auto cylinder = [&](const char* name, double (*value)(const Sample&)) {
-    list.push_back({name, "stress in cylindrical components about the probe's `axis`, by default z", Kind::field, value,
-                    Axis::z, true});
-  };
-  cylinder("stress_r", cylindrical<Direction::radial, Direction::radial>);
-  cylinder("stress_theta", cylindrical<Direction::circumferential, Direction::circumferential>);
-  cylinder("stress_rtheta", cylindrical<Direction::radial, Direction::circumferential>);
-  field("von_mises", "equivalent stress of von Mises",
-        [](const Sample& sample) { return tensor::von_mises(sample.stress); });
-  field("principal_1", "largest principal stress", principal<Rank::largest>);
-  field("principal_2", "middle principal stress", principal<Rank::middle>);
-  field("principal_3", "smallest principal stress", principal<Rank::smallest>);
-  field("hydrostatic", "mean stress", [](const Sample& sample) { return tensor::trace(sample.stress) / 3; });
-  add_components<&Sample::strain>(list, "strain", "total strain, tensor components");
-  add_components<&Sample::creep_strain>(list, "creep_strain", "creep strain, tensor components");
-  field("creep_strain_equivalent", "equivalent creep strain sqrt(2/3 e:e)",
-        [](const Sample& sample) { return tensor::equivalent_strain(sample.creep_strain); });
-  field("temperature", "temperature", [](const Sample& sample) { return sample.temperature; });
-  field("damage", "damage of `kachanov_rabotnov`, 0 to 1; 0 where there is none",
-        [](const Sample& sample) { return sample.damage; });
-  field("life_fraction", "creep life used up, by rupture data; 0 where there are none",
-        [](const Sample& sample) { return sample.life_fraction; });
-
-  list.push_back({"contact_pressure", "the multipliers; either surface of a pair gives the same", Kind::pressure});
-  list.push_back({"gap", "normal distance; zero but for rounding where closed", Kind::gap});
-  list.push_back({"contact_area", "area in contact, its edge found between the nodes", Kind::area});
-  const std::pair<const char*, Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}};
-  for (const auto& [name, axis] : axes)
-    list.push_back({std::string("contact_force_") + name, "resultant contact force on the body of this surface",
-                    Kind::force, nullptr, axis});
-  for (const auto& [name, axis] : axes)
-    list.push_back({std::string("reaction_") + name, "resultant force of the supports on the body", Kind::reaction,
-                    nullptr, axis});
-  return list;
+std::vector<Quantity> make_quantities() {
+  std::vector<Quantity> all;
+  for (const OutputVariable& variable : output_variables()) {
+    if (variable.components.empty()) all.push_back({variable.name, &variable, 0});
+    for (const std::string& component : variable.components)
+      all.push_back(
+          {variable.name + '_' + component, &variable, static_cast<int>(&component - variable.components.data())});
+  }
+  return all;
 }
 
 }  // namespace
 
-const std::vector<QuantityInfo>& quantities() {
-  static const std::vector<QuantityInfo> list = make_quantities();
-  return list;
+const std::vector<OutputVariable>& output_variables() {
+  static const std::vector<OutputVariable> all = make_variables();
+  return all;
 }
 
-const QuantityInfo& quantity(const std::string& name) {
-  const auto& list = quantities();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& info) { return info.name == name; });
-  if (found == list.end()) throw std::out_of_range("no quantity '" + name + "'");
+double Quantity::value(const Sample& sample) const {
+  std::array<double, most_components> components;
+  variable->evaluate(sample, components.data());
+  return components[component];
+}
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = make_quantities();
+  return all;
+}
+
+const Quantity& quantity(const std::string& name) {
+  const auto found = std::ranges::find(quantities(), name, &Quantity::name);
+  if (found == quantities().end()) throw std::out_of_range("no quantity '" + name + "'");
   return *found;
 }
 

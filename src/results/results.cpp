@@ -45,14 +45,12 @@ void Results::sync() {
   steps_->sync();
 }
 
-void Results::step(const ode::StepReport& report, const creep::RunCounters& before, const creep::RunCounters& after) {
+void Results::step(const ode::StepReport& report, const RunCounters& work, std::int64_t n_active_contacts) {
   steps_->write({.time = report.time,
                  .step = report.step,
                  .order = report.order,
-                 .rhs_evaluations = after.rate_evaluations - before.rate_evaluations,
-                 .elastic_solves = after.elastic_solves - before.elastic_solves,
-                 .schwarz_iterations = after.schwarz_iterations - before.schwarz_iterations,
-                 .active_contacts = after.active_contacts,
+                 .work = work,
+                 .active_contacts = n_active_contacts,
                  .error_estimate = report.error_estimate});
 }
 

@@ -47,24 +47,27 @@ class AreaProbe final : public Probe {
 /// Pressure, gap and force.
 class ContactProbe final : public Probe {
  public:
-  ContactProbe(std::vector<Side> sides, const QuantityInfo& info, config::Reduce reduce)
-      : sides_(std::move(sides)), info_(info), reduce_(reduce) {}
+  ContactProbe(std::vector<Side> sides, const Quantity& quantity, config::Reduce reduce)
+      : sides_(std::move(sides)), quantity_(quantity), reduce_(reduce) {}
 
   double value(Snapshot& snapshot) const override {
     Reduction reduction(reduce_);
     double force = 0;
     for (const Side& side : sides_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
-      if (info_.kind == QuantityInfo::Kind::force)
+      if (is_at(Location::contact_force))
         force += contact_force(snapshot, pair, side.body);
       else
         add_nodes(snapshot, pair, reduction);
     }
     // All members of a team know the state of the contacts.
-    return info_.kind == QuantityInfo::Kind::force ? force : reduction.result(serial_team());
+    return is_at(Location::contact_force) ? force : reduction.result(serial_team());
   }
 
  private:
+  using Location = OutputVariable::Location;
+  bool is_at(Location location) const { return quantity_.variable->location == location; }
+
   void add_nodes(Snapshot& snapshot, const contact::Pair& pair, Reduction& reduction) const {
     const Eigen::VectorXd& multipliers = snapshot.equilibrium().contact.multiplier;
     const Eigen::VectorXd& gaps = snapshot.equilibrium().gaps;
@@ -76,7 +79,7 @@ class ContactProbe final : public Probe {
       // A tied surface carries a vector: its pressure is the part along the normal (tension negative).
       const double pressure = tied ? normal.dot(multipliers.segment<3>(row)) : multipliers[row];
       const double gap = tied ? 0.0 : gaps[row] / area;
-      reduction.add(info_.kind == QuantityInfo::Kind::pressure ? pressure : gap, area);
+      reduction.add(is_at(Location::contact_pressure) ? pressure : gap, area);
     }
   }
 
@@ -85,19 +88,19 @@ class ContactProbe final : public Probe {
     const Eigen::VectorXd forces =
         rows.transpose() * snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
     double sum = 0;
-    for (auto i = static_cast<Index>(info_.axis); i < forces.size(); i += 3) sum += forces[i];
+    for (auto i = static_cast<Index>(quantity_.component); i < forces.size(); i += 3) sum += forces[i];
     return sum;
   }
 
   std::vector<Side> sides_;
-  const QuantityInfo& info_;
+  const Quantity& quantity_;
   config::Reduce reduce_;
 };
 
 class ReactionProbe final : public Probe {
  public:
-  ReactionProbe(std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes, QuantityInfo::Axis axis)
-      : nodes_(std::move(nodes)), component_(static_cast<int>(axis)) {}
+  ReactionProbe(std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes, int component)
+      : nodes_(std::move(nodes)), component_(component) {}
 
   double value(Snapshot& snapshot) const override {
     double sum = 0;
@@ -137,16 +140,17 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Mo
     throw ModelError(fmt::format("surface '{}' is in no contact; surfaces in contact: {}", probe.on.name,
                                  names.empty() ? "none" : names));
   }
-  const QuantityInfo& info = quantity(probe.quantity);
-  if (info.kind == QuantityInfo::Kind::area) return std::make_unique<AreaProbe>(std::move(sides), model);
-  return std::make_unique<ContactProbe>(std::move(sides), info, probe.reduce);
+  const Quantity& wanted = quantity(probe.quantity);
+  if (wanted.variable->location == OutputVariable::Location::contact_area)
+    return std::make_unique<AreaProbe>(std::move(sides), model);
+  return std::make_unique<ContactProbe>(std::move(sides), wanted, probe.reduce);
 }
 
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model) {
   std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes;
   for (const std::size_t b : probe_bodies(probe, model))
     nodes.emplace_back(b, mesh::group_nodes(model.bodies()[b].mesh(), probe.on.name));
-  return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).axis);
+  return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).component);
 }
 
 }  // namespace creepcontact::results

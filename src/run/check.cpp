@@ -42,8 +42,7 @@ void check(const config::Config& config, std::ostream& report) {
   std::string text;
   for (const std::string& warning : settings_warnings(config)) text += "warning: " + warning + "\n";
   double contact_bytes = 0;
-  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
-    const mechanics::Body& body = model.bodies()[b];
+  for (const mechanics::Body& body : model.bodies()) {
     text += fmt::format("body '{}': {}, {} nodes, {} unknowns, {} integration points, material '{}'{}\n", body.name(),
                         element_names(body.mesh()), body.mesh().nodes.size(), body.constraints().n_free(),
                         body.discretization().n_points(), body.material().name,
@@ -61,9 +60,10 @@ void check(const config::Config& config, std::ostream& report) {
                               : contact_text(pair, config.contacts[p], model);
     contact_bytes += 8 * n * n * 12;
   }
-  const contact::FloatingMotions& floating = model.assembly.floating();
-  if (floating.held().cols() > 0) text += fmt::format("held by contact alone: {} motions\n", floating.held().cols());
-  for (const std::string& motion : floating.describe_idle())
+  const contact::RigidBodyModes& rigid_body_modes = model.assembly.rigid_body_modes();
+  if (rigid_body_modes.held().cols() > 0)
+    text += fmt::format("held by contact alone: {} motions\n", rigid_body_modes.held().cols());
+  for (const std::string& motion : rigid_body_modes.describe_unconstrained())
     text += fmt::format("held by nothing, must not be loaded: {}\n", motion);
   if (const auto range = model::temperature_range(config, model))
     text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
@@ -77,7 +77,7 @@ void check(const config::Config& config, std::ostream& report) {
   if (const std::string shortage = memory_shortage(need); !shortage.empty())
     text += fmt::format("warning: {}\n", shortage);
   report << text << std::flush;
-  floating.require_contact(model.pairs());
+  rigid_body_modes.require_contact(model.pairs());
   report << "no mistakes found\n" << std::flush;
 }
 

@@ -8,11 +8,12 @@
 
 namespace creepcontact::run {
 
-/// Bodies with their meshes (a checksum), materials, supports, loads, temperature, contacts and the contact method, a
-/// line each. Not what a user may want to change between two parts of a run: times, tolerances, integrator, outputs.
+/// One line per body's mesh (a checksum) and per key that identifies the model (config::KeyInfo::identifies_model),
+/// those of unused materials apart. A user may change the other keys between two parts of a run: times, tolerances,
+/// integrator, outputs.
 std::string fingerprint(const config::Config& config, const model::Model& model);
 
-/// "loads changed: pressure on 'bore' was '100' and is '120'"; empty if they are the same.
+/// "loads[0].pressure was 100 and is now 120"; empty if they are the same.
 std::vector<std::string> differences(const std::string& before, const std::string& now);
 
 }  // namespace creepcontact::run

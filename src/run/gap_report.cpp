@@ -48,7 +48,7 @@ std::optional<std::string> gap_warning(const model::Model& model, const contact:
   const double allowed = of_the_body * size_of(smaller);
   const bool tied = pair.coupling.type == contact::ContactType::tied;
   double worst = 0, worst_given = 0, worst_distance = 0;
-  Vector3 place = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
   for (std::size_t i = 0; i < pair.coupling.gap_points.size(); ++i) {
     const Vector3& x = pair.coupling.gap_points[i];
     const double distance = pair.coupling.gap_distances[i];
@@ -56,12 +56,12 @@ std::optional<std::string> gap_warning(const model::Model& model, const contact:
     const double given = tied ? 0.0 : pair.gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = 0});
     const double excess = std::abs(distance - given) - of_the_distance * std::abs(distance) - allowed;
     if (!(excess > worst)) continue;
-    worst = excess, worst_given = given, worst_distance = distance, place = x;
+    worst = excess, worst_given = given, worst_distance = distance, position = x;
   }
   if (!(worst > 0)) return std::nullopt;
   const std::string in_mesh = worst_distance < 0 ? fmt::format("overlap by {:.4g}", -worst_distance)
                                                  : fmt::format("are {:.4g} apart", worst_distance);
-  const std::string where = fmt::format("at ({:.6g}, {:.6g}, {:.6g})", place.x(), place.y(), place.z());
+  const std::string where = fmt::format("at ({:.6g}, {:.6g}, {:.6g})", position.x(), position.y(), position.z());
   if (tied)
     return fmt::format(
         "contact '{}': {} the surfaces {} in the mesh, more than a thousandth of body '{}' ({:.4g}), but they are tied "

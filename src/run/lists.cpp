@@ -97,13 +97,16 @@ Table elements() {
 }
 
 Table quantity_table() {
-  Table table{{"quantity", "where", "what"}, {}};
-  for (const results::QuantityInfo& info : results::quantities())
-    table.rows.push_back({info.name,
-                          info.kind == results::QuantityInfo::Kind::field      ? "point, group, body"
-                          : info.kind == results::QuantityInfo::Kind::reaction ? "supported group"
-                                                                               : "contact surface",
-                          info.description});
+  using Location = results::OutputVariable::Location;
+  Table table{{"quantity", "where", "dimension", "what"}, {}};
+  for (const results::Quantity& quantity : results::quantities()) {
+    const results::OutputVariable& variable = *quantity.variable;
+    table.rows.push_back({quantity.name,
+                          variable.location == Location::field      ? "point, group, body"
+                          : variable.location == Location::reaction ? "supported group"
+                                                                    : "contact surface",
+                          variable.dimension.empty() ? "-" : variable.dimension, variable.description});
+  }
   return table;
 }
 

@@ -28,7 +28,7 @@ std::string threads_text(int threads) {
 
 MemoryNeed memory_need(const config::Config& config, const model::Model& model, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor) {
-  const bool tangent = config.time.linear_solver == config::LinearSolver::tangent;
+  const bool tangent = config.time.linear_solver == settings::LinearSolver::tangent;
   const creep::StateLayout layout(model.assembly);
   MemoryNeed need;
   need.contact = (tangent ? 2 : 1) * contact_bytes;

@@ -15,6 +15,7 @@
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
+#include "creepcontact/results/quantities.hpp"
 #include "creepcontact/run/check.hpp"
 #include "finished_run.hpp"
 #include "memory_need.hpp"
@@ -32,27 +33,23 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   summary.version = CREEPCONTACT_VERSION;
   for (const config::Probe& probe : config.probes) {
     const char* const region = probe.on.given() ? "surface" : "body";
-    summary.probes[probe.name] = {probe.quantity, probe.reduce == config::Reduce::sum ? region : ""};
+    const results::OutputVariable& variable = *results::quantity(probe.quantity).variable;
+    summary.probes[probe.name] = {.quantity = probe.quantity,
+                                  .label = variable.label,
+                                  .dimension = variable.dimension,
+                                  .integrated_over = probe.reduce == config::Reduce::sum ? region : ""};
   }
   summary.integrator = config.time.integrator;
   summary.method = loop.method();
   summary.time_reached = loop.time();
-  const ode::Integrator::Counters steps = loop.integrator_counters();
-  const creep::RunCounters counters = loop.system_counters();
-  summary.steps = steps.steps;
-  summary.rejected_steps = steps.rejected_steps;
-  summary.convergence_failures = steps.convergence_failures;
-  summary.rhs_evaluations = counters.rate_evaluations;
-  summary.jacobian_products = counters.jacobian_products;
-  summary.elastic_solves = counters.elastic_solves;
-  summary.contact_solves = counters.contact_solves;
-  summary.schwarz_iterations = counters.schwarz_iterations;
-  summary.factorizations = counters.factorizations;
+  static_cast<RunCounters&>(summary) = loop.counters();
   loop.life().fill(summary);
   for (const mechanics::Body& body : model.bodies())
     summary.bodies[body.name()] = {body.constraints().n_free(),
                                    static_cast<std::int64_t>(body.discretization().n_elements()),
-                                   static_cast<std::int64_t>(body.discretization().n_points())};
+                                   static_cast<std::int64_t>(body.discretization().n_points()),
+                                   {}};
+  loop.outcome().fill(summary);
   summary.wall_seconds = {watch.total(),
                           watch.seconds(Part::factorize),
                           watch.seconds(Part::solve),
@@ -63,25 +60,14 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   return summary;
 }
 
-Suspects suspects(const creep::CreepSystem& system) {
-  Suspects result;
+Diagnosis diagnosis(const creep::CreepSystem& system) {
+  Diagnosis result;
   const std::vector<double> times = system.relaxation_times(system.step_evaluation());
   for (std::size_t b = 0; b < times.size(); ++b)
     result.bodies.push_back({system.assembly().bodies()[b].name(), times[b]});
   for (std::size_t p = 0; p < system.assembly().pairs().size(); ++p)
     result.contacts.push_back({system.assembly().pairs()[p].name, system.history().set_changes[p]});
   return result;
-}
-
-std::string report(const config::Config& config, const io::Summary& summary, const TimeLoop& loop,
-                   const std::string& end, const std::filesystem::path& directory) {
-  std::string text = fmt::format("{}: {} steps, {} elastic solves, {} Schwarz iterations, {:.2f} s; results in {}\n",
-                                 end, summary.steps, summary.elastic_solves, summary.schwarz_iterations,
-                                 summary.wall_seconds.total, directory.string());
-  if (loop.step_statistics().empty()) return text;
-  text += run_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
-  if (loop.resumed()) text += "  (lengths, orders and errors of steps, and the time: since the resume)\n";
-  return text;
 }
 
 }  // namespace
@@ -126,7 +112,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
       log::info("contact '{}': slave '{}', {} multipliers", pair.name, pair.slave_surface, pair.coupling.nodes.size());
   if (!solver.interface().is_dense())
     log::info("contact: matrix-free, its matrices would take {:.0f} MB", solver.interface().dense_bytes() / 1e6);
-  for (const std::string& motion : model.assembly.floating().describe_idle())
+  for (const std::string& motion : model.assembly.rigid_body_modes().describe_unconstrained())
     log::info("held by nothing, must not be loaded: {}", motion);
   creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
                             config.time.tolerance, watch);
@@ -180,8 +166,13 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     return failed(SolverError::status, platform::out_of_memory);
   }
   const char* const end = result.exit_status != 0 ? "interrupted" : summary.rupture ? "ruptured" : "done";
-  result.report = report(config, summary, loop, end, directory);
-  if (!loop.step_statistics().empty()) result.advice = advice(summary, loop.step_statistics(), suspects(system));
+  result.report = fmt::format("{}: t = {:.6g}; results in {}\n", end, loop.time(), directory.string()) +
+                  outcome_table(summary) +
+                  work_line(summary, loop.step_statistics(), config.time.tolerance, loop.method());
+  if (loop.step_statistics().empty()) return result;
+  result.details = work_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
+  if (loop.resumed()) result.details += "  (lengths, orders and errors of steps, and the time: since the resume)\n";
+  result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
   return result;
 }
 

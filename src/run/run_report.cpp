@@ -19,23 +19,63 @@ double share(std::int64_t part, std::int64_t whole) {
 }
 
 /// "where to look": the body that creeps fastest, and the contact that changes most.
-std::string places(const io::Summary& summary, const Suspects& suspects) {
+std::string where(const io::Summary& summary, const Diagnosis& diagnosis) {
   std::string text;
-  const auto fastest = std::ranges::min_element(suspects.bodies, {}, &Suspects::Body::relaxation_time);
-  if (fastest != suspects.bodies.end() && std::isfinite(fastest->relaxation_time))
+  const auto fastest = std::ranges::min_element(diagnosis.bodies, {}, &Diagnosis::Body::relaxation_time);
+  if (fastest != diagnosis.bodies.end() && std::isfinite(fastest->relaxation_time))
     text += fmt::format(" Body '{}' creeps fastest (relaxation time {:.3g} at the end).", fastest->name,
                         fastest->relaxation_time);
-  const auto busiest = std::ranges::max_element(suspects.contacts, {}, &Suspects::Contact::set_changes);
-  if (busiest != suspects.contacts.end() && busiest->set_changes > 0)
+  const auto busiest = std::ranges::max_element(diagnosis.contacts, {}, &Diagnosis::Contact::set_changes);
+  if (busiest != diagnosis.contacts.end() && busiest->set_changes > 0)
     text += fmt::format(" Contact '{}' opened or closed somewhere in {} of {} steps.", busiest->name,
                         busiest->set_changes, summary.steps);
   return text;
 }
 
+/// A row of the table of outcomes.
+std::string row(const std::string& name, const io::Summary::Course& course) {
+  return fmt::format("  {:<34}{:>12.5g}{:>12.5g}{:>12.5g}{:>10.0f} %\n", name, course.start, course.largest, course.end,
+                     100 * course.remaining());
+}
+
+std::string place(const io::Summary::Largest& largest) {
+  const auto& [x, y, z] = largest.position;
+  return fmt::format("at ({:.6g}, {:.6g}, {:.6g})", x, y, z);
+}
+
 }  // namespace
 
-std::string run_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
+std::string outcome_table(const io::Summary& summary) {
+  std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", "", "start", "largest", "end", "end/largest");
+  for (const auto& [name, contact] : summary.contacts)
+    text += row(fmt::format("normal force of contact '{}'", name), contact.normal_force);
+  for (const auto& [name, body] : summary.bodies)
+    text += row(fmt::format("von Mises stress of body '{}'", name), body.von_mises);
+  for (const auto& [name, contact] : summary.contacts)
+    if (contact.opened) text += fmt::format("  contact '{}' is open from t = {:.6g} on\n", name, *contact.opened);
+  for (const auto& [name, largest] : summary.life_fraction)
+    text +=
+        fmt::format("  body '{}' has used {:.3g} % of its creep life {}\n", name, 100 * largest.value, place(largest));
+  for (const auto& [name, largest] : summary.damage)
+    text += fmt::format("  body '{}' has a damage of {:.3g} {}\n", name, largest.value, place(largest));
+  if (const auto& rupture = summary.rupture)
+    text +=
+        fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));
+  return text;
+}
+
+std::string work_line(const io::Summary& summary, const StepStatistics& steps, double tolerance,
                       const std::string& method) {
+  std::string text = "  ";
+  if (!method.empty()) text += fmt::format("{}: {} steps", method, summary.steps);
+  if (steps.largest_error() > 0) text += fmt::format(" (relative stress tolerance {:.0e})", tolerance);
+  if (!method.empty()) text += ", ";
+  return text + fmt::format("{} elastic solves, {} Schwarz iterations, {:.2f} s, {:.0f} MB\n", summary.elastic_solves,
+                            summary.schwarz_iterations, summary.wall_seconds.total, summary.peak_memory_mb);
+}
+
+std::string work_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
+                       const std::string& method) {
   std::string text;
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", name, value);
@@ -52,7 +92,7 @@ std::string run_table(const io::Summary& summary, const StepStatistics& steps, d
                    summary.factorizations));
   if (summary.contact_solves > 0 && summary.schwarz_iterations > 0)
     line("contact",
-         fmt::format("{:.1f} iterations a solve", share(summary.schwarz_iterations, summary.contact_solves)));
+         fmt::format("{:.1f} iterations per solve", share(summary.schwarz_iterations, summary.contact_solves)));
   if (steps.largest_error() > 0)
     line("accuracy",
          fmt::format("stress to {:.0e} requested; estimated errors of the steps: {:.2f} of what that allows "
@@ -69,7 +109,7 @@ std::string run_table(const io::Summary& summary, const StepStatistics& steps, d
   return text;
 }
 
-std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Suspects& suspects) {
+std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Diagnosis& diagnosis) {
   if (summary.rupture) return {};  // steps that are rejected and shrink are its signs
   std::vector<std::string> lines;
   if (summary.steps < few_steps) return lines;
@@ -78,19 +118,19 @@ std::vector<std::string> advice(const io::Summary& summary, const StepStatistics
     lines.push_back(
         fmt::format("the iterations of the implicit steps failed {} times in {} steps.{} Try "
                     "another time.integrator (rkc2, arkode_erk), or a tighter contact_solver.tolerance",
-                    summary.convergence_failures, summary.steps, places(summary, suspects)));
+                    summary.convergence_failures, summary.steps, where(summary, diagnosis)));
   if (share(summary.rejected_steps, summary.steps) > many_rejections)
     lines.push_back(
         fmt::format("{} steps were rejected and {} accepted.{} If loads jump or turn at times that no table "
                     "shows, name these in time.breakpoints",
-                    summary.rejected_steps, summary.steps, places(summary, suspects)));
+                    summary.rejected_steps, summary.steps, where(summary, diagnosis)));
   const double iterations = share(summary.schwarz_iterations, summary.contact_solves);
   if (iterations > many_iterations)
     lines.push_back(
-        fmt::format("the contact solver took {:.0f} iterations a solve. Try contact_solver.acceleration = "
+        fmt::format("the contact solver took {:.0f} iterations per solve. Try contact_solver.acceleration = "
                     "\"cg\", or contact_solver.method = \"active_set\"",
                     iterations));
-  for (const Suspects::Contact& contact : suspects.contacts)
+  for (const Diagnosis::Contact& contact : diagnosis.contacts)
     if (steps.largest_error() > 0 && share(contact.set_changes, summary.steps) > many_set_changes &&
         share(summary.rejected_steps, summary.steps) > many_failures)
       lines.push_back(

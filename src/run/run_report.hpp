@@ -1,5 +1,5 @@
 #pragma once
-/// The table at the end of a run, and advice where something was off.
+/// The tables at the end of a run, and advice where something was off.
 
 #include <algorithm>
 #include <cstdint>
@@ -38,7 +38,7 @@ class StepStatistics {
 };
 
 /// What may have caused trouble.
-struct Suspects {
+struct Diagnosis {
   struct Body {
     std::string name;
     double relaxation_time;  ///< shortest at the end; infinity: does not creep
@@ -51,11 +51,19 @@ struct Suspects {
   std::vector<Contact> contacts;
 };
 
-/// Lines of the table, without advice. @param method  the integrator at work at the end
-std::string run_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
+/// What came out: contact forces and stresses at the start, at their largest and at the end, contacts that opened,
+/// damage, life and rupture.
+std::string outcome_table(const io::Summary& summary);
+
+/// What it cost, in one line. @param method  the integrator at work at the end; empty: nothing creeps
+std::string work_line(const io::Summary& summary, const StepStatistics& steps, double tolerance,
                       const std::string& method);
 
+/// What it cost, in detail.
+std::string work_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
+                       const std::string& method);
+
 /// One sentence or two for each thing that was off; empty if all went well.
-std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Suspects& suspects);
+std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Diagnosis& diagnosis);
 
 }  // namespace creepcontact::run

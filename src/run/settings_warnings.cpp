@@ -6,8 +6,8 @@ namespace creepcontact::run {
 
 std::vector<std::string> settings_warnings(const config::Config& config) {
   const config::Time& time = config.time;
-  const bool controls_errors = !time.integrator.ends_with("_euler") || time.step.mode == config::StepMode::adaptive;
-  const bool iterates = config.contact_solver.method == config::ContactMethod::schwarz;
+  const bool controls_errors = !time.integrator.ends_with("_euler") || time.step.mode == settings::StepMode::adaptive;
+  const bool iterates = config.contact_solver.method == settings::ContactMethod::schwarz;
   if (config.contacts.empty() || !iterates || !controls_errors || config.contact_solver.tolerance <= time.tolerance)
     return {};
   return {fmt::format(

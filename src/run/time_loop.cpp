@@ -15,41 +15,18 @@ namespace {
 /// Damage at which steps that shrink to nothing mean rupture: the rate of damage is then infinite.
 constexpr double almost_ruptured = 0.5;
 constexpr int steps_between_warnings = 50;
-constexpr double nothing = 1e-9;      // relative to the time
+constexpr double no_time = 1e-9;      // relative to the time
 constexpr double failing_with = 0.9;  // damage at which steps that cannot be made mean rupture
 
-ode::StepChoice step_choice(const config::TimeStep& step) {
-  switch (step.mode) {
-    case config::StepMode::fixed:
-      return step.length;
-    case config::StepMode::stable:
-      return ode::StepMode::stable;
-    case config::StepMode::adaptive:
-      return ode::StepMode::adaptive;
-  }
-  return {};
-}
-
 ode::IntegratorOptions integrator_options(const config::Time& time) {
-  ode::IntegratorOptions options;
-  options.tolerance = time.tolerance;
-  options.step = step_choice(time.step);
-  options.step_factor = time.step_factor;
-  options.beta = time.beta;
-  if (time.inner == config::InnerIteration::newton) options.inner = ode::InnerIteration::newton;
-  options.inner_tolerance = time.inner_tolerance;
-  options.inner_anderson = time.inner_anderson;
-  options.residual_correction = time.residual_correction;
-  options.table = time.table;
-  options.linear_solver =
-      time.linear_solver == config::LinearSolver::tangent ? ode::LinearSolver::tangent : ode::LinearSolver::krylov;
+  ode::IntegratorOptions options = time;
   options.end_time = time.end;
   return options;
 }
 
 /// A tangent stiffness must be condensed anew with every factorisation, which iterated contact is not made for.
 void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface) {
-  if (config.time.linear_solver != config::LinearSolver::tangent || interface.is_dense()) return;
+  if (config.time.linear_solver != settings::LinearSolver::tangent || interface.is_dense()) return;
   throw ConfigError(
       fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
                   "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
@@ -68,6 +45,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
       checkpoints_(config, model, directory),
       observer_(observer),
       life_(system),
+      outcome_(model.assembly),
       table_ranges_(config),
       state_(system.size(), 0.0) {
   require_condensed_contact(config, system.solver().interface());
@@ -76,9 +54,11 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
     resumed_ = checkpoints_.read(system.size());
     time_ = resumed_->time;
     has_output_ = true;
-    earlier_ = resumed_->counters;
+    for (const RunCounters::Field& field : RunCounters::fields)
+      if (const auto kept = resumed_->counters.find(std::string(field.name)); kept != resumed_->counters.end())
+        earlier_.*field.value = kept->second;
     system.restore(resumed_->arrays);
-    life_.restore(resumed_->arrays);
+    outcome_.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
   } else {
     checkpoints_.remove();
@@ -92,18 +72,10 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
 
 io::Checkpoint TimeLoop::checkpoint() const {
   io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
-  life_.save(checkpoint.arrays);
-  const creep::RunCounters of_system = system_counters();
-  const ode::Integrator::Counters of_integrator = integrator_counters();
-  checkpoint.counters = {{"steps", of_integrator.steps},
-                         {"rejected_steps", of_integrator.rejected_steps},
-                         {"convergence_failures", of_integrator.convergence_failures},
-                         {"rate_evaluations", of_system.rate_evaluations},
-                         {"jacobian_products", of_system.jacobian_products},
-                         {"elastic_solves", of_system.elastic_solves},
-                         {"contact_solves", of_system.contact_solves},
-                         {"schwarz_iterations", of_system.schwarz_iterations},
-                         {"factorizations", of_system.factorizations}};
+  outcome_.save(checkpoint.arrays);
+  const RunCounters work = counters();
+  for (const RunCounters::Field& field : RunCounters::fields)
+    checkpoint.counters[std::string(field.name)] = work.*field.value;
   return checkpoint;
 }
 
@@ -128,24 +100,13 @@ void TimeLoop::write_checkpoint() {
   checkpoints_.write(here ? checkpoint() : *kept_);
 }
 
-ode::Integrator::Counters TimeLoop::integrator_counters() const {
-  ode::Integrator::Counters result = integrator_ ? integrator_->counters() : ode::Integrator::Counters{};
-  const auto earlier = [&](const char* name) { return earlier_.contains(name) ? earlier_.at(name) : 0; };
-  result.steps += earlier("steps");
-  result.rejected_steps += earlier("rejected_steps");
-  result.convergence_failures += earlier("convergence_failures");
-  return result;
-}
-
-creep::RunCounters TimeLoop::system_counters() const {
-  creep::RunCounters result = system_.run_counters();
-  const auto earlier = [&](const char* name) { return earlier_.contains(name) ? earlier_.at(name) : 0; };
-  result.rate_evaluations += earlier("rate_evaluations");
-  result.jacobian_products += earlier("jacobian_products");
-  result.elastic_solves += earlier("elastic_solves");
-  result.contact_solves += earlier("contact_solves");
-  result.schwarz_iterations += earlier("schwarz_iterations");
-  result.factorizations += earlier("factorizations");
+RunCounters TimeLoop::counters() const {
+  RunCounters result = earlier_ + system_.run_counters();
+  if (!integrator_) return result;
+  const ode::Integrator::Counters steps = integrator_->counters();
+  result.steps += steps.steps;
+  result.rejected_steps += steps.rejected_steps;
+  result.convergence_failures += steps.convergence_failures;
   return result;
 }
 
@@ -156,6 +117,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     results::Snapshot snapshot(system_, t, at);
     results_->output(snapshot);
     life_.output(at);
+    outcome_.output(t, at.equilibrium);
     life_.warn(t, at, at.y);
     table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
     if (t == config_.time.end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium);
@@ -169,7 +131,9 @@ TimeLoop::End TimeLoop::run() {
   try {
     begin_segment();
     if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
-      life_.output(system_.evaluate_output(time_, resumed_->state));
+      const creep::Evaluation& at = system_.evaluate_output(time_, resumed_->state);
+      life_.output(at);
+      outcome_.output(time_, at.equilibrium);
       return End::completed;
     }
     if (!resumed_) output(0, state_);
@@ -194,7 +158,7 @@ TimeLoop::End TimeLoop::run() {
   write_checkpoint();
   if (ruptured_) return End::ruptured;
   if (time_ < config_.time.end) return End::interrupted;
-  life_.warn_of_open_contacts();
+  outcome_.warn_of_open_contacts();
   return End::completed;
 }
 
@@ -212,13 +176,14 @@ void TimeLoop::report_rupture(double time, const creep::CreepSystem::Extreme& wh
   life_.rupture(time, where);
   if (observer_ != nullptr) observer_->before_message();
   log::info("body '{}' ruptures at t = {:.6g}: damage {:.3g} at ({:.6g}, {:.6g}, {:.6g})",
-            model_.bodies()[where.body].name(), time, where.value, where.place.x(), where.place.y(), where.place.z());
+            model_.bodies()[where.body].name(), time, where.value, where.position.x(), where.position.y(),
+            where.position.z());
 }
 
 bool TimeLoop::ruptured(double begin_of_step) {
   creep::CreepSystem::Extreme where = life_.largest_damage(integrator_->state());
   const bool at_end = where.value >= results::DamageMonitor::rupture_damage;
-  if (!at_end && !(where.value >= almost_ruptured && time_ - begin_of_step < nothing * time_)) return false;
+  if (!at_end && !(where.value >= almost_ruptured && time_ - begin_of_step < no_time * time_)) return false;
   double before = begin_of_step, after = time_;
   for (int halving = 0; at_end && halving < 50; ++halving) {
     const double middle = 0.5 * (before + after);
@@ -263,16 +228,17 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (checkpoints_.due()) write_checkpoint();
     keep_restart_point();
     const double stop = next_break_ != last_break ? *next_break_ : end;
-    const bool may_pass_outputs = integrator_->interpolates() || next_output_ == config_.time.output.end();
-    const creep::RunCounters before = system_.run_counters();
+    const bool interpolates = integrator_->interpolates() && !config_.time.stop_at_output;
+    const bool may_pass_outputs = interpolates || next_output_ == config_.time.output.end();
+    const RunCounters before = system_.run_counters();
     const ode::StepReport report = integrator_->step(may_pass_outputs ? stop : std::min(stop, *next_output_));
     settled_ = false;
     time_ = integrator_->time();
-    results_->step(report, before, system_.run_counters());
+    results_->step(report, system_.run_counters() - before, system_.n_active_contacts());
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
     table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
-    if (observer_ != nullptr) observer_->step(time_, integrator_counters().steps, system_counters().elastic_solves);
+    if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());
     if (ruptured(time_ - report.step)) return;

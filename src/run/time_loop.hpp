@@ -9,10 +9,12 @@
 #include <string>
 
 #include "checkpoints.hpp"
+#include "creepcontact/base/run_counters.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/table_range_monitor.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/results/damage_monitor.hpp"
+#include "creepcontact/results/outcome.hpp"
 #include "creepcontact/results/results.hpp"
 #include "creepcontact/run/run.hpp"
 #include "run_report.hpp"
@@ -35,15 +37,15 @@ class TimeLoop {
   double time() const { return time_; }
   /// False if the run failed before its first output.
   bool has_output() const { return has_output_; }
-  ode::Integrator::Counters integrator_counters() const;
-  creep::RunCounters system_counters() const;
+  RunCounters counters() const;
   const results::Results& results() const { return *results_; }
   const results::DamageMonitor& life() const { return life_; }
+  const results::Outcome& outcome() const { return outcome_; }
   /// Of the steps since the start or the resume.
   const StepStatistics& step_statistics() const { return step_statistics_; }
   /// Of the end of the run: what to say of contacts that few elements resolve.
   const std::vector<std::string>& narrow_contacts() const { return narrow_contacts_; }
-  bool resumed() const { return !earlier_.empty(); }
+  bool resumed() const { return earlier_ != RunCounters{}; }
   /// The integrator at work.
   std::string method() const { return integrator_ ? integrator_->method() : ""; }
   /// Called after every output time (the summary is kept up to date with it).
@@ -76,17 +78,18 @@ class TimeLoop {
   std::unique_ptr<results::Results> results_;
   RunObserver* observer_;
   results::DamageMonitor life_;
+  results::Outcome outcome_;
   model::TableRangeMonitor table_ranges_;
   StepStatistics step_statistics_;
   std::vector<std::string> narrow_contacts_;
   double time_ = 0;
   bool has_output_ = false;
   bool ruptured_ = false;
-  bool settled_ = false;                         // integrated up to time_, and all results up to there are on disk
-  std::optional<io::Checkpoint> resumed_;        // until the integration has begun
-  std::optional<io::Checkpoint> kept_;           // the last restart point, if steps have left it
-  std::vector<double> state_;                    // of output times
-  std::map<std::string, std::int64_t> earlier_;  // counters of the runs before an interruption
+  bool settled_ = false;                   // integrated up to time_, and all results up to there are on disk
+  std::optional<io::Checkpoint> resumed_;  // until the integration has begun
+  std::optional<io::Checkpoint> kept_;     // the last restart point, if steps have left it
+  std::vector<double> state_;              // of output times
+  RunCounters earlier_;                    // counters of the runs before an interruption
   std::vector<double>::const_iterator next_output_;
   std::vector<double>::const_iterator next_break_;
 };

@@ -11,7 +11,7 @@ namespace creepcontact::run {
 namespace {
 
 /// Makes the law, to see what it says.
-config::LawVerdict judge(const material::LawInfo& info, const material::ParameterValues& values) {
+config::LawValidation validate(const material::LawInfo& info, const material::ParameterValues& values) {
   try {
     const auto law = info.make(values);
     const auto& parameters = law->parameters();
@@ -19,17 +19,17 @@ config::LawVerdict judge(const material::LawInfo& info, const material::Paramete
                                             [](const Function& value) { return value.depends_on_temperature(); });
     return {.mistake = {}, .depends_on_temperature = by_temperature};
   } catch (const material::ParameterError& error) {
-    return {.mistake = config::LawMistake{error.key(), error.found(), error.allowed()}};
+    return {.mistake = config::LawError{error.key(), error.found(), error.allowed()}};
   }
 }
 
-std::optional<config::LawMistake> judge_larson_miller(const std::vector<double>& stress,
-                                                      const std::vector<double>& parameter) {
+std::optional<config::LawError> validate_larson_miller(const std::vector<double>& stress,
+                                                       const std::vector<double>& parameter) {
   try {
     material::larson_miller({.stress = stress, .parameter = parameter});
     return std::nullopt;
   } catch (const material::ParameterError& error) {
-    return config::LawMistake{error.key(), error.found(), error.allowed()};
+    return config::LawError{error.key(), error.found(), error.allowed()};
   }
 }
 
@@ -52,22 +52,23 @@ config::Vocabulary vocabulary() {
       key.maximum = parameter.maximum;
       entry.keys.push_back(key);
     }
-    entry.judge = [&law](const material::ParameterValues& values) { return judge(law, values); };
+    entry.validate = [&law](const material::ParameterValues& values) { return validate(law, values); };
     result.laws.push_back(std::move(entry));
   }
-  result.judge_larson_miller = judge_larson_miller;
+  result.validate_larson_miller = validate_larson_miller;
   for (const ode::IntegratorInfo& info : ode::integrators()) {
     result.integrators.push_back(info.name);
     if (!info.tables.empty()) result.tables[info.name] = info.tables;
   }
-  for (const results::QuantityInfo& info : results::quantities()) {
+  using Location = results::OutputVariable::Location;
+  for (const results::Quantity& quantity : results::quantities()) {
+    const Location location = quantity.variable->location;
     config::Quantity entry;
-    entry.name = info.name;
-    entry.surface_only = info.kind != results::QuantityInfo::Kind::field;
-    entry.sum_only = info.kind == results::QuantityInfo::Kind::area ||
-                     info.kind == results::QuantityInfo::Kind::force ||
-                     info.kind == results::QuantityInfo::Kind::reaction;
-    entry.cylindrical = info.cylindrical;
+    entry.name = quantity.name;
+    entry.surface_only = location != Location::field;
+    entry.sum_only =
+        location == Location::contact_area || location == Location::contact_force || location == Location::reaction;
+    entry.cylindrical = quantity.variable->cylindrical;
     result.quantities.push_back(entry);
   }
   return result;

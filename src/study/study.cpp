@@ -67,7 +67,7 @@ class Comparison {
   }
 
   /// Fills the errors of a row, and its message where there are none.
-  void judge(const fs::path& directory, StudyRow& row) const {
+  void compare(const fs::path& directory, StudyRow& row) const {
     row.errors.assign(study_.compare.quantities.size(), std::numeric_limits<double>::quiet_NaN());
     if (!row.succeeded() || !reference_) return;
     const io::CsvTable history = io::read_csv_table(directory / "history.csv");
@@ -140,7 +140,7 @@ StudyResult run_study(const config::Study& study, const config::Vocabulary& voca
                                       reference->message, (execution.directory_of(run) / "run.log").string()));
     }
     rows = execution.run(runs);
-    for (std::size_t r = 0; r < runs.size(); ++r) comparison.judge(execution.directory_of(runs[r]), rows[r]);
+    for (std::size_t r = 0; r < runs.size(); ++r) comparison.compare(execution.directory_of(runs[r]), rows[r]);
   }
   platform::replace_file(directory / "study.csv", study_csv(study, runs, rows));
   const std::vector<fs::path> pictures = drawn(study, runs, rows, directory);

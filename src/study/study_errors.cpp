@@ -12,7 +12,7 @@
 namespace creepcontact::study {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// Times in a file of another program may have fewer digits.
 constexpr double same_time = 1e-9;
@@ -58,19 +58,19 @@ ReferenceHistory::Error ReferenceHistory::error(const io::CsvTable& history, con
   for (std::size_t i = final_only ? reference.times.size() - 1 : 0; i < reference.times.size(); ++i) {
     const double time = reference.times[i], value = reference.values[i];
     if (!std::isfinite(value))
-      return {unknown, fmt::format("the reference of '{}' is {} at t = {}", quantity, value, time)};
+      return {not_known, fmt::format("the reference of '{}' is {} at t = {}", quantity, value, time)};
     scale = std::max(scale, std::abs(value));
     const auto row = row_at(run_times, time);
-    if (!row && whole) return {unknown, fmt::format("no output at t = {}, where the reference has one", time)};
+    if (!row && whole) return {not_known, fmt::format("no output at t = {}, where the reference has one", time)};
     if (!row) continue;
     if (!std::isfinite(run_values[*row]))
-      return {unknown, fmt::format("'{}' is {} at t = {}", quantity, run_values[*row], time)};
+      return {not_known, fmt::format("'{}' is {} at t = {}", quantity, run_values[*row], time)};
     largest = std::max(largest, std::abs(run_values[*row] - value));
     ++compared;
   }
-  if (compared == 0) return {unknown, "ended before the reference's output times"};
+  if (compared == 0) return {not_known, "ended before the reference's output times"};
   if (scale == 0)
-    return {unknown, fmt::format("the reference of '{}' is zero, to which no error is relative", quantity)};
+    return {not_known, fmt::format("the reference of '{}' is zero, to which no error is relative", quantity)};
   return {largest / scale, {}};
 }
 

@@ -52,11 +52,7 @@ std::string settings_text(const config::PlannedRun& run) {
 
 void take_counts(const io::Summary& summary, StudyRow& row) {
   row.counted = true;
-  row.steps = summary.steps;
-  row.elastic_solves = summary.elastic_solves;
-  row.schwarz_iterations = summary.schwarz_iterations;
-  row.rejected_steps = summary.rejected_steps;
-  row.convergence_failures = summary.convergence_failures;
+  static_cast<RunCounters&>(row) = summary;
   row.wall_seconds = summary.wall_seconds.total;
 }
 

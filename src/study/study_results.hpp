@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/run_counters.hpp"
 #include "creepcontact/config/study.hpp"
 
 namespace creepcontact::study {
 
 /// Numbers that are not known are NaN.
-struct StudyRow {
+struct StudyRow : RunCounters {
   std::string status;          ///< "completed", "ruptured", "failed", "interrupted", "not started"
   std::string message;         ///< why it failed or has no error; what a run that succeeded was warned of
   std::vector<double> errors;  ///< relative, one a quantity
-  std::int64_t steps = 0, elastic_solves = 0, schwarz_iterations = 0, rejected_steps = 0, convergence_failures = 0;
   double wall_seconds = 0;
   bool counted = false;  ///< whether the run left a summary, and so the numbers above
   bool succeeded() const { return status == "completed" || status == "ruptured"; }

@@ -59,11 +59,8 @@ void tell_apart(std::vector<StudySeries>& all) {
 
 double StudyRow::count(const std::string& column) const {
   if (!counted) return unknown;
-  if (column == "steps") return static_cast<double>(steps);
-  if (column == "elastic_solves") return static_cast<double>(elastic_solves);
-  if (column == "schwarz_iterations") return static_cast<double>(schwarz_iterations);
-  if (column == "rejected_steps") return static_cast<double>(rejected_steps);
-  if (column == "convergence_failures") return static_cast<double>(convergence_failures);
+  for (const Field& field : fields)
+    if (field.name == column) return static_cast<double>(this->*field.value);
   return wall_seconds;
 }
 
@@ -88,9 +85,9 @@ std::vector<StudySeries> series(const config::Study& study, const std::vector<co
     const auto along = config::axis_of_curves(study, product);
     const config::Axis* axis = along ? &product.axes[*along] : nullptr;
     const std::string label = label_of(product, runs[r], axis);
-    const auto [place, is_new] = found.try_emplace({runs[r].product, label}, all.size());
+    const auto [position, is_new] = found.try_emplace({runs[r].product, label}, all.size());
     if (is_new) all.push_back({axis ? axis->key.name : "", label, {}, {}});
-    StudySeries& one = all[place->second];
+    StudySeries& one = all[position->second];
     one.x.push_back(axis ? config::numbers(*axis)[runs[r].point[*along]] : unknown);
     one.runs.push_back(r);
   }

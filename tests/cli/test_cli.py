@@ -115,19 +115,19 @@ class List(CliTest):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("### `norton`", done.stdout)
         for what in ("elements", "integrators", "quantities"):
-            self.assertRegex(call("list", what, "--markdown").stdout, r"^\| \w+ \| (where \| )?what \|\n\|---\|")
+            self.assertRegex(call("list", what, "--markdown").stdout, r"^\| \w+ \| (where \| dimension \| )?what \|\n\|---\|")
 
     def test_keys(self):
         done = call("list", "keys")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"(?m)^\[time\]  time integration; required\n  end  +number > 0; required$")
+        self.assertRegex(done.stdout, r"(?m)^\[time\]  time integration; required\n  end  +number > 0 \[time\]; required$")
         self.assertRegex(call("list", "keys", "bodies.shaft.region").stdout, r"^\[bodies\.<name>\].*\n  region  ")
         self.assertEqual(call("list", "keys", "contacts[0].type", "--values").stdout, "unilateral\ntied\n")
         self.assertIn("axes[].values\n", call("list", "study-keys", "--names").stdout)
 
     def test_mistakes_with_keys(self):
         self.expect_error(call("list", "keys", "tolerence"), "no key has 'tolerence'", "did you mean 'tolerance'?")
-        self.expect_error(call("list", "laws", "norton"), "KEY, --names and --values are for keys and study-keys only")
+        self.expect_error(call("list", "laws", "norton"), "--json-schema are for keys and study-keys only")
         self.expect_error(call("list", "keys", "--names", "--markdown"), "exclude each other")
         self.expect_error(call("list", "keys", "time", "mesh"), "list takes one or two arguments")
 

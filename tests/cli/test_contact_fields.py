@@ -80,9 +80,13 @@ class FieldArrays(FieldTest):
             self.skipTest("Python has no meshio (Debian package python3-meshio)")
         for name in ("fields", "contact"):
             _, file = collection(self.output / f"{name}.pvd")[-1]
-            read = meshio.read(file)
+            read, grid = meshio.read(file), Grid(file)
             self.assertEqual(set(read.point_data), set(documented(f"{name}.pvd", "point")))
             self.assertIn("TimeValue", read.field_data)
+            self.assertEqual(list(map(tuple, read.points)), grid.points())
+            for array in set(read.point_data) - {"gap"}:  # which has NaN
+                self.assertEqual([tuple(value) if len(value) > 1 else value[0] for value in read.point_data[array]],
+                                 grid.values("point", array), array)
 
     def test_ranges(self):
         first, *_, last = self.grids()

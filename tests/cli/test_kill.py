@@ -235,7 +235,7 @@ class Damage(KillTest):
             self.damage(file)
         status, errors = self.resume()
         self.assertEqual(status, 2, errors)
-        self.assertIn("run without --resume to begin anew", errors)
+        self.assertIn("run without --resume to start again", errors)
         self.assertEqual((self.output / "history.csv").read_text(), before)
 
 

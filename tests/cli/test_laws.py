@@ -22,7 +22,7 @@ end = 10
 """
 
 
-class LawMistakes(unittest.TestCase):
+class LawErrors(unittest.TestCase):
     def errors(self, text):
         """Lines of the message, without the place before the key."""
         with tempfile.TemporaryDirectory() as directory:

@@ -86,7 +86,8 @@ class Results(RunTest):
         self.assertEqual((summary["integrator"], summary["method"]), ("auto", "cvode_adams"))
         self.assertEqual(summary["steps"], len(steps))
         self.assertEqual(set(summary["bodies"]), {"shaft", "disc"})
-        self.assertEqual(set(summary["bodies"]["disc"]), {"dofs", "elements", "integration_points"})
+        self.assertEqual(set(summary["bodies"]["disc"]), {"dofs", "elements", "integration_points", "initial_von_mises",
+                                                          "largest_von_mises", "final_von_mises"})
         self.assertEqual(set(summary["wall_seconds"]), {"total", "factorize", "solve", "material", "contact", "output"})
         self.assertGreater(summary["peak_memory_mb"], 1)
         self.assertNotIn("message", summary)
@@ -119,9 +120,18 @@ class Results(RunTest):
 
     def test_usual_run_says_how_it_went(self):
         done = self.run_short()
-        self.assertRegex(done.stdout, r"^done: \d+ steps, \d+ elastic solves, .*results in ")
+        self.assertRegex(done.stdout, r"^done: t = 10; results in ")
         self.assertIn(str(self.output), done.stdout)
         self.assertIn("body 'disc'", done.stderr)
+        force = next(line for line in done.stdout.splitlines() if "normal force of contact 'fit'" in line).split()
+        summary = self.summary()["contacts"]["fit"]
+        for shown, key in zip(force[-5:-2], ("initial", "largest", "final")):
+            self.assertAlmostEqual(float(shown), summary[f"{key}_normal_force"], delta=1e-4 * float(shown))
+        self.assertRegex(done.stdout, r"(?m)^  \w+: \d+ steps .*, \d+ elastic solves, ")
+        self.assertNotIn("material points", done.stdout)
+
+    def test_verbose_adds_what_it_cost(self):
+        self.assertRegex(self.run_short("--verbose").stdout, r"(?m)^  time +[\d.]+ s: factors \d+ %")
 
     def test_overrides_and_one_thread(self):
         self.run_short("--quiet", "--threads", "1", "--set", "time.integrator=explicit_euler", "--set", "time.step=2.5",

@@ -110,7 +110,7 @@ class StudyMistakes(StudyTest):
         self.expect_error(self.study(text + COMPARE.replace("stress", "strain")), 2,
                           "study.toml:6:29: axes[0].values[1]: time.integrator: unknown integrator 'beta_eulr'",
                           "study.toml:9:18: axes[1].values[1]: time.step: number -1; allowed:",
-                          "study.toml:15:15: compare.quantities[0]: 'strain' is no probe of cube.toml; allowed: ")
+                          "study.toml:15:15: compare.quantities[0]: 'strain' is not a probe of cube.toml; allowed: ")
 
     def test_another_study_in_the_directory(self):
         single = 'base = "cube.toml"\n[[runs]]\nset = { time.step = 0.2 }\n'

@@ -13,7 +13,7 @@ DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs"
 BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"(?<![\w.])([-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?)(?![\w.]*\w)")
 MACHINE = re.compile(r"\d+(?:\.\d+)? (?=s\b|MB\b)")  # seconds and memory
-COUNTERS = ("done: ", "  steps ", "  elastic solves ", "  contact ", "  accuracy ")  # differ a little with the compiler
+COUNTERS = ("done: ", "  cvode_", "  steps ", "  elastic solves ", "  contact ", "  accuracy ")  # differ a little with the compiler
 
 
 def blocks(text):

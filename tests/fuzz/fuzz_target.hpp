@@ -12,6 +12,7 @@
 #include "creepcontact/base/error.hpp"
 
 /// Called by libFuzzer, and by replay.cpp with the files of the corpus.
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer's name
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace creepcontact::fuzz {

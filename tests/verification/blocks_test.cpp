@@ -9,6 +9,7 @@
 #include "verification/rings.hpp"
 
 namespace creepcontact {
+namespace blocks_tests {
 namespace {
 
 using test::Outcome;
@@ -141,4 +142,5 @@ TEST(EulerSchemes, HaveTheirOrderInContactProblems) {
 }
 
 }  // namespace
+}  // namespace blocks_tests
 }  // namespace creepcontact

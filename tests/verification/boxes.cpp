@@ -42,7 +42,7 @@ std::string support(const std::string& surface, const std::string& component, co
   return fmt::format("[[supports]]\non = \"{}\"\ndisplacement = {{ {} = {} }}\n", surface, component, value);
 }
 
-std::string contact(const std::string& first, const std::string& second, const std::string& more) {
+std::string contact_table(const std::string& first, const std::string& second, const std::string& more) {
   return fmt::format("[[contacts]]\nname = \"{0}/{1}\"\nbetween = [\"{0}\", \"{1}\"]\n{2}\n", first, second, more);
 }
 

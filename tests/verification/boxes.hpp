@@ -22,6 +22,6 @@ std::string boxes_geo(const std::vector<Box>& boxes);
 std::string support(const std::string& surface, const std::string& component, const std::string& value = "0");
 
 /// @param more  further keys
-std::string contact(const std::string& first, const std::string& second, const std::string& more = "");
+std::string contact_table(const std::string& first, const std::string& second, const std::string& more = "");
 
 }  // namespace creepcontact::test

@@ -125,7 +125,7 @@ TEST(HotShrinkFit, LoosensSeparatesAndClosesAgain) {
   const std::vector<double> times{0.1, 0.2, 0.4, 1, 1.6, 1.8, 2};
   for (const double bound : {0.0, 0.05, 0.5}) {
     const Outcome outcome = run_case(
-        fit.bodies + ring_supports(fit.rings, false) + contact("shaft_outer", "hub_inner", "gap = -0.05") +
+        fit.bodies + ring_supports(fit.rings, false) + contact_table("shaft_outer", "hub_inner", "gap = -0.05") +
             fmt::format("[temperature]\nvalue = \"20 + 200*t*(2 - t)\"\nrefactor_change = {}\n", bound) +
             "[time]\nend = 2\noutput = [0.1, 0.2, 0.4, 1, 1.6, 1.8, 2]\n" +
             probe("pressure", "contact_pressure", "on = \"shaft_outer\"") +
@@ -156,7 +156,7 @@ std::string graded_fit(const std::string& more) {
   std::string toml = fit.bodies;
   for (const char* name : {"shaft", "hub"})
     toml += fmt::format("[[materials.{}.creep]]\nlaw = \"norton\"\nA = \"1e-16*exp(0.01*(T - 20))\"\nn = 4\n", name);
-  return toml + contact("shaft_outer", "hub_inner", "gap = -0.05") +
+  return toml + contact_table("shaft_outer", "hub_inner", "gap = -0.05") +
          "[temperature]\nvalue = \"20 + 300*(1 - cos(0.02*t))/2*(1.2 - 0.005*(x^2 + y^2)^0.5)\"\n"
          "[time]\nend = 400\noutput = [20, 50, 100, 150, 200, 250, 300, 350, 400]\n" +
          probe("pressure", "contact_pressure", "on = \"shaft_outer\"") +

@@ -13,7 +13,7 @@ namespace creepcontact::test {
 
 /// A multiplier node of a unilateral pair.
 struct ContactPoint {
-  Vector3 place, normal;
+  Vector3 position, normal;
   double area, pressure, gap;
 };
 

@@ -7,6 +7,7 @@
 #include "verification/rings.hpp"
 
 namespace creepcontact {
+namespace contact_states_tests {
 namespace {
 
 using reference::Bar;
@@ -46,7 +47,7 @@ class Separation : public testing::TestWithParam<int> {};
 TEST_P(Separation, OpensWithoutAdhesionAndClosesAsBefore) {
   const Outcome outcome =
       test::run_case(stack_toml(two, elastic, "{ t = [0, 10, 20], values = [-0.03, 0.03, -0.03] }") +
-                         test::contact("lower_z1", "upper_z0") + "[time]\nend = 20\noutput = [4, 10, 16, 20]\n",
+                         test::contact_table("lower_z1", "upper_z0") + "[time]\nend = 20\noutput = [4, 10, 16, 20]\n",
                      test::boxes_geo(two), {"mesh.order=" + std::to_string(GetParam())});
   const double full = 100 * 0.03 / (10 / 2e5 + 20 / 1e5);
   EXPECT_RELATIVE(outcome.history.at("force1", 0), full, 1e-9);
@@ -69,7 +70,7 @@ TEST_P(Separation, LeavesTheCreepStrainOfBefore) {
   const Outcome outcome = test::run_case(
       stack_toml(two, creeping,
                  "{ t = [0, 100, 120, 200, 220, 300], values = [-0.03, -0.03, 0.03, 0.03, -0.03, -0.03] }") +
-          test::contact("lower_z1", "upper_z0") +
+          test::contact_table("lower_z1", "upper_z0") +
           "[time]\nend = 300\ntolerance = 1e-6\noutput = [100, 105, 120, 200, 215, 220, 300]\n",
       test::boxes_geo(two), {"mesh.order=" + std::to_string(GetParam())});
   const reference::Stack exact(creeping, n, [&](double time) { return -displacement(time); });
@@ -91,11 +92,11 @@ TEST(FirstContact, FollowsTheClosureOfAGivenOrMeasuredGap) {
   for (const bool measured : {false, true}) {
     std::vector<Box> boxes = two;
     if (measured) boxes[1].origin[2] += 0.01;
-    const Outcome outcome =
-        test::run_case(stack_toml(boxes, elastic, "\"-0.03*t\"") +
-                           test::contact("lower_z1", "upper_z0", measured ? "gap = \"geometric\"" : "gap = 0.01") +
-                           "[time]\nend = 1\noutput = [0.2, 0.3, 0.4, 0.8]\n",
-                       test::boxes_geo(boxes));
+    const Outcome outcome = test::run_case(
+        stack_toml(boxes, elastic, "\"-0.03*t\"") +
+            test::contact_table("lower_z1", "upper_z0", measured ? "gap = \"geometric\"" : "gap = 0.01") +
+            "[time]\nend = 1\noutput = [0.2, 0.3, 0.4, 0.8]\n",
+        test::boxes_geo(boxes));
     const double flexibility = 10 / 2e5 + 20 / 1e5, full = 0.02 / flexibility;
     for (const double t : {0.0, 0.2, 0.3}) {
       EXPECT_NEAR(outcome.history.at("force1", t), 0, 1e-12 * 100 * full);
@@ -113,7 +114,7 @@ TEST(FirstContact, FollowsTheClosureOfAGivenOrMeasuredGap) {
 TEST(FirstContact, BeginsToCreepWhenItTouches) {
   const Outcome outcome = test::run_case(
       stack_toml(two, creeping, "{ t = [0, 60], values = [0, -0.06] }") +
-          test::contact("lower_z1", "upper_z0", "gap = 0.03") +
+          test::contact_table("lower_z1", "upper_z0", "gap = 0.03") +
           "[time]\nend = 100\ntolerance = 1e-6\nbreakpoints = [30]\noutput = [20, 30, 40, 60, 80, 100]\n",
       test::boxes_geo(two), {"mesh.order=1"});
   const reference::Stack exact(creeping, n, [](double t) { return 1e-3 * std::min(t, 60.0) - 0.03; });
@@ -142,11 +143,11 @@ TEST_P(ThreeBlocks, RelaxByTheClosedForm) {
       {10, 2e5, 1e-14}, {5, 3e4, 1e-13}, middle_is_held ? Bar{10, 2e5, 1e-14} : Bar{20, 1e5, 3e-14}};
   double flexibility = 0, creep = 0;
   for (const Bar& bar : bars) flexibility += bar.length / bar.young_modulus, creep += bar.length * bar.A;
-  const Outcome outcome = test::run_case(stack_toml(boxes, bars, "-0.02", "0.02") +
-                                             (middle_is_held ? test::support("mid_middle", "z") : "") +
-                                             test::contact("low_z1", "mid_z0") + test::contact("mid_z1", "top_z0") +
-                                             "[time]\nend = 1e3\ntolerance = 1e-6\noutput = [1, 10, 100, 1e3]\n",
-                                         test::boxes_geo(boxes), {"mesh.order=" + std::to_string(order)});
+  const Outcome outcome = test::run_case(
+      stack_toml(boxes, bars, "-0.02", "0.02") + (middle_is_held ? test::support("mid_middle", "z") : "") +
+          test::contact_table("low_z1", "mid_z0") + test::contact_table("mid_z1", "top_z0") +
+          "[time]\nend = 1e3\ntolerance = 1e-6\noutput = [1, 10, 100, 1e3]\n",
+      test::boxes_geo(boxes), {"mesh.order=" + std::to_string(order)});
   for (const double t : {0.0, 1.0, 10.0, 100.0, 1e3}) {
     const double exact = reference::power_relaxation(0.04 / flexibility, creep / flexibility, n, t);
     for (const std::string joint : {"1", "2"}) {
@@ -178,7 +179,7 @@ TEST_P(TiedAndUnilateral, AgreeInCompressionWithoutShear) {
   const auto run = [&](const std::string& type) {
     std::string toml = "[mesh]\nfile = \"case.geo\"\n" + test::support("lower_z0", "z", tested.bottom) +
                        test::support("upper_z1", "z", tested.top) +
-                       test::contact("lower_z1", "upper_z0", "type = \"" + type + "\"") + "[time]\nend = 1\n";
+                       test::contact_table("lower_z1", "upper_z0", "type = \"" + type + "\"") + "[time]\nend = 1\n";
     for (const Box& box : tested.boxes)
       toml += test::body(box.name, 1e5, 0.3) + test::support(box.name + "_x0", "x") +
               test::support(box.name + "_y0", "y") +
@@ -206,4 +207,5 @@ INSTANTIATE_TEST_SUITE_P(Cases, TiedAndUnilateral,
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace
+}  // namespace contact_states_tests
 }  // namespace creepcontact

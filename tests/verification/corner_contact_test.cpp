@@ -39,9 +39,9 @@ TEST_P(CornerContact, UniformStatesOnAllSides) {
   toml += test::support("floor_x0", "x") + test::support("floor_y0", "y") + test::support("floor_z0", "z");
   toml += test::support("wall_x1", "x") + test::support("wall_y0", "y") + test::support("wall_z0", "z");
   toml += test::support("back_x0", "x") + test::support("back_y1", "y") + test::support("back_z0", "z");
-  toml += test::contact("floor_z1", "cube_z0", "slave = \"" + slaves.floor + "\"") +
-          test::contact("cube_x1", "wall_x0", "slave = \"" + slaves.wall + "\"") +
-          test::contact("cube_y1", "back_y0", "slave = \"" + slaves.back + "\"") + "[time]\nend = 1\n";
+  toml += test::contact_table("floor_z1", "cube_z0", "slave = \"" + slaves.floor + "\"") +
+          test::contact_table("cube_x1", "wall_x0", "slave = \"" + slaves.wall + "\"") +
+          test::contact_table("cube_y1", "back_y0", "slave = \"" + slaves.back + "\"") + "[time]\nend = 1\n";
   for (const char* name : {"cube", "floor", "wall", "back"})
     for (const char* reduce : {"min", "max"})
       for (const char* component : {"xx", "yy", "zz", "xy", "yz", "zx"})
@@ -90,10 +90,11 @@ class Balance : public testing::TestWithParam<std::string> {};
 TEST_P(Balance, ContactForcesAreOppositeAndCarryTheLoad) {
   const std::vector<Box> boxes{{"post", {7, 0, 0}, {2.5, 2, 5}, {3, 4, 4}},
                                {"beam", {0, 0, 5}, {10, 2, 2}, {7, 3, 2}, false}};
-  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n" + test::body("post", 1e3, 0.3) +
-                     test::body("beam", 3e3, 0.2) + "[[loads]]\non = \"beam_z1\"\npressure = \"1 + 0.1*x*y\"\n" +
-                     test::contact("post_z1", "beam_z0", "gap = \"0.2*(x - 8)\"\nslave = \"" + GetParam() + "\"") +
-                     "[time]\nend = 1\n";
+  std::string toml =
+      "[mesh]\nfile = \"case.geo\"\norder = 2\n" + test::body("post", 1e3, 0.3) + test::body("beam", 3e3, 0.2) +
+      "[[loads]]\non = \"beam_z1\"\npressure = \"1 + 0.1*x*y\"\n" +
+      test::contact_table("post_z1", "beam_z0", "gap = \"0.2*(x - 8)\"\nslave = \"" + GetParam() + "\"") +
+      "[time]\nend = 1\n";
   for (const char* component : {"x", "y", "z"})
     toml +=
         test::support("post_z0", component) + test::support("beam_x0", component) +

@@ -35,7 +35,7 @@ std::string pulled(const std::string& stress) {
   return "\n[[loads]]\non = \"x1\"\ntraction = [" + stress + ", 0, 0]\n";
 }
 
-std::string creep(const std::string& law, const std::string& keys) {
+std::string creep_law_table(const std::string& law, const std::string& keys) {
   return "\n[[materials.steel.creep]]\nlaw = \"" + law + "\"\n" + keys + "\n";
 }
 

@@ -31,6 +31,6 @@ Outcome run_cube(const std::string& material, const std::string& loading, const 
 /// Uniaxial stress along x as a function value (TOML).
 std::string pulled(const std::string& stress);
 /// One mechanism of "steel".
-std::string creep(const std::string& law, const std::string& keys);
+std::string creep_law_table(const std::string& law, const std::string& keys);
 
 }  // namespace creepcontact::test

@@ -20,10 +20,10 @@ Outcome run_cylinder(const test::RingMesh& mesh, int order, const std::string& t
                      test::body("pipe", 200e3, 0.3, 3.125e-14, 5) + test::ring_supports({mesh}, true) +
                      "[[loads]]\non = \"pipe_inner\"\npressure = 200\n" + time;
   for (const double r : radii) {
-    const std::string place = fmt::format("at = [{}, 0, 2.5]", r);
-    toml += test::probe(fmt::format("theta{}", r), "stress_theta", place);
-    toml += test::probe(fmt::format("z{}", r), "stress_zz", place);
-    toml += test::probe(fmt::format("r{}", r), "stress_r", place);
+    const std::string position = fmt::format("at = [{}, 0, 2.5]", r);
+    toml += test::probe(fmt::format("theta{}", r), "stress_theta", position);
+    toml += test::probe(fmt::format("z{}", r), "stress_zz", position);
+    toml += test::probe(fmt::format("r{}", r), "stress_r", position);
   }
   toml += test::probe("expansion", "displacement_x", "at = [200, 0, 2.5]");
   return test::run_case(toml, test::rings_geo({mesh}, 5));

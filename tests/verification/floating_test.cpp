@@ -54,7 +54,7 @@ TEST(FloatingRings, PressEachOtherAsLameSays) {
     SCOPED_TRACE(slave);
     const std::string toml =
         "[mesh]\nfile = \"case.geo\"\norder = 1\n" + body("shaft", modulus, 0.3) + body("ring", modulus, 0.3) +
-        contact("shaft_outer", "ring_inner", fmt::format("gap = -{}\nslave = \"{}\"", interference, slave)) +
+        contact_table("shaft_outer", "ring_inner", fmt::format("gap = -{}\nslave = \"{}\"", interference, slave)) +
         "[time]\nend = 1\n" + probe("mean", "contact_pressure", "on = \"shaft_outer\"") +
         probe("least", "contact_pressure", "on = \"shaft_outer\"\nreduce = \"min\"") +
         probe("most", "contact_pressure", "on = \"shaft_outer\"\nreduce = \"max\"") +
@@ -66,7 +66,7 @@ TEST(FloatingRings, PressEachOtherAsLameSays) {
     EXPECT_RELATIVE(history.at("most", 1), exact, 0.02);
     EXPECT_NEAR(history.at("x", 1), 0, 1e-9 * exact);
     EXPECT_NEAR(history.at("z", 1), 0, 1e-9 * exact);
-    EXPECT_NEAR(history.at("shift", 1), 0, 0.1 * interference) << "idle motions leave the ring where it is";
+    EXPECT_NEAR(history.at("shift", 1), 0, 0.1 * interference) << "unconstrained motions leave the ring where it is";
   }
 }
 
@@ -97,8 +97,8 @@ std::string clamp_geo() {
 std::string clamp_toml() {
   std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n" + body("lower", 2e5, 0.3) + body("upper", 1e5, 0.3) +
                      body("bolt", 2e5, 0.3) + support("bolt_middle", "x");
-  toml += contact("lower_z1", "upper_z0") + contact("foot", "lower_z0") +
-          contact("head", "upper_z1", "gap = -0.01");  // the preload
+  toml += contact_table("lower_z1", "upper_z0") + contact_table("foot", "lower_z0") +
+          contact_table("head", "upper_z1", "gap = -0.01");  // the preload
   for (const auto& [plate, sign] : {std::pair{"upper", ""}, std::pair{"lower", "-"}})
     toml += fmt::format("[[loads]]\nbody = \"{}\"\nbody_force = [0, 0, \"{}30*min(t, 4 - t)\"]\n", plate, sign);
   toml += "[time]\nend = 4\noutput = [0, 0.5, 1, 2, 3, 3.5, 4]\nbreakpoints = [2]\n";
@@ -154,7 +154,7 @@ TEST(HeatedStack, CarriesASmallLoad) {
     toml.insert(toml.rfind("young_modulus"), "thermal_expansion = 1e-5\nreference_temperature = 0\n");
     toml += support(name + "_x0", "x") + support(name + "_y0", "y");
   }
-  toml += support("low_z0", "z") + contact("low_z1", "middle_z0") + contact("middle_z1", "up_z0");
+  toml += support("low_z0", "z") + contact_table("low_z1", "middle_z0") + contact_table("middle_z1", "up_z0");
   for (const std::string name : {"low_z1", "up_z0"}) toml += probe(name, "contact_force_z", "on = \"" + name + "\"");
   toml += probe("foot", "reaction_z", "on = \"low_z0\"");
   for (const char* loaded : {"up_z1", "middle_z1"}) {

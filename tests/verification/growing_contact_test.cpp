@@ -57,7 +57,7 @@ Outcome press_cylinder(const std::string& slave, const std::string& creep, doubl
   for (const std::string name : {"lower", "upper"})
     toml += support(name + "_x0", "x") + support(name + "_y0", "y") + support(name + "_back", "y");
   toml += fmt::format("[[loads]]\non = \"upper_far\"\npressure = {}\n", force / (2 * extent)) +
-          contact("lower_patch", "upper_patch", "slave = \"" + slave + "_patch\"\ngap = \"x*x/20\"") +
+          contact_table("lower_patch", "upper_patch", "slave = \"" + slave + "_patch\"\ngap = \"x*x/20\"") +
           fmt::format("[time]\nend = {}\noutput = {{ first = {}, count = 9, spacing = \"log\" }}\n", end, end / 100) +
           probe("area", "contact_area", "on = \"lower_patch\"");
   return run_case(toml, "SetFactory(\"OpenCASCADE\");\n" + half_space_geo(lower) + half_space_geo(upper));

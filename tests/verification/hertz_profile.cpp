@@ -15,7 +15,7 @@ HertzErrors hertz_errors(const std::vector<ContactPoint>& points, const referenc
   double peak = 0, overhang = 0, sum = 0, area = 0;
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (const ContactPoint& point : points) {
-    const double r = r_of(point.place), x = r * r / (exact.radius * exact.radius);
+    const double r = r_of(point.position), x = r * r / (exact.radius * exact.radius);
     const double p = point.pressure / exact.pressure, error = p - exact(r) / exact.pressure;
     peak = std::max(peak, p);
     if (x > 1) {

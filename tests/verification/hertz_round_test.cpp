@@ -8,6 +8,7 @@
 #include "verification/round_bodies.hpp"
 
 namespace creepcontact {
+namespace hertz_round_tests {
 namespace {
 
 using test::HertzErrors;
@@ -39,13 +40,13 @@ Result press(const Case& tested, double size, bool measured_gap, const std::stri
             (tested.sphere ? "" : test::support(body + "_back", "y"));
   toml += test::support("lower_far", "z") + pressed;
   const std::string exact_gap = fmt::format("{0} - sqrt({0}^2 - min({0}^2, x*x{1}))", R, tested.sphere ? " + y*y" : "");
-  toml +=
-      test::contact("upper_round", "lower_top",
-                    fmt::format("slave = \"{}\"\ngap = \"{}\"", tested.slave, measured_gap ? "geometric" : exact_gap)) +
-      test::probe("force", "contact_force_z", "on = \"upper_round\"") +
-      test::probe("opposite", "contact_force_z", "on = \"lower_top\"") +
-      test::probe("reaction", "reaction_z", "on = \"lower_far\"") +
-      test::probe("area", "contact_area", "on = \"lower_top\"");
+  toml += test::contact_table(
+              "upper_round", "lower_top",
+              fmt::format("slave = \"{}\"\ngap = \"{}\"", tested.slave, measured_gap ? "geometric" : exact_gap)) +
+          test::probe("force", "contact_force_z", "on = \"upper_round\"") +
+          test::probe("opposite", "contact_force_z", "on = \"lower_top\"") +
+          test::probe("reaction", "reaction_z", "on = \"lower_far\"") +
+          test::probe("area", "contact_area", "on = \"lower_top\"");
   const test::ContactState state =
       test::contact_state(toml, test::round_on_block_geo({tested.sphere, R, 1.5, size, width}));
   const double force = state.probes.at("force"), area = state.probes.at("area");
@@ -95,4 +96,5 @@ TEST(HertzForceControl, ResultantIsTheLoad) {
 }
 
 }  // namespace
+}  // namespace hertz_round_tests
 }  // namespace creepcontact

@@ -8,6 +8,7 @@
 #include "verification/rings.hpp"
 
 namespace creepcontact {
+namespace hertz_tests {
 namespace {
 
 using test::HalfSpace;
@@ -45,7 +46,7 @@ Result press(const Case& tested, double pushed) {
       "[mesh]\nfile = \"case.geo\"\norder = 2\n[time]\nend = 1\n" + test::body("lower", 1, poisson_ratio) +
           test::body("upper", tested.upper_modulus, poisson_ratio) + test::half_space_supports(lower, 0) +
           test::half_space_supports(upper, -pushed) +
-          test::contact("lower_patch", "upper_patch", "slave = \"" + tested.slave + "\"\n" + gap) +
+          test::contact_table("lower_patch", "upper_patch", "slave = \"" + tested.slave + "\"\n" + gap) +
           test::probe("force", "contact_force_z", "on = \"upper_patch\"") +
           test::probe("opposite", "contact_force_z", "on = \"lower_patch\"") +
           test::probe("held", "reaction_z", "on = \"lower_far\"") +
@@ -114,4 +115,5 @@ TEST(HertzApproach, OfDistantPoints) {
 }
 
 }  // namespace
+}  // namespace hertz_tests
 }  // namespace creepcontact

@@ -9,6 +9,7 @@
 #include "rings.hpp"
 
 namespace creepcontact::test {
+namespace jumps_tests {
 namespace {
 
 constexpr double E = 2e5, A = 1e-13, n = 4;  // [MPa], [1/h]
@@ -177,10 +178,11 @@ std::string blocks_toml(const std::string& more) {
 /// Two blocks pressed and held; a shim between them is pulled out and driven in again.
 TEST(Jumps, OfAContactGap) {
   constexpr double compliance = 4 / E, creeping = 2, pressed = 2.0e-3, shim = 1.0e-3;
-  const std::string toml = blocks_toml(
-      support("upper_z1", "z", "-2e-3") +
-      contact("lower_z1", "upper_z0", "gap = { t = [0, 40, 40, 90, 90, 100], values = [0, 0, 1e-3, 1e-3, 0, 0] }") +
-      "[time]\nend = 150\ntolerance = 1e-6\noutput = [40, 90]\n");
+  const std::string toml =
+      blocks_toml(support("upper_z1", "z", "-2e-3") +
+                  contact_table("lower_z1", "upper_z0",
+                                "gap = { t = [0, 40, 40, 90, 90, 100], values = [0, 0, 1e-3, 1e-3, 0, 0] }") +
+                  "[time]\nend = 150\ntolerance = 1e-6\noutput = [40, 90]\n");
   const double first = relaxed(pressed / compliance, 40, compliance / creeping);
   const double second = first - shim / compliance;
   ASSERT_GT(second, 0) << "else the blocks would part";
@@ -199,7 +201,7 @@ TEST(Jumps, OfAContactGap) {
 /// Output times force no steps, and an interpolated state is brought back to equilibrium.
 TEST(Outputs, BetweenStepsAreInEquilibriumAndCostNone) {
   const std::string toml = blocks_toml("[[loads]]\non = \"upper_z1\"\npressure = \"50 + 0.5*t\"\n" +
-                                       contact("lower_z1", "upper_z0") + "[time]\nend = 100\nstep = 7\n");
+                                       contact_table("lower_z1", "upper_z0") + "[time]\nend = 100\nstep = 7\n");
   for (const std::string& integrator : integrators) {
     SCOPED_TRACE(integrator);
     const std::string choice = "time.integrator=" + integrator;
@@ -217,4 +219,5 @@ TEST(Outputs, BetweenStepsAreInEquilibriumAndCostNone) {
 }
 
 }  // namespace
+}  // namespace jumps_tests
 }  // namespace creepcontact::test

@@ -8,6 +8,7 @@
 #include "verification/stress_runs.hpp"
 
 namespace creepcontact {
+namespace law_tolerance_tests {
 namespace {
 
 using namespace test;
@@ -86,4 +87,5 @@ TEST_P(LawTolerance, BoundsTheRelativeErrorOfTheStress) {
 INSTANTIATE_TEST_SUITE_P(All, LawTolerance, testing::ValuesIn(cases()), [](const auto& of) { return of.param.name; });
 
 }  // namespace
+}  // namespace law_tolerance_tests
 }  // namespace creepcontact

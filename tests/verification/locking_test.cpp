@@ -15,6 +15,7 @@
 #include "verification/stress_runs.hpp"
 
 namespace creepcontact::test {
+namespace locking_tests {
 namespace {
 
 constexpr double inner = 100, outer = 200, pressure = 200, young = 200e3, A = 3.125e-14, n = 5;
@@ -95,7 +96,7 @@ Errors errors(results::Snapshot& snapshot, const mechanics::Body& body, bool rou
   }
   for (std::size_t p = 0; p < fields.n_points(); ++p) {
     const results::Sample at = fields.at_point(p);
-    const Tensor6 difference = at.stress - exact_tensor(at.place, round, exact);
+    const Tensor6 difference = at.stress - exact_tensor(at.position, round, exact);
     result.mean_at_points = std::max(result.mean_at_points, std::abs(tensor::trace(difference)) / 3);
   }
   result.at_nodes /= largest;
@@ -257,4 +258,5 @@ TEST_P(LockingOfElements, NearlyIncompressibleCylinder) {
 }
 
 }  // namespace
+}  // namespace locking_tests
 }  // namespace creepcontact::test

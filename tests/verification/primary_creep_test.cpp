@@ -22,13 +22,13 @@ std::string times(const std::string& outputs, const std::string& integrator = "a
 class PrimaryLaws : public testing::TestWithParam<std::string> {};
 
 TEST_P(PrimaryLaws, Case10AConstantShear) {
-  const Outcome outcome = run_cube(creep(GetParam(), nafems), shear_loads, times("[1e-3, 1, 1000]"));
+  const Outcome outcome = run_cube(creep_law_table(GetParam(), nafems), shear_loads, times("[1e-3, 1, 1000]"));
   for (const double t : {1e-3, 1.0, 1000.0}) EXPECT_RELATIVE(outcome.history.at("cxx", t), 0.135 * std::sqrt(t), 1e-6);
   EXPECT_RELATIVE(outcome.history.at("cxx", 1000), 4.2691, 1e-4);
 }
 
 TEST_P(PrimaryLaws, Case10BHeldShear) {
-  const Outcome outcome = run_cube(creep(GetParam(), nafems), shear_held, times("[50, 100, 500, 1000]"));
+  const Outcome outcome = run_cube(creep_law_table(GetParam(), nafems), shear_held, times("[50, 100, 500, 1000]"));
   const std::vector<double> published = GetParam() == "time_hardening"
                                             ? std::vector<double>{27.16, 24.91, 20.37, 18.68}
                                             : std::vector<double>{36.63, 34.02, 28.61, 26.54};
@@ -47,7 +47,7 @@ TEST_P(SingularStarts, EveryIntegratorRelaxesBothPrimaryLaws) {
     std::string time = times("[1, 1000]", GetParam(), 1e-4);
     if (GetParam() == "explicit_euler") time += "step = \"stable\"\nstep_factor = 0.005\n";
     if (GetParam() == "beta_euler") time += "step = \"stable\"\nstep_factor = 0.05\nbeta = 0.5\n";
-    const Outcome outcome = run_cube(creep(law, nafems), shear_held, time);
+    const Outcome outcome = run_cube(creep_law_table(law, nafems), shear_held, time);
     EXPECT_RELATIVE(outcome.history.at("sxx", 1000), exact, 1e-3);
   }
 }
@@ -74,7 +74,7 @@ double flow(double stress) {
 
 TEST(PrimaryCreep, StrainHardeningUnderSteppedAndReversedLoad) {
   const Outcome outcome =
-      run_cube(creep("strain_hardening", nafems), steps, times("[50, 100, 200, 300, 600, 601, 1000]"));
+      run_cube(creep_law_table("strain_hardening", nafems), steps, times("[50, 100, 200, 300, 600, 601, 1000]"));
   double accumulated = 0, strain = 0;
   for (const Piece& piece : pieces) {
     const double before = accumulated;
@@ -86,7 +86,7 @@ TEST(PrimaryCreep, StrainHardeningUnderSteppedAndReversedLoad) {
 }
 
 TEST(PrimaryCreep, TimeHardeningUnderSteppedAndReversedLoad) {
-  const Outcome outcome = run_cube(creep("time_hardening", nafems), steps, times("[100, 300, 600, 1000]"));
+  const Outcome outcome = run_cube(creep_law_table("time_hardening", nafems), steps, times("[100, 300, 600, 1000]"));
   double strain = 0;
   for (const Piece& piece : pieces) {
     strain += std::copysign(flow(piece.stress), piece.stress) * (std::sqrt(piece.end) - std::sqrt(piece.begin));
@@ -95,15 +95,15 @@ TEST(PrimaryCreep, TimeHardeningUnderSteppedAndReversedLoad) {
 }
 
 TEST(PrimaryCreep, AJumpOfTheLoadOnAVirginBodyStartsSingularLater) {
-  const Outcome outcome = run_cube(creep("strain_hardening", nafems),
+  const Outcome outcome = run_cube(creep_law_table("strain_hardening", nafems),
                                    pulled("{ t = [0, 100, 100], values = [0, 0, 200] }"), times("[100, 101, 1000]"));
   EXPECT_EQ(outcome.history.at("cxx", 100), 0.0);
   for (const double t : {101.0, 1000.0}) EXPECT_RELATIVE(outcome.history.at("cxx", t), 0.01 * std::sqrt(t - 100), 1e-5);
 }
 
 TEST(PrimaryCreep, ARampFromZeroNeedsNoBreakpoint) {
-  const Outcome outcome =
-      run_cube(creep("strain_hardening", nafems), pulled("\"200*t/1000\""), times("[100, 1000]", "auto", 1e-6));
+  const Outcome outcome = run_cube(creep_law_table("strain_hardening", nafems), pulled("\"200*t/1000\""),
+                                   times("[100, 1000]", "auto", 1e-6));
   // eps^2 = integral (A (0.2 t)^5)^2 dt
   for (const double t : {100.0, 1000.0})
     EXPECT_NEAR(outcome.history.at("cxx", t), flow(0.2 * t) * std::sqrt(t / 11),
@@ -112,7 +112,7 @@ TEST(PrimaryCreep, ARampFromZeroNeedsNoBreakpoint) {
 
 /// Where a virgin point is loaded slowly, Newton's corrections must not pass for nothing.
 TEST(PrimaryCreep, SlowRampsFromZeroCreepWithEveryIntegratorOfHighOrder) {
-  const std::string law = creep("strain_hardening", "A = 1e-11\nn = 3.5\nm = 0.35");
+  const std::string law = creep_law_table("strain_hardening", "A = 1e-11\nn = 3.5\nm = 0.35");
   const double unit = 100 / 200e3;
   for (const char* integrator : {"auto", "cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk", "rkc2"})
     for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
@@ -127,13 +127,13 @@ TEST(PrimaryCreep, SlowRampsFromZeroCreepWithEveryIntegratorOfHighOrder) {
 
 TEST(PrimaryCreep, PrimaryAndSecondaryAdd) {
   for (const char* law : {"time_hardening", "strain_hardening"}) {
-    const Outcome outcome =
-        run_cube(creep(law, nafems) + creep("norton", "A = 3.125e-14\nn = 5.0"), pulled("200"), times("[1, 1000]"));
+    const Outcome outcome = run_cube(creep_law_table(law, nafems) + creep_law_table("norton", "A = 3.125e-14\nn = 5.0"),
+                                     pulled("200"), times("[1, 1000]"));
     for (const double t : {1.0, 1000.0}) EXPECT_RELATIVE(outcome.history.at("cxx", t), 0.01 * (std::sqrt(t) + t), 1e-6);
   }
-  const Outcome terms =
-      run_cube(creep("graham_walles", "A = [1e-14, 1e-15, 1e-20]\nn = [5, 5, 5]\nm = [0.33333333333333333, 1, 3]"),
-               pulled("200"), times("[1, 1000]"));
+  const Outcome terms = run_cube(
+      creep_law_table("graham_walles", "A = [1e-14, 1e-15, 1e-20]\nn = [5, 5, 5]\nm = [0.33333333333333333, 1, 3]"),
+      pulled("200"), times("[1, 1000]"));
   const double q5 = std::pow(200.0, 5);
   EXPECT_RELATIVE(terms.history.at("cxx", 1000), q5 * (1e-14 * 10 + 1e-15 * 1e3 + 1e-20 * 1e9), 1e-6);
 }
@@ -141,19 +141,20 @@ TEST(PrimaryCreep, PrimaryAndSecondaryAdd) {
 /// One linear element whose nodes are all held: there are no equations to solve, but a stress that relaxes.
 TEST(PrimaryCreep, ACubeHeldOnAllSidesRelaxes) {
   const Outcome outcome =
-      run_cube(creep("norton", "A = 3.125e-14\nn = 5"),
+      run_cube(creep_law_table("norton", "A = 3.125e-14\nn = 5"),
                support("x1", "x", "0.1") + support("y1", "y", "0.05") + support("z1", "z", "0"), times("[1000]"));
   EXPECT_RELATIVE(outcome.history.at("sxx", 1000), 257.88, 1e-4);  // NAFEMS R0027 5B
 }
 
 TEST(PrimaryCreep, AgeingSolvesTheIsochronousCurve) {
   const Outcome outcome =
-      run_cube(creep("ageing", nafems), support("x1", "x", "0.1"), times("[1, 10, 1000]", "isochronous"));
+      run_cube(creep_law_table("ageing", nafems), support("x1", "x", "0.1"), times("[1, 10, 1000]", "isochronous"));
   for (const double t : {1.0, 10.0, 1000.0}) {
     const double stress = outcome.history.at("sxx", t);
     EXPECT_RELATIVE(stress / 200e3 + flow(stress) * std::sqrt(t), 1e-3, 1e-7);
   }
-  const Outcome stepped = run_cube(creep("ageing", nafems), steps, times("[50, 100, 600, 1000]", "isochronous"));
+  const Outcome stepped =
+      run_cube(creep_law_table("ageing", nafems), steps, times("[50, 100, 600, 1000]", "isochronous"));
   // At a jump the result is that after it.
   EXPECT_RELATIVE(stepped.history.at("cxx", 50), flow(150) * std::sqrt(50.0), 1e-9);
   EXPECT_RELATIVE(stepped.history.at("cxx", 100), flow(200) * 10, 1e-9);
@@ -162,13 +163,14 @@ TEST(PrimaryCreep, AgeingSolvesTheIsochronousCurve) {
 
 /// A rate written by the user is the law it stands for.
 TEST(PrimaryCreep, ExpressionsAgreeWithTheLawsTheyWriteOut) {
-  const Outcome norton = run_cube(creep("expression", "rate = \"3.125e-14*q^5\""), pulled("200"), times("[1000]"));
+  const Outcome norton =
+      run_cube(creep_law_table("expression", "rate = \"3.125e-14*q^5\""), pulled("200"), times("[1000]"));
   EXPECT_RELATIVE(norton.history.at("cxx", 1000), 10.0, 1e-6);
   const Outcome time =
-      run_cube(creep("expression", "rate = \"0.5*3.125e-14*q^5*t^(-0.5)\""), shear_held, times("[1000]"));
+      run_cube(creep_law_table("expression", "rate = \"0.5*3.125e-14*q^5*t^(-0.5)\""), shear_held, times("[1000]"));
   EXPECT_RELATIVE(time.history.at("sxx", 1000), 18.6806, 1e-4);
   const Outcome strain =
-      run_cube(creep("expression", "rate = \"0.5*(3.125e-14*q^5)^2/eps\""), shear_held, times("[1000]"));
+      run_cube(creep_law_table("expression", "rate = \"0.5*(3.125e-14*q^5)^2/eps\""), shear_held, times("[1000]"));
   EXPECT_RELATIVE(strain.history.at("sxx", 1000), 26.5434, 1e-4);
 }
 

@@ -8,6 +8,7 @@
 #include "verification/rings.hpp"
 
 namespace creepcontact {
+namespace punch_tests {
 namespace {
 
 using test::HalfSpace;
@@ -36,7 +37,7 @@ double roughness(const Profile& profile) {
 
 std::string press(const std::string& slave) {
   return test::support("punch_x0", "x") + test::support("punch_y0", "y") + test::support("punch_z1", "z", "-0.01") +
-         test::contact("punch_z0", "base_patch", "slave = \"" + slave + "\"") + "[time]\nend = 1\n" +
+         test::contact_table("punch_z0", "base_patch", "slave = \"" + slave + "\"") + "[time]\nend = 1\n" +
          test::probe("force", "contact_force_z", "on = \"punch_z0\"") +
          test::probe("area", "contact_area", "on = \"punch_z0\"");
 }
@@ -61,9 +62,9 @@ TEST_P(PlanePunch, PressureIsSmoothAndExactAwayFromTheEdge) {
   EXPECT_RELATIVE(state.probes.at("area"), width, 1e-9);
   Profile profile;
   for (const test::ContactPoint& point : state.pairs.begin()->second) {
-    const double x = point.place.x();
+    const double x = point.position.x();
     EXPECT_GE(point.pressure, 0);
-    if (x < 0.8 && point.place.y() == 0)
+    if (x < 0.8 && point.position.y() == 0)
       profile[x] = point.pressure / reference::flat_punch(2 * state.probes.at("force") / width, 1, x) - 1;
   }
   EXPECT_LT(largest(profile), tested.error);
@@ -97,7 +98,7 @@ TEST_P(RoundPunch, PressureIsExactAwayFromTheEdge) {
   EXPECT_RELATIVE(state.probes.at("area"), std::numbers::pi / 4, 1e-3);
   double worst = 0, sum = 0, area = 0;
   for (const test::ContactPoint& point : state.pairs.begin()->second) {
-    const double r = point.place.head<2>().norm();
+    const double r = point.position.head<2>().norm();
     EXPECT_GE(point.pressure, 0);
     if (r > 0.8) continue;
     const double error = point.pressure / reference::round_punch(4 * state.probes.at("force"), 1, r) - 1;
@@ -114,4 +115,5 @@ INSTANTIATE_TEST_SUITE_P(Slave, RoundPunch, testing::Values("auto", "punch_z0"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
+}  // namespace punch_tests
 }  // namespace creepcontact

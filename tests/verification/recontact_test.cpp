@@ -29,7 +29,7 @@ TEST(Recontact, IsNotPassedOverByAnyIntegrator) {
       boxes_geo({{"lower", {0, 0, 0}, {1, 1, 2}, {2, 2, 2}}, {"upper", {0, 0, 2}, {1, 1, 2}, {3, 3, 2}}});
   std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 1\n" + body("lower", 1e5, 0.3, 1e-12, 4) +
                      body("upper", 1e5, 0.3) + support("lower_z0", "z") +
-                     support("upper_z1", "z", "\"-4e-3*cos(pi*t/250)\"") + contact("lower_z1", "upper_z0") +
+                     support("upper_z1", "z", "\"-4e-3*cos(pi*t/250)\"") + contact_table("lower_z1", "upper_z0") +
                      "[time]\nend = 1000\noutput = [500, 1000]\n" + probe("p", "contact_pressure", "on = \"lower_z1\"");
   for (const char* name : {"lower", "upper"}) {
     toml += support(std::string(name) + "_x0", "x");

@@ -51,8 +51,8 @@ std::string body(const std::string& name, double young_modulus, double poisson_r
   return toml;
 }
 
-std::string probe(const std::string& name, const std::string& quantity, const std::string& place) {
-  return fmt::format("[[probes]]\nname = \"{}\"\nquantity = \"{}\"\n{}\n", name, quantity, place);
+std::string probe(const std::string& name, const std::string& quantity, const std::string& position) {
+  return fmt::format("[[probes]]\nname = \"{}\"\nquantity = \"{}\"\n{}\n", name, quantity, position);
 }
 
 }  // namespace creepcontact::test

@@ -22,6 +22,6 @@ std::string ring_supports(const std::vector<RingMesh>& rings, bool plane_strain)
 
 std::string body(const std::string& name, double young_modulus, double poisson_ratio, double A = 0, double n = 1);
 
-std::string probe(const std::string& name, const std::string& quantity, const std::string& place);
+std::string probe(const std::string& name, const std::string& quantity, const std::string& position);
 
 }  // namespace creepcontact::test

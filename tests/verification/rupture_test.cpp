@@ -15,7 +15,8 @@ using namespace test;
 constexpr double A = 1e-15, n = 5, r = 6, stress = 100, rupture_time = 1000;
 const double B = 1 / ((r + 1) * std::pow(stress, r) * rupture_time);
 std::string kachanov(const std::string& more = "") {
-  return creep("kachanov_rabotnov", "A = 1e-15\nn = 5\nr = 6\nphi = 6\nB = " + fmt::format("{}", B) + "\n" + more);
+  return creep_law_table("kachanov_rabotnov",
+                         "A = 1e-15\nn = 5\nr = 6\nphi = 6\nB = " + fmt::format("{}", B) + "\n" + more);
 }
 double damage(double t) {
   return 1 - std::pow(1 - t / rupture_time, 1 / (r + 1));
@@ -54,9 +55,9 @@ TEST(Rupture, DamageByTheLargestPrincipalStressSparesCompression) {
 }
 
 TEST(Life, FractionsOfTimeAddOverSteps) {
-  const Outcome outcome =
-      run_cube("[materials.steel.rupture]\nrupture_time = \"1e12/q^4\"\n" + creep("norton", "A = 1e-20\nn = 5"),
-               pulled("{ t = [0, 100, 100], values = [100, 100, 200] }"), "end = 300\noutput = [50, 100, 300]\n");
+  const Outcome outcome = run_cube(
+      "[materials.steel.rupture]\nrupture_time = \"1e12/q^4\"\n" + creep_law_table("norton", "A = 1e-20\nn = 5"),
+      pulled("{ t = [0, 100, 100], values = [100, 100, 200] }"), "end = 300\noutput = [50, 100, 300]\n");
   EXPECT_RELATIVE(outcome.history.at("life", 50), 50 * 1e8 / 1e12, 1e-5);
   EXPECT_RELATIVE(outcome.history.at("life", 300), 100 * 1e8 / 1e12 + 200 * 16e8 / 1e12, 1e-5);
   EXPECT_TRUE(outcome.summary.has("life_fraction"));
@@ -75,7 +76,7 @@ TEST(Life, LarsonMillerParameterGivesTheRuptureTime) {
 TEST(Temperature, ArrheniusFactorOfNorton) {
   for (const double T : {500.0, 600.0}) {
     const Outcome outcome =
-        run_cube(creep("norton", "A = 1e-3\nn = 5\nactivation_energy = 400e3"),
+        run_cube(creep_law_table("norton", "A = 1e-3\nn = 5\nactivation_energy = 400e3"),
                  pulled("100") + fmt::format("\n[temperature]\nvalue = {}\n", T), "end = 10\noutput = [10]\n");
     const double rate = 1e-3 * 1e10 * std::exp(-400e3 / (8.314462618 * (T + 273.15)));
     EXPECT_RELATIVE(outcome.history.at("cxx", 10), 10 * rate, 1e-6);

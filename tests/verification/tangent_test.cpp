@@ -18,7 +18,7 @@ constexpr double stress_bound = 10 * tolerance;  // errors of both runs, local m
 std::string relaxing_fit(const std::vector<RingMesh>& rings, double grading) {
   return "[mesh]\nfile = \"case.geo\"\norder = 2\n" + body("shaft", 1.75e5, 0.3, 1e-17 / grading, 5) +
          body("disc", 1.6e5, 0.3, 1e-17, 5) + ring_supports(rings, true) +
-         contact("shaft_outer", "disc_inner", "gap = -0.09") +
+         contact_table("shaft_outer", "disc_inner", "gap = -0.09") +
          "[time]\nend = 1e6\noutput = [10, 100, 1e3, 1e4, 1e5, 1e6]\n" +
          probe("fit", "contact_pressure", "on = \"shaft_outer\"") +
          probe("hoop", "stress_theta", "at = [60, 0, 5]\nbody = \"disc\"");
@@ -29,8 +29,9 @@ std::string sinking_foot() {
   std::string toml =
       "[mesh]\nfile = \"case.geo\"\norder = 1\n" + body("lower", 1e5, 0.3, 1e-12, 4) + body("upper", 2e5, 0.3) +
       support("lower_z0", "z") + "[[loads]]\non = \"upper_z1\"\npressure = 50\n" +
-      contact("lower_z1", "upper_z0", "gap = \"2e-3*x^2\"") + "[time]\nend = 1e4\noutput = [10, 100, 1e3, 1e4]\n" +
-      probe("force", "contact_force_z", "on = \"upper_z0\"") + probe("area", "contact_area", "on = \"lower_z1\"") +
+      contact_table("lower_z1", "upper_z0", "gap = \"2e-3*x^2\"") +
+      "[time]\nend = 1e4\noutput = [10, 100, 1e3, 1e4]\n" + probe("force", "contact_force_z", "on = \"upper_z0\"") +
+      probe("area", "contact_area", "on = \"lower_z1\"") +
       probe("pressure", "contact_pressure", "on = \"lower_z1\"\nreduce = \"max\"") +
       probe("sinking", "displacement_z", "on = \"upper_z1\"");
   for (const char* name : {"lower", "upper"}) {

@@ -8,6 +8,7 @@
 #include "rings.hpp"
 
 namespace creepcontact::test {
+namespace temperature_tests {
 namespace {
 
 constexpr double E = 1.6e5, nu = 0.3, n = 5, alpha = 1.2e-5, pressure = 50, inner = 100, outer = 200;
@@ -43,10 +44,10 @@ Outcome run_pipe(const std::string& temperature_key, const std::vector<double>& 
   for (std::size_t i = 0; i < radii.size(); ++i) {
     // On the ray in the middle of an element around.
     const double angle = 0.5 * 3.14159265358979 * 8.5 / 18;
-    const std::string place =
+    const std::string position =
         fmt::format("at = [{:.12g}, {:.12g}, 2.5]", radii[i] * std::cos(angle), radii[i] * std::sin(angle));
-    toml += probe(fmt::format("theta{}", i), "stress_theta", place) + probe(fmt::format("z{}", i), "stress_zz", place) +
-            probe(fmt::format("T{}", i), "temperature", place);
+    toml += probe(fmt::format("theta{}", i), "stress_theta", position) +
+            probe(fmt::format("z{}", i), "stress_zz", position) + probe(fmt::format("T{}", i), "temperature", position);
   }
   return run_case(toml, rings_geo({mesh}, 5),
                   {"materials.pipe.creep[0].A=1e-15*exp(0.02*(T - 500))", "materials.pipe.thermal_expansion=1.2e-5",
@@ -100,4 +101,5 @@ TEST(Temperature, StartsAndStopsFoundInAnExpression) {
 }
 
 }  // namespace
+}  // namespace temperature_tests
 }  // namespace creepcontact::test

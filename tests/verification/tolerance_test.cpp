@@ -7,6 +7,7 @@
 #include "verification/stress_runs.hpp"
 
 namespace creepcontact::test {
+namespace tolerance_tests {
 namespace {
 
 struct Case {
@@ -89,4 +90,5 @@ TEST(ElasticSolves, DoNotDependOnTheMesh) {
 }
 
 }  // namespace
+}  // namespace tolerance_tests
 }  // namespace creepcontact::test

@@ -19,7 +19,8 @@ double kelvin(double t, double compliance, double time) {
 }
 
 TEST(Viscoelastic, KelvinVoigtCreepsAndRecovers) {
-  const Outcome outcome = run_cube(creep("kelvin_voigt", "compliance = 2e-5\ntime = 4"), on_and_off, time_keys);
+  const Outcome outcome =
+      run_cube(creep_law_table("kelvin_voigt", "compliance = 2e-5\ntime = 4"), on_and_off, time_keys);
   for (const double t : output_times) {
     const double exact = 100 * (kelvin(t, 2e-5, 4) - kelvin(t - 10, 2e-5, 4));
     EXPECT_NEAR(outcome.history.at("cxx", t), exact, 2e-9) << t;
@@ -29,7 +30,7 @@ TEST(Viscoelastic, KelvinVoigtCreepsAndRecovers) {
 
 TEST(Viscoelastic, BurgersIsMaxwellAndKelvinInSeries) {
   const Outcome outcome =
-      run_cube(creep("burgers", "viscosity = 1e6\ncompliance = 2e-5\ntime = 4"), on_and_off, time_keys);
+      run_cube(creep_law_table("burgers", "viscosity = 1e6\ncompliance = 2e-5\ntime = 4"), on_and_off, time_keys);
   for (const double t : output_times) {
     const double exact = 100 * (std::min(t, 10.0) / 1e6 + kelvin(t, 2e-5, 4) - kelvin(t - 10, 2e-5, 4));
     EXPECT_NEAR(outcome.history.at("cxx", t), exact, 2e-9) << t;
@@ -37,14 +38,14 @@ TEST(Viscoelastic, BurgersIsMaxwellAndKelvinInSeries) {
 }
 
 TEST(Viscoelastic, MaxwellRelaxesExponentially) {
-  const Outcome outcome = run_cube(creep("maxwell", "viscosity = 1e6"), support("x1", "x", "0.1"), time_keys);
+  const Outcome outcome = run_cube(creep_law_table("maxwell", "viscosity = 1e6"), support("x1", "x", "0.1"), time_keys);
   for (const double t : output_times)
     EXPECT_RELATIVE(outcome.history.at("sxx", t), 200 * std::exp(-t * 200e3 / 1e6), 1e-4 * std::max(1.0, t));
 }
 
 /// A chain with times over six decades: the fast ones make it stiff. The standard solid relaxes to E / (1 + E J).
 TEST(Viscoelastic, PronyChainWithTimesOverDecades) {
-  const std::string chain = creep("hereditary", "compliances = [1e-6, 2e-6, 3e-6]\ntimes = [1e-3, 1, 1e3]");
+  const std::string chain = creep_law_table("hereditary", "compliances = [1e-6, 2e-6, 3e-6]\ntimes = [1e-3, 1, 1e3]");
   const Outcome pulled_cube =
       run_cube(chain, pulled("100"), "end = 1e4\noutput = [1e-2, 1, 100, 1e4]\ntolerance = 1e-5\n");
   for (const double t : {1e-2, 1.0, 100.0, 1e4})
@@ -58,8 +59,8 @@ TEST(Viscoelastic, PronyChainWithTimesOverDecades) {
 
 TEST(Viscoelastic, VolumetricPartFollowsTheMeanStress) {
   const Outcome outcome =
-      run_cube(creep("hereditary", "compliances = [2e-5]\ntimes = [4]\nvolumetric_compliances = [6e-6]"), pulled("90"),
-               time_keys);
+      run_cube(creep_law_table("hereditary", "compliances = [2e-5]\ntimes = [4]\nvolumetric_compliances = [6e-6]"),
+               pulled("90"), time_keys);
   for (const double t : output_times) {
     const double shape = 90 * kelvin(t, 2e-5, 4), volume = 30 * kelvin(t, 6e-6, 4);
     EXPECT_NEAR(outcome.history.at("cxx", t), shape + volume / 3, 2e-9) << t;
@@ -69,8 +70,8 @@ TEST(Viscoelastic, VolumetricPartFollowsTheMeanStress) {
 
 /// Under a constant load the theories agree; after a step down ageing forgets what was, heredity does not.
 TEST(Viscoelastic, AgeingAndHeredityAgreeUnderConstantLoadAndDifferAfterAStep) {
-  const std::string ageing = creep("ageing", "A = 1e-6\nn = 1\nm = 1");
-  const std::string fluid = creep("maxwell", "viscosity = 1e6");
+  const std::string ageing = creep_law_table("ageing", "A = 1e-6\nn = 1\nm = 1");
+  const std::string fluid = creep_law_table("maxwell", "viscosity = 1e6");
   const std::string iso = time_keys + "integrator = \"isochronous\"\n";
   const auto constant = run_cube(ageing, pulled("100"), iso),
              constant_heredity = run_cube(fluid, pulled("100"), time_keys);

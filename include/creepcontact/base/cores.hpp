@@ -6,6 +6,7 @@
 
 namespace creepcontact {
 
+/// Number of logical processors, at least 1.
 inline int cores() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

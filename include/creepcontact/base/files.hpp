@@ -1,5 +1,5 @@
 #pragma once
-/// Questions about paths. The standard library's own throw texts that name neither cause nor cure.
+/// Queries about paths. Unlike those of the standard library, their errors name the cause and the remedy.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,20 +8,22 @@
 
 namespace creepcontact {
 
-/// @throws ConfigError with path and reason where it cannot be told: links in a circle, a name that is too long, a
-/// directory that may not be searched
+/// @throws ConfigError with path and reason if it cannot be determined: circular links, a name that is too long, a
+/// directory without permission to search
 bool path_exists(const std::filesystem::path& path);
 /// As path_exists().
 bool path_is_directory(const std::filesystem::path& path);
 
-/// "No such file or directory", "is a directory", "is a device": empty if there is a file or a pipe that may be read.
+/// Why a path cannot be read: "No such file or directory", "is a directory", "is a device". Empty for a readable file
+/// or pipe.
 std::string why_unreadable(const std::filesystem::path& path);
 
+/// Content of a file, or why it could not be read.
 struct FileBytes {
   std::string bytes;
-  std::string failure;  ///< why they could not be read, or are too many; empty if all went well
+  std::string failure;  ///< why the bytes could not be read, or are too many; empty on success
 };
-/// A whole file, or all that comes from a pipe. A pipe that does not end fails beyond most_from_pipes.
+/// Reads a whole file, or a pipe to its end. A pipe with more than most_from_pipes bytes is a failure.
 FileBytes read_file(const std::filesystem::path& path, std::size_t most_bytes = SIZE_MAX);
 inline constexpr std::size_t most_from_pipes = std::size_t{1} << 30;
 

@@ -1,12 +1,12 @@
 #pragma once
-/// The signed type of sizes, subscripts and numbers of things: that of Eigen and of std::ssize.
+/// The signed integer type for sizes and indices: that of Eigen and of std::ssize.
 
 #include <cstddef>
 
 namespace creepcontact {
 
-/// Converts to and from the sizes of standard containers without a cast (-Wno-sign-conversion); narrower integers stay
-/// for what is stored in bulk, with a cast where they are made.
+/// Converts to and from the sizes of standard containers without a cast (-Wno-sign-conversion). Narrower integers are
+/// used only for bulk storage, with a cast where they are made.
 using Index = std::ptrdiff_t;
 
 }  // namespace creepcontact

@@ -1,5 +1,5 @@
 #pragma once
-/// Program log: plain lines on standard error. Hot paths do not log.
+/// Program log: plain lines on standard error. Hot loops do not log. Thread-safe.
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@ namespace creepcontact::log {
 
 enum class Level { debug, info, warning, error, off };
 
+/// Messages below this level are dropped; `off` drops all.
 void set_level(Level level);
 void write(Level level, std::string_view message);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Wall time by part of the program: what summary.json reports as wall_seconds.
+/// Wall time per part of the program, reported as wall_seconds in summary.json.
 
 #include <array>
 #include <chrono>
@@ -9,9 +9,10 @@ namespace creepcontact {
 enum class Part { factorize, solve, material, contact, output };
 inline constexpr int n_parts = 5;
 
+/// Accumulates wall time; starts at construction. Laps must be made and destroyed by one thread.
 class Stopwatch {
  public:
-  /// Adds the time of its own life to a part.
+  /// Adds the time between its construction and destruction to a part. Must not outlive the stopwatch.
   class Lap {
    public:
     Lap(Stopwatch& watch, Part part) : watch_(watch), part_(part), start_(Clock::now()) {}
@@ -27,6 +28,7 @@ class Stopwatch {
 
   [[nodiscard]] Lap lap(Part part) { return Lap(*this, part); }
   double seconds(Part part) const { return seconds_[static_cast<std::size_t>(part)]; }
+  /// Seconds since construction.
   double total() const { return seconds_since(start_); }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// "did you mean": the nearest of some names.
+/// Suggestions for mistyped names: "did you mean 'x'?"
 
 #include <string>
 #include <string_view>
@@ -7,14 +7,16 @@
 
 namespace creepcontact {
 
-/// Letters to insert, delete, replace or swap with the next one, each counted as 2; a wrong case counts 1.
+/// Cost of the edits that turn a into b: 2 per letter inserted, deleted, replaced or swapped with the next one, 1 per
+/// wrong case.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The first of the nearest names. Names that begin with the word, or have it as one of the parts that underscores
-/// separate, come before all others. Empty if every name takes changes of more than a third of the word's letters.
+/// The nearest name; the first of several. Names that begin with the word, or contain it as one of the parts separated
+/// by underscores, are preferred to all others. Empty if every name would need changes to more than a third of the
+/// letters.
 std::string nearest(std::string_view name, const std::vector<std::string>& names);
 
-/// "; did you mean 'x'?" for the nearest name; empty if none is near.
+/// "; did you mean 'x'?" with the nearest name; empty if none is near.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& names);
 
 }  // namespace creepcontact

@@ -1,6 +1,6 @@
 #pragma once
-/// The processes that share the work on one model (single program, multiple data): each runs the same program on its
-/// own elements, and what all of them must agree on goes through their Team.
+/// A team: the processes that share the work on one model (single program, multiple data). Each runs the same program
+/// on its own elements; decisions common to all are made through the team.
 
 #include <cstddef>
 #include <exception>
@@ -9,30 +9,29 @@
 
 namespace creepcontact {
 
-/// Every operation is collective: all members call it, in the same order and with as many values. Afterwards they hold
-/// the same bits, so that they take the same decisions.
+/// Every operation is collective: all members call it, in the same order and with the same number of values. Afterwards
+/// all hold the same bits and so take the same decisions.
 class Team {
  public:
   virtual ~Team() = default;
   virtual int rank() const = 0;  ///< 0 .. size() - 1
   virtual int size() const = 0;
 
-  /// Entry by entry over all members, in place. No value of max() and min() may be NaN.
+  /// Reductions over all members, entry by entry, in place. For max() and min() no value may be NaN.
   void sum(std::span<double> values) const { reduce(Operation::sum, values); }
   void max(std::span<double> values) const { reduce(Operation::max, values); }
   void min(std::span<double> values) const { reduce(Operation::min, values); }
   double sum(double value) const;
   double max(double value) const;
   double min(double value) const;
-  /// True if it is so for some member.
+  /// True if `value` is true on some member.
   bool any(bool value) const { return max(value ? 1.0 : 0.0) > 0; }
-  /// The member with the largest value, the first one of several. @param value  not NaN
+  /// The lowest rank among the members with the largest value. @param value  not NaN
   int rank_of_max(double value) const;
 
-  /// All members get the values of `root`.
+  /// Sets `values` to those of `root` on all members.
   virtual void broadcast(std::span<double> values, int root) const = 0;
-  /// The values of all members one after the other, on rank 0; nothing on the others. Members may give different
-  /// numbers of values.
+  /// On rank 0: the values of all members, concatenated by rank; empty on the others. The numbers of values may differ.
   virtual std::vector<double> gather(std::span<const double> values) const = 0;
 
  protected:
@@ -40,7 +39,7 @@ class Team {
   virtual void reduce(Operation operation, std::span<double> values) const = 0;
 };
 
-/// A single process: nothing to agree on.
+/// A team of one process; all operations are trivial.
 class SerialTeam final : public Team {
  public:
   int rank() const override { return 0; }
@@ -52,14 +51,16 @@ class SerialTeam final : public Team {
   void reduce(Operation /*operation*/, std::span<double> /*values*/) const override {}
 };
 
+/// A SerialTeam that lives as long as the program.
 const Team& serial_team();
 
-/// Collective. If the local work of any member has failed, all throw: fatal errors before a RecoverableError, and of
-/// equals that of the lowest rank, with its type (those of base/error.hpp and std::bad_alloc; else std::runtime_error)
-/// and message. @param own  the failure of this member, or null
-void agree_on_failure(const Team& team, std::exception_ptr own);
+/// Collective. If local work has failed on any member, all members throw the same error: fatal ones before a
+/// RecoverableError, and among equals that of the lowest rank, with its type (those of base/error.hpp and
+/// std::bad_alloc; else std::runtime_error) and message. @param own  the failure of this member, or null
+void agree_on_failure(const Team& team, const std::exception_ptr& own);
 
-/// local() is work between two collective operations, and calls none itself: no member waits for one that has failed.
+/// Runs local(), the work between two collective operations, such that a failure on one member makes all throw instead
+/// of waiting for it. local() must not call collective operations itself.
 /// Cost: one reduction; none in a single process.
 template <typename Local>
 void together(const Team& team, const Local& local) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The whole configuration of a run as plain structs. The default of every key stands here and nowhere else.
-/// Functions are of x, y, z, t unless said otherwise; units are the user's own consistent set.
+/// The complete configuration of a run as plain structs. Defaults of keys are defined here and nowhere else. Functions
+/// depend on x, y, z, t unless said otherwise; units are a consistent set chosen by the user.
 
 #include <array>
 #include <filesystem>
@@ -11,25 +11,33 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/location.hpp"
+#include "creepcontact/settings/contact_settings.hpp"
+#include "creepcontact/settings/integrator_options.hpp"
 
 namespace creepcontact::config {
 
-/// What becomes of nodes that several bodies share and no contact covers.
+/// Treatment of nodes that several bodies share and no contact covers.
 enum class SharedNodes { error, tie };
+constexpr auto names_of(SharedNodes) {
+  return std::to_array<settings::EnumName<SharedNodes>>({{"error", SharedNodes::error}, {"tie", SharedNodes::tie}});
+}
 
+/// [mesh]
 struct Mesh {
-  std::filesystem::path file;                ///< .geo or .msh; already relative to the working directory
+  std::filesystem::path file;                ///< .geo or .msh; resolved against the directory of the configuration
   int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
-  std::map<std::string, double> parameters;  ///< .geo only: constants made with DefineConstant
+  std::map<std::string, double> parameters;  ///< .geo only: values of DefineConstant constants
   bool allow_locking = false;                ///< accept linear tetrahedra and wedges
-  double time_limit = 3600;                  ///< .geo only: seconds that meshing may take
-  int memory_limit_mb = 8192;                ///< .geo only: memory that meshing may take
-  bool trust_geometry = false;               ///< .geo only: may run programs and write files; the command line says so
+  double time_limit = 3600;                  ///< .geo only: bound on the meshing time [s]
+  int memory_limit_mb = 8192;                ///< .geo only: bound on the memory for meshing [MB]
+  bool trust_geometry = false;               ///< .geo only: may run programs and write files; set on the command line
   SharedNodes share_nodes = SharedNodes::error;
   Location location;  ///< of `file`
 };
 
+/// [bodies.<name>]
 struct Body {
   std::string name;
   std::vector<Reference> region;  ///< physical volumes, at least one
@@ -37,36 +45,43 @@ struct Body {
   Location location;
 };
 
-/// One value of a creep law's key; `values` has one entry unless the key takes a list.
+/// Value of one key of a creep law; `values` has one entry unless the key takes a list.
 struct CreepParameter {
   std::string key;
-  std::vector<Function> values;  ///< of the variables that Vocabulary allows at this key
+  std::vector<Function> values;  ///< of the variables that Vocabulary allows for this key
   Location location;
-  bool given = true;  ///< false: the default
+  bool given = true;  ///< false: it is the default
 };
 
+/// [[materials.<name>.creep]]
 struct CreepMechanism {
   std::string law;
-  std::vector<CreepParameter> parameters;  ///< one a key of the law, in the order of Vocabulary
+  std::vector<CreepParameter> parameters;  ///< one per key of the law, in the order of Vocabulary
   Location location;
-  bool depends_on_temperature = false;  ///< the law says so
+  bool depends_on_temperature = false;  ///< as reported by the law
 };
 
 enum class StressMeasure { von_mises, principal, mixed };
+constexpr auto names_of(StressMeasure) {
+  return std::to_array<settings::EnumName<StressMeasure>>({{"von_mises", StressMeasure::von_mises},
+                                                           {"principal", StressMeasure::principal},
+                                                           {"mixed", StressMeasure::mixed}});
+}
 
-/// Time to rupture at constant stress: `rupture_time`, or else Larson-Miller data.
+/// [materials.<name>.rupture]: time to rupture at constant stress, either `rupture_time` or Larson-Miller data.
 struct Rupture {
   std::optional<Function> rupture_time;  ///< of q, T
   double larson_miller_constant = 20;
   std::vector<double> stress;
-  std::vector<double> parameter;   ///< (T - absolute_zero) (larson_miller_constant + log10 rupture time) at these
+  std::vector<double> parameter;   ///< (T - absolute_zero) (larson_miller_constant + log10 rupture time) at `stress`
   double absolute_zero = -273.15;  ///< in the unit of T
-  double time_unit = 1;            ///< unit of t in that of the data
+  double time_unit = 1;            ///< unit of t, in the time unit of the data
   StressMeasure stress_measure = StressMeasure::von_mises;
-  std::optional<double> alpha;  ///< given with `mixed`: alpha sigma_1 + (1 - alpha) q
+  std::optional<double> alpha;  ///< only with `mixed`: S = alpha sigma_1 + (1 - alpha) q
   Location location;
 };
 
+/// [materials.<name>]
 struct Material {
   std::string name;
   Function young_modulus;            ///< of T
@@ -78,29 +93,31 @@ struct Material {
   Location location;
 };
 
-/// Prescribed displacements of a surface, curve or point; at least one component is given.
+/// [[supports]]: prescribed displacements of a surface, curve or point; at least one component is given.
 struct Support {
   Reference on;
-  Reference body;                                       ///< optional: only the nodes of this body
+  Reference body;                                       ///< optional: restricts it to the nodes of this body
   std::array<std::optional<Function>, 3> displacement;  ///< x, y, z
   std::optional<Function> normal;                       ///< along the outward normal
   Location location;
 };
 
+/// Kinds of loads; units are those of stress, force, force per volume, angle per time, mass per volume.
 struct Pressure {
-  Function value;  ///< positive towards the body
+  Function value;  ///< positive if it pushes on the body
 };
 struct Traction {
-  std::array<Function, 3> value;  ///< force per area
+  std::array<Function, 3> value;  ///< force per area, x, y, z
 };
 struct PointForce {
-  std::array<double, 3> at{};       ///< acts at the nearest mesh node ...
-  std::optional<double> tolerance;  ///< ... no further than this; not given: 1e-6 of the model size
+  std::array<double, 3> at{};       ///< applied to the nearest mesh node ...
+  std::optional<double> tolerance;  ///< ... within this distance; nullopt: 1e-6 of the model size
   std::array<Function, 3> value;
 };
 struct BodyForce {
-  std::array<Function, 3> value;  ///< force per volume
+  std::array<Function, 3> value;  ///< force per volume, x, y, z
 };
+/// Centrifugal force about an axis through `origin`.
 struct Rotation {
   std::array<double, 3> axis{0, 0, 1};
   std::array<double, 3> origin{};
@@ -108,110 +125,99 @@ struct Rotation {
   Function density;
 };
 
+/// [[loads]]
 struct Load {
-  Reference on;    ///< given with pressure and traction
-  Reference body;  ///< given with body_force and rotation; optional else: only this body
+  Reference on;    ///< required with pressure and traction
+  Reference body;  ///< required with body_force and rotation; else optional: restricts the load to this body
   std::variant<Pressure, Traction, PointForce, BodyForce, Rotation> kind;
   Location location;
 };
 
+/// [temperature]
 struct Temperature {
-  Function value;                 ///< unless `file` is given
-  std::filesystem::path file;     ///< of temperatures at points; relative to the working directory
-  double refactor_change = 0.05;  ///< of the stiffness, relative, beyond which it is factored anew; 0 to 0.5
+  Function value;                 ///< used unless `file` is given
+  std::filesystem::path file;     ///< temperatures at points; resolved against the directory of the configuration
+  double refactor_change = 0.05;  ///< relative change of the stiffness beyond which it is factored again, 0 to 0.5
   Location location;
 };
 
-enum class ContactType { unilateral, tied };
+using settings::Acceleration;
+using settings::ContactMethod;
+using settings::ContactType;
+using settings::InnerIteration;
+using settings::LinearSolver;
+using settings::StepMode;
 
+/// [[contacts]]
 struct Contact {
-  std::string name;                  ///< not given: "<first surface>-<second surface>"
+  std::string name;                  ///< default: "<first surface>-<second surface>"
   std::array<Reference, 2> between;  ///< physical surfaces
   ContactType type = ContactType::unilateral;
   int slave = -1;              ///< 0 or 1: index into `between`; -1: "auto"
-  bool geometric_gap = false;  ///< gap = "geometric": measured from the mesh
-  Function gap = 0.0;          ///< initial normal distance, negative: interference
+  bool geometric_gap = false;  ///< gap = "geometric": measured from the meshes
+  Function gap = 0.0;          ///< initial normal distance; negative: interference
   Location location;
 };
 
-enum class ContactMethod { schwarz, active_set };
-enum class Acceleration { none, aitken, anderson, cg };
-
-/// Iteration parameters in (0, 1].
+/// Parameters of the Schwarz iteration, in (0, 1].
 struct Alpha {
   struct OfBody {
     Reference body;
     double value = 0;
   };
-  std::optional<double> all;    ///< of all bodies; neither this nor a body's own given: "diagonal"
-  std::vector<OfBody> of_body;  ///< in the order of the keys
+  std::optional<double> all;    ///< for all bodies; "diagonal" if neither this nor `of_body` is given
+  std::vector<OfBody> of_body;  ///< for single bodies, in the order of the keys
 };
 
-struct ContactSolver {
-  ContactMethod method = ContactMethod::schwarz;
+/// [contact_solver]
+struct ContactSolver : settings::ContactSettings {
   Alpha alpha;
-  double damping = 1.0;  ///< part of each sweep that is taken, in (0, 1]
-  Acceleration acceleration = Acceleration::cg;
-  double tolerance = 1e-10;
-  int max_iterations = 200;
-  double dense_limit_mb = 2000;  ///< memory of the contact zones' matrices; beyond it they are not formed
 };
 
-enum class StepMode { fixed, stable, adaptive };
-
-struct TimeStep {
-  StepMode mode = StepMode::stable;
-  double length = 0;  ///< fixed
-};
-
-enum class InnerIteration { fixed_point, newton };
-
-enum class LinearSolver { krylov, tangent };
-
-struct Time {
+/// [time]
+struct Time : settings::IntegratorOptions {
   double end = 0;
   std::string integrator = "auto";
-  double tolerance = 1e-4;                             ///< relative stress accuracy
-  LinearSolver linear_solver = LinearSolver::krylov;   ///< of cvode_bdf and arkode_dirk
-  std::vector<double> output;                          ///< increasing, from 0 to end, both included
-  TimeStep step;                                       ///< Euler schemes
-  double step_factor = 1.0;                            ///< times the stable step
-  double beta = 1.0;                                   ///< beta_euler, in [0.5, 1]
-  InnerIteration inner = InnerIteration::fixed_point;  ///< beta_euler
-  double inner_tolerance = 1e-10;
-  int inner_anderson = 0;  ///< beta_euler: depth of Anderson acceleration; 0: the plain iterations of the article
-  double residual_correction = 0.0;
-  std::string table;                ///< arkode_erk, arkode_dirk: Butcher table; empty: the integrator's own choice
+  std::vector<double> output;       ///< increasing, from 0 to end, both included
+  bool stop_at_output = false;      ///< steps end at output times; else results are interpolated within steps
   std::vector<double> breakpoints;  ///< increasing; those of tables in t are not among them
   Location location;
 };
 
+/// [output]
 struct Output {
-  std::filesystem::path directory;  ///< relative to the working directory; not given: results/<stem> beside the file
-  bool fields = true;               ///< write fields.pvd, contact.pvd and their .vtu files
-  double checkpoint_seconds = 30;   ///< wall time between checkpoints; 0: one after every step
+  /// Relative to the working directory; default: results/<stem> next to the configuration.
+  std::filesystem::path directory;
+  bool fields = true;              ///< write fields.pvd, contact.pvd and their .vtu files
+  double checkpoint_seconds = 30;  ///< wall time between checkpoints [s]; 0: after every step
 };
 
 enum class Reduce { mean, max, min, sum };
+constexpr auto names_of(Reduce) {
+  return std::to_array<settings::EnumName<Reduce>>(
+      {{"mean", Reduce::mean}, {"max", Reduce::max}, {"min", Reduce::min}, {"sum", Reduce::sum}});
+}
 
+/// [[probes]]
 struct Probe {
   std::string name;
   std::string quantity;
   Reference on;                             ///< a physical surface (curve, point), or ...
   std::optional<std::array<double, 3>> at;  ///< ... a point, or ...
-  Reference body;                           ///< ... a whole body; beside `on` and `at`: only in this body
-  Reduce reduce = Reduce::mean;             ///< over a surface or body; sum for areas, forces and reactions
-  std::array<double, 3> axis{0, 0, 1};      ///< of cylindrical components ...
-  std::array<double, 3> origin{};           ///< ... and a point of it
+  Reference body;                           ///< ... a whole body; with `on` or `at`: restricts it to this body
+  Reduce reduce = Reduce::mean;             ///< over a surface or body; `sum` for areas, forces and reactions
+  std::array<double, 3> axis{0, 0, 1};      ///< axis of cylindrical components ...
+  std::array<double, 3> origin{};           ///< ... and a point on it
   Location location;
 };
 
+/// A configuration that has been read and checked.
 struct Config {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
   std::string units;
   Mesh mesh;
-  std::vector<Body> bodies;  ///< at least one; these and materials in the order of the file
+  std::vector<Body> bodies;  ///< at least one; in the order of the file, like the materials
   std::vector<Material> materials;
   std::vector<Support> supports;
   std::vector<Load> loads;
@@ -222,7 +228,10 @@ struct Config {
   Output output;
   std::vector<Probe> probes;
 
-  /// @throws std::out_of_range for a name that no body refers to (reading has checked them all)
+  std::vector<ConfiguredFunction> functions;  ///< all of the above, in the order of reading
+  std::vector<ConfiguredValue> values;        ///< of the keys that identify the model
+
+  /// @throws std::out_of_range if the name is unknown (reading has checked those that bodies refer to)
   const Material& material(const std::string& name) const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A study: many runs of one configuration, compared with a reference. Keys and their defaults.
+/// A study: many runs of one configuration, compared with a reference. Its keys and their defaults.
 
 #include <filesystem>
 #include <map>
@@ -10,118 +10,126 @@
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/config/location.hpp"
 #include "creepcontact/config/vocabulary.hpp"
+#include "creepcontact/settings/enum_names.hpp"
 
 namespace creepcontact::config {
 
-/// A value of a study, as TOML writes it: what follows the '=' of an override.
+/// A value in a study, written as in TOML: what follows '=' in an override.
 struct StudyValue {
   std::string toml;
-  std::string label;  ///< for people: strings without quotation marks
+  std::string label;  ///< for display: strings without quotation marks
   Location location;
 };
 
+/// One key of the base configuration set to a value.
 struct Setting {
   std::string key;
   Location key_location;
   StudyValue value;
-  /// "key=value", as `--set` takes it
+  /// "key=value", as --set takes it.
   std::string override_text() const { return key + '=' + value.toml; }
 };
 
+/// A key that takes several values.
 struct Axis {
   Reference key;
-  std::string zip;  ///< axes of the same name run together; empty: one of the product
+  std::string zip;  ///< axes with the same name vary together; empty: independent
   std::vector<StudyValue> values;
   Location location;
 };
 
-/// Runs with common settings: the product of the axes, or a single run without axes.
+/// Runs with common settings: the product of the axes; a single run if there are none.
 struct Product {
-  std::string label;  ///< for people; may be empty
+  std::string label;  ///< for display; may be empty
   std::vector<Setting> settings;
   std::vector<Axis> axes;
   Location location;
 };
 
-/// What the runs are compared with: another run, a file or closed forms; at most one of the three is given.
+/// What the runs are compared with: another run, a file, or closed-form expressions. At most one of the three is given.
 struct StudyReference {
   std::vector<Setting> settings;
-  std::filesystem::path csv;                    ///< with the columns of history.csv
-  std::map<std::string, Function> expressions;  ///< of t, by probe
+  std::filesystem::path csv;                    ///< file with the columns of history.csv
+  std::map<std::string, Function> expressions;  ///< per probe, of t
   Location location;
   bool is_run() const { return csv.empty() && expressions.empty(); }
 };
 
 enum class ErrorNorm { max, final };
+constexpr auto names_of(ErrorNorm) {
+  return std::to_array<settings::EnumName<ErrorNorm>>({{"max", ErrorNorm::max}, {"final", ErrorNorm::final}});
+}
 
+/// [compare]
 struct Compare {
-  std::vector<Reference> quantities;  ///< probes of the configuration
+  std::vector<Reference> quantities;  ///< probes to compare
   ErrorNorm norm = ErrorNorm::max;
 };
 
-/// Columns of study.csv that tell what a run cost.
+/// Columns of study.csv that measure the cost of a run.
 const std::vector<std::string>& study_counts();
 
-/// Pictures of results along an axis.
+/// Figures of results along an axis.
 struct StudyPlot {
   std::vector<Reference> over;    ///< keys of axes; empty: see axis_of_curves()
-  std::vector<std::string> show;  ///< of study_counts(), beside the errors
+  std::vector<std::string> show;  ///< of study_counts(), in addition to the errors
 };
 
+/// A study that has been read and checked.
 struct Study {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
-  std::filesystem::path base;  ///< already relative to the working directory
+  std::filesystem::path base;  ///< the base configuration, resolved against the directory of the study
   Location base_location;
-  std::vector<Setting> settings;  ///< of all runs and the reference, before their own
+  std::vector<Setting> settings;  ///< of all runs and the reference; their own settings come after
   std::vector<Axis> axes;         ///< of the first product
-  std::vector<Product> runs;      ///< beside it
+  std::vector<Product> runs;      ///< further products
   std::optional<StudyReference> reference;
   Compare compare;
   StudyPlot plot;
-  std::string
-      normalized;  ///< the document without names, [plot], comments and layout: of equal ones the runs are equal
+  /// The document without names, [plot], comments and layout: studies with equal texts have equal runs.
+  std::string normalized;
 };
 
 /// One run of a study.
 struct PlannedRun {
   std::string name;               ///< "run_001", in the order of the study
-  std::vector<Setting> settings;  ///< its own, those of all runs not among them
+  std::vector<Setting> settings;  ///< its own, without those of all runs
   std::size_t product = 0;        ///< index into products()
-  std::vector<int> point;         ///< index of the value on each of its axes
+  std::vector<int> point;         ///< index of the value on each axis of its product
 };
 
-/// @throws ConfigError holding every mistake in the document, as config::read
+/// @throws ConfigError with one line per error found, as config::read
 Study read_study(const std::filesystem::path& file);
-/// As read_study(), from text. @param file  stands in messages; relative paths are taken relative to its directory
+/// Like read_study(), from text. @param file  name for messages; relative paths are relative to its directory
 Study parse_study(const std::string& text, const std::filesystem::path& file);
 
-/// The product of the study's axes, if it has any, then those of [[runs]].
+/// The product of the axes of the study, if it has axes, then those of [[runs]].
 std::vector<Product> products(const Study& study);
 
-/// The axis along which a product's results are drawn: the first of [plot] over that it has, or time.step,
-/// time.tolerance, or else its last one with several values; only axes whose values are numbers.
-/// @returns index into its axes; nullopt if it has none
+/// The axis along which the results of a product are plotted: the first of [plot] over that the product has; else
+/// time.step or time.tolerance; else the last axis with several values. Only axes with numbers as values count.
+/// @returns index into its axes; nullopt if there is none
 std::optional<std::size_t> axis_of_curves(const Study& study, const Product& product);
 
-/// Values of an axis as numbers, NaN for others ("stable"); empty if none is one.
+/// Values of an axis as numbers, NaN for others such as "stable"; empty if none is a number.
 std::vector<double> numbers(const Axis& axis);
 
-/// Whether the two take their values together: zipped, or one and the same.
+/// True if the two axes vary together: zipped, or the same axis.
 bool run_together(const Axis& a, const Axis& b);
 
-/// Number of its runs; a product may have more than can be planned.
+/// Number of runs of a product, as double since it may exceed what can be planned.
 double n_runs(const Product& product);
 
-/// All runs, product by product, the last axis of each changing fastest.
+/// All runs, product by product; the last axis of each varies fastest.
 std::vector<PlannedRun> plan(const Study& study);
 
-/// The overrides of the base configuration that make a run of it.
+/// The overrides that turn the base configuration into a run. @param own  settings of the run
 std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own);
 
-/// Reads the base configuration with the settings of every run, and of the reference if it is one.
-/// @throws ConfigError holding every mistake, those of a setting at its place in the study, and every quantity that is
-///         no probe of the configuration
+/// Reads the base configuration with the settings of every run, and of the reference if it is a run.
+/// @throws ConfigError with one line per error: those of settings with their location in the study, and quantities that
+/// are not probes of the configuration
 void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const Vocabulary& vocabulary);
 
 }  // namespace creepcontact::config

@@ -1,5 +1,5 @@
 #pragma once
-/// Names that the configuration may use but other modules define; the caller of the reader passes them in.
+/// Names that the configuration may use but that other modules define; passed in by the caller of the reader.
 
 #include <functional>
 #include <limits>
@@ -12,51 +12,56 @@
 
 namespace creepcontact::config {
 
+/// One key of a creep law.
 struct LawKey {
   std::string name;
   std::string description;
-  double minimum = 0;                          ///< smallest admissible value ...
-  bool strict = true;                          ///< ... exclusive
-  bool list = false;                           ///< takes a list of values; the lists of a law have the same length
-  bool required = true;                        ///< if not: `fallback` when not given
-  std::vector<Function> fallback = {};         ///< may be empty: not given
-  std::vector<std::string> variables = {"T"};  ///< that its expressions may use
-  double maximum = std::numeric_limits<double>::infinity();  ///< largest admissible value, inclusive
+  double minimum = 0;                   ///< smallest allowed value ...
+  bool strict = true;                   ///< ... exclusive
+  bool list = false;                    ///< true: takes a list of values; all lists of a law have the same length
+  bool required = true;                 ///< false: `fallback` if not given
+  std::vector<Function> fallback = {};  ///< may be empty: then there is no value
+  std::vector<std::string> variables = {"T"};                ///< allowed in its expressions
+  double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
 };
 
-/// A value that the law cannot have.
-struct LawMistake {
+/// A value that a law cannot have, although it is in the range of its key.
+struct LawError {
   std::string key, found, allowed;
 };
 
-/// What the law itself says of its values, those of the keys in their order.
-struct LawVerdict {
-  std::optional<LawMistake> mistake;
+/// Judgement of a law on its values.
+struct LawValidation {
+  std::optional<LawError> mistake;
   bool depends_on_temperature = false;
 };
 
+/// A creep law that a configuration may name.
 struct Law {
   std::string name;
   std::vector<LawKey> keys;
-  std::function<LawVerdict(const std::vector<std::vector<Function>>&)> judge = {};
-  std::string formula = {};  ///< what the law is, in one line
+  /// Argument: the values per key, in order. An empty function means that no validation is needed.
+  std::function<LawValidation(const std::vector<std::vector<Function>>&)> validate = {};
+  std::string formula = {};  ///< one line, for display
 };
 
+/// A quantity of probes.
 struct Quantity {
   std::string name;
-  bool surface_only = false;  ///< has no meaning at a point or over a body
-  bool sum_only = false;      ///< area, force: only reduce = "sum" has a meaning
-  bool cylindrical = false;   ///< a component about an axis, which the probe may name
+  bool surface_only = false;  ///< not defined at a point or over a body
+  bool sum_only = false;      ///< area, force: only reduce = "sum" is meaningful
+  bool cylindrical = false;   ///< component about an axis that the probe may give
 };
 
+/// All names known to the program; made by run::vocabulary().
 struct Vocabulary {
   std::vector<Law> laws;
   std::vector<std::string> integrators;
-  std::map<std::string, std::vector<std::string>> tables;  ///< Butcher tables, of the integrators that let one choose
+  std::map<std::string, std::vector<std::string>> tables;  ///< by integrator: allowed Butcher tables
   std::vector<Quantity> quantities;
-  /// What is wrong with Larson-Miller data, if anything is.
-  std::function<std::optional<LawMistake>(const std::vector<double>& stress, const std::vector<double>& parameter)>
-      judge_larson_miller = {};
+  /// Checks Larson-Miller data; nullopt: valid.
+  std::function<std::optional<LawError>(const std::vector<double>& stress, const std::vector<double>& parameter)>
+      validate_larson_miller = {};
 };
 
 }  // namespace creepcontact::config

@@ -1,5 +1,5 @@
 #pragma once
-/// A body's contact rows on its free unknowns.
+/// The contact rows of one body, restricted to its free dofs.
 
 #include <vector>
 
@@ -7,10 +7,11 @@
 
 namespace creepcontact::contact {
 
+/// Made by CondensedInterface, one per body.
 struct BodyRows {
-  std::vector<int> rows;        ///< in the multipliers of all pairs, ascending
-  RowMatrix reduced;            ///< B, rows.size() x n_free; entries at the pins of a floating body are left out
-  std::vector<char> is_slaves;  ///< of each row: the body is the slave there
+  std::vector<int> rows;        ///< numbers in the multipliers of all pairs, ascending
+  RowMatrix reduced;            ///< B, rows.size() x n_free; no entries at fixing dofs
+  std::vector<char> is_slaves;  ///< per row: true if the body is the slave there
 };
 
 }  // namespace creepcontact::contact

@@ -1,10 +1,12 @@
 #pragma once
-/// All contact pairs condensed onto their multipliers. With the contact unknowns eliminated last, K = L L^T, and rows B
-/// of a body's weighted gaps, G = L22^-1 B^T holds all that contact needs:
+/// All contact pairs condensed onto their multipliers. K = L L^T is factored with the contact dofs of each body last.
+/// With the rows B of the weighted gaps of a body, G = L22^-1 B^T (L22: the trailing block of L) contains all that
+/// contact needs:
 ///   y = L^-1 f,   gap = initial gap + G^T y2,   contact forces: y2 += G lambda,   u = L^-T y,   F = G^T G.
-/// So contact costs no pass through the factor of its own.
-/// Contact zones whose dense matrices would exceed a bound are left in the factor: any ordering, G = L^-1 P B^T applied
-/// by passes of its own, F by a forward and a backward pass a product.
+/// Contact therefore needs no substitutions of its own.
+///
+/// If the dense matrices would exceed a bound, the bodies are factored in any order instead: G = L^-1 P B^T is applied
+/// by additional substitutions, and a product with F costs one forward and one back substitution.
 
 #include <functional>
 #include <limits>
@@ -16,78 +18,87 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
-#include "creepcontact/contact/floating_motions.hpp"
+#include "creepcontact/contact/rigid_body_modes.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/mechanics/body.hpp"
 #include "creepcontact/mechanics/factored_body.hpp"
 
 namespace creepcontact::contact {
 
-/// What the loads ask of contact, gathered body by body.
+/// The loads as contact sees them, collected body by body.
 struct InterfaceLoad {
-  Eigen::VectorXd gap;    ///< weighted gaps, n_rows
-  Eigen::VectorXd work;   ///< of external forces on unit free motions of all bodies
-  Eigen::VectorXd force;  ///< sum of absolute external forces on the body of each motion, to measure the work by
+  Eigen::VectorXd gap;    ///< weighted gaps without contact forces, n_rows
+  Eigen::VectorXd work;   ///< of the external forces on unit rigid-body modes, RigidBodyModes::size()
+  Eigen::VectorXd force;  ///< per rigid-body mode: sum of the absolute external forces on its body, the scale of `work`
   double time = 0;
 };
 
 class FactoredFlexibility;
 
+/// The condensed contact problem of all bodies, and their factors. Use from one thread at a time.
 class CondensedInterface {
  public:
-  /// Conditions of all bodies, in their order.
+  /// One per body, in their order.
   using Conditions = std::span<const mechanics::BodyConditions>;
-  /// Factorises every body with its contact unknowns last. @param bodies, pairs (numbered) and floating (of both) must
-  /// outlive the object @param at  whose stiffness is factored
-  /// @throws ModelError as FactoredBody::factorize and FloatingMotions::require_contact
-  /// Cost: the factorisations, and n_contact^2 x n_rows operations per body.
-  /// @param dense_bytes  bound on the dense matrices
-  /// @param admit  called between analysis and factorisation, when the sizes of all factors are known and nothing of
-  ///        them is taken; it may throw. @param dense_bytes of it: those of the dense matrices that will be made
+  /// Called between analysis and factorisation, when the sizes of all factors are known but no memory is taken yet; may
+  /// throw to refuse. @param dense_bytes  size of the dense matrices that will be made
   using Admission = std::function<void(const CondensedInterface& analyzed, double dense_bytes)>;
+  /// Factors every body with its contact dofs last and condenses the contact rows.
+  /// @param bodies, pairs (numbered), rigid_body_modes (of both)  must outlive the object
+  /// @param at  conditions of all bodies, whose stiffness is factored
+  /// @param dense_bytes  bound on the dense matrices, in bytes; beyond it the flexibility is an operator
+  /// @param admit  see Admission
+  /// @throws ModelError as FactoredBody::factorize and RigidBodyModes::require_contact
+  /// Cost: the factorisations, and n_contact^2 x n_rows operations per body.
   CondensedInterface(std::span<const mechanics::Body> bodies, std::span<const Pair> pairs,
-                     const FloatingMotions& floating, Conditions at, double dense_bytes = unbounded,
+                     const RigidBodyModes& rigid_body_modes, Conditions at, double dense_bytes = unbounded,
                      const Admission& admit = {},
                      const linalg::StiffnessSolverFactory& make_solver = linalg::default_stiffness_solver);
   ~CondensedInterface();
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-  /// Factors these bodies anew, with the stiffness of these conditions, and condenses their rows anew. Contact solvers
-  /// and systems made of problem() must be told (flexibility_changed). Cost: as the constructor, without the orderings.
+  /// Factors and condenses these bodies again, with the stiffness of these conditions. All contact solvers and systems
+  /// that use problem() must then be told by flexibility_changed().
+  /// Cost: as the constructor, without analysis and ordering.
   void refactorize(std::span<const std::size_t> bodies, Conditions at);
 
   std::span<const Pair> pairs() const { return pairs_; }
   mechanics::FactoredBody& factored(std::size_t body) { return factored_[body]; }
   const mechanics::FactoredBody& factored(std::size_t body) const { return factored_[body]; }
   const ContactProblem& problem() const { return problem_; }
-  const FloatingMotions& floating() const { return floating_; }
+  const RigidBodyModes& rigid_body_modes() const { return rigid_body_modes_; }
   Index n_rows() const { return problem_.n_rows(); }
   const BodyRows& rows(std::size_t body) const { return rows_[body]; }
-  /// Free unknowns that the body's factor eliminates last, those that its rows touch, if is_dense().
+  /// Free dofs that the factor of the body eliminates last: those that its contact rows touch. Only if is_dense().
   std::span<const std::int64_t> trailing(std::size_t body) const { return sides_[body].trailing; }
 
-  /// Without creep, loads and contact: given gap and prescribed displacements.
+  /// The load without creep, external forces and contact forces: initial gaps and prescribed displacements.
+  /// @throws ModelError if a gap is not finite
   InterfaceLoad initial_load(double t, Conditions at) const;
+  /// A load with all entries zero.
   InterfaceLoad no_load() const;
-  /// Adds the work of the body's external forces on its free motions.
+  /// Adds the work of the external forces of a body on its rigid-body modes.
   void add_resultant(std::size_t body, const mechanics::BodyConditions& at, InterfaceLoad& load) const;
-  /// gap += G^T y2. @param y  L^-1 P f of the body, all free unknowns
+  /// gap += G^T y2. @param y  L^-1 P f on all free dofs of the body
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap);
-  /// The load for the contact solver. Warns once of loads that are out of balance along idle motions by rounding of the
-  /// mesh. @throws ModelError if they push bodies along idle motions by more than 1e-4 of their sum
+  /// The load in the form the contact solver takes. Warns once if the loads are out of balance along an unconstrained
+  /// mode by more than 1e-8 of the sum of the forces, as on meshes that are not quite symmetric.
+  /// @throws ModelError if they are by more than 1e-4
   ContactLoad contact_load(const InterfaceLoad& load);
-  /// @throws ModelError that names the bodies and their motion
+  /// @throws ModelError naming the bodies and the motion along which the loads drive them
   [[noreturn]] void report(const UnbalancedLoad& unbalanced, double t) const;
   /// y2 += G lambda
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y);
-  /// u += the body's rigid motion. @param rigid  amplitudes of the contact problem's motions; displacement 3 n_nodes
+  /// displacement (3 n_nodes) += the rigid-body motion of the body. @param rigid  amplitudes, n_motions of the contact
+  /// problem
   void add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid, std::span<double> displacement) const;
-  /// Nodal forces of the multipliers on a body, 3 n_nodes, added.
+  /// forces (3 n_nodes) += nodal forces of the multipliers on a body.
   void add_contact_forces(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> forces) const;
-  /// Bytes that the dense interface matrices take or would take.
+  /// Bytes that the dense matrices of the interface take, or would take if !is_dense().
   double dense_bytes() const { return dense_bytes_; }
+  /// False if the flexibility is an operator, because the dense matrices would exceed the bound.
   bool is_dense() const { return large_ == nullptr; }
-  /// Forward and backward passes through all factors that products with F have cost so far.
+  /// Products with F so far, each one forward and one back substitution of all bodies; 0 if is_dense().
   std::int64_t n_products() const;
 
  private:
@@ -100,24 +111,24 @@ class CondensedInterface {
 
   struct Side {
     RowMatrix full_rows;                 // rows.size() x 3 n_nodes
-    std::vector<std::int64_t> trailing;  // unknowns that the rows touch
-    CondensedRows condensed;             // empty if large
+    std::vector<std::int64_t> trailing;  // dofs that the rows touch
+    CondensedRows condensed;             // empty if !is_dense()
   };
   std::span<const mechanics::Body> bodies_;
   std::span<const Pair> pairs_;
-  const FloatingMotions& floating_;
+  const RigidBodyModes& rigid_body_modes_;
   std::vector<mechanics::FactoredBody> factored_;
   std::vector<Side> sides_;
   std::vector<BodyRows> rows_;
   double dense_bytes_ = 0;
-  bool imbalance_warned_ = false, overlap_warned_ = false;
+  bool residual_warned_ = false, overlap_warned_ = false;
   ContactProblem problem_;
   std::vector<int> immovable_;  // rows
   std::unique_ptr<FactoredFlexibility> large_;
-  std::int64_t earlier_products_ = 0;  // those of a large_ that was replaced
+  std::int64_t earlier_products_ = 0;  // of operators replaced by refactorize()
 };
 
-/// Free unknowns that contact rows touch, ascending. @param reduced  rows on the free unknowns
+/// Free dofs that contact rows touch, ascending. @param reduced  contact rows on the free dofs
 std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced);
 
 }  // namespace creepcontact::contact

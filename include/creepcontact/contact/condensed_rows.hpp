@@ -1,5 +1,5 @@
 #pragma once
-/// Contact rows B of one body condensed onto the unknowns that a factor of its stiffness eliminates last:
+/// Contact rows B of one body condensed onto the trailing dofs, which the factor of its stiffness eliminates last:
 ///   G = L22^-1 B^T,   gaps of y = L^-1 P f: G^T y2,   forces of multipliers: y2 += G lambda,   flexibility F = G^T G.
 
 #include <Eigen/Core>
@@ -10,16 +10,20 @@
 
 namespace creepcontact::contact {
 
+/// G of one body.
 class CondensedRows {
  public:
   CondensedRows() = default;
-  /// @param rows      B on all free unknowns, with entries at the trailing ones alone
-  /// @param trailing  those of the factor. Cost: trailing.size()^2 x rows.rows() operations.
+  /// @param rows  B on all free dofs, with entries at trailing dofs only
+  /// @param trailing  free dofs that `factor` eliminates last, in its order
+  /// Cost: trailing.size()^2 x rows.rows() operations.
   CondensedRows(const RowMatrix& rows, std::span<const std::int64_t> trailing, const linalg::StiffnessSolver& factor);
 
+  /// F, rows.rows() square. Cost: trailing.size() x rows.rows()^2 operations.
   Eigen::MatrixXd flexibility() const { return traces_.transpose() * traces_; }
-  /// @param y  of all free unknowns
+  /// G^T y2. @param y  on all free dofs, in the order of the factor
   Eigen::VectorXd gaps(std::span<const double> y) const;
+  /// y2 += G multiplier. @param y  as in gaps()
   void add_forces(const Eigen::VectorXd& multiplier, std::span<double> y) const;
 
  private:

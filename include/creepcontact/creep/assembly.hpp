@@ -6,22 +6,25 @@
 #include <vector>
 
 #include "creepcontact/base/team.hpp"
-#include "creepcontact/contact/floating_motions.hpp"
 #include "creepcontact/contact/geometry/pair.hpp"
+#include "creepcontact/contact/rigid_body_modes.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::creep {
 
-/// Immutable, so any number of threads may use one assembly. Movable; what the accessors refer to stays where it is.
+/// Bodies, contact pairs and rigid-body modes of a model, in fixed order. Immutable, so any number of threads may use
+/// one assembly. Movable; references returned by the accessors stay valid after a move.
 class Assembly {
  public:
-  /// Makes pair number `pair`, one of two surfaces, anew: these relative motions, which only the facets of its surfaces
-  /// hinder, shall not change its gaps.
+  /// Rebuilds pair number `pair`, a pair of two surfaces, such that the given relative rigid-body modes leave its gaps
+  /// unchanged. These motions would slide without resistance but for the facets of the meshes.
   using Remake = std::function<contact::Pair(const std::vector<mechanics::Body>& bodies, std::size_t pair,
                                              std::span<const mechanics::RigidMotion> sliding)>;
 
-  /// Numbers the contact rows of the pairs. @param remake  if empty, sliding pairs stay as they are
-  /// @param team  the processes that share the bodies, each with some elements of them; must outlive the object
+  /// Numbers the contact rows of the pairs and finds the rigid-body modes.
+  /// @param remake  called for each pair that can slide (RigidBodyModes::sliding); if empty, sliding pairs stay as they
+  /// are
+  /// @param team  the processes that share the bodies, each with some of their elements; must outlive the object
   Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pair> pairs, const Remake& remake = {},
            const Team& team = serial_team());
   Assembly(Assembly&&) noexcept = default;
@@ -29,12 +32,13 @@ class Assembly {
 
   const std::vector<mechanics::Body>& bodies() const { return bodies_; }
   const std::vector<contact::Pair>& pairs() const { return pairs_; }
-  const contact::FloatingMotions& floating() const { return floating_; }
+  const contact::RigidBodyModes& rigid_body_modes() const { return rigid_body_modes_; }
   const Team& team() const { return *team_; }
-  /// Some material creeps.
+  /// True if at least one material creeps.
   bool creeps() const;
 
-  /// Conditions of all bodies, in their order. See Body::update().
+  /// Conditions at time t, one per body in the order of bodies(). Collective: all members of the team must call it.
+  /// update() reuses what `conditions` holds already, see Body::update(). @throws ModelError as Body::at()
   void update(double t, std::vector<mechanics::BodyConditions>& conditions) const;
   std::vector<mechanics::BodyConditions> at(double t) const;
 
@@ -42,7 +46,7 @@ class Assembly {
   const Team* team_;
   std::vector<mechanics::Body> bodies_;
   std::vector<contact::Pair> pairs_;
-  contact::FloatingMotions floating_;
+  contact::RigidBodyModes rigid_body_modes_;
 };
 
 }  // namespace creepcontact::creep

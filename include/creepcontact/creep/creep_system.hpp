@@ -1,6 +1,6 @@
 #pragma once
-/// Creep of all bodies as a differential equation: y = creep strains and internal variables of every integration point,
-/// f(t, y) = the laws' rates at the stress of the elastic contact equilibrium.
+/// Creep of all bodies as a differential equation dy/dt = f(t, y): y holds the creep strains and internal variables of
+/// all integration points, f(t, y) the rates of the creep laws at the stress of the elastic contact equilibrium.
 
 #include <limits>
 #include <memory>
@@ -20,50 +20,43 @@
 
 namespace creepcontact::creep {
 
-/// The equilibrium of a state (t, y) and the parameters of the laws there.
+/// The equilibrium of a state (t, y) and the parameters of the laws at that time.
 struct Evaluation {
-  double time = 0;        ///< at which loads were taken
-  std::vector<double> y;  ///< the state
+  double time = 0;        ///< the time at which the loads are taken
+  std::vector<double> y;  ///< the state, of size StateLayout::size()
   Equilibrium equilibrium;
   std::vector<LawParameters> laws;  ///< one per body
-  bool valid = false;
+  bool valid = false;               ///< false until a solve has succeeded
 };
 
-/// All work so far, for reports.
-struct RunCounters {
-  std::int64_t rate_evaluations = 0;
-  std::int64_t jacobian_products = 0;
-  std::int64_t elastic_solves = 0;
-  std::int64_t contact_solves = 0;
-  std::int64_t schwarz_iterations = 0;
-  std::int64_t factorizations = 0;
-  std::int64_t active_contacts = 0;  ///< at the last evaluation
-};
-
-/// The rate is a pure function of (t, y) and of the history of accepted steps. Evaluations for outputs
-/// (evaluate_output) change nothing that steps see.
+/// The creep rate as the integrators see it. It is a pure function of (t, y) and the history of accepted steps:
+/// evaluations for outputs (evaluate_output) never change what the steps compute. One thread at a time.
 class CreepSystem final : public ode::System,
                           public ode::JacobianProducts,
                           public ode::NewtonSolver,
                           public ode::SingularRate {
  public:
-  /// @param solver, watch must outlive the object
-  /// @param survey  of the same solver
-  /// @param tolerance  that the integrator will keep: hardening below it is not resolved
+  /// @param solver, watch  must outlive the object
+  /// @param survey  made with the same solver
+  /// @param tolerance  relative tolerance of the integrator: strain hardening below 0.3 of it is not resolved
+  /// (PointState::least_strain)
   CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch);
   ~CreepSystem() override;
 
   std::size_t size() const override { return layout_.size(); }
   const Team& team() const override { return assembly().team(); }
+  /// @throws RecoverableError if no equilibrium is found, or if the stress or a rate is not finite
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
-  /// J v = C H (B du - v) + (internal couplings), K du = B^T H v with the contact set frozen.
+  /// J v = C H (B du - v) + (coupling to the internal variables), where K du = B^T H v with the closed contacts held
+  /// closed, and C = d(rate)/d(stress). Cost: as an elastic solve.
   void jacobian_times(double t, std::span<const double> y, std::span<const double> v,
                       std::span<double> product) override;
   void prepare_preconditioner(double t, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
   ode::JacobianProducts* jacobian() override { return this; }
-  /// Only where contact is condensed to dense matrices.
+  /// Null unless contact is condensed to dense matrices.
   ode::NewtonSolver* newton_solver() override { return solver_.interface().is_dense() ? this : nullptr; }
+  /// Null unless some law may start with an infinite rate (ElasticSurvey::singular_start).
   ode::SingularRate* singular_rate() override { return may_start_singular_ ? this : nullptr; }
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;
   void solve_tangent(std::span<const double> r, std::span<double> z) override;
@@ -71,31 +64,37 @@ class CreepSystem final : public ode::System,
   double start_exponent(double t, std::span<const double> y) override;
   void start_increment(double t, std::span<const double> y, double stress_time, double duration,
                        std::span<double> change) override;
-  /// Follows the stress of the accepted steps: typical stress / Young's modulus.
+  /// Typical stress / Young's modulus per body (ErrorScale); it follows the stress of the accepted steps.
   std::span<const double> scale() const override { return scale_.values(); }
-  /// The last evaluation of the steps, which is at or beside the accepted point, becomes part of the history.
+  /// Makes the last step evaluation part of the history. It was made at the accepted point or close to it; t and y
+  /// themselves are not used.
   void accept(double t, std::span<const double> y) override;
   void forget_evaluations() override;
   ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
+  /// All work so far but the integrator's: no steps.
   RunCounters run_counters() const;
+  /// Closed multiplier nodes at the last evaluation of a step.
+  std::int64_t n_active_contacts() const { return std::ssize(step_.equilibrium.contact.active); }
 
-  /// Loads, supports, gaps and temperatures may jump at both ends of the time from `begin` to `end`: from now on
-  /// they are, at these times, their limits from within.
+  /// Restricts the time at which loads, supports, gaps and temperatures are evaluated to the open interval (begin,
+  /// end). Jumps at its two ends then give the one-sided limits from within.
   void begin_segment(double begin, double end);
 
-  /// For results; valid until the next call. Evaluations of the steps at the same point serve both.
-  /// @throws RecoverableError if no equilibrium is found
+  /// The evaluation at (t, y) for results; valid until the next call of a non-const member. Reuses an evaluation made
+  /// for a step at the same point. @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_output(double t, std::span<const double> y);
-  /// For steps: solved, or kept from an evaluation at the same point.
+  /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
+  /// @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_step(double t, std::span<const double> y);
-  /// The last one of the steps.
+  /// The last evaluation made for a step.
   const Evaluation& step_evaluation() const { return step_; }
-  /// Shortest of every body: 1 / largest eigenvalue of C H; infinity where nothing creeps.
+  /// Shortest relaxation time per body, 1 / (largest eigenvalue of C H over its points); infinity if nothing creeps.
+  /// Collective.
   std::vector<double> relaxation_times(const Evaluation& at) const;
 
-  /// What evaluations to come depend on besides their arguments, for a checkpoint.
+  /// Stores what later evaluations depend on in addition to their arguments: the history and the error scale.
   void save(Memory& memory) const;
-  /// @throws std::out_of_range if something is missing
+  /// @throws std::out_of_range if an entry is missing
   void restore(const Memory& memory);
   const History& history() const { return history_; }
 
@@ -103,23 +102,25 @@ class CreepSystem final : public ode::System,
   const Assembly& assembly() const { return solver_.assembly(); }
   const StateLayout& layout() const { return layout_; }
 
+  /// True if some law of some body knows this measure (damage, life fraction).
   bool knows(material::Measure measure) const;
   struct Extreme {
     double value = 0;
     std::size_t body = 0;
-    Vector3 place = Vector3::Zero();
+    Vector3 position = Vector3::Zero();
   };
-  /// Largest value of a body, if one of its laws knows the measure. @param y  the state, at or beside that of `at`
+  /// Largest value over all points of a body; nullopt if none of its laws knows the measure. Collective.
+  /// @param y  the state, equal or close to that of `at`
   std::optional<Extreme> largest(material::Measure measure, std::size_t body, const Evaluation& at,
                                  std::span<const double> y) const;
-  /// Of every point of a body; empty if none of its laws knows the measure.
+  /// The measure at all points of a body, n_points; empty if none of its laws knows it.
   std::vector<double> measure(material::Measure of, std::size_t body, const Evaluation& at,
                               std::span<const double> y) const;
 
  private:
   void solve(double t, std::span<const double> y, Evaluation& into);
   bool is_at(double t, std::span<const double> y, const Evaluation& of) const;
-  /// The time at which loads are to be taken for t.
+  /// The time at which the loads are evaluated for t: t moved inside the segment of begin_segment().
   double load_time(double t) const;
   PointsState points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const;
   double smallest_start_exponent(double t, const Evaluation& at) const;
@@ -130,16 +131,16 @@ class CreepSystem final : public ode::System,
   StateLayout layout_;
   ErrorScale scale_;
   std::vector<MaterialPoints> points_;    // one per body
-  std::optional<TangentSystem> tangent_;  // made when it is first asked for
+  std::optional<TangentSystem> tangent_;  // made at first use
   std::vector<PointPreconditioner> preconditioners_;
-  /// Bodies with internal variables: what is point-wise in their Newton systems, at local_gamma_.
+  /// For bodies with internal variables: the point-wise part of their Newton systems, made with local_gamma_.
   std::vector<std::unique_ptr<MaterialTangent>> local_;
-  double local_gamma_ = 0;  // 0: to be prepared
+  double local_gamma_ = 0;  // 0: not prepared
   bool may_start_singular_ = false;
   double segment_begin_ = -std::numeric_limits<double>::infinity();
   double segment_end_ = std::numeric_limits<double>::infinity();
   History history_;
-  Evaluation step_, output_;  // keyed by their (time, y)
+  Evaluation step_, output_;  // each identified by its (time, y)
   std::vector<mechanics::CreepStrainView> views_;
   std::vector<std::vector<double>> stress_change_;
   std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;

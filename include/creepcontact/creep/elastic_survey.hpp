@@ -1,5 +1,6 @@
 #pragma once
-/// The stress that the loads of a run give without creep: what its integration is measured by, before its first step.
+/// The stress that the loads of a run cause without creep. It sets the error scale of the integration before the first
+/// step, and shows whether a creep law starts with an infinite rate.
 
 #include <vector>
 
@@ -7,21 +8,21 @@
 
 namespace creepcontact::creep {
 
-/// Times that are beyond a jump at t, which counts as one time although its places may differ by rounding.
+/// Times just before and after a jump at t: t (1 -+ 16 eps). Jumps that differ only by round-off thus count as one.
 double just_before(double t);
 double just_after(double t);
 
+/// Result of survey_elastic_stress().
 struct ElasticSurvey {
-  std::vector<double> stress;   ///< largest typical stress of every body (ErrorScale::typical); empty: nothing creeps
-  bool singular_start = false;  ///< some law's rate starts infinite under such a stress
+  std::vector<double> stress;   ///< per body, the largest typical stress (ErrorScale::typical); empty: no body creeps
+  bool singular_start = false;  ///< true if the rate of some law is infinite at first under such a stress
 };
 
-/// Solves for the elastic stress at the start, the end and on both sides of the breakpoints; if all of it is zero, at
-/// the output times.
-/// @param output_times  ascending, the last is the end of the run
-/// @throws ModelError if nothing gives any stress at any of these times, or if a body relaxes in 1e-12 of the run,
-/// which
-///         units that do not fit together make
+/// Solves for the elastic stress at the start, at the end and on both sides of each breakpoint; if it is zero at all
+/// these times, at the output times as well.
+/// @param output_times  ascending; the last one is the end of the run
+/// @throws ModelError if no load causes any stress at any of these times, or if a body would relax within 1e-12 of the
+/// run, which points to inconsistent units
 ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector<double>& output_times,
                                     const std::vector<double>& breakpoints);
 

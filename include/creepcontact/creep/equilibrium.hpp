@@ -1,5 +1,5 @@
 #pragma once
-/// What one elastic solve gives, and what accepted steps leave behind for the solves to come: plain values.
+/// The result of one elastic solve, and the history of accepted steps that later solves start from: plain values.
 
 #include <cstdint>
 #include <map>
@@ -17,37 +17,37 @@ struct BodyState {
   std::vector<double> stress;        ///< n_points x 6, Mandel order
 };
 
-/// Displacement of a body as its factor sees it: y = L^T u, and u on the free unknowns. Empty: u = 0.
+/// Displacement of a body in the terms of its factor: y = L^T u (permuted), and u on the free dofs. Empty: u = 0.
 struct FactoredDisplacement {
-  std::vector<double> factored, free;  ///< n_free
+  std::vector<double> factored, free;  ///< n_free each
 };
 
 /// Elastic equilibrium of all bodies in contact at one time. Owned by the caller of EquilibriumSolver::solve(), which
-/// reuses its memory; nothing in it refers to the solver.
+/// reuses its memory; it holds no reference to the solver.
 struct Equilibrium {
   double time = 0;
   std::vector<mechanics::BodyConditions> conditions;  ///< one per body
   std::vector<BodyState> bodies;
-  contact::ContactState contact;  ///< multipliers (contact pressures), rigid motions, rows in contact (ascending)
-  Eigen::VectorXd gaps;           ///< weighted, of all contact rows
-  double stiffness_scale = 1;     ///< stiffness at this time over that of the factors
-  std::vector<FactoredDisplacement> displacements;  ///< one per body if the stiffness changes in time
-  std::int64_t factors = 0;                         ///< of which factorisation those are
+  contact::ContactState contact;  ///< multipliers (contact pressures), rigid-body modes, rows in contact (ascending)
+  Eigen::VectorXd gaps;           ///< weighted gaps of all contact rows
+  double stiffness_scale = 1;     ///< s: stiffness at this time relative to that of the factors
+  std::vector<FactoredDisplacement> displacements;  ///< one per body; empty unless the stiffness changes in time
+  std::int64_t factors = 0;                         ///< number of the factorisation that `displacements` refer to
 };
 
-/// What evaluations depend on besides their arguments: accepted steps alone change it, and checkpoints store it.
+/// What evaluations depend on in addition to their arguments. Only accepted steps change it, and checkpoints store it.
 struct History {
-  contact::ContactState contact;  ///< of the last accepted step, where contact iterations start
+  contact::ContactState contact;  ///< of the last accepted step; contact iterations start from it
   struct Accepted {
     double time = 0;
     std::vector<FactoredDisplacement> displacements;
     std::int64_t factors = 0;
   };
-  std::vector<Accepted> accepted;         ///< if the stiffness changes: the last two steps, the last one first
-  std::vector<std::int64_t> set_changes;  ///< per pair: steps after which other nodes were in contact than before
+  std::vector<Accepted> accepted;         ///< the last two steps, latest first; only if the stiffness changes in time
+  std::vector<std::int64_t> set_changes;  ///< per pair: accepted steps at which its set of closed rows changed
 };
 
-/// Named numbers of a checkpoint.
+/// Named arrays of numbers in a checkpoint.
 using Memory = std::map<std::string, std::vector<double>>;
 
 }  // namespace creepcontact::creep

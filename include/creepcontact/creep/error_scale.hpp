@@ -1,5 +1,5 @@
 #pragma once
-/// How large the stress is: what the accuracy of the creep strain is measured by.
+/// The magnitude of the stress, against which the error of the creep strain is measured.
 
 #include <span>
 #include <vector>
@@ -9,24 +9,28 @@
 
 namespace creepcontact::creep {
 
-/// Scale of the state: typical stress / Young's modulus, body by body. A creep strain that is wrong by a share of it
-/// makes the stress wrong by no more than that share. It follows the stress: with the stress at the beginning as the
-/// measure, the relative error would grow as the stress relaxes.
+/// Scale of the state per body: typical stress / Young's modulus. A creep strain whose error is a fraction of it causes
+/// at most that fraction of relative error in the stress. The scale follows the stress as it relaxes: with the initial
+/// stress as the measure, the relative error would grow. Damage and life fractions have the scale 1.
 class ErrorScale {
  public:
-  /// @param assembly must outlive the object
-  /// @param elastic_stress  largest typical stress of every body under the loads of the run, without creep; not all
-  ///        zero, or empty if nothing creeps
+  /// @param assembly  must outlive the object
+  /// @param elastic_stress  per body, the largest typical stress that the loads of the run cause without creep
+  /// (ElasticSurvey::stress); not all zero, or empty if nothing creeps. No body counts as stressed by less than 1 % of
+  /// the largest.
   ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress);
 
-  /// Typical stress of every body: root mean square of the equivalent stress over its points. Collective.
+  /// Typical stress per body: root mean square of the von Mises stress over its points. Collective.
   static std::vector<double> typical(const Assembly& assembly, const Equilibrium& at);
 
-  /// Takes the stress of an accepted step.
+  /// Adapts the scale to the stress of an accepted step; a body changes only if its scale would change by more than
+  /// 10 %.
+  /// Collective.
   void follow(const Equilibrium& at);
 
+  /// Scale of every entry of y (StateLayout).
   std::span<const double> values() const { return values_; }
-  /// Every body's scale: all that follow() has left behind.
+  /// Scale per body: the complete state of the object, for restore().
   const std::vector<double>& strain() const { return strain_; }
   void restore(const std::vector<double>& strain);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The creep laws of one body at all its integration points: rates and their derivative.
+/// The creep laws of one body at all its integration points: rates and their derivatives.
 
 #include <optional>
 #include <span>
@@ -9,16 +9,17 @@
 
 namespace creepcontact::creep {
 
-/// Parameters of a body's laws at the temperature of one time.
+/// Parameters of the creep laws of a body at one time, evaluated at the temperature of that time.
 struct LawParameters {
   double time = 0;
-  std::vector<double> temperature;  ///< n_points; empty if none is given
+  std::vector<double> temperature;  ///< n_points; empty if the model has no temperature
   std::vector<double> values;       ///< (1 or n_points) x number of parameters of all laws
-  bool uniform = true;              ///< one set serves all points
-  bool evaluated = false;
+  bool uniform = true;              ///< true: one set of parameters holds for all points
+  bool evaluated = false;           ///< false: `values` are not valid yet
 };
 
-/// Where the laws of a body are evaluated: material::PointState of all its points. Refers to values of the caller.
+/// Where the laws of a body are evaluated: what material::PointState is for one point, for all of them. Refers to
+/// values of the caller.
 struct PointsState {
   const LawParameters& laws;
   mechanics::ElasticState elastic;
@@ -26,51 +27,58 @@ struct PointsState {
   std::span<const double> state;   ///< n_points x stride: this body's part of y
 };
 
-/// A direction in which stress and state change, at all points of a body or at one. Refers to values of the caller.
+/// A direction of change of stress and state, at all points of a body or at a single one. Refers to values of the
+/// caller.
 struct PointsChange {
   std::span<const double> stress;  ///< 6 per point, Mandel order
   std::span<const double> state;   ///< stride per point
 };
 
-/// Immutable.
+/// All creep laws of a body at its points. Rates, stresses and states of the laws add up per point. Immutable.
 class MaterialPoints {
  public:
-  /// @param body must outlive the object @param least_strain  see material::PointState
+  /// @param body  must outlive the object @param least_strain  see material::PointState
+  /// @throws ModelError if a parameter is not admissible at t = 0
   explicit MaterialPoints(const mechanics::Body& body, double least_strain = material::PointState{}.least_strain);
 
+  /// True for an elastic body.
   bool empty() const { return stride_ == 0; }
   std::size_t size() const { return n_points_; }
+  /// State variables per point, 6 (creep strain) + internal variables of all laws; 0 for an elastic body.
   std::size_t stride() const { return stride_; }
   bool has_internal_variables() const { return stride_ > 6; }
   const mechanics::Body& body() const { return body_; }
 
-  /// Parameters at the temperature of these conditions (no work where it does not change).
-  /// @param into  of this object, or new @throws ModelError if a parameter is not admissible
+  /// Evaluates the parameters at the temperature of `at`; no work if they are up to date.
+  /// @param into  from an earlier call, or new @throws ModelError if a parameter is not admissible
   void update(const mechanics::BodyConditions& at, LawParameters& into) const;
 
-  // Rates: n_points x stride, as the state. Cost of each: one pass over the points.
+  // The rates of all points and their directional derivative, n_points x stride. Cost: one pass over the points.
   void rate(const PointsState& at, std::span<double> rate) const;
   void derivative(const PointsState& at, const PointsChange& change, std::span<double> rate_change) const;
-  /// The same at one point. @param change, rate_change  of this point alone
+  /// The derivative at point p only. @param change, rate_change  of this point
   void derivative_at(std::size_t p, const PointsState& at, const PointsChange& change,
                      std::span<double> rate_change) const;
-  /// Smallest of all points, see CreepLaw. @param t  takes the place of the parameters' time
+  /// Smallest start exponent over all points (CreepLaw::start_exponent).
+  /// @param t  used instead of the time of the parameters
   double start_exponent(double t, const PointsState& at) const;
-  /// change += what the closed forms give from t on over this duration. @param change  n_points x stride
+  /// change += increments of the laws over `duration` from time t on, at constant stress (CreepLaw::increment).
+  /// @param change  n_points x stride
   void add_increment(double t, double duration, const PointsState& at, std::span<double> change) const;
 
+  /// True if some law knows the measure.
   bool knows(material::Measure measure) const { return known_[static_cast<std::size_t>(measure)]; }
-  /// Of every point the largest of its mechanisms, 0 where none knows the measure.
+  /// Per point, the largest value over the laws; 0 where no law knows the measure.
   std::vector<double> measure(material::Measure of, const PointsState& at) const;
 
-  /// Sum of the laws at one point.
+  /// Sum of the stress tangents of the laws at point p.
   material::StressTangent tangent(std::size_t p, const PointsState& at) const;
-  /// Largest eigenvalue, over the points, of C H, or of the same with the internal variables: 2 divided by it is the
-  /// Cormeau step.
+  /// Largest eigenvalue over all points of C H, or of the point-wise Jacobian if there are internal variables. The
+  /// stable step of explicit Euler is 2 divided by it (Cormeau 1975).
   double stiffest_rate(const PointsState& at) const;
 
  private:
-  /// The stress as the laws see it: with its mean fitted (Discretization::fit_mean_stress) if a law uses that.
+  /// The stress as the laws see it: with fitted mean stress (Discretization::fit_mean_stress) if a law depends on that.
   class LawStress {
    public:
     LawStress(const MaterialPoints& points, std::span<const double> stress);
@@ -82,7 +90,7 @@ class MaterialPoints {
     std::vector<double> fitted_;
   };
 
-  /// A part of numbers that stand one after the other.
+  /// A contiguous part of an array.
   struct Part {
     std::size_t first = 0, size = 0;
     template <typename Number>
@@ -90,19 +98,19 @@ class MaterialPoints {
       return {all.data() + first, size};
     }
   };
-  /// One law, and what belongs to it.
+  /// One law, and its parts of state and parameters.
   struct Mechanism {
     const material::CreepLaw* law;
     Part internal;    // of the state of a point
-    Part parameters;  // of those of all mechanisms
+    Part parameters;  // of the parameters of all laws
   };
-  /// Of n_points x stride numbers those of one point.
+  /// The entries of point p in an array n_points x stride.
   template <typename Number>
   std::span<Number> of_point(std::size_t p, std::span<Number> all) const {
     return {all.data() + stride_ * p, stride_};
   }
   material::PointState seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at) const;
-  /// Largest eigenvalue of a point's own part of the Jacobian, internal variables included, by power iteration.
+  /// Largest eigenvalue of the point-wise Jacobian, internal variables included, by power iteration.
   double stiffest_with_internal(std::size_t p, const PointsState& at, Eigen::VectorXd& v,
                                 Eigen::VectorXd& product) const;
 
@@ -110,10 +118,10 @@ class MaterialPoints {
   std::size_t n_points_, stride_;
   double least_strain_;
   std::vector<Mechanism> mechanisms_;
-  std::size_t n_parameters_ = 0;         // of all mechanisms
+  std::size_t n_parameters_ = 0;         // of all laws
   bool known_[2] = {false, false};       // by Measure
-  bool fits_mean_stress_ = false;        // a law needs it and elements have it
-  bool depends_on_temperature_ = false;  // some parameter
+  bool fits_mean_stress_ = false;        // a law needs it and the elements support it
+  bool depends_on_temperature_ = false;  // true if some parameter does
 };
 
 }  // namespace creepcontact::creep

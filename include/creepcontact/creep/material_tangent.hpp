@@ -1,10 +1,10 @@
 #pragma once
-/// What a Newton system (I - gamma J) z = r of the creep rate asks of the material points of one body. With the laws
-/// linearised, d(rate) = A d(state) + C d(stress), every point's own part of the system reads
+/// The contribution of the material points of one body to a Newton system (I - gamma J) z = r of the creep rate. With
+/// the linearised laws, d(rate) = A d(state) + C d(stress), the system of each point reads
 ///   M z - gamma C ds = r,   M = I - gamma A,   ds = H (B du - z_c)        (z_c: the creep strain in z)
 /// so that z = M^-1 r + N ds with N = gamma M^-1 C, and
 ///   ds = D (B du - e),   D = (H^-1 + N_c)^-1,   e = (M^-1 r)_c.
-/// What is left is an elastic-like problem for du with the moduli D and the initial strain e.
+/// There remains an elastic problem for du with the moduli D and the initial strain e.
 
 #include <span>
 #include <vector>
@@ -13,21 +13,22 @@
 
 namespace creepcontact::creep {
 
+/// Elimination of z at all points of a body.
 class MaterialTangent {
  public:
   /// @param points  of a body that creeps; must outlive the object
   explicit MaterialTangent(const MaterialPoints& points);
 
-  /// Linearises the laws here. Cost: stride + 6 derivatives of the laws per point.
+  /// Linearises the laws at `at`. Cost: stride + 6 directional derivatives of the laws per point.
   void prepare(double gamma, const PointsState& at);
-  /// D of every point, made symmetric where a law with variables of its own gives one that is not: the Newton iteration
-  /// then converges linearly.
+  /// D per point. Symmetrised, since laws with internal variables may give unsymmetric ones; the Newton iteration then
+  /// converges only linearly.
   std::span<const Matrix6> moduli() const { return moduli_; }
 
-  /// stress = D e. @param r  n_points x stride @param stress  n_points x 6
+  /// stress = D e. @param r  n_points x stride @param stress  n_points x 6, Mandel order
   void initial_stress(std::span<const double> r, std::span<double> stress) const;
-  /// z from the solution. @param r, z  n_points x stride
-  /// @param strain  B du, n_points x 6; empty: du = 0, every point for itself
+  /// z from the solution du. @param r, z  n_points x stride
+  /// @param strain  B du, n_points x 6; empty: du = 0, each point by itself
   void solution(std::span<const double> r, std::span<const double> strain, std::span<double> z) const;
 
  private:
@@ -38,7 +39,7 @@ class MaterialTangent {
   const MaterialPoints& points_;
   std::size_t n_points_, stride_;
   std::vector<Matrix6> moduli_;
-  std::vector<double> eliminated_;  // [M^-1, N] of every point, stride x (stride + 6) by columns
+  std::vector<double> eliminated_;  // [M^-1, N] per point, stride x (stride + 6), column-major
 };
 
 }  // namespace creepcontact::creep

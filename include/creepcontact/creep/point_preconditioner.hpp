@@ -1,6 +1,6 @@
 #pragma once
-/// (I + gamma C H)^-1 point by point, C = d(rate)/d(stress), in the closed form of Sherman and Morrison for isotropic
-/// laws. Internal variables are left as they are.
+/// Preconditioner (I + gamma C H)^-1 point by point, with C = d(rate)/d(stress), in closed form for isotropic laws
+/// (Sherman and Morrison). Internal variables are passed through unchanged.
 
 #include <array>
 #include <span>
@@ -10,11 +10,13 @@
 
 namespace creepcontact::creep {
 
+/// One object per body. linearize() must precede apply().
 class PointPreconditioner {
  public:
+  /// @param stride  state variables per point (StateLayout)
   explicit PointPreconditioner(std::size_t stride) : stride_(stride) {}
 
-  /// Keeps C H of every point. Cost: one pass over the points.
+  /// Computes and stores C H of every point. Cost: one pass over the points.
   void linearize(const MaterialPoints& points, const PointsState& at);
   /// z = (I + gamma C H)^-1 r. @param r, z  n_points x stride
   void apply(double gamma, std::span<const double> r, std::span<double> z) const;
@@ -22,7 +24,7 @@ class PointPreconditioner {
  private:
   struct Local {
     std::array<double, 6> direction;        // of the stress deviator, unit length
-    double deviatoric, radial, volumetric;  // parts of C H
+    double deviatoric, radial, volumetric;  // coefficients of C H, see material::StressTangent
   };
   std::size_t stride_;
   std::vector<Local> locals_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Where every body's creep state stands in the vector y of the differential equation.
+/// Layout of the creep states of all bodies in the vector y of the differential equation.
 
 #include <span>
 #include <vector>
@@ -8,28 +8,30 @@
 
 namespace creepcontact::creep {
 
-/// Bodies one after the other; in a body point after point: creep strain (6, Mandel order), then the internal variables
-/// of its mechanisms in their order. Elastic bodies take no place.
+/// Body after body, in each body point after point: creep strain (6, Mandel order), then the internal variables of its
+/// laws in their order. Elastic bodies have no entries.
 class StateLayout {
  public:
   explicit StateLayout(const Assembly& assembly);
 
   std::size_t size() const { return offset_.back(); }
+  /// First entry of a body in y.
   std::size_t offset(std::size_t body) const { return offset_[body]; }
-  /// Numbers per point; 0 for an elastic body.
+  /// Entries per point; 0 for an elastic body.
   std::size_t stride(std::size_t body) const { return stride_[body]; }
 
-  /// The part of y that belongs to a body, n_points x stride.
+  /// The part of y that belongs to a body, n_points x stride(body).
   template <typename Number>
   std::span<Number> part(std::size_t body, std::span<Number> y) const {
     return y.subspan(offset_[body], offset_[body + 1] - offset_[body]);
   }
 
-  /// Creep strains of all bodies within y; views of elastic bodies are empty.
+  /// Views of the creep strains of all bodies inside y, one per body; empty for elastic bodies. They are valid as long
+  /// as y.
   void views(std::span<const double> y, std::vector<mechanics::CreepStrainView>& result) const;
 
  private:
-  std::vector<std::size_t> offset_{0};  // of every body, and the size of all
+  std::vector<std::size_t> offset_{0};  // of every body, then the total size
   std::vector<std::size_t> stride_;
 };
 

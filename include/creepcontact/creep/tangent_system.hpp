@@ -1,7 +1,7 @@
 #pragma once
-/// Newton systems (I - gamma J) z = r of the creep rate, solved directly: every point's own part is eliminated
-/// (MaterialTangent), what is left is an elastic-like problem of all bodies with the tangent stiffness, in which the
-/// rows in contact stay closed.
+/// Direct solution of the Newton systems (I - gamma J) z = r of the creep rate. The point-wise parts are eliminated
+/// (MaterialTangent); there remains an elastic problem of all bodies with the tangent stiffness, in which closed
+/// contacts stay closed.
 
 #include <memory>
 #include <optional>
@@ -15,37 +15,39 @@
 
 namespace creepcontact::creep {
 
+/// One object per CreepSystem; holds the last factorisation. Use from one thread at a time.
 class TangentSystem {
  public:
-  /// @param solver (with dense contact), points (one per body), layout and watch must outlive the object
-  /// Memory: of every body that creeps a second factor, second interface matrices, and stride (stride + 6) + 36 numbers
-  /// per point.
+  /// @param solver (with dense contact), points (one per body), layout, watch  must outlive the object
+  /// Memory per body that creeps: a second factor, second interface matrices, and stride (stride + 6) + 36 numbers per
+  /// point.
   TangentSystem(const EquilibriumSolver& solver, const std::vector<MaterialPoints>& points, const StateLayout& layout,
                 Stopwatch& watch);
 
-  /// Factors the system.
-  /// @param at  one per body @param stiffness_scale  that of the equilibrium
+  /// Assembles and factors the system.
+  /// @param at  one per body @param stiffness_scale  Equilibrium::stiffness_scale
   /// @throws RecoverableError if a tangent stiffness is not positive definite
-  /// Cost: an assembly, a factorisation and a condensation of every body that creeps.
+  /// Cost: per body that creeps an assembly, a factorisation and a condensation of the contact rows.
   void prepare(double gamma, std::span<const PointsState> at, double stiffness_scale);
-  /// z of the system last prepared, but with this contact set: where contact grows, an iteration with the set of some
-  /// steps before would not converge. Cost: as an elastic solve.
-  /// @throws RecoverableError if the contact rows contradict each other
+  /// Solves for z with the system last prepared, but with this set of closed rows: where the contact grows, a Newton
+  /// iteration with the set of earlier steps would not converge. Cost: as an elastic solve.
+  /// @param r, z  of size StateLayout::size() @throws RecoverableError if the contact rows contradict each other
   void solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z);
 
+  /// Work since construction: calls of solve(), and factorisations of single bodies.
   std::int64_t solves() const { return solves_; }
   std::int64_t factorizations() const { return factorizations_; }
 
  private:
   struct Side {
-    std::optional<MaterialTangent> material;  // of a body that creeps; an elastic one has nothing here
+    std::optional<MaterialTangent> material;  // empty for an elastic body
     std::unique_ptr<linalg::StiffnessSolver> factor;
     std::vector<double> stress, strain;                 // n_points x 6: D e, B du
     std::vector<double> displacement, no_displacement;  // 3 n_nodes
     std::vector<double> free;                           // n_free
   };
   void factorize(std::size_t body);
-  /// work(number, side, body) for every body that creeps.
+  /// Calls work(number, side, body) for every body that creeps.
   template <typename Work>
   void for_each_side(const Work& work);
 

@@ -1,8 +1,8 @@
 #pragma once
-/// Inner displacement functions ("bubbles") of quadratic tetrahedra and wedges. With the volumetric strain projected on
-/// linear functions the pressure needs one more displacement vector per element to be stable (inf-sup condition). A
-/// bubble provides it without a node: it vanishes on all faces, so that meshes, loads on surfaces and contact are not
-/// affected. tet10: l1 l2 l3 l4, wedge15: l1 l2 l3 (1 - z^2) in natural coordinates, 1 at the middle of the element.
+/// Inner displacement functions ("bubbles") of quadratic tetrahedra and wedges. If the volumetric strain is projected
+/// on linear functions, the pressure needs one more displacement vector per element to be stable (inf-sup condition). A
+/// bubble provides it without a node: it vanishes on all faces, so meshes, surface loads and contact are not affected.
+/// tet10: l1 l2 l3 l4, wedge15: l1 l2 l3 (1 - z^2) in natural coordinates, scaled to 1 at the middle of the element.
 /// Source: Arnold, Brezzi and Fortin (1984).
 
 #include "creepcontact/base/tensor.hpp"
@@ -10,10 +10,10 @@
 
 namespace creepcontact::fem {
 
-/// True of tet10 and wedge15.
+/// True for tet10 and wedge15.
 bool has_bubble(mesh::CellType type);
 
-/// Derivatives with respect to the reference coordinates xi. @throws std::invalid_argument without a bubble
+/// Derivatives with respect to the reference coordinates xi. @throws std::invalid_argument for a type without a bubble
 Vector3 bubble_gradient(mesh::CellType type, const Vector3& xi);
 
 }  // namespace creepcontact::fem

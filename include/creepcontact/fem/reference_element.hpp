@@ -1,5 +1,5 @@
 #pragma once
-/// Reference elements: shape functions, their derivatives, faces, and the quadrature used for stiffness.
+/// Reference elements: shape functions, their derivatives, faces, and the quadrature for stiffness and stress.
 
 #include <vector>
 
@@ -12,18 +12,19 @@ namespace creepcontact::fem {
 
 using mesh::CellType;
 
-/// Functions of the place on which a field within an element is projected.
+/// Polynomials of the position on which a field within an element is projected.
 enum class Projection {
   none,
   constant,
   linear  ///< in physical coordinates
 };
 
-/// Immutable; one instance per type, got by reference_element(). Node numbering is Gmsh's.
-/// Reference domains: line, quad, hex [-1,1]^d; triangle, tetrahedron unit simplex; wedge = unit triangle x [-1,1].
+/// Immutable; one instance per type, from reference_element(). Node numbering is that of Gmsh.
+/// Reference domains: line, quadrilateral, hexahedron [-1,1]^d; triangle, tetrahedron: unit simplex; wedge: unit
+/// triangle x [-1,1].
 class ReferenceElement {
  public:
-  /// Local nodes in Gmsh order of the face's `type`; the normal by the right-hand rule points out of the cell.
+  /// Local nodes in the Gmsh order of the type of the face; by the right-hand rule the normal points out of the cell.
   using Face = mesh::LocalFace;
 
   virtual ~ReferenceElement() = default;
@@ -32,26 +33,26 @@ class ReferenceElement {
   int n_nodes() const { return mesh::n_nodes(type_); }
   /// Reference coordinates of the nodes, n_nodes x 3 (unused coordinates zero).
   const Eigen::MatrixX3d& nodes() const { return nodes_; }
-  /// Faces of volume cells; empty for others.
+  /// Faces of volume cells; empty for other cells.
   const std::vector<Face>& faces() const { return faces_; }
-  /// Rule for stiffness, stress and creep state: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6, wedge15 12
-  /// points; surfaces: a rule exact for a pressure that varies like the shape functions, on curved faces too.
+  /// Quadrature for stiffness, stress and creep state. Points: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6,
+  /// wedge15 12. Surfaces: exact for a pressure that varies like the shape functions, also on curved faces.
   const QuadratureRule& rule() const { return rule_; }
-  /// Of the volumetric strain in stiffness and stress, so that elements do not lock in incompressible deformation, as
-  /// creep is: constant in hex8 and wedge6 (B-bar), linear in quadratic elements. Precondition: a volume
+  /// Projection of the volumetric strain in stiffness and stress, against locking in incompressible deformation such as
+  /// creep: constant in hex8 and wedge6 (B-bar), linear in quadratic elements. Precondition: a volume element.
   Projection volumetric_strain() const {
     if (mesh::order(type_) == 2) return Projection::linear;
     return type_ == CellType::tet4 ? Projection::none : Projection::constant;
   }
-  /// True if elements close to a parallelepiped need no projection: reduced integration lets hex20 follow there, and is
-  /// stiffer against hourglass modes without it.
+  /// True if elements close to a parallelepiped are not projected: in such hex20 the reduced integration avoids locking
+  /// by itself, and they resist hourglass modes better without projection.
   bool projects_distorted_elements_only() const { return type_ == CellType::hex20; }
-  /// Linear tetrahedra and wedges: too stiff in incompressible deformation whatever is projected.
+  /// True for linear tetrahedra and wedges, which are too stiff in incompressible deformation with any projection.
   bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6; }
 
-  /// Shape functions at xi. @param shape size n_nodes
+  /// Shape functions at xi. @param shape  size n_nodes
   virtual void shape(const Vector3& xi, Eigen::Ref<Eigen::VectorXd> shape) const = 0;
-  /// Derivatives with respect to xi. @param gradient n_nodes x 3, unused columns zero
+  /// Derivatives with respect to xi. @param gradient  n_nodes x 3, unused columns zero
   virtual void gradient(const Vector3& xi, Eigen::Ref<Eigen::MatrixX3d> gradient) const = 0;
 
  protected:
@@ -65,7 +66,7 @@ class ReferenceElement {
   QuadratureRule rule_;
 };
 
-/// Every type of mesh::CellType except point1. Cost: none after the first call.
+/// For every mesh::CellType except point1. Cost: none after the first call.
 const ReferenceElement& reference_element(CellType type);
 
 }  // namespace creepcontact::fem

@@ -1,5 +1,5 @@
 #pragma once
-/// checkpoint.h5: what a run needs to go on after an interruption.
+/// checkpoint.h5: everything needed to continue an interrupted run.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,33 +9,34 @@
 
 namespace creepcontact::io {
 
+/// Content of a checkpoint.
 struct Checkpoint {
-  std::string fingerprint;  ///< of the model (configuration and mesh); the reader's caller compares it with its own
-  std::string integrator;   ///< whose memory is in `arrays`
+  std::string fingerprint;  ///< of configuration and mesh; the caller compares it with its own
+  std::string integrator;   ///< whose data is in `arrays`
   double time = 0;
   double next_step = 0;
   std::vector<double> state;                          ///< y of the ODE
   std::map<std::string, std::int64_t> counters;       ///< accumulated costs, output indices
-  std::map<std::string, std::vector<double>> arrays;  ///< whatever else the run's continuation depends on
+  std::map<std::string, std::vector<double>> arrays;  ///< everything else that later steps depend on
 };
 
-/// The name that the checkpoint before the one at `path` has: checkpoint.previous.h5.
+/// Name under which the checkpoint before the one at `path` is kept: checkpoint.previous.h5.
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
 
-/// HDF5, beside the old file, synced to disk, then renamed over it: at any moment one whole checkpoint exists. The old
-/// one is kept as previous_checkpoint(path). A CRC-32 of the HDF5 part stands in the file's user block, which HDF5
-/// tools skip.
-/// @throws Error if the disk does not take it; the old file is then still there
+/// Written as HDF5 next to the old file, synced to disk, then renamed over it, so that a complete checkpoint exists at
+/// any moment. The old one is kept as previous_checkpoint(path). The user block of the file, which HDF5 tools skip,
+/// contains a CRC-32 of the HDF5 part.
+/// @throws Error if the disk cannot take it; the old file is then still there
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// @throws ConfigError if the file is missing, cut short, damaged or no checkpoint of this program
+/// @throws ConfigError if the file is missing, truncated, damaged or not a checkpoint of this program
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
-/// The one at `path` or, with a warning that says why, the previous one, which then takes its place.
-/// @throws ConfigError saying of both what is wrong, if neither can be read
+/// Reads the checkpoint at `path`. If that fails, warns why and reads the previous one, which then replaces it.
+/// @throws ConfigError with both reasons if neither can be read
 Checkpoint read_last_checkpoint(const std::filesystem::path& path);
 
-/// Removes both, and what was begun beside them: a new run must not be taken for a continuation of the old one.
+/// Removes both, and unfinished ones next to them, so that a new run is not taken for a continuation of the old one.
 void remove_checkpoints(const std::filesystem::path& path);
 
 }  // namespace creepcontact::io

@@ -1,5 +1,5 @@
 #pragma once
-/// Tables on disk that are complete up to the last row at any time: the base of history.csv and steps.csv.
+/// CSV tables on disk that are complete up to the last row at any time; used for history.csv and steps.csv.
 
 #include <cstdio>
 #include <filesystem>
@@ -10,25 +10,25 @@
 
 namespace creepcontact::io {
 
-/// Whether a writer begins anew or goes on with the file of an interrupted run.
+/// Whether a writer starts a new file or continues that of an interrupted run.
 struct Continuation {
   bool resume = false;
-  /// Rows (field files) of later times are removed; the next one is written after them.
+  /// Rows (field files) of later times are removed; new ones follow after them.
   double last_time = 0;
 };
 
-/// Comma-separated text, first column the time; every row is handed to the system as it is written.
+/// Comma-separated text with the time in the first column. Each row is passed to the system as it is written.
 class CsvFile {
  public:
-  /// Begins a new file, or, resuming, keeps the rows up to `last_time` (a torn last row is dropped) and appends. A file
-  /// that is missing when resuming is begun anew. The directory is made if need be.
-  /// @throws ConfigError if the file cannot be opened, or its columns are others than `columns` when resuming
+  /// Starts a new file. When resuming, keeps the rows up to `last_time` (an incomplete last row is dropped) and appends
+  /// to them; a missing file is started again. Makes the directory if necessary.
+  /// @throws ConfigError if the file cannot be opened, or has columns other than `columns` when resuming
   CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns, Continuation continuation);
 
-  /// @param row  cells separated by commas, without the end of line
-  /// @throws Error if the disk does not take the row
+  /// @param row  cells separated by commas, without end of line
+  /// @throws Error if the disk cannot take the row
   void write(std::string_view row);
-  /// Waits until all rows are on the disk itself. @throws Error if it does not take them
+  /// Waits until all rows are on disk. @throws Error if the disk cannot take them
   void sync();
 
  private:

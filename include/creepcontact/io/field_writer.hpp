@@ -1,5 +1,5 @@
 #pragma once
-/// Fields for ParaView: <name>.pvd and <name>/<name>_NNNN.vtu (XML, appended, zlib-compressed).
+/// Field files for ParaView: <name>.pvd and <name>/<name>_NNNN.vtu (XML around raw data, zlib-compressed).
 
 #include <filesystem>
 #include <string>
@@ -10,34 +10,35 @@
 
 namespace creepcontact::io {
 
-/// Words in the field data of every file, as the names of the bodies: the component names of an array of their numbers.
+/// Texts stored in the field data of every file, such as the names of bodies: as component names of an array of
+/// numbers.
 struct TextArray {
   std::string name;
   std::vector<std::string> values;
 };
 
-/// Points and cells of all bodies, or of surfaces; the caller merges them. Node numbering within the cells is Gmsh's.
+/// Points and cells of all bodies, or of surfaces, collected by the caller. Node numbering within cells is that of
+/// Gmsh.
 struct FieldMesh {
   std::vector<Vector3> points;
   std::vector<mesh::CellBlock> blocks;
   std::vector<TextArray> texts = {};
 
-  /// Appends a body's points and its cells of dimension 3; values of point and cell data go in the same order.
+  /// Appends the points and the volume cells of a body; point and cell data must follow the same order.
   void append(const mesh::Mesh& body);
   std::size_t n_cells() const;
 };
 
-/// `values` is n x components, row by row; n = points of the mesh, or cells in the order of its blocks.
-/// Symmetric tensors have 6 components in the order xx, yy, zz, xy, yz, zx, as ParaView names them (not Mandel: no
-/// sqrt2).
+/// `values` is n x components, row by row; n = points of the mesh, or cells in the order of its blocks. Symmetric
+/// tensors have 6 components in the order xx, yy, zz, xy, yz, zx, as ParaView names them (not Mandel: without sqrt2).
 struct FieldData {
   std::string name;
   int components = 1;  ///< 1, 3 or 6
   std::vector<double> values;
-  std::vector<std::string> component_names = {};  ///< none, or one a component
+  std::vector<std::string> component_names = {};  ///< empty, or one per component
 };
 
-/// An array as it stands in a .vtu: VTK's name of the number type, and the bytes compressed and encoded.
+/// An array as stored in a .vtu: the VTK name of the number type, and the compressed bytes.
 struct EncodedArray {
   std::string type, name;
   int components = 1;
@@ -45,20 +46,20 @@ struct EncodedArray {
   std::vector<std::string> component_names = {};
 };
 
-/// Writes one .vtu a time and keeps <name>.pvd, the list of them, complete; both appear under their names when whole.
+/// Writes one .vtu per output time and keeps their list <name>.pvd complete. Both get their names only when complete.
 class FieldWriter {
  public:
-  /// Compresses the geometry once, for all times. Beginning anew removes nothing but overwrites files of the same name;
+  /// Compresses the geometry once, for all times. A new start overwrites files of the same name but removes none;
   /// resuming keeps the entries of the list up to `last_time`.
-  /// @param directory  of the list; @param name  stem of all files; @param units  echoed as field data `units`
-  /// @throws ConfigError if the directories cannot be made or, resuming, the list cannot be understood
+  /// @param directory  of the list @param name  stem of all files @param units  stored as field data `units`
+  /// @throws ConfigError if the directories cannot be made or, when resuming, the list cannot be read
   FieldWriter(std::filesystem::path directory, std::string name, const FieldMesh& mesh, const std::string& units,
               Continuation continuation = {});
 
   /// @returns path of the .vtu written
-  /// @throws std::invalid_argument if the size of an array fits neither the mesh nor its components
-  /// @throws Error if the disk does not take the file
-  /// Cost: compression of the arrays, some 50 MB/s.
+  /// @throws std::invalid_argument if the size of an array does not match the mesh and its components
+  /// @throws Error if the disk cannot take the file
+  /// Cost: compression of the arrays, about 50 MB/s.
   std::filesystem::path write(double time, const std::vector<FieldData>& point_data,
                               const std::vector<FieldData>& cell_data);
 
@@ -78,7 +79,7 @@ class FieldWriter {
   std::size_t n_points_, n_cells_;
   EncodedArray points_;
   std::vector<EncodedArray> cells_;  // connectivity, offsets, types
-  std::size_t first_ = 0;            ///< number of the first file of this collection
+  std::size_t first_ = 0;            ///< number of the first file of this list
   std::vector<Entry> entries_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// history.csv: the probes at every output time.
+/// history.csv: the values of the probes at every output time.
 
 #include <span>
 
@@ -7,14 +7,14 @@
 
 namespace creepcontact::io {
 
-/// Columns `time,<probe names>`; numbers are the shortest text that reads back to the same double.
+/// Columns `time,<probe names>`; numbers are written with the fewest digits that read back to the same double.
 class HistoryWriter {
  public:
-  /// @throws ConfigError  as CsvFile
+  /// @throws ConfigError as CsvFile
   HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& probes,
                 Continuation continuation = {});
 
-  /// @param values  one a probe, in the order of the names; @throws Error if the disk does not take the row
+  /// @param values  one per probe, in the order of the names @throws Error if the disk cannot take the row
   void write(double time, std::span<const double> values);
   void sync() { file_.sync(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a .msh file says, before its physical groups become the groups of a Mesh.
+/// Content of a .msh file, before its physical groups become groups of a Mesh.
 
 #include <compare>
 #include <cstdint>
@@ -12,35 +12,35 @@
 
 namespace creepcontact::io {
 
+/// Entities, physical groups, nodes and elements as numbered in the file.
 struct MshContent {
-  /// A geometric entity, or a physical group.
+  /// Identifies a geometric entity or a physical group.
   struct Key {
     int dimension = 0;
     int tag = 0;
-    auto operator<=>(const Key&) const = default;
+    auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
   };
-  /// Elements of one type in one entity.
+  /// Elements of one type on one entity.
   struct Elements {
     Key entity;
-    int type = 0;                      ///< Gmsh's number
+    int type = 0;                      ///< element type number of Gmsh
     std::vector<std::uint64_t> tags;   ///< one per element
-    std::vector<std::uint64_t> nodes;  ///< node tags, element by element, in Gmsh's order
+    std::vector<std::uint64_t> nodes;  ///< node tags, element by element, in Gmsh order
   };
 
-  std::map<Key, std::string> physical_names;  ///< of physical groups; not all have one
-  std::map<Key, std::vector<int>> physicals;  ///< by entity: the tags of the physical groups it belongs to
-  std::vector<std::uint64_t> node_tags;       ///< in the order of the file, with gaps as they are
-  std::vector<Vector3> nodes;                 ///< as many as there are tags
+  std::map<Key, std::string> physical_names;  ///< of physical groups; not all have a name
+  std::map<Key, std::vector<int>> physicals;  ///< per entity: tags of the physical groups it belongs to
+  std::vector<std::uint64_t> node_tags;       ///< in the order of the file; there may be gaps
+  std::vector<Vector3> nodes;                 ///< coordinates, one per tag
   std::vector<Elements> elements;
 };
 
-/// The cells of the physical groups with their nodes, as read_mesh describes them.
+/// Makes a mesh of the cells of the physical groups and their nodes, see read_mesh.
 /// @param file  name for messages
-/// @throws ModelError if there is no physical volume with cells in it (telling a mesh of surfaces from one whose
-/// volumes
-///         are in no physical group), if a physical group holds cells of a kind this program has no element for, if one
-///         name stands for several groups, if a cell names a node that does not exist, or if a node has two places
-/// Cost: n log n in the number of cells.
+/// @throws ModelError if there is no physical volume with cells (distinguishing surface meshes from volumes without a
+/// physical group), if a physical group contains cells of an unsupported type, if a name denotes several groups, if a
+/// cell refers to a node that does not exist, or if a node has two positions
+/// Cost: O(n log n) for n cells.
 mesh::Mesh import_msh(const MshContent& content, const std::string& file);
 
 }  // namespace creepcontact::io

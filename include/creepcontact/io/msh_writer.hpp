@@ -1,5 +1,5 @@
 #pragma once
-/// .msh 4.1 binary, for a program that hands a mesh to another one.
+/// Writes meshes as .msh 4.1 binary, to pass them to another program.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace creepcontact::io {
 
-/// Bounding boxes of entities are written as zeros; all nodes belong to the entity of the first elements.
-/// @throws ModelError for names of physical groups that the format cannot hold: with quotation marks or line ends
+/// Bounding boxes of entities are written as zeros, and all nodes are assigned to the entity of the first elements.
+/// @throws ModelError for names of physical groups that the format cannot store: with quotation marks or line breaks
 std::string write_msh(const MshContent& content);
 
 }  // namespace creepcontact::io

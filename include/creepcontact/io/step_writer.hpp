@@ -3,28 +3,28 @@
 
 #include <cstdint>
 
+#include "creepcontact/base/run_counters.hpp"
 #include "creepcontact/io/csv_file.hpp"
 
 namespace creepcontact::io {
 
-/// One accepted step; the counts are those of this step.
+/// One accepted step.
 struct StepRow {
-  double time = 0;  ///< at its end
-  double step = 0;  ///< its length
+  double time = 0;  ///< at the end of the step
+  double step = 0;  ///< length of the step
   int order = 0;
-  std::int64_t rhs_evaluations = 0;
-  std::int64_t elastic_solves = 0;
-  std::int64_t schwarz_iterations = 0;
+  RunCounters work;  ///< of this step
   std::int64_t active_contacts = 0;
   double error_estimate = 0;
 };
 
+/// Appends rows to steps.csv, one column per member of StepRow.
 class StepWriter {
  public:
-  /// @throws ConfigError  as CsvFile
+  /// @throws ConfigError as CsvFile
   explicit StepWriter(const std::filesystem::path& path, Continuation continuation = {});
 
-  /// @throws Error if the disk does not take the row
+  /// @throws Error if the disk cannot take the row
   void write(const StepRow& row);
   void sync() { file_.sync(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// summary.json: how a run went and what it cost.
+/// summary.json: the outcome and the cost of a run.
 
 #include <array>
 #include <cstdint>
@@ -9,24 +9,35 @@
 #include <string>
 #include <string_view>
 
+#include "creepcontact/base/run_counters.hpp"
+
 namespace creepcontact::io {
 
-/// What a column of history.csv shows.
+/// What a column of history.csv contains.
 struct SummaryProbe {
   std::string quantity;
-  std::string integrated_over;  ///< "surface" or "body" if its values are sums, empty else
+  std::string label;            ///< for axes: "contact pressure"
+  std::string dimension;        ///< "stress", "length", ...; empty: none
+  std::string integrated_over;  ///< "surface" or "body" if the values are sums over it; else empty
   bool operator==(const SummaryProbe&) const = default;
 };
 
-/// The members carry the names they have in the file.
-struct Summary {
+/// Content of summary.json; members have the names used in the file.
+struct Summary : RunCounters {
   enum class Status { completed, ruptured, failed, interrupted };
+  /// A quantity over the output times.
+  struct Course {
+    double start = 0, largest = 0, end = 0;
+    /// end / largest; 0 if there was nothing
+    double remaining() const { return largest > 0 ? end / largest : 0; }
+  };
   struct Body {
     std::int64_t dofs = 0, elements = 0, integration_points = 0;
+    Course von_mises;  ///< largest of the body
   };
   struct Largest {
     double value = 0;
-    std::array<double, 3> place{};
+    std::array<double, 3> position{};
   };
   struct Rupture {
     double time = 0;
@@ -34,52 +45,48 @@ struct Summary {
     Largest damage;
   };
   struct Contact {
-    double largest_force = 0, final_force = 0;  ///< normal force, at output times
+    Course normal_force;
+    std::optional<double> opened;  ///< output time from which on it carries nothing, having carried something
   };
   struct WallSeconds {
     double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;
   };
 
   Status status = Status::completed;
-  std::string message;  ///< written only if not empty
+  std::string message;  ///< omitted if empty
   std::string title, units, version;
   std::string integrator;
-  std::string method;  ///< at work at the end: another name than `integrator` if that one chooses; written if not empty
+  std::string method;  ///< integrator at work at the end, if `integrator` chose it; omitted if empty
   double time_reached = 0;
-  std::int64_t steps = 0, rejected_steps = 0, convergence_failures = 0;
-  std::int64_t rhs_evaluations = 0, jacobian_products = 0;
-  std::int64_t elastic_solves = 0;  ///< one = one forward and backward pass through the factor of every body
-  std::int64_t contact_solves = 0, schwarz_iterations = 0;
-  std::int64_t factorizations = 0;
   std::map<std::string, Body> bodies;
-  std::map<std::string, Largest> damage, life_fraction;  ///< by body, where its material knows them
+  std::map<std::string, Largest> damage, life_fraction;  ///< by body, if its material has them
   std::optional<Rupture> rupture;
-  std::map<std::string, Contact> contacts;  ///< unilateral ones, by name
+  std::map<std::string, Contact> contacts;  ///< unilateral contacts, by name
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
-  std::map<std::string, SummaryProbe> probes;  ///< by name; written if there are any
+  std::map<std::string, SummaryProbe> probes;  ///< by name; omitted if empty
 };
 
-/// Replaces the file as a whole. Cost: small; may be called at every output time.
-/// @throws Error if the disk does not take it
+/// Replaces the file atomically. Cost: small; may be called at every output time.
+/// @throws Error if the disk cannot take it
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-/// How a run went: status, message, version, time reached, steps (rejected and failed ones too), elastic solves,
-/// Schwarz iterations and the total wall time; nothing else is read.
-/// @returns nullopt if the file is not there or is no summary
+/// Reads status, message, version, time reached, all counters and total wall time; the other members keep their
+/// defaults.
+/// @returns nullopt if the file does not exist or is not a summary
 std::optional<Summary> read_summary(const std::filesystem::path& path);
-/// As read_summary(), from the text of the file.
+/// Like read_summary(), from text.
 std::optional<Summary> parse_summary(std::string_view text);
 
-/// What names and units a run had. What the file does not tell is empty.
+/// Names and units of a run; empty if the file does not have them.
 struct SummaryHeading {
   std::string title, units, status;
   std::map<std::string, SummaryProbe> probes;  ///< by name
 };
 
-/// @throws ConfigError if the file cannot be read or is no JSON object
+/// @throws ConfigError if the file cannot be read or is not a JSON object
 SummaryHeading read_summary_heading(const std::filesystem::path& path);
-/// As read_summary_heading(), from the text of the file. @param name  of the file, for messages
+/// Like read_summary_heading(), from text. @param name  name of the file, for messages
 SummaryHeading parse_summary_heading(std::string_view text, const std::string& name);
 
 }  // namespace creepcontact::io

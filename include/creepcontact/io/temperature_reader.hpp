@@ -1,6 +1,6 @@
 #pragma once
-/// Temperatures at points from a file: a CSV table with the columns x, y, z, T or x, y, z, t, T, or HDF5 with the
-/// datasets coordinates (n x 3), temperature (n, or n_times x n) and times (n_times).
+/// Reads temperatures at points: a CSV table with the columns x, y, z, T or x, y, z, t, T, or HDF5 with the datasets
+/// coordinates (n x 3), temperature (n, or n_times x n) and times (n_times).
 
 #include <filesystem>
 #include <string>
@@ -11,18 +11,19 @@
 
 namespace creepcontact::io {
 
+/// Temperatures at points and times.
 struct PointTemperatures {
-  std::vector<Vector3> points;              ///< no two the same
-  std::vector<double> times;                ///< increasing; a single 0 if the file has none
-  std::vector<std::vector<double>> values;  ///< one list a time, a value a point
+  std::vector<Vector3> points;              ///< no two equal
+  std::vector<double> times;                ///< increasing; a single 0 if the file has no times
+  std::vector<std::vector<double>> values;  ///< [time][point]
 };
 
-/// By the ending: .h5 and .hdf5 are HDF5, everything else is CSV. Other columns and datasets are passed over. A point
-/// that stands there twice with one temperature counts once.
-/// @throws ModelError naming the file, and the line of a CSV table
+/// The extension decides: .h5 and .hdf5 are HDF5, all others CSV. Other columns and datasets are ignored. A point given
+/// twice with the same temperature counts once.
+/// @throws ModelError naming the file and, for CSV, the line
 PointTemperatures read_temperatures(const std::filesystem::path& file);
 
-/// As read_temperatures(), from the text of a CSV table. @param name  of the file, for messages
+/// Like read_temperatures(), from the text of a CSV table. @param name  name of the file, for messages
 PointTemperatures parse_temperatures(std::string_view text, const std::string& name);
 
 }  // namespace creepcontact::io

@@ -12,91 +12,88 @@
 
 namespace creepcontact::material {
 
-// What a law and its caller hand to each other: views of numbers that the caller owns, cut to what belongs to the law.
-// Tensors are six numbers in Mandel order (base/tensor.hpp). Units are those of the user: stress, time, temperature.
-
-/// What a law sees at one integration point.
+/// What a law sees at one integration point. Views of numbers that the caller owns; tensors are six numbers in Mandel
+/// order (base/tensor.hpp). Units of stress, time and temperature are those of the user.
 struct PointState {
   tensor::ConstMap stress = tensor::zero();
-  tensor::ConstMap creep_strain = tensor::zero();  ///< of the whole material, not of this law alone
+  tensor::ConstMap creep_strain = tensor::zero();  ///< total of the material, not of this law alone
   std::span<const double> internal = {};           ///< n_internal() variables of this law
-  std::span<const double> parameters = {};         ///< n_parameters() values at this point's temperature
+  std::span<const double> parameters = {};         ///< n_parameters() values at the temperature of this point
   double time = 0;
   double temperature = 0;
-  /// Hardening strain below this counts as this: small against what the accuracy of the strain is, but not so small
-  /// that Newton's corrections there, which are a share of it, pass for nothing.
+  /// Lower bound on the strain in hardening laws: smaller strains count as this. It is small compared with the accuracy
+  /// of the strain, but large enough that Newton corrections relative to it are not lost as negligible.
   double least_strain = 1e-10;
 };
 
-/// Changes of what a law sees: the direction of a derivative.
+/// A direction of change of the state that a law sees, for derivatives.
 struct PointChange {
   tensor::ConstMap stress = tensor::zero();
   tensor::ConstMap creep_strain = tensor::zero();
   std::span<const double> internal = {};  ///< n_internal()
 };
 
-/// Where a law puts its rates, or the changes of its rates.
+/// Output of a law: its rates, or the changes of its rates.
 struct PointRate {
-  tensor::Map creep_strain;         ///< all mechanisms add to it
-  std::span<double> internal = {};  ///< n_internal(); overwritten
+  tensor::Map creep_strain;         ///< each law adds its own to it
+  std::span<double> internal = {};  ///< n_internal(), overwritten
 };
 
-/// Where a law adds what grows in some time.
+/// Output of CreepLaw::increment(), added to.
 struct PointIncrement {
   tensor::Map creep_strain;
   std::span<double> internal = {};  ///< n_internal()
 };
 
-/// d(rate)/d(stress) of an isotropic law, in the frame of the current stress deviator s:
+/// d(rate)/d(stress) of an isotropic law, in terms of the current stress deviator s:
 ///   deviatoric * P + radial * m m^T + volumetric * (1/3) I I^T,   m = s/|s|, P the deviatoric projector.
 struct StressTangent {
   double deviatoric = 0, radial = 0, volumetric = 0;
 };
 
-/// What an internal variable is, for the accuracy that is asked of it.
+/// Kind of an internal variable; it determines its error scale.
 enum class InternalKind {
   strain,   ///< as accurate as the creep strain
-  fraction  ///< of 1: damage, life
+  fraction  ///< of 1: damage, used life
 };
 
-/// What a law may tell of a point beside strain, between 0 and 1.
+/// Optional measures of the state of a point, between 0 and 1.
 enum class Measure { damage, life_fraction };
 
-/// One mechanism of creep. Immutable after construction, safe for any number of threads.
-/// Rates of several mechanisms of a material add.
+/// One creep mechanism of a material; the rates of all mechanisms add up. Immutable, safe for any number of threads.
 class CreepLaw {
  public:
   virtual ~CreepLaw() = default;
   virtual std::string name() const = 0;
-  /// Own state variables a point (hardening, damage, Kelvin strains); 0 for a law of secondary creep.
+  /// Number of its own state variables per point (hardening, damage, Kelvin strains); 0 for secondary creep.
   virtual int n_internal() const { return 0; }
   virtual InternalKind internal_kind(int /*variable*/) const { return InternalKind::strain; }
   int n_parameters() const { return static_cast<int>(parameters_.size()); }
-  /// All values one after the other, those of a list in its order: PointState::parameters has the same order.
+  /// All parameters in order, lists expanded; PointState::parameters has the same order.
   const std::vector<Function>& parameters() const { return parameters_; }
 
-  /// Creep strain rate and rates of the internal variables.
+  /// Adds the creep strain rate to into.creep_strain, and sets the rates of the internal variables.
   virtual void rate(const PointState& at, PointRate into) const = 0;
-  /// The exact directional derivative of rate().
+  /// Exact directional derivative of rate(); the creep strain part is added.
   virtual void derivative(const PointState& at, const PointChange& change, PointRate into) const = 0;
-  /// d(strain rate)/d(stress) alone, internal variables held.
+  /// d(strain rate)/d(stress) with the internal variables held constant.
   virtual StressTangent stress_tangent(const PointState& at) const = 0;
 
-  /// True if rate() is no rate but the creep strain itself, a function of the stress and the time of the moment
+  /// True if rate() gives the creep strain itself instead of a rate, as a function of the current stress and time
   /// (ageing theory).
   virtual bool is_isochronous() const { return false; }
 
-  /// True if a rate depends on principal stresses or otherwise on the mean stress, but for a volumetric creep strain.
+  /// True if a rate depends on principal stresses or the mean stress other than through a volumetric creep strain.
   virtual bool uses_mean_stress() const { return false; }
 
-  /// Where loading that begins, or jumps, at at.time makes the rate infinite, strain grows from there as
-  /// (t - at.time)^exponent; 1 where the rate is finite. In (0, 1].
+  /// Where loads that begin or jump at at.time make the rate infinite, the strain grows as (t - at.time)^exponent. In
+  /// (0, 1]; 1: the rate is finite.
   virtual double start_exponent(const PointState& /*at*/) const { return 1; }
-  /// What grows from at.time on, the stress being constant: the closed form of a law with a singular start. Here:
-  /// duration times the rate.
+  /// Adds the growth over `duration` from at.time on, at constant stress: the closed form of a law with a singular
+  /// start. By default: duration times the rate.
   virtual void increment(const PointState& at, double duration, PointIncrement into) const;
 
-  /// @returns nothing if the law knows no such measure
+  /// @returns nullopt if the law does not know the measure
   virtual std::optional<double> measure(Measure /*of*/, const PointState& /*at*/) const { return std::nullopt; }
 
  protected:

@@ -1,11 +1,11 @@
 #pragma once
-/// The creep laws and their keys for the documentation.
+/// Documentation of the creep laws and their keys.
 
 #include <string>
 
 namespace creepcontact::material {
 
-/// Markdown: a heading and a table of keys for every law of the registry.
+/// Markdown: a heading and a table of keys per law of the registry.
 std::string law_reference();
 
 }  // namespace creepcontact::material

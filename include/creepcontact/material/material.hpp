@@ -10,36 +10,37 @@
 
 namespace creepcontact::material {
 
-/// Lame's constants from Young's modulus and Poisson's ratio.
+/// Lame's constants, computed by lame() from Young's modulus and Poisson's ratio.
 struct Moduli {
   double lambda = 0, mu = 0;
 };
 Moduli lame(double young_modulus, double poisson_ratio);
 
-/// stress = lambda tr(e) I + 2 mu e (Mandel order)
+/// stress = lambda tr(e) I + 2 mu e, Mandel order
 inline Tensor6 stress(const Moduli& h, const Tensor6& elastic_strain) {
   Tensor6 s = 2.0 * h.mu * elastic_strain;
   s.head<3>().array() += h.lambda * tensor::trace(elastic_strain);
   return s;
 }
 
-/// The elastic strain of a stress, the inverse of stress().
+/// Elastic strain for a stress: the inverse of stress(), Mandel order.
 inline Tensor6 elastic_strain(const Moduli& h, const Tensor6& stress) {
   Tensor6 e = stress / (2.0 * h.mu);
   e.head<3>().array() -= h.lambda / (2.0 * h.mu * (3.0 * h.lambda + 2.0 * h.mu)) * tensor::trace(stress);
   return e;
 }
 
+/// Functions of the temperature T; the creep laws are shared and immutable.
 struct Material {
   std::string name;
   Function young_modulus;            ///< of T
   Function poisson_ratio;            ///< of T
-  Function thermal_expansion = 0.0;  ///< secant, of T: thermal strain = alpha(T) (T - reference_temperature)
+  Function thermal_expansion = 0.0;  ///< secant: thermal strain = alpha(T) (T - reference_temperature)
   double reference_temperature = 0.0;
   std::vector<std::shared_ptr<const CreepLaw>> creep;
 
   bool creeps() const { return !creep.empty(); }
-  /// State variables a point: 6 (creep strain) + all internal ones; 0 for an elastic material.
+  /// State variables per point: 6 (creep strain) + internal variables of all laws; 0 for an elastic material.
   int n_state() const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The creep laws by name: what a configuration may ask for, and how each is made.
+/// Registry of the creep laws: which names a configuration may use, and how each law is made.
 
 #include <limits>
 #include <map>
@@ -13,22 +13,23 @@
 
 namespace creepcontact::material {
 
+/// One key of a law in the configuration.
 struct ParameterInfo {
-  std::string key;                                     ///< as in the configuration
-  std::string description;                             ///< with units in terms of stress, time
-  double minimum = 0;                                  ///< smallest admissible value ...
-  bool strict = true;                                  ///< ... exclusive
-  bool list = false;                                   ///< takes a list of values; all lists of a law are of one length
-  std::optional<std::vector<Function>> fallback = {};  ///< of an optional key: what it is if not given
-  std::vector<std::string> variables = {"T"};          ///< that its expressions may use
-  double maximum = std::numeric_limits<double>::infinity();  ///< largest admissible value, inclusive
+  std::string key;          ///< as in the configuration
+  std::string description;  ///< with its unit in terms of stress and time
+  double minimum = 0;       ///< smallest allowed value ...
+  bool strict = true;       ///< ... exclusive
+  bool list = false;        ///< true: takes a list of values; all lists of a law have the same length
+  std::optional<std::vector<Function>> fallback = {};        ///< of an optional key: its value if not given
+  std::vector<std::string> variables = {"T"};                ///< allowed in its expressions
+  double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
 };
 
-/// Values that a law cannot have, which their ranges alone do not show.
+/// Thrown for values that are within their ranges, but that the law cannot have.
 class ParameterError : public std::invalid_argument {
  public:
-  /// @param found  what the value is
-  /// @param allowed  what it may be
+  /// @param found  description of the value
+  /// @param allowed  description of the allowed values
   ParameterError(std::string key, std::string found, std::string allowed)
       : std::invalid_argument(key + ": " + found + "; allowed: " + allowed),
         key_(std::move(key)),
@@ -42,20 +43,22 @@ class ParameterError : public std::invalid_argument {
   std::string key_, found_, allowed_;
 };
 
-/// Values of a law's keys, in the order of LawInfo::parameters: one, or those of a list.
+/// Values per key, in the order of LawInfo::parameters; one value each, or several for a list.
 using ParameterValues = std::vector<std::vector<Function>>;
 
+/// One creep law that a configuration may name.
 struct LawInfo {
   std::string name;
   std::string formula;  ///< one line, plain text
   std::string source;   ///< author, year
   std::vector<ParameterInfo> parameters;
-  /// @throws ParameterError
+  /// @throws ParameterError if the law cannot have these values
   std::unique_ptr<CreepLaw> (*make)(ParameterValues values);
 };
 
+/// All laws.
 const std::vector<LawInfo>& creep_laws();
-/// @returns nullptr if there is none of this name
+/// @returns nullptr if the name is unknown
 const LawInfo* find_creep_law(const std::string& name);
 
 }  // namespace creepcontact::material

@@ -1,5 +1,5 @@
 #pragma once
-/// One elastic body with its supports and loads: K u = F(t) + integral B^T H (eps_c + eps_th).
+/// One elastic body with its supports and loads: K u = F(t) + integral B^T H (creep strain + thermal strain).
 
 #include <memory>
 #include <optional>
@@ -17,20 +17,21 @@
 
 namespace creepcontact::mechanics {
 
-/// Immutable once its loads are added: any number of threads may use one body. Movable; what the accessors refer to
-/// stays where it is.
+/// Immutable once all loads are added: any number of threads may then use one body. Movable; references returned by the
+/// accessors stay valid after a move.
 class Body {
  public:
-  /// @param temperature  nullopt where none is given (thermal strain then zero, T = reference)
-  /// @throws ModelError if an element is inverted, supports contradict each other, or the elastic constants are not
-  ///         admissible
+  /// @param temperature  nullopt if none is given: no thermal strain, material at its reference temperature
+  /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants at t = 0 are
+  /// not admissible, or the mesh has no volume elements
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
        std::optional<TemperatureField> temperature);
   ~Body();
   Body(Body&&) noexcept;
   Body& operator=(Body&&) noexcept;
 
-  /// While the model is built. A load on the volume refers to discretization() of this body.
+  /// Only while the model is built. A volume load refers to discretization() of this body.
+  /// @throws ModelError if its forces at t = 0 are not finite; the body is then unchanged
   /// @throws ModelError if its forces at t = 0 are not finite
   void add_load(std::unique_ptr<const Load> load);
 
@@ -41,47 +42,49 @@ class Body {
   const Constraints& constraints() const;
   const std::vector<Support>& supports() const;
 
-  /// Pieces of the mesh that share no faces; more than one is seldom meant.
+  /// Number of pieces of the mesh that share no faces; more than one is rarely intended.
   std::size_t n_parts() const;
-  /// What the supports leave free: contact must hold it, or nothing may load it.
+  /// Motions without strain that the supports leave free. Contact must hold them, or nothing may load them.
   const std::vector<FreeMotion>& free_motions() const;
-  /// Free unknowns that are fixed in place of the free motions, one per motion; their displacement is that of the
-  /// motions alone (add_free_motions), and they carry no force if all forces on the body are in equilibrium.
-  const std::vector<std::int64_t>& pins() const;
-  /// Sets the entries of a right-hand side at the pins to zero.
-  void clear_pins(std::span<double> right_hand_side) const;
-  /// u += sum of amplitudes x free motions (3 n_nodes)
+  /// Fixing dofs: free dofs that are fixed instead of the rigid-body modes, one per motion. They move with those
+  /// motions only (add_free_motions), and carry no force if all forces on the body are in equilibrium.
+  const std::vector<std::int64_t>& fixing_dofs() const;
+  /// Sets the entries of a right-hand side (n_free) at the fixing dofs to zero.
+  void clear_fixing_dofs(std::span<double> right_hand_side) const;
+  /// u += sum of amplitudes x rigid-body modes (3 n_nodes)
   void add_free_motions(std::span<const double> amplitudes, std::span<double> displacement) const;
 
   /// Temperature, moduli, thermal strain, loads and prescribed displacements at time t.
   /// @throws ModelError if one of them is not finite, or the elastic constants are not admissible
   BodyConditions at(double t) const;
-  /// The same in place: what does not change in time, or is of this time already, is not evaluated again.
+  /// The same in place. Skips what is constant in time or was evaluated for this time already.
+  /// @param conditions  made by this body, or new
   /// @param conditions  of this body, or new
   void update(double t, BodyConditions& conditions) const;
-  /// The elastic constants follow a temperature that changes in time.
+  /// True if the elastic constants depend on a temperature that changes in time.
   bool stiffness_changes() const;
 
-  /// Adds the work of the external forces on the free motions, one entry per motion. The nodal forces of thermal and
-  /// creep strains and of prescribed displacements are in equilibrium with themselves: their sums would be round-off,
-  /// which may exceed the loads where the material is stiff and almost incompressible.
-  /// @returns sum of the absolute forces, to measure the work by
+  /// resultant += work of the external forces on the rigid-body modes, one entry per motion. Creep and thermal strains
+  /// and prescribed displacements are left out: their nodal forces are in equilibrium, so their work is round-off,
+  /// which may exceed that of the loads if the material is stiff and almost incompressible.
+  /// @returns the sum of the absolute forces, the scale of the work; 0 without rigid-body modes
   double external_resultant(const BodyConditions& at, std::span<double> resultant) const;
   /// right_hand_side (n_free) = T^T (F(t) + integral B^T H (creep + thermal strain) - K prescribed(t))
   /// Cost: one element loop; no allocation.
   void right_hand_side(const BodyConditions& at, CreepStrainView creep, std::span<double> right_hand_side) const;
-  /// T^T integral B^T H v alone: no loads, no prescribed values. @param elastic  moduli H
+  /// right_hand_side (n_free) = T^T integral B^T H strain, without loads and prescribed displacements.
+  /// @param elastic  moduli H
   void initial_strain_force(const ElasticState& elastic, CreepStrainView strain,
                             std::span<double> right_hand_side) const;
-  /// T^T (F(t) - integral B^T stress): what the stress of a displacement leaves of right_hand_side(). Cost: one element
-  /// loop.
+  /// residual (n_free) = T^T (F(t) - integral B^T stress), the remainder of right_hand_side() for the stress of some
+  /// displacement. Cost: one element loop.
   void residual(const BodyConditions& at, std::span<const double> stress, std::span<double> residual) const;
-  /// Nodal residual integral B^T sigma - F(t) (3 n_nodes): reactions at held nodes, contact forces at contact nodes.
+  /// forces (3 n_nodes) = integral B^T stress - F(t): reactions at supported nodes, contact forces at contact nodes.
   void residual_forces(const BodyConditions& at, std::span<const double> stress, std::span<double> forces) const;
 
-  /// Lower triangle over all unknowns (3 n_nodes), of these conditions. Cost: assembly.
+  /// Stiffness on all dofs (3 n_nodes) for these conditions, lower triangle. Cost: assembly.
   linalg::SparseMatrix full_stiffness(const BodyConditions& at) const;
-  /// Of a lower triangle over all unknowns that over the free ones, the pins' rows and columns emptied but for the
+  /// Reduces a lower triangle on all dofs to the free ones. Rows and columns of the fixing dofs are zero off the
   /// diagonal.
   linalg::SparseMatrix on_free_unknowns(const linalg::SparseMatrix& full) const;
 

@@ -1,6 +1,6 @@
 #pragma once
-/// External forces of a body. Integrals over space are done once where a load is (function of place) x (function of
-/// time); only a load that mixes both is integrated again for a new time.
+/// External forces of a body. If a load is (function of position) x (function of time), it is integrated over space
+/// only once; any other load is integrated for each new time.
 
 #include <array>
 #include <memory>
@@ -13,30 +13,33 @@
 
 namespace creepcontact::mechanics {
 
-/// Immutable.
+/// One load of a body. Immutable.
 class Load {
  public:
   virtual ~Load() = default;
-  /// forces += F(t), 3 (n_nodes + n_inner) of the discretization: only loads on the volume act on inner displacements
+  /// forces += F(t), 3 (n_nodes + n_inner) entries; only volume loads act on inner displacements.
   virtual void add(double t, std::span<double> forces) const = 0;
 };
 
-/// Pressure on faces, positive towards the body. @param pressure of x, y, z, t
-std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, std::vector<mesh::Face> faces, Function pressure);
-/// Force per area with fixed directions. @param traction three functions of x, y, z, t
-std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, std::vector<mesh::Face> faces,
+/// Pressure on faces [force/area], positive if it pushes on the body. @param pressure  of x, y, z, t
+std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, Function pressure);
+/// Force per area in fixed directions. @param traction  x, y, z components, functions of x, y, z, t
+std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
                                     std::array<Function, 3> traction);
-/// Force at a node. @param force three functions of t (x, y, z are the node's)
+/// Force at a node. @param force  three functions of t (x, y, z are those of the node)
 std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std::array<Function, 3> force);
 /// Force per volume. @param body  must outlive the load @param force_density  three functions of x, y, z, t
 std::unique_ptr<Load> volume_load(const Discretization& body, std::array<Function, 3> force_density);
 /// Centrifugal force density * omega^2 * (distance vector from the axis). @param body  must outlive the load
-/// @param axis  any length but zero @param angular_velocity  of t [rad/time] @param density  of x, y, z, t
-std::unique_ptr<Load> centrifugal_load(const Discretization& body, Vector3 axis, Vector3 origin,
+/// @param axis  direction, of any length @param origin  a point on the axis
+/// @param angular_velocity  of t [rad/time] @param density  [mass/volume], of x, y, z, t
+/// @throws ModelError if the axis is (0, 0, 0)
+std::unique_ptr<Load> centrifugal_load(const Discretization& body, const Vector3& axis, const Vector3& origin,
                                        Function angular_velocity, Function density);
 
-/// Unit outward normals at nodes of faces: area-weighted averages over the adjacent faces, each with its own normal at
-/// the node. @returns one a node, in the order of `nodes`
+/// Unit outward normals at nodes of faces: area-weighted means over the adjacent faces, each with its normal at the
+/// node.
+/// @returns one per node, in the order of `nodes`
 /// @throws ModelError if a node lies on none of the faces, or the normals of its faces cancel
 std::vector<Vector3> nodal_normals(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
                                    const std::vector<std::int64_t>& nodes);

@@ -1,5 +1,5 @@
 #pragma once
-/// Elements that integrate without complaint and are wrong all the same.
+/// Detection of elements that can be integrated but give wrong results.
 
 #include <vector>
 
@@ -7,8 +7,9 @@
 
 namespace creepcontact::mechanics {
 
-/// Centres of the quadratic volume elements that are folded at a corner (Jacobian <= 0 there), though perhaps not at
-/// the integration points: mid-edge nodes lie too far from the middle of their edges. Cost: one Jacobian a corner.
+/// Centres of the quadratic volume elements that are folded at a corner: Jacobian <= 0 there, though perhaps not at the
+/// integration points, because mid-edge nodes are too far from the middle of their edges. Cost: one Jacobian per
+/// corner.
 std::vector<Vector3> folded_elements(const mesh::Mesh& mesh);
 
 }  // namespace creepcontact::mechanics

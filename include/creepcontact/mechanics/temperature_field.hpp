@@ -1,5 +1,5 @@
 #pragma once
-/// A temperature of place and time: a function of the user's, or values at scattered points at one or several times.
+/// Temperature as a function of position and time: an expression, or values at scattered points at one or more times.
 
 #include <memory>
 #include <optional>
@@ -12,49 +12,51 @@
 
 namespace creepcontact::mechanics {
 
-/// Temperatures known at points. Linear between the times, constant before the first and after the last.
+/// Temperatures at scattered points; linear between the times, constant before the first and after the last.
 struct ScatteredTemperatures {
-  std::vector<Vector3> points;              ///< no two the same
+  std::vector<Vector3> points;              ///< no two equal
   std::vector<double> times;                ///< increasing; one: steady
-  std::vector<std::vector<double>> values;  ///< one list a time, a value a point
+  std::vector<std::vector<double>> values;  ///< [time][point]
 };
 
-/// Temperatures interpolated to places at the two given times around the last evaluation. Owned by whoever evaluates;
-/// it changes the cost of an evaluation, not its value.
+/// Temperatures interpolated to fixed positions at the two tabulated times around the last evaluation. Owned by the
+/// caller of evaluate(); it affects the cost of an evaluation, not its value.
 struct TemperatureMemo {
   struct AtTime {
-    std::optional<std::size_t> time;  ///< index of the given time
-    std::vector<double> values;       ///< one per place
+    std::optional<std::size_t> time;  ///< index of the tabulated time; nullopt: none yet
+    std::vector<double> values;       ///< one per position
   };
   AtTime before, after;
 };
 
-/// Temperatures at places that were chosen once, so that what depends on the places alone is done once. Immutable.
-class TemperatureAtPlaces {
+/// Temperature at positions chosen in advance, so that work depending on the positions is done only once. Immutable.
+class TemperatureAtPositions {
  public:
-  virtual ~TemperatureAtPlaces() = default;
-  /// @param values  one per place
+  virtual ~TemperatureAtPositions() = default;
+  /// @param values  one per position, overwritten
   virtual void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const = 0;
 };
 
-/// Value semantics; copies share the immutable definition.
+/// A temperature field. Value semantics; copies share the immutable definition.
 class TemperatureField {
  public:
-  /// Of x, y, z, t. Evaluation is as safe for threads as that of the function.
+  /// From a function of x, y, z, t; as thread-safe as the function.
   TemperatureField(Function value);  // NOLINT(google-explicit-constructor): a function is a field
   /// Interpolated between the points (ScatteredInterpolation).
   explicit TemperatureField(ScatteredTemperatures given);
 
+  /// Value at one position and time.
   double operator()(const Arguments& at) const;
-  std::unique_ptr<const TemperatureAtPlaces> at(std::span<const Vector3> places) const;
+  /// For repeated evaluation at these positions; does not refer to the argument.
+  std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const;
 
-  bool depends_on_place() const;
+  bool depends_on_position() const;
   bool depends_on_time() const;
-  /// Times up to `end` at which it is known to have kinks or jumps, increasing.
+  /// Times up to `end` at which the field is known to jump or to have a kink (discontinuity of the slope), increasing.
   std::vector<double> breakpoints(double end) const;
-  /// Distance to the nearest point if the place is so far outside the points that this one alone counts there, else 0.
-  double distance_outside(const Vector3& place) const;
-  /// Two fields of the same text are the same.
+  /// Distance to the nearest point if `position` is so far outside the points that only this one counts, else 0.
+  double distance_outside(const Vector3& position) const;
+  /// Identifies the field: equal texts mean equal fields.
   const std::string& text() const;
 
   struct Definition;

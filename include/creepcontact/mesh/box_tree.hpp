@@ -1,5 +1,5 @@
 #pragma once
-/// Which boxes of a set meet a given box.
+/// Search for the boxes of a set that intersect a given box.
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -10,7 +10,7 @@
 namespace creepcontact::mesh {
 
 /// R-tree of axis-aligned boxes. Immutable; safe for any number of threads.
-/// Cost: O(n log n) to make, O(log n + boxes found) per query.
+/// Cost: O(n log n) to build, O(log n + boxes found) per query.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Eigen::AlignedBox3d> boxes);
@@ -18,7 +18,7 @@ class BoxTree {
   BoxTree(BoxTree&&) noexcept;
   BoxTree& operator=(BoxTree&&) noexcept;
 
-  /// Indices of the boxes that meet `box` (touching counts), ascending.
+  /// Indices of the boxes that intersect `box` (touching counts), ascending.
   std::vector<std::size_t> meeting(const Eigen::AlignedBox3d& box) const;
 
  private:

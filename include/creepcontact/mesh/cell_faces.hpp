@@ -1,5 +1,5 @@
 #pragma once
-/// Edges and faces of the reference cells in Gmsh's node numbering.
+/// Edges and faces of the reference cells in the node numbering of Gmsh.
 
 #include <array>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace creepcontact::mesh {
 
-/// A face of a volume cell, seen from outside: by the right-hand rule its nodes give the outward normal.
+/// A face of a volume cell; by the right-hand rule its nodes give the outward normal.
 struct LocalFace {
   CellType type{};
-  std::vector<int> nodes;  ///< local nodes of the cell, in Gmsh's order of `type` (corners, mid-edges, mid-face)
+  std::vector<int> nodes;  ///< local nodes of the cell, in the Gmsh order of `type` (corners, mid-edges, mid-face)
 };
 
 /// Corner nodes of every edge, in the order in which Gmsh numbers the mid-edge nodes: in a quadratic cell the node on
@@ -19,8 +19,9 @@ struct LocalFace {
 const std::vector<std::array<int, 2>>& cell_edges(CellType type);
 
 /// Faces of a volume cell; empty for cells of lower dimension. hex8: quad4, hex20: quad8, hex27: quad9 (in the order of
-/// Gmsh's mid-face nodes 20..25), tet4: tri3, tet10: tri6, wedge6 and wedge15: two triangles, then three
-/// quadrilaterals. Cost: none after the first call.
+/// the mid-face nodes 20..25 of Gmsh), tet4: tri3, tet10: tri6, wedge6 and wedge15: two triangles, then three
+/// quadrilaterals.
+/// Cost: none after the first call.
 const std::vector<LocalFace>& cell_faces(CellType type);
 
 }  // namespace creepcontact::mesh

@@ -1,11 +1,12 @@
 #pragma once
-/// Kinds of mesh cells. Node numbering within a cell is Gmsh's throughout the program.
+/// Types of mesh cells. Node numbering within a cell is that of Gmsh throughout the program.
 
 #include <string_view>
 #include <vector>
 
 namespace creepcontact::mesh {
 
+/// Named by shape and number of nodes.
 enum class CellType {
   point1,
   line2,
@@ -24,16 +25,17 @@ enum class CellType {
   wedge15
 };
 
-/// All of them, in the order of the enumeration.
+/// All types, in the order of the enumeration.
 const std::vector<CellType>& cell_types();
-/// Those of dimension 3.
+/// Types of dimension 3.
 const std::vector<CellType>& volume_cell_types();
 
 int dimension(CellType type);
 int n_nodes(CellType type);
 int n_corners(CellType type);
-/// 1 linear, 2 quadratic
+/// 1: linear, 2: quadratic.
 int order(CellType type);
+/// As in the enumeration: "hex20".
 std::string_view name(CellType type);
 
 }  // namespace creepcontact::mesh

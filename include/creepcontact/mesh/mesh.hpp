@@ -1,5 +1,5 @@
 #pragma once
-/// Mesh with named groups: nodes, cells in blocks of one type, groups of cells (Gmsh physical groups).
+/// Mesh with named groups: nodes, blocks of cells of one type, groups of cells (Gmsh physical groups).
 
 #include <cstdint>
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace creepcontact::mesh {
 
-/// Cells of one type; `connectivity` is n_cells x n_nodes(type), row by row, node indices from 0.
+/// Cells of one type. `connectivity` is n_cells x n_nodes(type), row by row; node indices start at 0.
 struct CellBlock {
   CellType type{};
   std::vector<std::int64_t> connectivity;
@@ -24,36 +24,38 @@ struct CellBlock {
   }
 };
 
+/// Index of a cell: its block, and its number in the block.
 struct CellRef {
   std::size_t block = 0, cell = 0;
 };
 
-/// A named set of cells of one dimension (0 point, 1 curve, 2 surface, 3 volume). A cell may be in several groups.
+/// A named set of cells of one dimension (0 point, 1 curve, 2 surface, 3 volume). A cell may belong to several groups.
 struct Group {
   std::string name;
   int dimension = 0;
   std::vector<CellRef> cells;
 };
 
+/// Plain data; coordinates in the user's unit of length.
 struct Mesh {
   std::vector<Vector3> nodes;
   std::vector<CellBlock> blocks;
   std::map<std::string, Group> groups;  // by name
 
-  /// @throws ModelError naming the groups that exist and the nearest name.
+  /// @throws ModelError listing the existing groups and suggesting the nearest name, if there is no such group
   /// @param dimension  -1: any
   const Group& group(const std::string& name, int dimension = -1) const;
 };
 
-/// A face of a volume cell, seen from outside the cell (right-hand rule gives the outward normal).
+/// A face of a volume cell; by the right-hand rule its nodes give the outward normal of the cell.
 struct Face {
   CellType type{};
   std::vector<std::int64_t> nodes;
 };
 
-/// The cells of some volume groups as a mesh of its own.
-/// Nodes are renumbered from 0; `parent_node[i]` is the number in the parent. Volume blocks hold this body's cells
-/// only. Groups of lower dimension are kept as far as all their nodes belong to the body.
+/// The cells of some volume groups as a separate mesh.
+/// Nodes are renumbered from 0; parent_node[i] is the number in the parent. Volume blocks contain only the cells of
+/// this body. Groups of lower dimension keep the cells whose nodes all belong to the body.
 struct BodyMesh {
   Mesh mesh;
   std::vector<std::int64_t> parent_node;
@@ -61,12 +63,11 @@ struct BodyMesh {
 /// @throws ModelError if a region is missing, empty or not of dimension 3
 BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions);
 
-/// Faces of this mesh's volume cells that lie on a surface group, oriented outward.
-/// A group that lies inside the body (between two of its cells) is an error.
-/// @throws ModelError if a surface cell is no face of any volume cell
+/// Faces of the volume cells of this mesh that lie on a surface group, oriented outward.
+/// @throws ModelError if a surface cell is not a face of any volume cell, or lies between two volume cells
 std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface);
 
-/// How many faces of a surface group are faces of no volume cell of the mesh. Cost: one pass over all cells.
+/// Number of faces of a surface group that are not faces of any volume cell. Cost: one pass over all cells.
 std::size_t n_orphan_faces(const Mesh& mesh, const std::string& surface);
 
 /// Distinct nodes of a group of any dimension, ascending.

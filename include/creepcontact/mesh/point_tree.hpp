@@ -1,5 +1,5 @@
 #pragma once
-/// Which points of a set are nearest to a place.
+/// Search for the points of a set that are nearest to a position.
 
 #include <cstddef>
 #include <memory>
@@ -10,13 +10,14 @@
 
 namespace creepcontact::mesh {
 
+/// One result of a search.
 struct Neighbour {
-  std::size_t point = 0;  ///< index
-  double distance = 0;    ///< from the place
+  std::size_t point = 0;  ///< index in the set
+  double distance = 0;    ///< from the position
 };
 
 /// R-tree of points. Immutable; safe for any number of threads.
-/// Cost: O(n log n) to make, O(log n + points found) per query.
+/// Cost: O(n log n) to build, O(log n + points found) per query.
 class PointTree {
  public:
   explicit PointTree(std::span<const Vector3> points);
@@ -24,9 +25,9 @@ class PointTree {
   PointTree(PointTree&&) noexcept;
   PointTree& operator=(PointTree&&) noexcept;
 
-  /// The n nearest points (all, if there are fewer), the nearest first. Among points at the same distance the one of
-  /// the lower index comes first; which of them are left out is open.
-  std::vector<Neighbour> nearest(const Vector3& place, std::size_t n) const;
+  /// The n nearest points (all, if there are fewer), nearest first; points at the same distance by ascending index.
+  /// Which of several equally distant points are left out is unspecified.
+  std::vector<Neighbour> nearest(const Vector3& position, std::size_t n) const;
 
  private:
   struct Tree;

@@ -1,5 +1,5 @@
 #pragma once
-/// Errors of all entries of a configuration, so that the user sees them in one go.
+/// Collects the errors of all entries of a configuration, so that the user sees them together.
 
 #include <functional>
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace creepcontact::model {
 
+/// One line per error. Not thread-safe.
 class ErrorCollector {
  public:
-  /// Runs `work`; a ModelError becomes one line that begins with the place in the configuration.
+  /// Runs `work`; a ModelError becomes one line that begins with the location `where`. Other exceptions pass through.
   void collect(const config::Location& where, const std::function<void()>& work);
-  /// @throws ModelError with all lines, if there is any
+  /// @throws ModelError with all lines, if there are any
   void raise() const;
   bool empty() const { return lines_.empty(); }
 

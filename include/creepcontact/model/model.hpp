@@ -1,5 +1,5 @@
 #pragma once
-/// What a configuration and its mesh describe, ready to be solved.
+/// The model described by a configuration and its mesh, ready to be solved.
 
 #include <optional>
 #include <string>
@@ -11,26 +11,28 @@
 
 namespace creepcontact::model {
 
+/// Bodies, supports, loads and contacts as an assembly, with the options to solve it.
 struct Model {
   creep::Assembly assembly;
   creep::SolverOptions solver;
   std::optional<mechanics::TemperatureField> temperature;
-  std::vector<double> breakpoints;  ///< kinks in time of all loads, supports, gaps, temperatures; ascending
+  /// Times of jumps and slope changes of all loads, supports, gaps and temperatures, ascending.
+  std::vector<double> breakpoints;
 
   const std::vector<mechanics::Body>& bodies() const { return assembly.bodies(); }
   const std::vector<contact::Pair>& pairs() const { return assembly.pairs(); }
 };
 
-/// @returns bodies.size() if there is none of this name
+/// Index of a body. @returns bodies.size() if the name is unknown
 std::size_t find_body(const std::vector<mechanics::Body>& bodies, const std::string& name);
-/// Bodies that have cells on a group.
+/// Indices of the bodies that have cells of a group, ascending.
 std::vector<std::size_t> bodies_with(const std::vector<mechanics::Body>& bodies, const std::string& group);
 
-/// Reads the mesh and makes the model; nothing is factored.
-/// @throws ModelError with every mistake found, each with its place in the configuration
+/// Reads the mesh and builds the model; nothing is factored.
+/// @throws ModelError with one line per error, each with its location in the configuration
 Model build_model(const config::Config& config);
 
-/// What to say of a body's mesh: parts that hang together nowhere, elements that lock or are folded. One entry each.
+/// Warnings about the mesh of a body, one entry each: separate pieces, elements that lock, folded elements.
 std::vector<std::string> mesh_warnings(const mechanics::Body& body);
 
 }  // namespace creepcontact::model

@@ -1,5 +1,6 @@
 #pragma once
-/// Tables in T end somewhere: tells once of each when a temperature leaves it and its end value is used.
+/// Material tables in T cover a limited range. Warns once per table when a temperature is outside it, where the end
+/// value of the table is used.
 
 #include <map>
 #include <optional>
@@ -11,24 +12,25 @@
 
 namespace creepcontact::model {
 
+/// One per run. A default-constructed monitor never warns.
 class TableRangeMonitor {
  public:
   TableRangeMonitor() = default;
   explicit TableRangeMonitor(const config::Config& config);
 
-  /// Warns of every table that a body's temperature at this time is the first to leave.
-  /// Cost: the extremes of the temperature, if it changes in time and the bodies' materials have tables in T.
+  /// Warns of each table that the temperature of a body leaves for the first time.
+  /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have tables in T; else none.
   void see(double t, const std::vector<mechanics::Body>& bodies,
            const std::vector<mechanics::BodyConditions>& conditions);
 
  private:
   struct Table {
-    std::string what;  ///< "young_modulus"
+    std::string what;  ///< key of the table: "young_modulus"
     Interval range;
   };
   void see(const mechanics::Body& body, const mechanics::BodyConditions& at);
 
-  std::map<std::string, std::vector<Table>> tables_;  // of every material, those not warned of
+  std::map<std::string, std::vector<Table>> tables_;  // by material: tables not warned of yet
   bool changes_in_time_ = false;
   std::optional<double> time_;  // of the last call
 };

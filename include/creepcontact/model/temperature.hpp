@@ -1,5 +1,5 @@
 #pragma once
-/// The [temperature] of a configuration on the model.
+/// The [temperature] table of a configuration, applied to the model.
 
 #include <optional>
 
@@ -7,15 +7,15 @@
 
 namespace creepcontact::model {
 
-/// @throws ModelError if its file cannot be used
+/// @throws ModelError if the file of temperatures cannot be used
 mechanics::TemperatureField temperature_field(const config::Temperature& temperature);
 
-/// One warning with the place farthest outside the points of a temperature file, if there is one.
-void warn_of_places_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
-                            const mechanics::TemperatureField& temperature);
+/// If integration points lie outside the points of a temperature file: one warning, with the farthest of them.
+void warn_of_positions_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
+                               const mechanics::TemperatureField& temperature);
 
-/// Least and largest temperature at the integration points at 0, the breakpoints, the output times and the end.
-/// Empty without a temperature.
+/// Minimum and maximum temperature over all integration points at t = 0, the breakpoints, the output times and the end;
+/// nullopt without a temperature.
 std::optional<Interval> temperature_range(const config::Config& config, const Model& model);
 
 }  // namespace creepcontact::model

@@ -9,8 +9,8 @@
 
 namespace creepcontact::numerics {
 
-/// Sum of term(p) for p < n, on all cores: pieces are summed by one thread, so that the sum has the same bits for any
-/// number of them.
+/// Sum of term(p) for p < n, on all threads. Pieces of fixed size are each summed by one thread, so the result is the
+/// same to the last bit for any number of threads.
 template <typename Term>
 double sum_over_points(std::size_t n, Term term) {
   constexpr std::size_t piece = 1000;

@@ -1,5 +1,5 @@
 #pragma once
-/// Time integration behind one interface: the article's Euler schemes and SUNDIALS.
+/// Time integrators behind one interface: Euler schemes (Stankevich 2012), Runge-Kutta-Chebyshev, and SUNDIALS.
 
 #include <cstdint>
 #include <map>
@@ -9,125 +9,97 @@
 #include <vector>
 
 #include "creepcontact/ode/system.hpp"
+#include "creepcontact/settings/integrator_options.hpp"
 
 namespace creepcontact::ode {
 
-/// What an accepted step was like.
+/// Properties of one accepted step.
 struct StepReport {
   double time = 0;  ///< at its end
   double step = 0;
   int order = 0;
-  double error_estimate = 0;  ///< in units of what the tolerance allows a step; 0 if the method has none
+  double error_estimate = 0;  ///< in units of the error allowed per step; 0 if the method has no estimate
 };
 
-enum class StepMode {
-  fixed,
-  stable,
-  adaptive,
-  to_limit  ///< every step goes to the limit given: whoever calls decides
-};
+using settings::InnerIteration;
+using settings::IntegratorOptions;
+using settings::LinearSolver;
+using settings::StepChoice;
+using settings::StepMode;
 
-/// How long the steps of the Euler schemes are.
-struct StepChoice {
-  StepMode mode = StepMode::stable;
-  double length = 0;  ///< fixed
-
-  StepChoice() = default;
-  // A mode or a length is a choice.
-  StepChoice(StepMode how) : mode(how) {}                             // NOLINT(google-explicit-constructor)
-  StepChoice(double fixed) : mode(StepMode::fixed), length(fixed) {}  // NOLINT(google-explicit-constructor)
-};
-
-/// How beta_euler solves for the new state.
-enum class InnerIteration { fixed_point, newton };
-
-/// How implicit methods solve their Newton systems: GMRES with System::jacobian_times, or System::solve_tangent.
-enum class LinearSolver { krylov, tangent };
-
-/// Settings of all integrators, each using its own; defaults are the configuration's.
-struct IntegratorOptions {
-  double tolerance = 1e-4;             ///< relative accuracy; absolute tolerance = tolerance * System::scale()
-  StepChoice step = StepMode::stable;  ///< Euler: fixed, the stable step times step_factor, or under error control
-  double step_factor = 1.0;
-  double beta = 1.0;  ///< beta_euler, >= 0.5
-  InnerIteration inner = InnerIteration::fixed_point;
-  double inner_tolerance = 1e-10;    ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
-  int max_inner_iterations = 200;    ///< beta_euler
-  int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
-  double residual_correction = 0.0;  ///< gamma of the nodal-force residual (Euler schemes)
-  LinearSolver linear_solver = LinearSolver::krylov;  ///< cvode_bdf, arkode_dirk
-  std::string table = {};     ///< ARKODE: name of a Butcher table with an embedded method; empty: the default
-  double end_time = 0;        ///< end of the run, bounds the first step
-  int restart_interval = 20;  ///< ARKODE: steps from one restart point to the next
-};
-
-/// All that the steps to come depend on, as a checkpoint keeps it.
+/// Everything that later steps depend on, as stored in a checkpoint.
 struct RestartPoint {
   double time = 0;
   double next_step = 0;
   std::vector<double> state;
-  std::map<std::string, std::vector<double>> memory;  ///< the method's own; names are those of its members
+  std::map<std::string, std::vector<double>> memory;  ///< of the method itself; named after its members
 };
 
+/// An integrator at some (t, y). It refers to a System, which must outlive it. Use from one thread at a time;
+/// initialize(), step() and restore() are collective.
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::string name() const = 0;
-  /// The integrator at work: name(), unless this one hands the steps to others.
+  /// Name of the integrator at work; differs from name() if this one delegates its steps.
   virtual std::string method() const { return name(); }
 
-  /// Starts (or starts anew after a jump) from (t, y).
-  /// @param step  proposed first step, 0: let the integrator choose
+  /// Starts from (t, y), or restarts there after a jump of the loads.
+  /// @param step  proposed first step; 0: the integrator chooses
   virtual void initialize(double t, std::span<const double> y, double step = 0) = 0;
 
-  /// True if the state jumps where loads do: initialize() then finds that after the jump.
+  /// True if the state jumps where the loads do; initialize() then computes the state after the jump.
   virtual bool jumps_with_loads() const { return false; }
 
-  /// One accepted step; never goes beyond t_limit, ends on it exactly if it gets there.
-  /// @throws SolverError with advice if no step can be made; state() is then the last accepted one.
+  /// Makes one accepted step. It never passes t_limit, and ends exactly there if it reaches it.
+  /// @throws SolverError with advice if no step can be made; state() is then the last accepted one
   virtual StepReport step(double t_limit) = 0;
 
-  /// True if interpolate() is as accurate as the method: output times then need no step of their own.
+  /// True if interpolate() is as accurate as the method; output times then need no steps that end on them.
   virtual bool interpolates() const { return false; }
-  /// State at t within the last step. @param y size of the system
+  /// State at time t within the last step. @param y  of System::size() @throws std::out_of_range if t is outside of it
   virtual void interpolate(double t, std::span<double> y) const = 0;
 
+  /// Time and state after the last accepted step; the span is valid until the next step.
   virtual double time() const = 0;
   virtual std::span<const double> state() const = 0;
-  virtual double next_step() const = 0;  ///< proposal for the next step (restart)
+  virtual double next_step() const = 0;  ///< proposed next step
 
-  /// True after the steps (and initialize()) from whose end save() and restore() can take the integration up again.
+  /// True if the integration can be resumed from here by save() and restore(): after initialize() and some or all
+  /// steps.
   virtual bool at_restart_point() const { return true; }
-  /// True if all steps end at such a point.
+  /// True if that holds after every step.
   virtual bool restarts_after_every_step() const { return true; }
-  /// True if a restored integrator makes the very steps, to the last bit, that the saved one makes after save(); false:
+  /// True if a restored integrator makes the same steps, to the last bit, as the saved one makes after save(); false:
   /// the same within the tolerance.
   virtual bool restores_exactly() const { return false; }
-  /// The end of the last step, a restart point. Methods with a memory of their own add it to `memory`.
+  /// The state at the end of the last step, which must be a restart point. Methods with more data add it to `memory`.
   virtual RestartPoint save() const;
-  /// In place of initialize(). @throws std::out_of_range if the point lacks what the method keeps (another one's)
+  /// Replaces initialize(). @throws std::out_of_range if data of the method is missing, as in a point of another method
   virtual void restore(const RestartPoint& point);
 
   struct Counters {
     std::int64_t steps = 0;
-    std::int64_t rejected_steps = 0;        ///< error test
-    std::int64_t convergence_failures = 0;  ///< nonlinear iteration
+    std::int64_t rejected_steps = 0;        ///< failed error tests
+    std::int64_t convergence_failures = 0;  ///< failures of the nonlinear iteration
   };
-  virtual Counters counters() const = 0;  ///< since construction, over all initialize() calls
+  virtual Counters counters() const = 0;  ///< since construction, across initialize() calls
 };
 
+/// An entry of the list of integrators.
 struct IntegratorInfo {
   std::string name;
   std::string description;
   std::unique_ptr<Integrator> (*make)(System& system, const IntegratorOptions& options);
-  std::vector<std::string> tables = {};  ///< that IntegratorOptions::table may name
-  bool isochronous = false;              ///< rate() is taken for the state itself: y(t) = f(t, y(t))
+  std::vector<std::string> tables = {};  ///< allowed values of IntegratorOptions::table
+  bool isochronous = false;              ///< true if rate() is taken for the state itself: y(t) = f(t, y(t))
 };
 
-/// All integrators, by name: what a configuration may ask for.
+/// All integrators that a configuration may name.
 const std::vector<IntegratorInfo>& integrators();
-/// For systems whose rate may start singular, the integrator works in a time in which it does not (SingularStart).
-/// @throws std::out_of_range if there is none of this name
+/// Makes an integrator by name. If the rate of the system may start singular (System::singular_rate), the integrator is
+/// wrapped to work in a transformed time in which it is finite. @param system  must outlive the result
+/// @throws std::out_of_range if the name is unknown
 std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const IntegratorOptions& options);
 
 }  // namespace creepcontact::ode

@@ -1,5 +1,5 @@
 #pragma once
-/// A process of a program that this one starts and waits for.
+/// Child processes: programs that this one starts and waits for.
 
 #include <sys/types.h>
 
@@ -12,11 +12,11 @@
 
 namespace creepcontact::platform {
 
-/// A pipe whose ends no started program inherits unless it is named to it; never one of the standard descriptors, not
-/// even where those are closed.
+/// A pipe between processes. A started program inherits an end only if it is named in ChildSetup. The ends are never
+/// one of the standard descriptors 0 to 2, even where those are closed.
 class Pipe {
  public:
-  /// @throws Error (exit status 4) if the system gives none
+  /// @throws Error (exit status 4) if the system provides none
   Pipe();
   ~Pipe();
   Pipe(const Pipe&) = delete;
@@ -24,41 +24,43 @@ class Pipe {
 
   int reading_end() const { return reading_; }
   int writing_end() const { return writing_; }
-  /// The reading end then comes to its end when the last other process has closed its own.
+  /// Readers then see the end of the data when the last other process has closed its writing end.
   void close_writing_end();
 
  private:
   int reading_ = -1, writing_ = -1;
 };
 
+/// What to start, and how.
 struct ChildSetup {
-  std::filesystem::path program;  ///< a path, not searched for
+  std::filesystem::path program;  ///< a path; PATH is not searched
   std::vector<std::string> arguments = {};
-  /// Descriptors it gets: (here, there). Standard input, output and error are /dev/null where not named.
+  /// Descriptors passed on: (number here, number there). Standard input, output and error are /dev/null unless named.
   std::vector<std::pair<int, int>> descriptors = {};
-  int signal_at_death = SIGTERM;  ///< sent to it should this thread die
-  /// It calls end_at_signals(), and so is started with the signals blocked: it misses none.
+  int signal_at_death = SIGTERM;  ///< sent to it if the thread that started it ends first
+  /// True if the program calls end_at_signals(). It is then started with the signals blocked, so that it misses none.
   bool lets_signals_through = false;
 };
 
+/// A running or finished child process.
 class ChildProcess {
  public:
-  /// Starts it in a process group of its own: signals of the terminal reach it through this process alone.
+  /// Starts the program in its own process group: signals from the terminal reach it only through this process.
   /// @throws SolverError if it cannot be started
   explicit ChildProcess(const ChildSetup& setup);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
-  /// Interrupts it if it still runs, and waits for it.
+  /// Sends SIGINT if it still runs, and waits for it.
   ~ChildProcess();
 
-  /// Its exit status, 128 + signal if one ended it, 127 if the system does not tell (SIGCHLD is ignored); nullopt while
-  /// it runs. Returns at once.
+  /// Exit status: 128 + signal if a signal ended it, 127 if the system does not tell (SIGCHLD is ignored); nullopt
+  /// while it runs. Returns at once.
   std::optional<int> poll();
-  /// Waits for its end. @returns as poll
+  /// Waits for its end. @returns the exit status as poll()
   int wait();
-  /// SIGINT
+  /// Sends SIGINT.
   void interrupt();
-  /// SIGKILL, to all of its process group.
+  /// Sends SIGKILL to its process group.
   void kill();
 
  private:

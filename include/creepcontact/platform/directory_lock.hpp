@@ -1,14 +1,15 @@
 #pragma once
-/// One program at a time in an output directory.
+/// Lock of an output directory: only one program at a time may write to it.
 
 #include <filesystem>
 
 namespace creepcontact::platform {
 
-/// Held for the object's life; the system takes it back from a process that dies. File systems without locks have none.
+/// Held as long as the object lives; the system releases it if the process dies. No effect on file systems without
+/// locks.
 class DirectoryLock {
  public:
-  /// Takes the lock of a directory that exists. @throws ConfigError if another process holds it
+  /// Locks an existing directory. @throws ConfigError if another process holds the lock
   explicit DirectoryLock(const std::filesystem::path& directory);
   ~DirectoryLock();
   DirectoryLock(const DirectoryLock&) = delete;

@@ -1,21 +1,21 @@
 #pragma once
-/// What SIGINT, SIGTERM and SIGHUP do: they end the process at once while it has nothing to save, and are a request to
-/// come to an end while it has.
+/// Handling of SIGINT, SIGTERM and SIGHUP: they end the process at once while it has nothing to save, and are a request
+/// to finish while it has.
 
 #include <csignal>
 
 namespace creepcontact::platform {
 
-/// Exit status of a process that a signal has ended.
+/// Exit status of a process ended by one of these signals.
 constexpr int interrupted_status = 130;
 
-/// To be called first in main: from here on such a signal ends the process with a sentence on standard error and
-/// status 130. A SIGHUP that is ignored (nohup) stays so; signals that were blocked before the program was started are
-/// let through, and a SIGCHLD that was ignored is not.
+/// To be called first in main. From then on such a signal ends the process with a message on standard error and status
+/// 130. An ignored SIGHUP (nohup) stays ignored; signals blocked before the program was started are unblocked, and an
+/// ignored SIGCHLD is reset to its default.
 void end_at_signals();
 
-/// Blocks the signals for its life, in this thread and in the processes that are made meanwhile. A program that calls
-/// end_at_signals() and is started so misses none of them, however early they come.
+/// Blocks the signals while it lives, in this thread and in processes started meanwhile. A program that is started so
+/// and calls end_at_signals() misses no signal, however early.
 class BlockedSignals {
  public:
   BlockedSignals();
@@ -27,19 +27,19 @@ class BlockedSignals {
   sigset_t before_;
 };
 
-/// While one lives, a signal is a request that the owner looks at; the same signal once more ends the process at once.
-/// The handlers found by the first one come back when the last one is gone. For one thread.
+/// While one lives, a signal is a request that the owner polls; the same signal once more ends the process at once. The
+/// first one replaces the handlers, the last one restores them. Use from one thread only.
 class Interrupt {
  public:
   Interrupt();
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
-  /// Since the first of those that live now.
+  /// True if a signal has arrived since the first of the living objects was made.
   bool requested() const;
 };
 
-/// While one lives, a signal that would end the process at once waits: a file is being put into its place.
+/// While one lives, a signal that would end the process is delayed, so that a file can be moved into place.
 class DelayedSignals {
  public:
   DelayedSignals();

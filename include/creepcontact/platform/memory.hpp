@@ -1,5 +1,5 @@
 #pragma once
-/// How much memory this process may still take.
+/// How much more memory this process can use.
 
 #include <filesystem>
 #include <limits>
@@ -7,26 +7,27 @@
 
 namespace creepcontact::platform {
 
-/// What a user is told where memory runs out unforeseen.
+/// Message for the user if memory runs out unexpectedly.
 inline constexpr const char* out_of_memory =
     "out of memory; a coarser mesh needs less: creepcontact check CONFIG.toml estimates how much";
 
+/// An amount of memory, and what limits it.
 struct Room {
   double bytes = std::numeric_limits<double>::infinity();
-  std::string reason = {};  ///< what bounds it, in words
+  std::string reason = {};  ///< what limits it, in words
 };
 
-/// What limits of the process leave of its address space (ulimit -v, ulimit -d). There, memory counts that is only
-/// reserved, too: stacks of threads, buffers of libraries.
+/// Address space left by the limits of the process (ulimit -v, ulimit -d). Memory that is only reserved counts as used:
+/// stacks of threads, buffers of libraries.
 Room address_space();
-/// What the machine has left, and the control groups of the process (containers, batch systems) of it.
-/// @param root  below which /proc and /sys are
+/// Memory left on the machine and in the control groups of the process (containers, batch systems).
+/// @param root  directory that contains proc and sys
 Room free_memory(const std::filesystem::path& root = "/");
 
-/// Largest resident memory of the process so far, bytes.
+/// Largest resident memory of the process so far [bytes].
 double peak_memory();
 
-/// Number in MB or GB, for messages.
+/// For messages: the number in MB or GB, with the unit.
 std::string memory_text(double bytes);
 
 }  // namespace creepcontact::platform

@@ -1,11 +1,12 @@
 #pragma once
-/// How many threads help at the moment.
+/// How many threads are useful at the moment.
 
 namespace creepcontact::platform {
 
-/// OpenMP's number of threads, or 1 where they would wait for each other: on a machine that others keep busy a loop
-/// shared by all cores takes as long as its slowest share, which may stand in a queue. Measured by such loops, in a
-/// hundredth of a second. Results do not depend on the number.
+/// The number of threads of OpenMP, or 1 if they would wait for each other: on a machine that is busy otherwise, a loop
+/// shared among all cores takes as long as its slowest part, which may be waiting for a core. Measured by short test
+/// loops. Results of computations do not depend on the number.
+/// Cost: about a hundredth of a second.
 int useful_threads();
 
 }  // namespace creepcontact::platform

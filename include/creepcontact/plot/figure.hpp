@@ -1,5 +1,5 @@
 #pragma once
-/// Figures: panels with a common horizontal axis, drawn by gnuplot into SVG and PNG.
+/// Figures: panels with a common horizontal axis, drawn by gnuplot as SVG and PNG.
 
 #include <filesystem>
 #include <string>
@@ -7,51 +7,57 @@
 
 namespace creepcontact::plot {
 
+/// One curve of a panel.
 struct Series {
-  /// Steps: a value holds from the point before up to its own.
+  /// Style `steps`: a value holds from the previous point up to its own.
   enum class Style { line, steps, points };
-  std::string name;  ///< any text; it is shown as it is
+  std::string name;  ///< any text; shown literally
   std::vector<double> x, y;
   Style style = Style::line;
-  int look = -1;  ///< colour and marker, below max_series; not given: that of the place in the panel
+  int look = -1;  ///< colour and marker, less than max_series; -1: by the position in the panel
 };
 
+/// Labels and scale of an axis.
 struct Axis {
   std::string label;
   bool logarithmic = false;
-  bool zero_at_left = false;   ///< logarithmic horizontal axis: points at 0 stand at its left end, where it says 0
-  bool whole_numbers = false;  ///< no ticks between them
+  bool zero_at_left = false;   ///< logarithmic x axis: points at 0 are shown at its left end, labelled 0
+  bool whole_numbers = false;  ///< ticks at whole numbers only
 };
 
+/// Curves with a common vertical axis.
 struct Panel {
   Axis y;
   std::vector<Series> series;  ///< at most max_series, so that colours and markers differ
 };
 
+/// Panels with a common horizontal axis.
 struct Figure {
   std::string title;
   Axis x;
   std::vector<Panel> panels;  ///< from top to bottom
 };
 
-/// Colours of Okabe and Ito (2008) that stand out from white.
+/// Number of colours, those of Okabe and Ito (2008) that are distinct from white.
 inline constexpr std::size_t max_colors = 7;
-/// Each has its own marker; beyond max_colors the colours come again, with dashes.
+/// Each curve has its own marker; beyond max_colors the colours are repeated with dashed lines.
 inline constexpr std::size_t max_series = 2 * max_colors;
 
-/// The commands for gnuplot: `<stem>.svg` or, with format='png', `<stem>.png` from `<stem>.dat`.
-/// @throws ConfigError if a figure has no panel, or a panel no series or too many
+/// The gnuplot commands that draw `<stem>.svg`, or `<stem>.png` with format='png', from `<stem>.dat`.
+/// @throws ConfigError if a figure has no panels, or a panel has no series or too many
 std::string gnuplot_script(const Figure& figure, const std::string& stem);
-/// A block `x y` a series. Values that are no finite numbers are left out.
+/// The data for gnuplot: one block `x y` per series. Values that are not finite are left out.
 std::string gnuplot_data(const Figure& figure);
 
-/// Writes `<stem>.gp` and `<stem>.dat`, which a user may change, and draws `<stem>.svg` and `<stem>.png` from them.
-/// The directory is made if need be. Cost: two processes, some tenths of a second.
-/// @param stem  a file name of letters, digits, '_' and '-'
-/// @throws ConfigError if there is no gnuplot or the directory cannot be made; Error with what gnuplot says
+/// Writes `<stem>.gp` and `<stem>.dat`, which a user may edit, and draws `<stem>.svg` and `<stem>.png` from them. Makes
+/// the directory if necessary. Cost: two processes, some tenths of a second.
+/// @param stem  file name of letters, digits, '_' and '-'
+/// @throws ConfigError if gnuplot is not found or the directory cannot be made; Error with the output of gnuplot if it
+/// fails
 void draw(const Figure& figure, const std::filesystem::path& directory, const std::string& stem);
 
-/// Cuts `items` things into as few parts as hold at most `most` each, as equal as can be. @returns their sizes
+/// Divides `items` things into the smallest number of parts with at most `most` each, as evenly as possible.
+/// @returns the sizes of the parts
 std::vector<std::size_t> even_parts(std::size_t items, std::size_t most);
 
 }  // namespace creepcontact::plot

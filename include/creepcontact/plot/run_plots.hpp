@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of a finished (or failed) run, from the tables in its output directory.
+/// Figures of a finished or failed run, from the tables in its output directory.
 
 #include <filesystem>
 #include <optional>
@@ -12,42 +12,45 @@
 
 namespace creepcontact::plot {
 
+/// Options of plot_run().
 struct PlotOptions {
-  std::optional<bool> log_time = {};     ///< not given: if the output times span more than three decades
-  std::vector<std::string> probes = {};  ///< names; empty: all
-  std::filesystem::path directory = {};  ///< of the pictures; empty: plots in the run's directory
+  std::optional<bool> log_time = {};     ///< logarithmic time axis; default: see spans_decades()
+  std::vector<std::string> probes = {};  ///< names of probes; empty: all
+  std::filesystem::path directory = {};  ///< of the figures; empty: `plots` in the directory of the run
 };
 
-/// Draws history.{svg,png} (and history_2 and so on if one picture does not hold all panels) and steps.{svg,png}, the
-/// latter if the run has steps. Units are those of summary.json, if there is one.
+/// Draws history.{svg,png} (also history_2 and so on if one figure cannot hold all panels) and, if the run has steps,
+/// steps.{svg,png}. Units are those of summary.json, if it exists.
 /// @returns the SVG files
-/// @throws ConfigError if there is no such directory, no history.csv in it, fewer than two rows, or no such probe; as
-/// draw()
+/// @throws ConfigError if the directory or its history.csv does not exist, if there are fewer than two rows or a probe
+/// is unknown; and as draw()
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options);
 
-/// What the pictures of a run are drawn from.
+/// The data of a run that its figures are drawn from.
 struct RunTables {
-  std::filesystem::path directory;  ///< of the run: its title in the pictures if it has none, and its name in messages
-  io::CsvTable history, steps;      ///< the latter without rows if nothing creeps
+  std::filesystem::path directory;  ///< of the run; names it in messages, and in figures if it has no title
+  io::CsvTable history, steps;      ///< `steps` has no rows if nothing creeps
   io::SummaryHeading heading;
 };
 
+/// A figure and the name of its files.
 struct NamedFigure {
-  std::string name;  ///< of the picture's files, without their endings
+  std::string name;  ///< without extension
   Figure figure;
 };
 
-/// The figures that plot_run() draws.
-/// @throws ConfigError if there are fewer than two rows, or no such probe
+/// The figures drawn by plot_run().
+/// @throws ConfigError if there are fewer than two rows, or a probe is unknown
 std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options);
 
-/// A panel for each physical dimension, in the order of the probes; probes that would lie on the axis beside others (a
-/// fiftieth of them) and more than a panel takes go into panels of their own. Probes of a quantity that is not known
-/// are grouped by magnitude alone.
+/// One panel per physical dimension, in the order of the probes. Probes whose values are so small that they would
+/// coincide with the axis (a fiftieth of the others), and those beyond the capacity of a panel, get additional panels.
+/// Probes of unknown quantities are grouped by magnitude only.
 std::vector<Panel> history_panels(const io::CsvTable& history, const io::SummaryHeading& heading);
-/// Step length, order, iterations of the contact solver, and active contacts (the last two if there is contact).
+/// Step length, order, and, if there is contact, iterations of the contact solver and active contacts.
 Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time);
 
+/// True if the positive times span more than three decades.
 bool spans_decades(const std::vector<double>& times);
 
 }  // namespace creepcontact::plot

@@ -1,5 +1,5 @@
 #pragma once
-/// The slave surface of every contact pair, and what contact does at its nodes, as the field files take them.
+/// The slave surfaces of all contact pairs with their contact values, as needed for the field files.
 
 #include <vector>
 
@@ -9,31 +9,31 @@
 
 namespace creepcontact::results {
 
-/// Surfaces that share nodes have copies of them: each pair has values of its own.
+/// Each pair has its own values: nodes shared by several surfaces are duplicated.
 class ContactSurfaces {
  public:
   /// @param assembly  must outlive the object
   explicit ContactSurfaces(const creep::Assembly& assembly);
 
   bool empty() const { return surfaces_.empty(); }
-  /// The faces of all surfaces, one surface after the other; the names of the contacts as text.
+  /// The faces of all surfaces, surface by surface, with the names of the contacts as text.
   io::FieldMesh mesh() const;
-  /// displacement, contact_pressure, gap. The gap is not a number where no part of the master is opposite.
+  /// Nodal arrays displacement, contact_pressure and gap. The gap is NaN where the master is not opposite.
   std::vector<io::FieldData> point_arrays(const creep::Equilibrium& at) const;
-  /// contact: the number of the pair.
+  /// Cell array contact: the number of the pair.
   std::vector<io::FieldData> cell_arrays() const;
-  /// contact_pressure and gap at the nodes of all bodies, 0 where there are none. A node of several surfaces has those
-  /// of the one that presses most.
+  /// contact_pressure and gap at the nodes of all bodies, 0 elsewhere. A node of several surfaces gets the values of
+  /// the one with the largest pressure.
   std::vector<io::FieldData> on_bodies(const creep::Equilibrium& at) const;
 
  private:
   struct Surface {
     std::size_t pair;
-    std::vector<std::int64_t> nodes;  ///< of the slave body
-    std::vector<mesh::Face> faces;    ///< nodes by their place in `nodes`
+    std::vector<std::int64_t> nodes;  ///< numbers in the slave body
+    std::vector<mesh::Face> faces;    ///< their nodes are indices into `nodes`
   };
   struct Values {
-    std::vector<double> pressure, gap;  ///< by `Surface::nodes`
+    std::vector<double> pressure, gap;  ///< per entry of Surface::nodes
   };
   const contact::Pair& pair(const Surface& surface) const;
   const mesh::Mesh& body(const Surface& surface) const;

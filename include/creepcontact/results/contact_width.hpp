@@ -1,5 +1,5 @@
 #pragma once
-/// How finely the slave surface divides a contact zone.
+/// Resolution of contact zones by the slave mesh.
 
 #include <Eigen/Core>
 #include <optional>
@@ -13,14 +13,15 @@
 
 namespace creepcontact::results {
 
-/// Width of the contact zone in slave elements, to the nearest odd number: 2 k - 1 if its innermost row is the k-th
-/// from its edge. Only open rows are an edge: where the zone reaches the end of the surface it is taken as going on, as
-/// at a plane of symmetry. Of several connected zones the narrowest counts; those that carry less than a tenth of the
-/// force do not.
-/// @returns nullopt if nothing is in contact, or if no zone has an edge: the contact is as wide as the surface
+/// Width of the contact zone in slave elements, as an odd number: 2 k - 1 if the innermost row is the k-th row from the
+/// edge of the zone. Only open rows count as an edge: where the zone reaches the end of the surface it is assumed to
+/// continue, as at a plane of symmetry. Of several connected zones the narrowest counts, ignoring those with less than
+/// a tenth of the force.
+/// @param force_of_row  contact force per row of the grid; rows without force are open
+/// @returns nullopt if nothing is in contact, or no zone has an edge since the contact covers the surface
 std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row);
 
-/// A sentence for each unilateral contact whose zone is less than four slave elements wide.
+/// One message per unilateral contact with a zone narrower than four slave elements.
 std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at);
 
 }  // namespace creepcontact::results

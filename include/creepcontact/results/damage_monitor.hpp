@@ -1,5 +1,5 @@
 #pragma once
-/// What ends the life of a part in a run: damage, spent life, and preload that relaxes away.
+/// What ends the life of a part in a run: damage and spent life.
 
 #include <map>
 #include <optional>
@@ -11,35 +11,31 @@
 
 namespace creepcontact::results {
 
+/// Collects extreme values for summary.json and issues warnings, each once. Calls are collective.
 class DamageMonitor {
  public:
-  /// Damage that counts as rupture: the little that is missing takes no time worth mentioning.
+  /// Damage at which rupture is assumed; the time from there to 1 is negligible.
   static constexpr double rupture_damage = 0.99;
 
   /// @param system  must outlive the object
   explicit DamageMonitor(const creep::CreepSystem& system);
 
-  /// The body with the largest damage in this state; value 0 if no law has damage.
+  /// The largest damage in this state, with body and position; value 0 if no law has damage. @param y  state of the
+  /// system
   creep::CreepSystem::Extreme largest_damage(std::span<const double> y) const;
+  /// Records a rupture.
   void rupture(double time, const creep::CreepSystem::Extreme& where) { rupture_ = {time, where}; }
 
-  /// An output time.
+  /// To be called at every output time.
   void output(const creep::Evaluation& at);
-  /// Warns once, where creep strain is no longer small, or life is used up.
-  /// @param at  of this state or one beside it
+  /// Warns, once each, if creep strains are no longer small, or if life is used up.
+  /// @param at  evaluation of this state or of one close to it
   void warn(double time, const creep::Evaluation& at, std::span<const double> y);
 
-  /// At the end of a run: contacts that are not tied and have carried nothing.
-  void warn_of_open_contacts() const;
-
   void fill(io::Summary& summary) const;
-  void save(creep::Memory& memory) const { memory["largest_contact_force"] = largest_force_; }
-  /// Nothing happens if the memory has no record.
-  void restore(const creep::Memory& memory);
 
  private:
   const creep::CreepSystem& system_;
-  std::vector<double> largest_force_, final_force_;                   // normal force of every contact pair
   std::map<std::size_t, creep::CreepSystem::Extreme> damage_, life_;  // by body
   std::optional<std::pair<double, creep::CreepSystem::Extreme>> rupture_;
   bool warned_of_strain_ = false, warned_of_life_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-/// Probes: numbers taken from a snapshot at every output time, the columns of history.csv.
+/// Probes: numbers computed from a snapshot at every output time, the columns of history.csv.
 
 #include <memory>
 #include <vector>
@@ -10,14 +10,15 @@
 
 namespace creepcontact::results {
 
+/// One column of history.csv. value() is collective.
 class Probe {
  public:
   virtual ~Probe() = default;
   virtual double value(Snapshot& snapshot) const = 0;
 };
 
-/// Finds the place of every probe in the model.
-/// @throws ModelError with every mistake: a missing group, a point outside the bodies, a surface that is in no contact
+/// Makes all probes of the configuration, located in the model.
+/// @throws ModelError with every error found: a missing group, a point outside the bodies, a surface without contact
 std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, const model::Model& model);
 
 }  // namespace creepcontact::results

@@ -1,6 +1,7 @@
 #pragma once
-/// The quantities that a probe can ask for, by name.
+/// The output variables of a run, declared once: probes, arrays of the field files, lists and labels of plots follow.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,26 +9,47 @@
 
 namespace creepcontact::results {
 
-struct QuantityInfo {
-  enum class Kind {
-    field,     ///< a number at every place of a body: `value`
-    pressure,  ///< contact surfaces, at the multiplier nodes
-    gap,
-    area,     ///< of the part in contact
-    force,    ///< contact force along `axis`
-    reaction  ///< of supports, along `axis`
+struct OutputVariable {
+  /// Where it is known.
+  enum class Location {
+    field,             ///< at every point of a body
+    contact_pressure,  ///< at the multiplier nodes of a contact surface
+    contact_gap,
+    contact_area,   ///< of a contact surface
+    contact_force,  ///< vector, of a contact surface
+    reaction        ///< vector, of a supported group
   };
-  enum class Axis { x, y, z };
   std::string name;
+  std::vector<std::string> components;  ///< suffixes of their names; empty: a scalar
   std::string description;
-  Kind kind = Kind::field;
-  double (*value)(const Sample&) = nullptr;
-  Axis axis = Axis::x;
-  bool cylindrical = false;  ///< `value` takes the z axis for the one of the cylinder
+  std::string label;      ///< for axes of plots
+  std::string dimension;  ///< "stress", "length", ...; empty: none
+  Location location = Location::field;
+  /// Field variables: sets all components.
+  void (*evaluate)(const Sample& sample, double* components) = nullptr;
+  std::string point_array = {};  ///< name in the field files at nodes; empty: not there
+  std::string cell_array = {};   ///< the same of element means
+  bool cylindrical = false;      ///< components about the z axis; a probe may turn the sample to another axis
+  std::optional<material::Measure> measure = {};  ///< in the field files only if a material has this measure
+
+  std::size_t n_components() const { return components.empty() ? 1 : components.size(); }
 };
 
-const std::vector<QuantityInfo>& quantities();
-/// @throws std::out_of_range if there is none of this name (the configuration is checked before)
-const QuantityInfo& quantity(const std::string& name);
+const std::vector<OutputVariable>& output_variables();
+
+/// A scalar for probes: a component of a variable.
+struct Quantity {
+  std::string name;  ///< "stress_xx"
+  const OutputVariable* variable;
+  int component;
+
+  /// Precondition: a field variable.
+  double value(const Sample& sample) const;
+};
+
+/// All of them, in the order of the variables.
+const std::vector<Quantity>& quantities();
+/// @throws std::out_of_range if there is none of this name (reading the configuration has checked it)
+const Quantity& quantity(const std::string& name);
 
 }  // namespace creepcontact::results

@@ -1,5 +1,5 @@
 #pragma once
-/// The result files of a run, written as it goes.
+/// The result files of a run, written while it proceeds.
 
 #include <filesystem>
 #include <memory>
@@ -15,20 +15,22 @@
 
 namespace creepcontact::results {
 
+/// Writer of history.csv, steps.csv and the field files.
 class Results {
  public:
-  /// @param assembly  must outlive the object @param probes  those of the configuration
-  /// @param continuation  of an interrupted run, or none
+  /// @param assembly  must outlive the object @param probes  as made by make_probes() for this configuration
+  /// @param continuation  of an interrupted run; default: a new one
+  /// @throws ConfigError if a file cannot be opened or, when resuming, does not fit
   Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
           std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation);
 
-  /// A row of history.csv, and files of the fields in the bodies and on the contact surfaces.
+  /// Writes a row of history.csv, and the field files of bodies and contact surfaces. @throws Error if the disk is full
   void output(Snapshot& snapshot);
-  /// A row of steps.csv. @param before, after  counters around the step
-  void step(const ode::StepReport& report, const creep::RunCounters& before, const creep::RunCounters& after);
+  /// A row of steps.csv. @param work  of this step
+  void step(const ode::StepReport& report, const RunCounters& work, std::int64_t n_active_contacts);
   /// Waits until all rows are on the disk itself; field files are when they are written.
   void sync();
-  /// Last row of history.csv.
+  /// Values of the last row of history.csv, one per probe.
   const std::vector<double>& last_values() const { return values_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Everything known at one output time, and the nodal fields made from it on demand.
+/// Everything known at one output time, including nodal fields computed on demand.
 
 #include <array>
 #include <map>
@@ -9,46 +9,48 @@
 
 namespace creepcontact::results {
 
-/// Values at one place of a body.
+/// Values at one point of a body. Tensors in Mandel order.
 struct Sample {
-  Vector3 place = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
   Vector3 displacement = Vector3::Zero();
   Tensor6 stress = Tensor6::Zero(), strain = Tensor6::Zero(), creep_strain = Tensor6::Zero();
   double temperature = 0, damage = 0, life_fraction = 0;
 };
 
+/// Fields defined at the integration points.
 enum class PointField { stress, strain, creep_strain, temperature, damage, life_fraction };
 inline constexpr std::array point_fields{PointField::stress,      PointField::strain, PointField::creep_strain,
                                          PointField::temperature, PointField::damage, PointField::life_fraction};
 
-/// What laws tell of the points of a body beside strain: n_points each, or empty where no law knows it.
+/// Measures that creep laws provide in addition to strain: n_points values each, or empty if no law of the body has
+/// them.
 struct PointMeasures {
   std::vector<double> damage = {}, life_fraction = {};
 };
 
-/// Fields of one body at its integration points and, smoothed, at its nodes.
+/// Fields of one body at its integration points, and smoothed at its nodes.
 class BodyFields {
  public:
-  /// @param conditions, state  of the equilibrium; state must outlive the object
+  /// @param body, state  must outlive the object @param conditions, creep  of the same equilibrium; not used later
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
              mechanics::CreepStrainView creep, PointMeasures measures);
 
   std::size_t n_nodes() const { return body_.mesh().nodes.size(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
   Sample at_node(std::size_t node) const;
-  /// Displacement is that of the nodes and not known here (zero).
+  /// The displacement is a nodal field and not available here: it is zero.
   Sample at_point(std::size_t point) const;
   const mechanics::Body& body() const { return body_; }
-  /// Point values: n_points x 6 (Mandel) of tensors, n_points of scalars.
+  /// Point values: n_points x 6 (Mandel order) for tensors, n_points for scalars.
   const std::vector<double>& point_values(PointField field) const { return points_[static_cast<std::size_t>(field)]; }
 
  private:
   const mechanics::Body& body_;
   const creep::BodyState& state_;
-  std::array<std::vector<double>, point_fields.size()> points_, nodes_;  // by PointField
+  std::array<std::vector<double>, point_fields.size()> points_, nodes_;  // indexed by PointField
 };
 
-/// State of the model at an output time. Smoothed fields are made when they are first asked for.
+/// State of the model at one output time. Smoothed fields are computed at their first use.
 class Snapshot {
  public:
   /// @param system, at  must outlive the object
@@ -58,8 +60,10 @@ class Snapshot {
   const creep::Assembly& assembly() const { return system_.assembly(); }
   const creep::Equilibrium& equilibrium() const { return at_.equilibrium; }
   bool knows(material::Measure measure) const { return system_.knows(measure); }
+  /// Fields of a body; computed at the first call.
   const BodyFields& fields(std::size_t body);
-  /// Nodal residual integral B^T sigma - F of a body without its contact forces: the reactions of its supports.
+  /// Support reactions of a body (3 n_nodes): nodal residual integral B^T sigma - F without the contact forces.
+  /// Computed at the first call.
   const std::vector<double>& reactions(std::size_t body);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What `creepcontact check` prints, and what is wrong without being an error.
+/// The command `creepcontact check`, and warnings about settings.
 
 #include <iosfwd>
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace creepcontact::run {
 
-/// Bodies, unknowns, contact pairs, rigid-body modes, estimated memory. Nothing is factored or solved.
-/// @throws ModelError with every mistake; a body free to move is one, found when the report is written
+/// Prints bodies, unknowns, contact pairs, rigid-body modes and estimated memory. Nothing is factored or solved.
+/// @throws ModelError with all errors found; a body that can move freely is found when the report is written
 void check(const config::Config& config, std::ostream& report);
 
-/// Settings that work, but not well together; `run` says so too.
+/// Warnings about settings that are allowed but do not go well together; also issued by run().
 std::vector<std::string> settings_warnings(const config::Config& config);
 
 }  // namespace creepcontact::run

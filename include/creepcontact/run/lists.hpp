@@ -1,15 +1,15 @@
 #pragma once
-/// What a configuration may name, for people.
+/// Lists of the names that a configuration may use, for users.
 
 #include <string>
 
 namespace creepcontact::run {
 
-/// A table for a terminal. @param what  integrators, laws, elements or quantities
-/// @throws ConfigError for anything else
+/// Table for a terminal. @param what  integrators, laws, elements or quantities
+/// @throws ConfigError for any other value
 std::string list(const std::string& what);
 
-/// The same for documents; the laws with all their keys.
+/// The same in Markdown; laws with all their keys.
 std::string list_markdown(const std::string& what);
 
 }  // namespace creepcontact::run

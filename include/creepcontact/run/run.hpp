@@ -5,41 +5,46 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/run_counters.hpp"
 #include "creepcontact/config/config.hpp"
 
 namespace creepcontact::run {
 
-/// Told of the course of a run.
+/// Receives the progress of a run.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
   /// After every accepted step.
-  virtual void step(double time, std::int64_t steps, std::int64_t elastic_solves) = 0;
+  virtual void step(double time, const RunCounters& work) = 0;
   /// A message goes to the log next.
   virtual void before_message() = 0;
 };
 
+/// Options that are not part of the configuration.
 struct RunOptions {
-  std::string output;               ///< directory; empty: the configuration's
-  bool resume = false;              ///< go on from checkpoint.h5 of the directory
+  std::string output;               ///< directory; empty: that of the configuration
+  bool resume = false;              ///< continue from checkpoint.h5 in the directory
   RunObserver* observer = nullptr;  ///< must outlive the run
-  /// File for a row of every contact iteration (time,contact_solve,set_change,iteration,method,residual,active);
-  /// empty: none
+  /// CSV file with one row per contact iteration (time,contact_solve,set_change,iteration,method,residual,active);
+  /// empty: none.
   std::string log_contact = {};
 };
 
+/// Outcome of a run, for the command line.
 struct RunResult {
   int exit_status = 0;
   std::string message;                   ///< why it ended early, or that nothing was left to do
-  std::string report = {};               ///< lines for people on what was done and what it cost
+  std::string report = {};               ///< lines for people: what came out, and in one line what it cost
+  std::string details = {};              ///< lines for people: steps, solves, accuracy, time, memory
   std::vector<std::string> advice = {};  ///< a sentence or two for each thing that was off
 };
 
-/// Runs a configuration and writes its results (history.csv, steps.csv, summary.json, fields, checkpoint.h5).
-/// SIGINT and SIGTERM end it after the step under way, with a checkpoint (exit status 130). A solver that gives up ends
-/// it with exit status 4; what was computed is kept.
-/// It prints nothing (warnings and progress go to the log) and uses as many threads as OpenMP is set to.
-/// @throws Error for what is found before the time loop (configuration 2, mesh or model 3)
+/// Runs a configuration and writes the results (history.csv, steps.csv, summary.json, fields, checkpoint.h5). Prints
+/// nothing: warnings and progress go to the log. Uses as many threads as OpenMP is set to.
+///
+/// SIGINT, SIGTERM and SIGHUP end the run after the current step, with a checkpoint (exit status 130). If a solver
+/// fails, the exit status is 4, and results computed before are kept.
+/// @throws Error for errors found before the time loop (configuration 2, mesh or model 3)
 RunResult run(const config::Config& config, const RunOptions& options);
 
 }  // namespace creepcontact::run

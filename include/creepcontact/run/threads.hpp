@@ -1,10 +1,10 @@
 #pragma once
-/// How many threads a run should use.
+/// Number of threads that a run should use.
 
 namespace creepcontact::run {
 
-/// Number of threads that a limited address space has room for, `wanted` at most: each may take some hundred MB of it
-/// in the BLAS. 1 may still be too many.
+/// Largest number of threads, at most `wanted`, with which the BLAS reserves at most half of a limited address space
+/// (it may take several hundred MB per thread). At least 1, which may still be too many.
 int affordable_threads(int wanted);
 
 }  // namespace creepcontact::run

@@ -1,5 +1,5 @@
 #pragma once
-/// Makes the runs of a study, compares them with its reference, and writes study.csv and study.md.
+/// Performs the runs of a study, compares them with the reference, and writes study.csv and study.md.
 
 #include <filesystem>
 #include <string>
@@ -9,24 +9,26 @@
 
 namespace creepcontact::study {
 
+/// Options that are not part of the study file.
 struct StudyOptions {
-  std::filesystem::path program;  ///< that makes a run: `program run CONFIG.toml ...`
-  std::filesystem::path output;   ///< directory; empty: results/<name of the study> beside its file
-  int jobs = 0;                   ///< runs at a time; 0: as many as there are cores
+  std::filesystem::path program;  ///< started for each run: `program run CONFIG.toml ...`
+  std::filesystem::path output;   ///< directory; empty: results/<name of the study> next to its file
+  int jobs = 0;                   ///< concurrent runs; 0: one per core
   bool trust_geometry = false;    ///< let .geo files run programs and write files
 };
 
+/// Outcome of a study.
 struct StudyResult {
-  int exit_status = 0;  ///< 4 without one successful run, 130 interrupted
+  int exit_status = 0;  ///< 0; 4 if no run succeeded; 130 if interrupted
   std::string message;
 };
 
-/// Every run is a process of its own, with one thread, in <output>/runs/<name>. Runs that an earlier call has finished
-/// with the same settings, files and version are kept, interrupted ones go on from their checkpoint. SIGINT and SIGTERM
-/// end the runs under way, each with a checkpoint.
-/// @param vocabulary  names that the configurations of the runs may use
-/// @throws ConfigError for every mistake that shows beforehand, and if the directory holds another study
-/// @throws SolverError if the reference does not come to its end
+/// Each run is a separate process with one thread, in <output>/runs/<name>. Runs finished by an earlier call with the
+/// same settings, files and version are kept; interrupted ones continue from their checkpoint. SIGINT and SIGTERM end
+/// the current runs, each with a checkpoint.
+/// @param vocabulary  names that the configurations may use
+/// @throws ConfigError with all errors found before the first run, or if the directory contains another study
+/// @throws SolverError if the reference run does not finish
 StudyResult run_study(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options);
 
 }  // namespace creepcontact::study

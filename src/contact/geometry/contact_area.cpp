@@ -10,20 +10,20 @@ namespace {
 
 /// A corner of a piece of a facet: where it is, how large the level and the facet's hats are there.
 struct Corner {
-  Vector3 place = Vector3::Zero();
+  Vector3 position = Vector3::Zero();
   double level = 0;
   std::array<double, 4> hats{};
 };
 
 Corner between(const Corner& a, const Corner& b, double part) {
-  Corner middle{a.place + part * (b.place - a.place), a.level + part * (b.level - a.level), {}};
+  Corner middle{a.position + part * (b.position - a.position), a.level + part * (b.level - a.level), {}};
   for (std::size_t i = 0; i < 4; ++i) middle.hats[i] = a.hats[i] + part * (b.hats[i] - a.hats[i]);
   return middle;
 }
 
 /// Integrals of the hats over a triangle.
 std::array<double, 4> integral(const Corner& a, const Corner& b, const Corner& c) {
-  const double area = 0.5 * (b.place - a.place).cross(c.place - a.place).norm();
+  const double area = 0.5 * (b.position - a.position).cross(c.position - a.position).norm();
   std::array<double, 4> result{};
   for (std::size_t i = 0; i < 4; ++i) result[i] = area * (a.hats[i] + b.hats[i] + c.hats[i]) / 3;
   return result;
@@ -51,10 +51,10 @@ void ContactArea::add_inside(const ContactGrid::Facet& facet, const Eigen::Vecto
   Corner centre;
   for (std::size_t i = 0; i < facet.n_corners; ++i) {
     const int row = facet.rows[i];
-    corners[i] = {grid_.place(row), level[row], {}};
+    corners[i] = {grid_.position(row), level[row], {}};
     corners[i].hats[i] = 1;
     const double share = 1.0 / static_cast<double>(facet.n_corners);
-    centre.place += share * corners[i].place;
+    centre.position += share * corners[i].position;
     centre.level += share * level[row];
     centre.hats[i] = share;
   }
@@ -77,7 +77,7 @@ double ContactArea::value(const Eigen::VectorXd& pressure, const Eigen::VectorXd
   for (std::size_t i = 0; i < coupling_.area.size(); ++i) {
     const Index row = i;
     // A row without a facet that is covered at all its corners has no edge to be seen.
-    sum += coupling_.area[i] * (whole[row] > 0 ? inside[row] / whole[row] : double(pressure[row] > 0));
+    sum += coupling_.area[i] * (whole[row] > 0 ? inside[row] / whole[row] : static_cast<double>(pressure[row] > 0));
   }
   return sum;
 }

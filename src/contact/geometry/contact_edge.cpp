@@ -22,7 +22,7 @@ constexpr double least_to_punch = 0.1;  // in elements: nearer rows tell nothing
 constexpr double weight_next = 0.1;     // of rows next to closed ones
 constexpr double weight_small = 0.1;    // of unknowns being small, where the rows do not tell them
 constexpr double farthest = 1.5;        // in elements beyond the closed row: further out that would be open
-constexpr double step = 2;  // in elements: where the gap, to the power of 2/3, is zero further inside, it jumps
+constexpr double edge_step = 2;  // in elements: where the gap, to the power of 2/3, is zero further inside, it jumps
 
 }  // namespace
 
@@ -50,7 +50,7 @@ std::vector<int> ContactEdge::open_around(int row, int steps, const State& state
 ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
   Edge edge{Vector3::Zero()};
   for (const int other : grid_.around(row)) {
-    const Vector3 out = grid_.place(row) - grid_.place(other);
+    const Vector3 out = grid_.position(row) - grid_.position(other);
     if (state.is_closed(other)) edge.outward += out / out.squaredNorm();
   }
   edge.outward.normalize();
@@ -58,20 +58,20 @@ ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
     edge.length = 0;
     for (const int other : grid_.around(row))
       if (state.is_closed(other))
-        edge.length = std::max(edge.length, edge.outward.dot(grid_.place(row) - grid_.place(other)));
+        edge.length = std::max(edge.length, edge.outward.dot(grid_.position(row) - grid_.position(other)));
   };
   set_length();
 
   const std::vector<int> near = open_around(row, 2, state);
   const Index n = near.size();
-  const contact::Plane plane = contact::Plane::through(grid_.place(row), coupling_.nodes[row].normal);
+  const contact::Plane plane = contact::Plane::through(grid_.position(row), coupling_.nodes[row].normal);
   Eigen::MatrixX4d matrix = Eigen::MatrixX4d::Zero(n + 1, 4);
   Eigen::VectorXd roots = Eigen::VectorXd::Zero(n + 1);
   Eigen::Vector2d across = Eigen::Vector2d::Zero();
   Eigen::Vector4d fit;
   for (int pass = 0; pass < 2; ++pass) {
     for (Index k = 0; k < n; ++k) {
-      const Eigen::Vector2d x = plane.project(grid_.place(near[k])) / edge.length;
+      const Eigen::Vector2d x = plane.project(grid_.position(near[k])) / edge.length;
       matrix.row(k) << 1, x.x(), x.y(), across.dot(x) * across.dot(x) / 2;
       roots[k] = std::cbrt(std::pow(std::max(0.0, state.gap[near[k]]), 2));
     }
@@ -82,7 +82,7 @@ ContactEdge::Edge ContactEdge::edge_near(int row, const State& state) const {
   }
   const Vector3 slope = fit[1] * plane.axis1 + fit[2] * plane.axis2;
   const double size = slope.norm();
-  edge.smooth = size > 0 && fit[0] < step * size && slope.dot(edge.outward) > 0.3 * size;
+  edge.smooth = size > 0 && fit[0] < edge_step * size && slope.dot(edge.outward) > 0.3 * size;
   if (edge.smooth) {
     edge.outward = slope / size;
     edge.curvature = fit[3] / (size * edge.length);
@@ -95,7 +95,7 @@ double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) con
   const Edge& own = edges.at(row);
   double sum = 0, weights = 0;
   for (const auto& [other, edge] : edges) {
-    const Vector3 x = (grid_.place(other) - grid_.place(row)) / own.length;
+    const Vector3 x = (grid_.position(other) - grid_.position(row)) / own.length;
     const double out = own.outward.dot(x), beside = (x - out * own.outward).norm();
     if (beside >= beside_most || std::abs(out) >= uneven_most || !edge.smooth) continue;
     const double weight = 1 - beside / beside_most;
@@ -108,18 +108,18 @@ double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) con
 /// Of an open row next to a closed one, outwards from the edge.
 double ContactEdge::distance_to(int row, const Edge& edge, const State& state) const {
   const double to_punch = edge.to_punch;
-  const auto from_punch = [&](const Vector3& place) {
-    const Vector3 x = (place - grid_.place(row)) / edge.length;
+  const auto from_punch = [&](const Vector3& position) {
+    const Vector3 x = (position - grid_.position(row)) / edge.length;
     const double out = edge.outward.dot(x);
     return to_punch + out + edge.curvature * edge.length * (x.squaredNorm() - out * out) / 2;
   };
   std::vector<int> fitted;
   for (const int other : open_around(row, rows_fitted - 1, state)) {
-    const Vector3 x = grid_.place(other) - grid_.place(row);
+    const Vector3 x = grid_.position(other) - grid_.position(row);
     const double out = edge.outward.dot(x);
     // Around a hole of the contact the normals of the edge meet.
     if ((x - out * edge.outward).norm() < half_width * edge.length &&
-        from_punch(grid_.place(other)) > 0.9 * std::min(to_punch, 1 - punch) && 1 + edge.curvature * out > 0.5 &&
+        from_punch(grid_.position(other)) > 0.9 * std::min(to_punch, 1 - punch) && 1 + edge.curvature * out > 0.5 &&
         out < reach * edge.length)
       fitted.push_back(other);
   }
@@ -134,7 +134,7 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
     }
     matrix.row(k) /= coupling_.area[other];
     const bool next = std::ranges::any_of(grid_.around(other), [&](int r) { return state.is_closed(r); });
-    const double d = from_punch(grid_.place(other)), weight = (next ? weight_next : 1) / (d * std::sqrt(d));
+    const double d = from_punch(grid_.position(other)), weight = (next ? weight_next : 1) / (d * std::sqrt(d));
     matrix.row(k) *= weight;
     gaps[k] = weight * state.gap[other];
   }
@@ -156,7 +156,7 @@ void ContactEdge::continue_inwards(std::vector<std::pair<int, Vector3>> known, E
     for (const auto& [row, outward] : known)
       for (const int other : grid_.around(row)) {
         if (distance[other] < far_distance()) continue;
-        const Vector3 inwards = grid_.place(row) - grid_.place(other);
+        const Vector3 inwards = grid_.position(row) - grid_.position(other);
         const double depth = outward.dot(inwards);
         if (!(depth > 0)) continue;
         const double weight = depth * depth / (inwards.squaredNorm() * inwards.squaredNorm());
@@ -179,7 +179,7 @@ double ContactEdge::far_distance() const {
 
 Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
   const double far = far_distance();
-  State state{std::vector<char>(grid_.places.size()), gap};
+  State state{std::vector<char>(grid_.positions.size()), gap};
   Eigen::VectorXd distance(pressure.size());
   for (Index i = 0; i < pressure.size(); ++i) {
     state.closed[i] = pressure[i] > 0 ? 1 : 0;

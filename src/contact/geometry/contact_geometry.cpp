@@ -89,12 +89,12 @@ Vector3 ContactGeometry::normal_at(std::size_t slave_facet, const Vector3& xi, c
 }
 
 double ContactGeometry::gap(std::size_t slave_facet, std::size_t master_facet, const ContactPoint& point) const {
-  const auto place = [&](const Facet& facet, const Facet& smooth, const Vector3& xi) {
+  const auto position = [&](const Facet& facet, const Facet& smooth, const Vector3& xi) {
     const bool is_itself = smooth.n_nodes() == facet.n_nodes();
     return smooth.position(is_itself ? xi : met(smooth, point.on_slave, point.normal, xi));
   };
-  const Vector3 on_slave = place(slave_[slave_facet], smooth_slave_[slave_facet], point.slave_xi);
-  const Vector3 on_master = place(master_[master_facet], smooth_master_[master_facet], point.master_xi);
+  const Vector3 on_slave = position(slave_[slave_facet], smooth_slave_[slave_facet], point.slave_xi);
+  const Vector3 on_master = position(master_[master_facet], smooth_master_[master_facet], point.master_xi);
   return point.normal.dot(on_master - on_slave);
 }
 

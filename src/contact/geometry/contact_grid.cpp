@@ -20,25 +20,22 @@ std::unordered_map<std::int64_t, std::vector<int>> rows_of_nodes(const std::vect
 
 ContactGrid::ContactGrid(const contact::Pair& pair, const mesh::Mesh& slave) {
   const std::vector<contact::MultiplierNode>& nodes = pair.coupling.nodes;
-  for (const contact::MultiplierNode& node : nodes) places.push_back(slave.nodes[static_cast<std::size_t>(node.node)]);
+  for (const contact::MultiplierNode& node : nodes) positions.push_back(slave.nodes[node.node]);
   const auto rows = rows_of_nodes(nodes);
-  std::vector<std::set<int>> found_around(places.size());
+  std::vector<std::set<int>> found_around(positions.size());
   for (const contact::Facet& face : contact::make_facets(slave, mesh::boundary_faces(slave, pair.slave_surface))) {
     Facet facet;
     const Vector3 normal = face.area_vector_at_centre();
     for (int corner = 0; corner < face.n_corners(); ++corner) {
-      const auto found = rows.find(face.nodes()[static_cast<std::size_t>(corner)]);
+      const auto found = rows.find(face.nodes()[corner]);
       if (found == rows.end()) break;
-      const auto less = [&](int a, int b) {
-        return nodes[static_cast<std::size_t>(a)].normal.dot(normal) <
-               nodes[static_cast<std::size_t>(b)].normal.dot(normal);
-      };
+      const auto less = [&](int a, int b) { return nodes[a].normal.dot(normal) < nodes[b].normal.dot(normal); };
       facet.rows[facet.n_corners++] = *std::max_element(found->second.begin(), found->second.end(), less);
     }
     if (facet.n_corners < static_cast<std::size_t>(face.n_corners())) continue;
     for (std::size_t i = 0; i < facet.n_corners; ++i)
       for (std::size_t j = 0; j < facet.n_corners; ++j)
-        if (i != j) found_around[static_cast<std::size_t>(facet.rows[i])].insert(facet.rows[j]);
+        if (i != j) found_around[facet.rows[i]].insert(facet.rows[j]);
     facets.push_back(facet);
   }
   for (const std::set<int>& found : found_around) neighbours.emplace_back(found.begin(), found.end());

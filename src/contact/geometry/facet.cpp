@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::contact {
 namespace {
 
@@ -22,7 +24,7 @@ Vector3 derivatives(double x) {
 /// Products a_i b_j at 3 i + j.
 Eigen::Matrix<double, 9, 1> products(const Vector3& a, const Vector3& b) {
   Eigen::Matrix<double, 9, 1> result;
-  for (int i = 0; i < 3; ++i) result.segment<3>(3 * i) = a[i] * b;
+  for (Index i = 0; i < 3; ++i) result.segment<3>(3 * i) = a[i] * b;
   return result;
 }
 
@@ -100,7 +102,7 @@ Polygon Facet::outline(const Plane& plane) const {
     // Each part of the parabola bulges by 1/n^2 of the whole; points that much further out keep the area.
     const double further = 2.0 / 3 / (n * (n - 1));
     for (int k = 1; k < n; ++k) {
-      const double t = double(k) / n;
+      const double t = static_cast<double>(k) / n;
       result.emplace_back(a + t * chord + (4 * t * (1 - t) + further) * bulge);
     }
   }

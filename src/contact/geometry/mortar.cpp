@@ -110,7 +110,7 @@ class Products {
  public:
   Products(const Facet& side, double sign, ContactType type, int n_hats)
       : side_(side), sign_(sign), width_(type == ContactType::tied ? 1 : 3), shape_(side.n_nodes()) {
-    sums_.setZero(n_hats, width_ * side.n_nodes());
+    sums_.setZero(n_hats, Index{width_} * side.n_nodes());
   }
 
   void add(const Vector3& xi, const HatVector& weighted_hats, const Vector3& normal) {
@@ -200,8 +200,8 @@ class Gathering {
   RowMatrix matrix() const {
     Triplets entries;
     for (const int i : order_) {
-      const auto place = std::lower_bound(kept_.begin(), kept_.end(), target_[i]) - kept_.begin();
-      entries.emplace_back(static_cast<int>(place), i, 1.0);
+      const auto position = std::lower_bound(kept_.begin(), kept_.end(), target_[i]) - kept_.begin();
+      entries.emplace_back(static_cast<int>(position), i, 1.0);
     }
     RowMatrix gather(kept_.size(), target_.size());
     gather.setFromTriplets(entries.begin(), entries.end());
@@ -268,7 +268,7 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
 
 Eigen::VectorXd MortarCoupling::given_gap(const Function& gap, double t) const {
   if (type == ContactType::tied) return Eigen::VectorXd::Zero(n_rows());
-  if (!gap.depends_on_place()) return gap({.t = t}) * Eigen::Map<const Eigen::VectorXd>(area.data(), n_rows());
+  if (!gap.depends_on_position()) return gap({.t = t}) * Eigen::Map<const Eigen::VectorXd>(area.data(), n_rows());
   Eigen::VectorXd values(gap_points.size());
   for (std::size_t p = 0; p < gap_points.size(); ++p) {
     const Vector3& x = gap_points[p];

@@ -14,7 +14,7 @@ namespace {
 
 /// A multiplier node of the surface.
 struct Vertex {
-  Vector3 place;
+  Vector3 position;
   int n_faces = 0;
   bool is_known = true;  // not on an open edge, or corrected
   bool is_at_kink = false;
@@ -43,7 +43,7 @@ class OpenEdges {
       for (const int a : normals.multiplier_of_corner[f])
         for (const int b : normals.multiplier_of_corner[f])
           if (a != b) vertices_[a].neighbours.insert(b);
-      for (int i = 0; i < facets[f].n_corners(); ++i) vertex(f, i).place = facets[f].node_position(i);
+      for (int i = 0; i < facets[f].n_corners(); ++i) vertex(f, i).position = facets[f].node_position(i);
     }
     for (std::size_t f = 0; f < facets.size(); ++f) {
       if (facets[f].n_nodes() != facets[f].n_corners()) continue;
@@ -87,7 +87,7 @@ class OpenEdges {
       for (const int j : vertices_[v].neighbours) {
         const std::size_t neighbour = j;
         if (!vertices_[v].is_known || !vertices_[neighbour].is_known) continue;
-        const Vector3 chord = (vertices_[neighbour].place - vertices_[v].place).normalized();
+        const Vector3 chord = (vertices_[neighbour].position - vertices_[v].position).normalized();
         const double here = chord.dot(normals_.multipliers[v].normal);
         const double there = chord.dot(normals_.multipliers[neighbour].normal);
         if (std::abs(here + there) > std::max(least_break, break_of_turn * std::abs(there - here)))
@@ -128,7 +128,7 @@ class OpenEdges {
       for (const int j : at.neighbours) {
         const std::size_t neighbour = j;
         if (!vertices_[neighbour].is_known || vertices_[neighbour].is_at_kink) continue;
-        const Vector3 chord = (vertices_[neighbour].place - at.place).normalized();
+        const Vector3 chord = (vertices_[neighbour].position - at.position).normalized();
         const Eigen::Vector2d c(axis1.dot(chord), axis2.dot(chord));
         square += c * c.transpose();
         right -= chord.dot(normal + normals_.multipliers[neighbour].normal) * c;

@@ -25,6 +25,7 @@ const fem::QuadratureRule& segment_rule(const Facet& slave, const Facet& master,
 
 std::vector<Eigen::AlignedBox3d> boxes(const std::vector<Facet>& facets) {
   std::vector<Eigen::AlignedBox3d> result;
+  result.reserve(facets.size());
   for (const Facet& facet : facets) result.push_back(facet.box());
   return result;
 }

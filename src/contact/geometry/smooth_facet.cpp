@@ -6,7 +6,7 @@ namespace {
 /// Middle of the smooth curve between two points with normals there.
 Vector3 middle_of_arc(const Vector3& x0, const Vector3& n0, const Vector3& x1, const Vector3& n1) {
   const Vector3 chord = x1 - x0;
-  const Vector3 middle = 0.5 * (x0 + x1);
+  Vector3 middle = 0.5 * (x0 + x1);
   const Vector3 normal = 0.5 * (n0 + n1);
   // Both are chord * sin(half the angle of the arc) on a circle; their harmonic mean is none where one is.
   const double turn0 = -n0.dot(chord), turn1 = n1.dot(chord);

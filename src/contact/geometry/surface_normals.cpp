@@ -11,8 +11,8 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double crease_cosine = 0.766;  // cos 40 degrees
-constexpr double no_area = 1e-10;        // of the squared diameter: such a face has no normal
+constexpr double crease_cosine = 0.766;    // cos 40 degrees
+constexpr double area_of_no_face = 1e-10;  // of the squared diameter: such a face has no normal
 
 /// Faces around one node that make one smooth piece of surface.
 struct Cluster {
@@ -23,7 +23,7 @@ struct Cluster {
 
 /// The face's own normal at a node, weighted: at corners by |a x b|/(|a|^2 |b|^2) of the edges there, exact on spheres.
 Vector3 weighted_normal(const Facet& facet, int node, const Vector3& area_vector) {
-  const Vector3 normal = area_vector.normalized();
+  Vector3 normal = area_vector.normalized();
   const int n = facet.n_corners();
   if (node >= n) return normal;
   const Vector3 a = facet.node_position((node + 1) % n) - facet.node_position(node);
@@ -51,7 +51,7 @@ class Clusters {
   void add(const Facet& facet, std::size_t f, int i, bool with_area) {
     const std::size_t node = i;
     const Vector3 area_vector = facet.area_vector(facet.element().nodes().row(i).transpose());
-    if ((area_vector.norm() > no_area * facet.diameter() * facet.diameter()) != with_area) return;
+    if ((area_vector.norm() > area_of_no_face * facet.diameter() * facet.diameter()) != with_area) return;
     auto& around = around_[facet.nodes()[node]];
     std::size_t c = 0;
     while (with_area && c < around.size() && around[c].area.normalized().dot(area_vector.normalized()) < crease_cosine)
@@ -69,7 +69,8 @@ class Clusters {
 
 Vector3 normal_of(const Cluster& cluster) {
   if (cluster.weighted.norm() > 0) return cluster.weighted.normalized();
-  return cluster.area.norm() > 0 ? Vector3(cluster.area.normalized()) : Vector3::UnitZ();  // no face has any area
+  if (cluster.area.norm() > 0) return cluster.area.normalized();
+  return Vector3::UnitZ();  // no face has any area
 }
 
 /// Mean normals of the faces around, without regard to symmetry.

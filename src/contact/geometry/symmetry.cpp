@@ -16,7 +16,8 @@ double SymmetryPlanes::held_part(const Vector3& direction, std::int64_t node) co
 
 Vector3 SymmetryPlanes::lay(const Vector3& normal, std::int64_t node) const {
   const Vector3 projected = without_held_part(normal, node);
-  return projected.norm() > 0.7 ? Vector3(projected.normalized()) : normal;
+  if (projected.norm() > 0.7) return projected.normalized();
+  return normal;
 }
 
 }  // namespace creepcontact::contact

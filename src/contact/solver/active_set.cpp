@@ -1,93 +1,27 @@
-#include <algorithm>
-#include <set>
-
-#include "creepcontact/base/error.hpp"
-#include "creepcontact/contact/solver/contact_solver.hpp"
-#include "creepcontact/contact/solver/frozen_system.hpp"
-#include "spring_hold.hpp"
+#include "active_set.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
-constexpr int most_updates = 100;
-constexpr int most_single_changes = 10000;
-
-class ActiveSet final : public ContactSolver {
- public:
-  explicit ActiveSet(const ContactProblem& problem) : problem_(problem), frozen_(problem) {}
-
-  ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
-    ContactResult result;
-    result.state.active = first_set(problem_, load.gap, warm);
-    if (iterate(load, result) || (problem_.n_motions() > 0 && iterate_springs(load, result))) return result;
-    throw SolverError("contact: the active-set method found no consistent set of contact nodes");
-  }
-
-  void flexibility_changed() override {
-    frozen_.flexibility_changed();
-    springs_.reset();
-  }
-
-  void set_recorder(IterationRecorder* recorder) override { recorder_ = recorder; }
-
- private:
-  /// Updates the set until it repeats; one row at a time if sets recur (only without rigid motions, where that ends).
-  bool iterate(const ContactLoad& load, ContactResult& result) {
-    std::vector<int> active = result.state.active;
-    const double rounding = multiplier_rounding(problem_, load);
-    std::set<std::vector<int>> seen;
-    bool one_at_a_time = false;
-    for (int change = 0; change < most_single_changes; ++change) {
-      FrozenSolution solution = frozen_.solve(active, load);
-      if (!solution.balanced) return false;
-      result.gap = contact_gaps(problem_, load, solution.state);
-      Eigen::VectorXd opening = result.gap;  // what is left of the set's own gaps is none
-      opening(active).setZero();
-      std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, opening, rounding);
-      if (recorder_) recorder_->record({result.set_changes, 1, "active_set", 0.0, active.size()});
-      ++result.set_changes;
-      if (next == active) {
-        result.state = std::move(solution.state);
-        return true;
-      }
-      one_at_a_time = one_at_a_time || change > most_updates || !seen.insert(active).second;
-      if (one_at_a_time && problem_.n_motions() > 0) return false;
-      active = one_at_a_time ? change_least_index(active, next) : std::move(next);
-    }
-    return false;
-  }
-
-  bool iterate_springs(const ContactLoad& load, ContactResult& result) {
-    if (!springs_) springs_ = std::make_unique<SpringHold>(problem_);
-    return springs_->search(load, result.set_changes, [&](const ContactState& held) {
-      result.state.active = held.active;
-      return iterate(load, result);
-    });
-  }
-
-  /// Murty (1974): of all rows on the wrong side, only the one of least index changes.
-  static std::vector<int> change_least_index(std::vector<int> active, const std::vector<int>& wanted) {
-    std::vector<int> wrong;
-    std::set_symmetric_difference(active.begin(), active.end(), wanted.begin(), wanted.end(),
-                                  std::back_inserter(wrong));
-    const auto place = std::lower_bound(active.begin(), active.end(), wrong.front());
-    if (place != active.end() && *place == wrong.front())
-      active.erase(place);
-    else
-      active.insert(place, wrong.front());
-    return active;
-  }
-
-  const ContactProblem& problem_;
-  FrozenSystem frozen_;
-  std::unique_ptr<SpringHold> springs_;  // made when first needed
-  IterationRecorder* recorder_ = nullptr;
-};
+constexpr double nearly_all = 0.8;
 
 }  // namespace
 
-std::unique_ptr<ContactSolver> active_set_solver(const ContactProblem& problem) {
-  return std::make_unique<ActiveSet>(problem);
+ActiveSet::ActiveSet(const ContactProblem& problem, std::vector<int> active)
+    : problem_(problem),
+      active_(std::move(active)),
+      balance_(problem, active_),
+      diagonal_(row_flexibility(problem)(active_)),
+      copied_(!problem.large &&
+              static_cast<double>(active_.size()) < nearly_all * static_cast<double>(problem.n_rows())) {
+  if (copied_) flexibility_ = problem.total(active_, active_);
+}
+
+Eigen::VectorXd ActiveSet::gaps(const Eigen::VectorXd& multiplier) const {
+  if (copied_) return flexibility_.selfadjointView<Eigen::Lower>() * multiplier;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(problem_.n_rows());
+  all(active_) = multiplier;
+  return flexibility_product(problem_, all)(active_);
 }
 
 }  // namespace creepcontact::contact

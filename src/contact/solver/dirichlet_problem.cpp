@@ -58,7 +58,7 @@ OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vec
   for (std::size_t k = 0; k < set.size(); ++k) {
     const auto found = std::lower_bound(rows.begin(), rows.end(), set[k]);
     if (found == rows.end() || *found != set[k]) continue;
-    result.places.push_back(static_cast<int>(k));
+    result.positions.push_back(static_cast<int>(k));
     result.own.push_back(static_cast<int>(found - rows.begin()));
   }
   return result;

@@ -35,8 +35,8 @@ class DirichletProblem {
 
 /// Rows of a set that a body takes part in.
 struct OwnRows {
-  std::vector<int> places;  ///< in the set
-  std::vector<int> own;     ///< in the body's flexibility
+  std::vector<int> positions;  ///< in the set
+  std::vector<int> own;        ///< in the body's flexibility
 };
 OwnRows own_rows(const ContactProblem& problem, std::size_t body, const std::vector<int>& set);
 

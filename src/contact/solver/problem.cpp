@@ -8,8 +8,8 @@ namespace {
 
 constexpr double no_change = 1e-12;
 constexpr double rounding_of_gaps = 1e-13;
-constexpr double immovable = 1e-14;  // rows that neither body can move along (held on both sides) carry no multiplier
-constexpr double pin_floor = 1e-2;   // of the flexibility that pins are given
+constexpr double immovable = 1e-14;    // rows that neither body can move along (held on both sides) carry no multiplier
+constexpr double fixing_floor = 1e-2;  // of the flexibility that pins are given
 
 /// Rows need more than this to be movable.
 double least_flexibility(const Eigen::VectorXd& flexibility) {
@@ -33,7 +33,7 @@ Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& l
   return gap;
 }
 
-double pin_flexibility(const ContactProblem& problem) {
+double fixing_flexibility(const ContactProblem& problem) {
   const double square = problem.rigid.squaredNorm();
   return square > 0 ? flexibility_diagonal(problem).sum() / square : 0.0;
 }
@@ -41,7 +41,8 @@ double pin_flexibility(const ContactProblem& problem) {
 Eigen::VectorXd row_flexibility(const ContactProblem& problem) {
   Eigen::VectorXd flexibility = flexibility_diagonal(problem);
   if (problem.n_motions() > 0)
-    flexibility = flexibility.cwiseMax(pin_floor * pin_flexibility(problem) * problem.rigid.rowwise().squaredNorm());
+    flexibility =
+        flexibility.cwiseMax(fixing_floor * fixing_flexibility(problem) * problem.rigid.rowwise().squaredNorm());
   return flexibility;
 }
 

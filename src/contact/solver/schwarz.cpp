@@ -1,12 +1,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "active_set_cache.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/solver/contact_solver.hpp"
-#include "recent.hpp"
-#include "schwarz_gradients.hpp"
+#include "projected_cg.hpp"
 #include "schwarz_sweeps.hpp"
-#include "spring_hold.hpp"
+#include "spring_regularization.hpp"
 
 namespace creepcontact::contact {
 namespace {
@@ -43,7 +43,7 @@ class Schwarz final : public ContactSolver {
     fallback_->flexibility_changed();
     springs_.reset();
     sweeps_.clear();
-    gradients_.clear();
+    cg_.clear();
   }
 
   void set_recorder(IterationRecorder* recorder) override {
@@ -66,7 +66,7 @@ class Schwarz final : public ContactSolver {
     while (seen.insert(active).second) {
       const RigidBalance balance = problem_.n_motions() > 0 ? RigidBalance(problem_, active) : RigidBalance();
       const InnerResult inner =
-          solve_frozen(active, {load.gap(active), load.resultant, rounding}, multiplier(active), result);
+          solve_set(active, {load.gap(active), load.resultant, rounding}, multiplier(active), result);
       if (!balance.holds(inner.multiplier, load.resultant, rounding)) return End::unbalanced;
       if (!inner.converged) return End::not_converged;
       multiplier.setZero();
@@ -92,7 +92,7 @@ class Schwarz final : public ContactSolver {
   }
 
   End iterate_springs(const ContactLoad& load, ContactResult& result) {
-    if (!springs_) springs_ = std::make_unique<SpringHold>(problem_);
+    if (!springs_) springs_ = std::make_unique<SpringRegularization>(problem_);
     End end = End::cycling;
     springs_->search(load, result.set_changes, [&](const ContactState& held) {
       result.state.active = held.active;
@@ -103,13 +103,13 @@ class Schwarz final : public ContactSolver {
     return end;
   }
 
-  InnerResult solve_frozen(const std::vector<int>& active, const FrozenLoad& load, const Eigen::VectorXd& start,
-                           ContactResult& total) {
+  InnerResult solve_set(const std::vector<int>& active, const ActiveSetLoad& load, const Eigen::VectorXd& start,
+                        ContactResult& total) {
     const InnerLog log{recorder_, total.set_changes};
     if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_fail_) {
       const SchwarzSweeps& sweeps =
           sweeps_.at(active, [&](const auto& set) { return SchwarzSweeps(problem_, options_, set); });
-      const InnerResult result = sweeps.solve(load, start, log);
+      InnerResult result = sweeps.solve(load, start, log);
       total.iterations += result.iterations;
       if (result.converged) return result;
       warn_once(
@@ -117,9 +117,9 @@ class Schwarz final : public ContactSolver {
           "(contact_solver.acceleration = \"cg\" asks for them from the start)",
           sweeps_fail_);
     }
-    const SchwarzGradients& gradients =
-        gradients_.at(active, [&](const auto& set) { return SchwarzGradients(problem_, options_, set); });
-    const InnerResult result = gradients.solve(load, start, log);
+    const ProjectedCg& gradients =
+        cg_.at(active, [&](const auto& set) { return ProjectedCg(problem_, options_, set); });
+    InnerResult result = gradients.solve(load, start, log);
     total.iterations += result.iterations;
     return result;
   }
@@ -132,9 +132,9 @@ class Schwarz final : public ContactSolver {
   const ContactProblem& problem_;
   SchwarzOptions options_;
   std::unique_ptr<ContactSolver> fallback_;
-  std::unique_ptr<SpringHold> springs_;  // made when first needed
-  Recent<SchwarzSweeps> sweeps_;
-  Recent<SchwarzGradients> gradients_;
+  std::unique_ptr<SpringRegularization> springs_;  // made when first needed
+  ActiveSetCache<SchwarzSweeps> sweeps_;
+  ActiveSetCache<ProjectedCg> cg_;
   IterationRecorder* recorder_ = nullptr;
   bool sweeps_fail_ = false, fallback_warned_ = false;
 };

@@ -13,11 +13,6 @@ using Acceleration = SchwarzOptions::Acceleration;
 constexpr double growth = 1e6;    // of the change: beyond it the sweeps diverge
 constexpr double gap_left = 100;  // times the tolerance: the sweep's change alone may deceive
 
-std::string_view name(Acceleration acceleration) {
-  constexpr std::string_view names[] = {"none", "aitken", "anderson", "cg"};
-  return names[static_cast<int>(acceleration)];
-}
-
 std::span<double> span_of(Eigen::VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
 }
@@ -32,7 +27,7 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
     OwnRows rows = own_rows(problem, b, set_.active());
     if (rows.own.empty()) continue;
     const Index size = rows.own.size();
-    Share share{std::move(rows.places),
+    Share share{std::move(rows.positions),
                 problem.bodies[b].matrix(rows.own, rows.own),
                 DirichletProblem(problem, b, rows.own),
                 Eigen::MatrixXd(size, 0),
@@ -42,7 +37,7 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
                 offset};
     if (problem.n_motions() > 0) share.rigid = problem.rigid_of_body[b](rows.own, Eigen::all);
     for (Index k = 0; k < size; ++k) {
-      const std::size_t row = set_.active()[share.places[k]];
+      const std::size_t row = set_.active()[share.positions[k]];
       share.sign[k] = problem.slave_body[row] == static_cast<int>(b) ? 1.0 : -1.0;
     }
     offset += size;
@@ -57,50 +52,50 @@ void SchwarzSweeps::set_fractions(const std::vector<std::optional<double>>& alph
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(active().size());
   for (Share& share : shares_) {
     share.odd = share.body.stiffness();
-    sum(share.places) += share.odd;
+    sum(share.positions) += share.odd;
   }
   for (std::size_t s = 0; s < shares_.size(); ++s) {
     Share& share = shares_[s];
-    share.odd = share.odd.cwiseQuotient(Eigen::VectorXd(sum(share.places)));
+    share.odd = share.odd.cwiseQuotient(Eigen::VectorXd(sum(share.positions)));
     share.even = Eigen::VectorXd::Ones(share.size()) - share.odd;
     if (bodies[s] < alpha.size() && alpha[bodies[s]])
       share.odd = share.even = Eigen::VectorXd::Constant(share.size(), *alpha[bodies[s]]);
   }
 }
 
-void SchwarzSweeps::sweep(const FrozenLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
+void SchwarzSweeps::sweep(const ActiveSetLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
   const RigidBalance& balance = set_.balance();
   Eigen::VectorXd mismatch = load.gap;  // of the traces
   for (const Share& share : shares_)
-    mismatch(share.places) += share.flexibility * from.segment(share.offset, share.size());
+    mismatch(share.positions) += share.flexibility * from.segment(share.offset, share.size());
   if (!balance.empty()) mismatch = balance.without_rigid_part(mismatch);
   Eigen::VectorXd difference = Eigen::VectorXd::Zero(load.gap.size());  // of the multipliers
   to = from;
   for (const Share& share : shares_) {  // Dirichlet problems, in increments: the factor may be that of a shifted matrix
     auto part = to.segment(share.offset, share.size());
-    part -= share.body.balanced_multipliers(share.even.cwiseProduct(Eigen::VectorXd(mismatch(share.places))));
-    difference(share.places) += share.sign.cwiseProduct(part);
+    part -= share.body.balanced_multipliers(share.even.cwiseProduct(Eigen::VectorXd(mismatch(share.positions))));
+    difference(share.positions) += share.sign.cwiseProduct(part);
   }
   for (const Share& share : shares_)
     to.segment(share.offset, share.size()) -=
-        share.odd.cwiseProduct(share.sign).cwiseProduct(Eigen::VectorXd(difference(share.places)));
+        share.odd.cwiseProduct(share.sign).cwiseProduct(Eigen::VectorXd(difference(share.positions)));
   if (!balance.empty()) {
     Eigen::VectorXd unbalanced =
         load.resultant.size() > 0 ? load.resultant : Eigen::VectorXd::Zero(shares_.front().rigid.cols());
     for (const Share& share : shares_) unbalanced += share.rigid.transpose() * to.segment(share.offset, share.size());
     const Eigen::VectorXd carrying = balance.carrying(unbalanced);
-    for (const Share& share : shares_) to.segment(share.offset, share.size()) -= carrying(share.places);
+    for (const Share& share : shares_) to.segment(share.offset, share.size()) -= carrying(share.positions);
   }
   if (options_.damping != 1.0) to = from + options_.damping * (to - from);
 }
 
 Eigen::VectorXd SchwarzSweeps::mean(const Eigen::VectorXd& both) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(active().size());
-  for (const Share& share : shares_) result(share.places) += 0.5 * both.segment(share.offset, share.size());
+  for (const Share& share : shares_) result(share.positions) += 0.5 * both.segment(share.offset, share.size());
   return result;
 }
 
-InnerResult SchwarzSweeps::solve(const FrozenLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const {
+InnerResult SchwarzSweeps::solve(const ActiveSetLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const {
   InnerResult result{start, 0, active().empty()};
   if (result.converged) return result;
   const RigidBalance& balance = set_.balance();
@@ -109,7 +104,7 @@ InnerResult SchwarzSweeps::solve(const FrozenLoad& load, const Eigen::VectorXd& 
   };
   rebalance();
   Eigen::VectorXd both(shares_.back().offset + shares_.back().size());
-  for (const Share& share : shares_) both.segment(share.offset, share.size()) = result.multiplier(share.places);
+  for (const Share& share : shares_) both.segment(share.offset, share.size()) = result.multiplier(share.positions);
 
   double first_change = 0;
   Eigen::VectorXd swept(both.size());
@@ -120,7 +115,7 @@ InnerResult SchwarzSweeps::solve(const FrozenLoad& load, const Eigen::VectorXd& 
     result.multiplier = mean(swept);
     const double change = (swept - from).cwiseAbs().maxCoeff() / options_.damping;
     const double scale = result.multiplier.cwiseAbs().maxCoeff();
-    log(name(options_.acceleration), result.iterations, scale > 0 ? change / scale : 0.0, active().size());
+    log(settings::name_of(options_.acceleration), result.iterations, scale > 0 ? change / scale : 0.0, active().size());
     const double least = std::max(options_.tolerance * scale, load.rounding);
     if (change <= least) {
       const Eigen::VectorXd left = balance.without_rigid_part(load.gap + set_.gaps(result.multiplier));

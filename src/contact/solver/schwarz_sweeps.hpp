@@ -1,10 +1,10 @@
 #pragma once
-/// Plain Schwarz sweeps on the equations of a frozen set, and their acceleration.
+/// Plain Schwarz sweeps on the equations of an active set, and their acceleration.
 
+#include "active_set.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/solver/contact_solver.hpp"
 #include "dirichlet_problem.hpp"
-#include "frozen_set.hpp"
 
 namespace creepcontact::contact {
 
@@ -21,11 +21,11 @@ class SchwarzSweeps {
   SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions& options, std::vector<int> active);
   const std::vector<int>& active() const { return set_.active(); }
   /// @param start  multipliers on the set
-  InnerResult solve(const FrozenLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const;
+  InnerResult solve(const ActiveSetLoad& load, const Eigen::VectorXd& start, const InnerLog& log) const;
 
  private:
-  struct Share {              // one body's part
-    std::vector<int> places;  // of its rows in the active set
+  struct Share {                 // one body's part
+    std::vector<int> positions;  // of its rows in the active set
     Eigen::MatrixXd flexibility;
     DirichletProblem body;
     Eigen::MatrixXd rigid;      // gaps of the motions on its rows
@@ -35,11 +35,11 @@ class SchwarzSweeps {
     Index size() const { return sign.size(); }
   };
   void set_fractions(const std::vector<std::optional<double>>& alpha, const std::vector<std::size_t>& bodies);
-  void sweep(const FrozenLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
+  void sweep(const ActiveSetLoad& load, const Eigen::VectorXd& from, Eigen::VectorXd& to) const;
   Eigen::VectorXd mean(const Eigen::VectorXd& both) const;
 
   SchwarzOptions options_;
-  FrozenSet set_;
+  ActiveSet set_;
   std::vector<Share> shares_;
 };
 

@@ -27,7 +27,7 @@ constexpr double anderson_gain = 2;
 
 BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
     : EulerScheme(system, options, system.size()),
-      load_strain_(options.residual_correction),
+      residual_correction_(options.residual_correction),
       load_(system.size()),
       load_rate_(system.size()),
       iterate_(system.size()) {
@@ -83,13 +83,13 @@ void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target,
     iterate_plainly(to.state, watch);
   if (watch.state() != ConvergenceWatch::State::converged) give_up(watch);
   if (!newton_) std::ranges::copy(load_rate_, to.rate.begin());
-  LoadStrain::residual(to.state, load_, to.load_residual);
+  ResidualCorrection::residual(to.state, load_, to.load_residual);
 }
 
 void BetaEuler::map(std::span<const double> y, std::span<double> image) {
   const double old_part = target_.step * (1 - options_.beta);
   const double new_part = target_.step * options_.beta;
-  load_strain_.load(y, from_->load_residual, load_);
+  residual_correction_.load(y, from_->load_residual, load_);
   system_.rate(target_.time, load_, load_rate_);
   for_each_index(y.size(), [&](std::size_t i) {
     image[i] = from_->state[i] + old_part * from_->rate[i] + new_part * load_rate_[i];

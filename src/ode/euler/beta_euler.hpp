@@ -9,8 +9,8 @@
 #include "convergence_watch.hpp"
 #include "creepcontact/ode/anderson_iteration.hpp"
 #include "euler_scheme.hpp"
-#include "load_strain.hpp"
 #include "newton_iteration.hpp"
+#include "residual_correction.hpp"
 
 namespace creepcontact::ode {
 
@@ -42,7 +42,7 @@ class BetaEuler final : public EulerScheme {
 
   const EulerPoint* from_ = nullptr;  ///< of the step under way
   StepClock::Target target_;
-  LoadStrain load_strain_;
+  ResidualCorrection residual_correction_;
   std::vector<double> load_;                     ///< e^(k), the argument of the last rate evaluation
   std::vector<double> load_rate_;                ///< its rate
   std::vector<double> iterate_;                  ///< y^(k+1) under construction

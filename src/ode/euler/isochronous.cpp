@@ -13,7 +13,7 @@ namespace {
 
 constexpr double residual = 1e-3;  // of the tolerance
 constexpr int max_iterations = 50;
-constexpr int max_halvings = 30;
+constexpr int max_step_halvings = 30;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ StepReport Isochronous::step(double t_limit) {
     } catch (const RecoverableError& error) {
       ++counters_.convergence_failures;
       const double middle = time_ + 0.25 * (target - time_);
-      if (halvings == max_halvings || !(middle > time_))
+      if (halvings == max_step_halvings || !(middle > time_))
         throw SolverError(fmt::format(
             "isochronous: no equilibrium from t = {:.6g} on: {}. Give output times in between, or look for a load that "
             "the creep strain of so long a time cannot carry",
@@ -86,7 +86,7 @@ StepReport Isochronous::step(double t_limit) {
 }
 
 void Isochronous::interpolate(double t, std::span<double> y) const {
-  if (t != time_) throw std::out_of_range(fmt::format("isochronous: t = {} is no time it has solved for", t));
+  if (t != time_) throw std::out_of_range(fmt::format("isochronous: t = {} is not a time it has solved for", t));
   std::ranges::copy(state_, y.begin());
 }
 

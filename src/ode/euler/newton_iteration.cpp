@@ -13,6 +13,7 @@
 #include "../elementwise.hpp"
 #include "../state_norms.hpp"
 #include "../sundials/krylov_settings.hpp"
+#include "../sundials/linear_solver_handle.hpp"
 #include "../sundials/sundials_vector.hpp"
 
 namespace creepcontact::ode {
@@ -23,11 +24,7 @@ constexpr double forcing = 0.01;
 constexpr int max_krylov_restarts = 10;
 /// Fraction of the decrease of the residual that the linearisation promises.
 constexpr double armijo = 1e-4;
-constexpr int max_halvings = 12;
-
-struct LinearSolverDeleter {
-  void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
-};
+constexpr int max_correction_halvings = 12;
 }  // namespace
 
 struct NewtonIteration::Krylov {
@@ -91,7 +88,7 @@ struct NewtonIteration::Krylov {
   std::size_t size;
   sundials::Context context;  // outlives whatever is made from it
   Vector right, correction;
-  std::unique_ptr<_generic_SUNLinearSolver, LinearSolverDeleter> solver;
+  LinearSolverHandle solver;
   const Equation* equation = nullptr;
   std::exception_ptr failure;
 };
@@ -129,10 +126,10 @@ void NewtonIteration::line_search(const Equation& equation, std::span<double> y,
       equation.evaluate(y, image_);
       for_each_index(y.size(), [&](std::size_t i) { residual_[i] = image_[i] - y[i]; });
       if (euclidean_norm(team_, residual_) <= (1 - armijo * part) * before) return;
-      if (halvings == max_halvings)
+      if (halvings == max_correction_halvings)
         throw RecoverableError("the residual of the Newton iteration does not fall along its direction");
     } catch (const RecoverableError&) {
-      if (halvings == max_halvings) throw;
+      if (halvings == max_correction_halvings) throw;
     }
     part *= 0.5;
     for_each_index(y.size(), [&](std::size_t i) { y[i] = base_[i] + part * dy[i]; });

@@ -15,7 +15,8 @@ namespace creepcontact::ode {
 /// What a step of an Euler scheme begins and ends with.
 struct EulerPoint {
   std::vector<double> state, rate;
-  std::vector<double> load_residual;  ///< of the inner iterations, see LoadStrain; schemes without them have none
+  std::vector<double>
+      load_residual;  ///< of the inner iterations, see ResidualCorrection; schemes without them have none
 };
 
 class StepDoubling {

@@ -93,6 +93,7 @@ const ButcherTable& find_table(const std::vector<ButcherTable>& tables, const st
 
 std::vector<std::string> table_names(const std::vector<ButcherTable>& tables) {
   std::vector<std::string> names;
+  names.reserve(tables.size());
   for (const ButcherTable& table : tables) names.push_back(table.name);
   return names;
 }

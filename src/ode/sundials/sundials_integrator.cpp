@@ -19,7 +19,7 @@ namespace {
 /// Stands for "no stop time": far beyond any time, yet differences to it do not overflow.
 constexpr double never = 1e300;
 /// Relative to the time: an integrator that creeps up to a point with ever smaller steps has failed.
-constexpr double smallest_step = 1e-12;
+constexpr double smallest_relative_step = 1e-12;
 constexpr int max_retries = 10;
 /// A method that has lost its history climbs from order 1 again in about so many steps. With this part of the tolerance
 /// they add next to nothing to the error of a run that is resumed often.
@@ -98,13 +98,13 @@ double SundialsIntegrator::horizon(double t_limit) const {
 int SundialsIntegrator::evolve_with_retries(double t_limit, double& t) {
   for (int retries = 0;; ++retries) {
     limit(t_limit);
-    check(set_smallest_step(smallest_step * std::abs(time_)), "SetMinStep");
+    check(set_smallest_step(smallest_relative_step * std::abs(time_)), "SetMinStep");
     const int flag = evolve(horizon(t_limit), work_.get(), t);
     callbacks_.rethrow();
     // Explicit Runge-Kutta methods of ARKODE take a recoverable failure within a step for a fatal one.
     const double failed = statistics().next_step;
     const double retry = 0.25 * failed;
-    if (flag != ARK_UNREC_RHSFUNC_ERR || retries == max_retries || !(retry > smallest_step * std::abs(time_)))
+    if (flag != ARK_UNREC_RHSFUNC_ERR || retries == max_retries || !(retry > smallest_relative_step * std::abs(time_)))
       return flag;
     before_ = counters();
     restart(time_, state_.get(), retry);

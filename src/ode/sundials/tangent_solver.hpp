@@ -2,18 +2,15 @@
 /// System's direct solver of Newton systems as the SUNLinearSolver of CVODE and ARKODE. It has no matrix that SUNDIALS
 /// could see, but SUNDIALS decides by one when to factor anew: an empty one stands for it.
 
-#include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 
 #include <memory>
 
+#include "linear_solver_handle.hpp"
 #include "sundials_callbacks.hpp"
 
 namespace creepcontact::ode {
 
-struct LinearSolverDeleter {
-  void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
-};
 struct MatrixDeleter {
   void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
 };
@@ -22,7 +19,7 @@ struct TangentSolver {
   /// @param callbacks  must outlive the object; the integrator's linear-system function is theirs too
   TangentSolver(SundialsCallbacks& callbacks, SUNContext context);
 
-  std::unique_ptr<_generic_SUNLinearSolver, LinearSolverDeleter> solver;
+  LinearSolverHandle solver;
   std::unique_ptr<_generic_SUNMatrix, MatrixDeleter> matrix;
 };
 

@@ -25,7 +25,7 @@ contact::ContactLoad Condensed::load(double t, std::vector<std::vector<double>>&
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     y[b].resize(bodies[b].constraints().n_free());
     bodies[b].right_hand_side(at[b], {}, y[b]);
-    bodies[b].clear_pins(y[b]);
+    bodies[b].clear_fixing_dofs(y[b]);
     interface.add_resultant(b, at[b], load);
     interface.factored(b).solver().forward(y[b], y[b]);
     interface.add_trace(b, y[b], load.gap);

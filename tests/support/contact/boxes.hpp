@@ -46,7 +46,7 @@ class Condensed {
   const Bodies bodies;
   std::vector<contact::Pair> pairs;
   Index n_rows;
-  contact::FloatingMotions floating;
+  contact::RigidBodyModes floating;
   contact::CondensedInterface interface;
 };
 

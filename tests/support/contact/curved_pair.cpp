@@ -15,6 +15,7 @@ contact::Surface Part::surface() const {
 
 std::vector<mechanics::Support> Part::supports(const std::vector<std::pair<std::string, Vector3>>& held) const {
   std::vector<mechanics::Support> result;
+  result.reserve(held.size());
   for (const auto& [group, direction] : held) result.push_back(support(mesh, group, direction));
   return result;
 }

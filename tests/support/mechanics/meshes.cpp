@@ -60,12 +60,12 @@ class BoxBuilder {
     std::mt19937 generator(7);
     std::uniform_real_distribution<double> shift(-distortion, distortion);
     for_each({divisions_[0] + 1, divisions_[1] + 1, divisions_[2] + 1}, [&](const GridPoint& index) {
-      Vector3 place(index[0], index[1], index[2]);
+      Vector3 position(index[0], index[1], index[2]);
       bool inside = distortion > 0;
       for (std::size_t c = 0; c < 3; ++c) inside = inside && index[c] > 0 && index[c] < divisions_[c];
-      if (inside) place += Vector3(shift(generator), shift(generator), shift(generator));
-      for (std::size_t c = 0; c < 3; ++c) place[c] /= divisions_[c];
-      corner_places_[{2 * index[0], 2 * index[1], 2 * index[2]}] = origin + place.cwiseProduct(lengths);
+      if (inside) position += Vector3(shift(generator), shift(generator), shift(generator));
+      for (std::size_t c = 0; c < 3; ++c) position[c] /= divisions_[c];
+      corner_places_[{2 * index[0], 2 * index[1], 2 * index[2]}] = origin + position.cwiseProduct(lengths);
     });
   }
 
@@ -73,6 +73,7 @@ class BoxBuilder {
     for_each(divisions_, [&](const GridPoint& index) {
       for (const std::vector<int>& bits : corner_bits(type_)) {
         std::vector<GridPoint> corners;
+        corners.reserve(bits.size());
         for (const int b : bits)
           corners.push_back({2 * (index[0] + (b & 1)), 2 * (index[1] + (b >> 1 & 1)), 2 * (index[2] + (b >> 2))});
         add_cell(cell_nodes(type_, corners));

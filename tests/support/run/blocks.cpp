@@ -48,7 +48,7 @@ config::Config Case::parse(const std::string& text, const std::vector<std::strin
   return config::parse(text, directory_ / "case.toml", vocabulary(), overrides);
 }
 
-std::string Case::place(const std::string& text, const std::string& more) const {
+std::string Case::position(const std::string& text, const std::string& more) const {
   const std::string whole = case_text + more;
   const std::size_t at = whole.find(text);
   const auto line = 1 + std::count(whole.begin(), whole.begin() + at, '\n');

@@ -97,7 +97,7 @@ class Case {
   config::Config parse(const std::string& text, const std::vector<std::string>& overrides = {}) const;
   std::filesystem::path operator/(const std::string& name) const { return directory_ / name; }
   /// Begin of a message about what stands at the first occurrence of `text` in case_text + more.
-  std::string place(const std::string& text, const std::string& more = "") const;
+  std::string position(const std::string& text, const std::string& more = "") const;
 
  private:
   io::test::TemporaryDirectory directory_;

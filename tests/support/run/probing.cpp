@@ -5,7 +5,7 @@ namespace creepcontact::run::test {
 std::string probe_tables(const std::vector<ProbeTable>& probes) {
   std::string text = "probes = [\n";
   for (const ProbeTable& probe : probes) {
-    text += "  { name = '" + probe.name + "', quantity = '" + probe.quantity + "', " + probe.place;
+    text += "  { name = '" + probe.name + "', quantity = '" + probe.quantity + "', " + probe.position;
     text += (probe.reduce.empty() ? "" : ", reduce = '" + probe.reduce + "'") + " },\n";
   }
   return text + "]\n";

@@ -11,7 +11,7 @@
 namespace creepcontact::run::test {
 
 struct ProbeTable {
-  std::string name, quantity, place;  ///< place: the keys on, at, body as TOML, separated by commas
+  std::string name, quantity, position;  ///< place: the keys on, at, body as TOML, separated by commas
   std::string reduce = "";
 };
 

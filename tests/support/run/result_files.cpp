@@ -10,7 +10,7 @@
 namespace creepcontact::test {
 namespace {
 
-nlohmann::json::json_pointer place(const std::string& key) {
+nlohmann::json::json_pointer position(const std::string& key) {
   return nlohmann::json::json_pointer("/" + key);
 }
 
@@ -39,15 +39,15 @@ SummaryFile::SummaryFile(const std::filesystem::path& path)
     : json_(std::make_shared<nlohmann::json>(nlohmann::json::parse(std::ifstream(path)))) {}
 
 bool SummaryFile::has(const std::string& key) const {
-  return json_->contains(place(key));
+  return json_->contains(position(key));
 }
 
 double SummaryFile::number(const std::string& key) const {
-  return json_->at(place(key)).get<double>();
+  return json_->at(position(key)).get<double>();
 }
 
 std::string SummaryFile::text(const std::string& key) const {
-  return json_->at(place(key)).get<std::string>();
+  return json_->at(position(key)).get<std::string>();
 }
 
 }  // namespace creepcontact::test

@@ -35,9 +35,9 @@ class SummaryFile {
   explicit SummaryFile(const std::filesystem::path& path);
 
   bool has(const std::string& key) const;
-  /// @throws nlohmann::json::exception if there is no such key, or no number
+  /// @throws std::exception if there is no such key, or no number
   double number(const std::string& key) const;
-  /// @throws nlohmann::json::exception if there is no such key, or no text
+  /// @throws std::exception if there is no such key, or no text
   std::string text(const std::string& key) const;
 
  private:

@@ -9,9 +9,9 @@
 namespace creepcontact {
 namespace {
 
-const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
+const std::vector<std::string> position_and_time{"x", "y", "z", "t"};
 
-std::string message_of(const std::string& text, const std::vector<std::string>& allowed = place_and_time) {
+std::string message_of(const std::string& text, const std::vector<std::string>& allowed = position_and_time) {
   try {
     Function::expression(text, allowed);
   } catch (const std::invalid_argument& error) {
@@ -47,28 +47,28 @@ TEST(Function, KnowsTheParsersFunctions) {
   const auto ramp = Function::expression("100*min(t/10, 1)", {"t"});
   EXPECT_DOUBLE_EQ(ramp({.t = 5}), 50);
   EXPECT_DOUBLE_EQ(ramp({.t = 50}), 100);
-  const auto ternary = Function::expression("t <= 2 ? -1 : max(x, 2)^3", place_and_time);
+  const auto ternary = Function::expression("t <= 2 ? -1 : max(x, 2)^3", position_and_time);
   EXPECT_DOUBLE_EQ(ternary({.x = 5, .t = 2}), -1);
   EXPECT_DOUBLE_EQ(ternary({.x = 5, .t = 3}), 125);
-  EXPECT_DOUBLE_EQ(Function::expression("exp(x)*sinh(y)", place_and_time)({.x = 1, .y = 2}),
+  EXPECT_DOUBLE_EQ(Function::expression("exp(x)*sinh(y)", position_and_time)({.x = 1, .y = 2}),
                    std::exp(1) * std::sinh(2));
   EXPECT_DOUBLE_EQ(Function::expression("2*pi*x + _pi", {"x"})({.x = 1}), 3 * std::numbers::pi);
 }
 
 TEST(Function, DependenciesAreThoseThatOccur) {
-  const auto place = Function::expression("sin(y)", place_and_time);
-  EXPECT_TRUE(place.depends_on_place());
-  EXPECT_FALSE(place.depends_on_time());
-  EXPECT_FALSE(place.depends_on_temperature());
-  EXPECT_FALSE(place.is_constant());
+  const auto position = Function::expression("sin(y)", position_and_time);
+  EXPECT_TRUE(position.depends_on_position());
+  EXPECT_FALSE(position.depends_on_time());
+  EXPECT_FALSE(position.depends_on_temperature());
+  EXPECT_FALSE(position.is_constant());
   const auto both = Function::expression("exp(T)*t", {"x", "t", "T"});
-  EXPECT_FALSE(both.depends_on_place()) << "the x of exp is no variable";
+  EXPECT_FALSE(both.depends_on_position()) << "the x of exp is no variable";
   EXPECT_TRUE(both.depends_on_time());
   EXPECT_TRUE(both.depends_on_temperature());
 }
 
 TEST(Function, ConstantExpressionsAreFolded) {
-  const auto f = Function::expression("2*(3 - 3)", place_and_time);
+  const auto f = Function::expression("2*(3 - 3)", position_and_time);
   EXPECT_TRUE(f.is_constant());
   EXPECT_TRUE(f.is_zero());
   EXPECT_EQ(f.text(), "2*(3 - 3)");
@@ -203,7 +203,7 @@ TEST(Function, ComposedOfOthers) {
                                           [](const std::vector<double>& values) { return values[0] + values[1]; });
   EXPECT_EQ(sum({.t = 1, .T = 10}), 22.0);
   EXPECT_TRUE(sum.depends_on_temperature() && sum.depends_on_time());
-  EXPECT_FALSE(sum.depends_on_place() || sum.is_constant());
+  EXPECT_FALSE(sum.depends_on_position() || sum.is_constant());
   EXPECT_EQ(sum.breakpoints(), (std::vector<double>{0, 3}));
   EXPECT_EQ(sum.text(), "2*T + table");
   const Function constant =

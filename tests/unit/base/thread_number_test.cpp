@@ -34,6 +34,7 @@ TEST(ThreadNumber, IsUniqueAmongLivingThreadsAndUsedAgain) {
 TEST(Function, ExpressionsAreEvaluatedByAnyThreads) {
   const Function square = Function::expression("x*x + t", {"x", "t"});
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i)
     threads.emplace_back([&, i] {
       for (int k = 0; k < 2000; ++k) {

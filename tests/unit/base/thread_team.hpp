@@ -77,6 +77,7 @@ template <typename Work>
 void on_team(int n, Work work) {
   ThreadTeam::Exchange exchange(n);
   std::vector<std::jthread> threads;
+  threads.reserve(n);
   for (int rank = 0; rank < n; ++rank) threads.emplace_back([&, rank] { work(ThreadTeam(exchange, rank)); });
 }
 

@@ -98,8 +98,10 @@ TEST_P(ContactAreas, Circles) {
 TEST_P(ContactAreas, EdgeWithinAnElement) {
   const int n = 8;
   const Square square(GetParam(), n);
-  for (double edge = 0.5; edge < 0.5 + 1.0 / n; edge += 0.01)
+  for (int percent = 0; percent < 100 / n; ++percent) {
+    const double edge = 0.5 + 0.01 * percent;
     EXPECT_NEAR(square.area([&](double x, double) { return edge - x; }), edge, 0.125 / n) << edge;
+  }
 }
 
 // The same where the contact is the outer part, and around a hole of it.

@@ -157,16 +157,16 @@ std::vector<OverhangCase> overhang_cases(const std::vector<CellType>& types_with
   return cases;
 }
 
-std::string name_of(const testing::TestParamInfo<OverhangCase>& tested) {
+std::string overhang_name(const testing::TestParamInfo<OverhangCase>& tested) {
   return tested.param.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, Overhang,
                          testing::ValuesIn(overhang_cases({CellType::tet10, CellType::hex20, CellType::hex27})),
-                         name_of);
+                         overhang_name);
 // A hex20 with curved edges holds no uniform stress even alone: its reduced rule misses the exact nodal forces by 2e-3.
 INSTANTIATE_TEST_SUITE_P(Bodies, OverhangState, testing::ValuesIn(overhang_cases({CellType::tet10, CellType::hex27})),
-                         name_of);
+                         overhang_name);
 
 }  // namespace
 }  // namespace creepcontact

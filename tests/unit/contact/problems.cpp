@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "creepcontact/base/index.hpp"
+
 namespace creepcontact::test {
 
 Eigen::MatrixXd random_flexibility(int n, std::mt19937& generator, double scale) {
@@ -17,7 +19,7 @@ ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_ratio, std
   const int n = n_pairs * rows_per_pair;
   problem.total.setZero(n, n);
   problem.bilateral.assign(n, 0);
-  problem.rigid.setZero(n, 2 * n_floating);
+  problem.rigid.setZero(n, Index{2} * n_floating);
   for (int b = 0; b <= n_pairs; ++b) {
     contact::Flexibility body;
     for (int r = std::max(b - 1, 0) * rows_per_pair; r < std::min(b + 1, n_pairs) * rows_per_pair; ++r)
@@ -27,11 +29,11 @@ ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_ratio, std
     problem.total(body.rows, body.rows) += body.matrix;
     // Translation across the joints and rotation: moving towards the first body closes its one side, opens the other.
     Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(n_rows, problem.rigid.cols());
-    if (const int floating = b - (n_pairs + 1 - n_floating); floating >= 0)
-      for (int k = 0; k < n_rows; ++k) {
+    if (const Index floating = b - (n_pairs + 1 - n_floating); floating >= 0)
+      for (Index k = 0; k < n_rows; ++k) {
         const double side = body.rows[k] / rows_per_pair < b ? 1.0 : -1.0;
         rigid(k, 2 * floating) = side;
-        rigid(k, 2 * floating + 1) = side * (2.0 * (k % rows_per_pair) / (rows_per_pair - 1) - 1.0);
+        rigid(k, 2 * floating + 1) = side * (2.0 * static_cast<double>(k % rows_per_pair) / (rows_per_pair - 1) - 1.0);
       }
     problem.rigid(body.rows, Eigen::all) += rigid;
     problem.rigid_of_body.push_back(std::move(rigid));

@@ -102,9 +102,9 @@ class RandomAssembly {
     pairs_.push_back(std::move(pair));
   }
 
-  static std::int64_t nearest(const mesh::Mesh& mesh, const Vector3& place) {
+  static std::int64_t nearest(const mesh::Mesh& mesh, const Vector3& position) {
     const auto found = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](const Vector3& a, const Vector3& b) {
-      return (a - place).norm() < (b - place).norm();
+      return (a - position).norm() < (b - position).norm();
     });
     return found - mesh.nodes.begin();
   }

@@ -8,11 +8,11 @@
 namespace creepcontact::contact {
 namespace {
 
-using test::accelerated;
-using test::Acceleration;
-using test::accelerations;
-using test::chain;
-using test::expect_solved;
+using creepcontact::test::accelerated;
+using creepcontact::test::Acceleration;
+using creepcontact::test::accelerations;
+using creepcontact::test::chain;
+using creepcontact::test::expect_solved;
 
 class RandomProblems : public testing::TestWithParam<double> {};
 
@@ -122,7 +122,8 @@ TEST(Schwarz, ThreeThousandMultipliers) {
   problem.bilateral.assign(side * side, 0);
   Eigen::VectorXd gap(side * side);  // a sphere
   for (int i = 0; i < side * side; ++i) {
-    const double x = i % side - 27.3, y = i / side - 26.8;
+    const int column = i % side, row = i / side;
+    const double x = column - 27.3, y = row - 26.8;
     gap[i] = 1e-3 * (x * x + y * y - 500);
   }
   const ContactResult result = schwarz_solver(problem, {})->solve({gap, {}}, {});

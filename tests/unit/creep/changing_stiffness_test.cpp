@@ -7,6 +7,7 @@
 #include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
+namespace changing_stiffness_tests {
 namespace {
 
 /// Both moduli of both bodies change, each in its own way, and not alike everywhere.
@@ -189,8 +190,9 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
   ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
   EXPECT_EQ(read_text(parts / "history.csv"), read_text(whole / "history.csv"));
   EXPECT_EQ(read_text(parts / "steps.csv"), read_text(whole / "steps.csv"));
-  EXPECT_GT(SummaryFile(whole / "summary.json").number("factorizations"), 4) << "the stiffness is factored anew";
+  EXPECT_GT(SummaryFile(whole / "summary.json").number("factorizations"), 4) << "the stiffness is factorised again";
 }
 
 }  // namespace
+}  // namespace changing_stiffness_tests
 }  // namespace creepcontact::run::test

@@ -237,13 +237,13 @@ TEST(CreepSystem, OverflowMayBeMendedByASmallerStep) {
 TEST(CreepSystem, CountsWhatItCosts) {
   const Case blocks;
   System system(blocks.config());
-  const creep::RunCounters before = system.rate.run_counters();
+  const RunCounters before = system.rate.run_counters();
   const std::vector<double> y = random_state(system, 0.1, 1);
   std::vector<double> product(y.size());
   rate_at(system, 0, y);
   system.rate.jacobian_times(0, y, y, product);  // at the same point: one linear solve more
-  const creep::RunCounters after = system.rate.run_counters();
-  EXPECT_EQ(after.rate_evaluations - before.rate_evaluations, 1);
+  const RunCounters after = system.rate.run_counters();
+  EXPECT_EQ(after.rhs_evaluations - before.rhs_evaluations, 1);
   EXPECT_EQ(after.jacobian_products - before.jacobian_products, 1);
   EXPECT_EQ(after.elastic_solves - before.elastic_solves, 2);
   EXPECT_EQ(after.contact_solves - before.contact_solves, 1);

@@ -10,6 +10,7 @@
 #include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
+namespace tangent_tests {
 namespace {
 
 constexpr const char* direct_contact = "contact_solver.method=active_set";
@@ -141,15 +142,15 @@ TEST(Tangent, CountsWhatItCosts) {
   System system(blocks.config("", {"materials.hard.creep=[]"}));
   Eigen::VectorXd y = random_vector(system, 0.3, 1), z(y.size());
   system.rate.rate(0, span(y), span(z));
-  const creep::RunCounters before = system.rate.run_counters();
+  const RunCounters before = system.rate.run_counters();
   EXPECT_EQ(before.factorizations, 2);
   system.rate.prepare_tangent(0, span(y), 1.0);
   system.rate.solve_tangent(span(y), span(z));
   system.rate.solve_tangent(span(y), span(z));
-  const creep::RunCounters after = system.rate.run_counters();
+  const RunCounters after = system.rate.run_counters();
   EXPECT_EQ(after.factorizations, 3) << "the elastic body keeps its factor";
   EXPECT_EQ(after.elastic_solves - before.elastic_solves, 2);
-  EXPECT_EQ(after.rate_evaluations, before.rate_evaluations);
+  EXPECT_EQ(after.rhs_evaluations, before.rhs_evaluations);
 }
 
 TEST(Tangent, RelaxesTheBlocksLikeTheClosedForm) {
@@ -178,4 +179,5 @@ TEST(Tangent, NeedsTheMatricesOfTheContactZones) {
 }
 
 }  // namespace
+}  // namespace tangent_tests
 }  // namespace creepcontact::run::test

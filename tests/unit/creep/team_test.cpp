@@ -21,7 +21,7 @@ struct Course {
 
 Course run(const Team& team, int first, int count) {
   Stopwatch watch;
-  const Assembly bar = test::row_of_cubes(team, first, count);
+  const Assembly bar = creepcontact::test::row_of_cubes(team, first, count);
   SolverOptions options;
   options.refactor_change = 0.1;
   EquilibriumSolver solver(bar, options, watch);
@@ -64,7 +64,7 @@ TEST(TeamOfCreepSystems, CreepsAsOneProcessDoes) {
     expect_near(part.stable_step, alone.stable_step, 1e-6);
     EXPECT_EQ(part.factorizations, alone.factorizations);
     expect_near(part.damage.value, alone.damage.value, 1e-6);
-    EXPECT_NEAR((part.damage.place - alone.damage.place).norm(), 0, 1e-12);
+    EXPECT_NEAR((part.damage.position - alone.damage.position).norm(), 0, 1e-12);
   }
   std::vector<double> state = parts[1].state;
   state.insert(state.end(), parts[0].state.begin(), parts[0].state.end());
@@ -78,7 +78,7 @@ TEST(TeamOfCreepSystems, FailsTogether) {
   std::vector<int> recovered(2);
   on_team(2, [&](const Team& team) {
     Stopwatch watch;
-    const Assembly bar = test::row_of_cubes(team, team.rank(), 1);
+    const Assembly bar = creepcontact::test::row_of_cubes(team, team.rank(), 1);
     EquilibriumSolver solver(bar, {}, watch);
     CreepSystem system(solver, survey_elastic_stress(solver, {0, end}, {}), 1e-4, watch);
     std::vector<double> y(system.size(), team.rank() == 1 ? 1e306 : 0.0), rate(system.size());

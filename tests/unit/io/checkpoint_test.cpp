@@ -80,7 +80,7 @@ TEST_F(CheckpointFile, AnyChangedByteIsFound) {
   for (std::size_t i = 0; i < good.size(); i += i < 600 ? 1 : 97) {
     const std::string message =
         reading([&](std::string& bytes) { bytes[i] = static_cast<char>(bytes[i] ^ 0x10); }, good);
-    EXPECT_TRUE(contains(message, "damaged") || contains(message, "is no checkpoint"))
+    EXPECT_TRUE(contains(message, "damaged") || contains(message, "is not a checkpoint"))
         << "byte " << i << ": " << message;
   }
 }
@@ -97,13 +97,23 @@ TEST_F(CheckpointFile, CutShortOrExtendedIsFound) {
 
 TEST_F(CheckpointFile, ForeignMissingAndUnwritableFilesAreNamed) {
   test::write_text(path_, "time,a\n");
-  EXPECT_TRUE(contains(message_of<ConfigError>([&] { read_checkpoint(path_); }), "is no checkpoint"));
+  EXPECT_TRUE(contains(message_of<ConfigError>([&] { read_checkpoint(path_); }), "is not a checkpoint"));
   test::write_text(path_, "");
-  EXPECT_TRUE(contains(message_of<ConfigError>([&] { read_checkpoint(path_); }), "is no checkpoint"));
+  EXPECT_TRUE(contains(message_of<ConfigError>([&] { read_checkpoint(path_); }), "is not a checkpoint"));
   EXPECT_TRUE(
       contains(message_of<ConfigError>([&] { read_checkpoint(directory_ / "none.h5"); }), "No such file or directory"));
   EXPECT_TRUE(contains(message_of<Error>([&] { write_checkpoint(directory_ / "none/checkpoint.h5", example()); }),
                        "cannot write the checkpoint"));
+}
+
+TEST_F(CheckpointFile, OfAnotherVersionIsRefused) {
+  write_checkpoint(path_, example());
+  const std::string version = "creepcontact checkpoint 3\n", good = test::read_text(path_);
+  ASSERT_TRUE(good.starts_with(version));
+  for (const char other : {'2', '4'}) {
+    const std::string message = reading([&](std::string& bytes) { bytes[version.size() - 2] = other; }, good);
+    EXPECT_TRUE(contains(message, "is not a checkpoint of this version of creepcontact")) << message;
+  }
 }
 
 class TwoCheckpoints : public CheckpointFile {
@@ -146,9 +156,9 @@ TEST_F(TwoCheckpoints, WhatIsWrongWithBothIsSaid) {
   test::write_text(path_, "");
   test::write_text(previous_, test::read_text(previous_) + "x");
   const std::string message = message_of<ConfigError>([&] { read_last_checkpoint(path_); });
-  EXPECT_TRUE(contains(message, path_.string() + "' is no checkpoint")) << message;
+  EXPECT_TRUE(contains(message, path_.string() + "' is not a checkpoint")) << message;
   EXPECT_TRUE(contains(message, previous_.string() + "' is cut short or damaged")) << message;
-  EXPECT_TRUE(contains(message, "run without --resume to begin anew")) << message;
+  EXPECT_TRUE(contains(message, "run without --resume to start again")) << message;
 }
 
 TEST_F(TwoCheckpoints, AreRemovedWithWhatWasBegunBesideThem) {

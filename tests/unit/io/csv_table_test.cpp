@@ -58,7 +58,7 @@ TEST_F(ReadBack, ARowWithoutItsEndMayBeTorn) {
 TEST_F(ReadBack, MistakesNameTheLine) {
   EXPECT_EQ(mistake(), file_.string() + ": cannot be read: No such file or directory");
   write("time,a\n1,2\n3,x\n");
-  EXPECT_EQ(mistake(), file_.string() + ":3: 'x' is no number");
+  EXPECT_EQ(mistake(), file_.string() + ":3: 'x' is not a number");
   write("time,a\n1\n");
   EXPECT_EQ(mistake(), file_.string() + ":2: 1 cells under 2 columns");
 }
@@ -86,7 +86,8 @@ TEST_F(ReadBack, Summary) {
 
 TEST_F(ReadBack, CountsOfASummaryAreWholeNumbers) {
   const std::string rest = R"(, "status": "completed", "version": "0.1.0", "time_reached": 1, "elastic_solves": 1,
-    "schwarz_iterations": 1, "rejected_steps": 0, "convergence_failures": 0, "wall_seconds": {"total": 1}})";
+    "schwarz_iterations": 1, "rejected_steps": 0, "convergence_failures": 0, "rhs_evaluations": 1,
+    "jacobian_products": 0, "contact_solves": 1, "factorizations": 1, "wall_seconds": {"total": 1}})";
   EXPECT_TRUE(parse_summary(R"({"steps": 3)" + rest));
   EXPECT_TRUE(parse_summary(R"({"steps": -3)" + rest));
   EXPECT_FALSE(parse_summary(R"({"steps": 1e300)" + rest));

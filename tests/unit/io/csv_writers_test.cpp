@@ -37,7 +37,11 @@ TEST_F(CsvWriters, NumbersReadBackToTheSameDouble) {
 }
 
 TEST_F(CsvWriters, StepsHaveTheColumnsOfTheContract) {
-  StepWriter(path_).write({2.5, 0.5, 3, 10, 20, 30, 4, 0.25});
+  RunCounters work;
+  work.rhs_evaluations = 10;
+  work.elastic_solves = 20;
+  work.schwarz_iterations = 30;
+  StepWriter(path_).write({2.5, 0.5, 3, work, 4, 0.25});
   EXPECT_EQ(read_text(path_),
             "time,step,order,rhs_evaluations,elastic_solves,schwarz_iterations,active_contacts,error_estimate\n"
             "2.5,0.5,3,10,20,30,4,0.25\n");

@@ -125,7 +125,7 @@ TEST_F(Fields, ResumingKeepsEntriesUpToTheCheckpoint) {
   EXPECT_TRUE(contains(message_of<ConfigError>([&] {
                          FieldWriter(directory_.path(), "a", mesh, "", {true, 1});
                        }),
-                       "is no list of fields"));
+                       "is not a list of fields"));
 }
 
 TEST_F(Fields, ArraysOfTheWrongSizeAreErrors) {

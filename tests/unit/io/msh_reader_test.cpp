@@ -118,7 +118,7 @@ TEST(MshReader, CountsBeyondTheFileTakeNoMemory) {
 TEST(MshReader, MessagesSayWhereAndWhat) {
   EXPECT_EQ(error_of(test::replaced(test::ascii_41, "77 0 0\n2 7 1", "77 O 0\n2 7 1")),
             "m.msh, line 20, in $Nodes: expected a coordinate of a node, a number, but found 'O'; the file is damaged: "
-            "write it anew");
+            "write it again");
   EXPECT_TRUE(contains(error_of(test::replaced(test::ascii_22, "3 0 1 0\n", "3 0 nan 0\n")),
                        "a coordinate of a node is nan, not a finite number"));
   EXPECT_TRUE(contains(error_of(test::binary_41(false).substr(0, 400)), "m.msh, byte "));
@@ -144,7 +144,7 @@ TEST(MshReader, OtherFormatsAreRefusedWithTheWayToConvertThem) {
 TEST(MshReader, ANodeWithTwoPlacesIsAnError) {
   const std::string twice = test::replaced(test::ascii_22, "$Nodes\n6\n", "$Nodes\n7\n3 0 1 0\n");
   expect_two_tetrahedra(read_msh(twice, "m.msh"));
-  EXPECT_TRUE(contains(error_of(test::replaced(twice, "3 0 1 0\n", "3 0 2 0\n")), "node 3 stands twice"));
+  EXPECT_TRUE(contains(error_of(test::replaced(twice, "3 0 1 0\n", "3 0 2 0\n")), "node 3 appears twice"));
 }
 
 TEST(MshReader, MeshesWithoutBodiesSayWhatTheyLack) {

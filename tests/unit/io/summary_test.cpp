@@ -35,14 +35,15 @@ TEST_F(SummaryFile, HasEveryEntryOfTheContract) {
   summary.contact_solves = 6;
   summary.schwarz_iterations = 7;
   summary.factorizations = 8;
-  summary.bodies["ring"] = {10, 11, 12};
+  summary.bodies["ring"] = {.dofs = 10, .elements = 11, .integration_points = 12, .von_mises = {3, 4, 1}};
   summary.wall_seconds = {1, 2, 3, 4, 5, 6};
   summary.peak_memory_mb = 99.5;
   const nlohmann::json expected = nlohmann::json::parse(R"({
     "title": "", "units": "mm, N", "version": "0.1.0", "status": "completed", "time_reached": 1e4,
     "integrator": "cvode_bdf", "steps": 1, "rejected_steps": 2, "convergence_failures": 20,
     "rhs_evaluations": 3, "jacobian_products": 4, "elastic_solves": 5, "contact_solves": 6, "schwarz_iterations": 7, "factorizations": 8,
-    "bodies": {"ring": {"dofs": 10, "elements": 11, "integration_points": 12}},
+    "bodies": {"ring": {"dofs": 10, "elements": 11, "integration_points": 12,
+      "initial_von_mises": 3.0, "largest_von_mises": 4.0, "final_von_mises": 1.0}},
     "wall_seconds": {"total": 1.0, "factorize": 2.0, "solve": 3.0, "material": 4.0, "contact": 5.0, "output": 6.0},
     "peak_memory_mb": 99.5})");
   EXPECT_EQ(written(summary), expected);
@@ -85,7 +86,7 @@ TEST_F(SummaryFile, TellsOfLifeOnlyWhatIsKnown) {
   summary.damage["blade"] = {0.25, {1, 2, 3}};
   summary.life_fraction["blade"] = {0.5, {4, 5, 6}};
   summary.rupture = {7.0, "blade", {0.99, {1, 2, 3}}};
-  summary.contacts["fit"] = {200, 50};
+  summary.contacts["fit"].normal_force = {.start = 150, .largest = 200, .end = 50};
   const auto json = written(summary);
   EXPECT_EQ(json["damage"]["blade"]["largest"], 0.25);
   EXPECT_EQ(json["life_fraction"]["blade"]["place"][2], 6.0);
@@ -100,7 +101,7 @@ TEST_F(SummaryFile, HeadingIsReadBack) {
   summary.title = "Fit";
   summary.units = "mm, N";
   summary.status = Summary::Status::failed;
-  summary.probes["p"] = {"contact_pressure", "surface"};
+  summary.probes["p"] = {"contact_pressure", "contact pressure", "stress", "surface"};
   write_summary(directory_ / "summary.json", summary);
   const SummaryHeading heading = read_summary_heading(directory_ / "summary.json");
   EXPECT_EQ(heading.title, "Fit");
@@ -114,7 +115,7 @@ TEST_F(SummaryFile, HeadingOfAnotherFile) {
     const auto path = test::write_text(directory_ / "summary.json", text);
     return test::message_of<ConfigError>([&] { read_summary_heading(path); });
   };
-  EXPECT_TRUE(test::contains(message("{\"title\": "), "is no JSON object"));
+  EXPECT_TRUE(test::contains(message("{\"title\": "), "is not a JSON object"));
   EXPECT_EQ(message("{\"title\": 7, \"probes\": [1]}"), "nothing was thrown");
 }
 

@@ -63,41 +63,41 @@ TEST_F(TemperatureReader, TimesColumnsAndRowsInAnyOrder) {
 
 TEST_F(TemperatureReader, MistakesAreNamedWithTheirLine) {
   expect_mistake("x,y,T\n1,2,3\n", "line 1: no column 'z' among x, y, T;");
-  expect_mistake("x,y,z,T\n1,2,3,4\n1,2,3x,4\n", "line 3: '3x' in the column 'z' is no number");
-  expect_mistake("x,y,z,T\n1,2,3,\n", "line 2: '' in the column 'T' is no number");
+  expect_mistake("x,y,z,T\n1,2,3,4\n1,2,3x,4\n", "line 3: '3x' in the column 'z' is not a number");
+  expect_mistake("x,y,z,T\n1,2,3,\n", "line 2: '' in the column 'T' is not a number");
   expect_mistake("x,y,z,T\n1,2,3\n", "line 2: 3 cells, none in the column 'T'");
   expect_mistake("x,y,z,T\n1,2,3,nan\n", "line 2: the number is not finite");
   expect_mistake("x,y,z,T\n", "holds no temperatures");
   expect_mistake("x,y,z,T\n0,0,0,1\n0,0,0,2\n",
                  "line 3: the point (0, 0, 0) has the temperature 2 here and 1 in line 2");
   expect_mistake("x,y,z,t,T\n0,0,0,0,1\n1,0,0,0,1\n0,0,0,5,1\n",
-                 "the point (1, 0, 0) of line 3 is not there at t = 5; the same places");
+                 "the point (1, 0, 0) of line 3 is not there at t = 5; the same positions");
   const auto missing = directory_ / "none.csv";
   EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(missing); }), "No such file"));
 }
 
 TEST_F(TemperatureReader, Hdf5) {
-  const std::vector<double> places{0, 0, 0, 1, 0, 0};
-  const auto steady = read_temperatures(hdf5({{"coordinates", {2, 3}, places}, {"temperature", {2}, {10, 20}}}));
+  const std::vector<double> positions{0, 0, 0, 1, 0, 0};
+  const auto steady = read_temperatures(hdf5({{"coordinates", {2, 3}, positions}, {"temperature", {2}, {10, 20}}}));
   EXPECT_EQ(steady.values, (std::vector<std::vector<double>>{{10, 20}}));
   const auto changing = read_temperatures(
-      hdf5({{"coordinates", {2, 3}, places}, {"temperature", {2, 2}, {10, 20, 30, 40}}, {"times", {2}, {0, 7}}}));
+      hdf5({{"coordinates", {2, 3}, positions}, {"temperature", {2, 2}, {10, 20, 30, 40}}, {"times", {2}, {0, 7}}}));
   EXPECT_EQ(changing.times, (std::vector<double>{0, 7}));
   EXPECT_EQ(changing.values, (std::vector<std::vector<double>>{{10, 20}, {30, 40}}));
 }
 
 TEST_F(TemperatureReader, Hdf5Mistakes) {
-  const std::vector<double> places{0, 0, 0, 1, 0, 0};
+  const std::vector<double> positions{0, 0, 0, 1, 0, 0};
   const auto message = [&](const std::vector<Dataset>& sets) {
     const auto path = hdf5(sets);
     return test::message_of<ModelError>([&] { read_temperatures(path); });
   };
-  EXPECT_TRUE(contains(message({{"coordinates", {2, 3}, places}}), "no dataset 'temperature' among coordinates"));
-  EXPECT_TRUE(contains(message({{"coordinates", {6}, places}, {"temperature", {2}, {1, 2}}}), "'coordinates' is 6"));
-  EXPECT_TRUE(contains(message({{"coordinates", {2, 3}, places}, {"temperature", {3}, {1, 2, 3}}}),
+  EXPECT_TRUE(contains(message({{"coordinates", {2, 3}, positions}}), "no dataset 'temperature' among coordinates"));
+  EXPECT_TRUE(contains(message({{"coordinates", {6}, positions}, {"temperature", {2}, {1, 2}}}), "'coordinates' is 6"));
+  EXPECT_TRUE(contains(message({{"coordinates", {2, 3}, positions}, {"temperature", {3}, {1, 2, 3}}}),
                        "'temperature' is 3; with 2 points and 1 times it must be 1 x 2"));
   EXPECT_TRUE(contains(
-      message({{"coordinates", {2, 3}, places}, {"temperature", {2, 2}, {1, 2, 3, 4}}, {"times", {2}, {7, 0}}}),
+      message({{"coordinates", {2, 3}, positions}, {"temperature", {2, 2}, {1, 2, 3, 4}}, {"times", {2}, {7, 0}}}),
       "'times' must increase, but 0 follows 7"));
   constexpr hsize_t n = hsize_t{1} << 40;  // points that are in no file
   EXPECT_TRUE(contains(message({{"coordinates", {n, 3}, {}}, {"temperature", {n}, {}}}),

@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <pugixml.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace creepcontact::io::test {
@@ -16,10 +19,14 @@ namespace creepcontact::io::test {
 class VtuReader {
  public:
   explicit VtuReader(const std::filesystem::path& file) {
-    const auto result = document_.load_file(file.c_str());
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    constexpr std::string_view begin = "<AppendedData encoding=\"raw\">_", end = "\n </AppendedData>\n</VTKFile>\n";
+    const std::size_t at = text.find(begin);
+    if (at == std::string::npos || !text.ends_with(end)) throw std::runtime_error("no appended data");
+    const auto result = document_.load_string((text.substr(0, at) + "</VTKFile>").c_str());
     if (!result) throw std::runtime_error(result.description());
-    appended_ = root().child("AppendedData").text().as_string();
-    appended_.erase(0, appended_.find('_') + 1);
+    appended_ = text.substr(at + begin.size(), text.size() - at - begin.size() - end.size());
   }
 
   pugi::xml_node root() const { return document_.child("VTKFile"); }
@@ -40,42 +47,24 @@ class VtuReader {
   }
 
  private:
-  static std::string decode(std::string_view text) {
-    static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    std::uint32_t bits = 0;
-    int n_bits = 0;
-    for (char c : text) {
-      if (c == '=') break;
-      bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-      if ((n_bits += 6) < 8) continue;
-      bytes += static_cast<char>(bits >> (n_bits -= 8) & 255);
-    }
-    return bytes;
-  }
-  static std::size_t encoded_length(std::size_t bytes) { return (bytes + 2) / 3 * 4; }
-  static std::vector<std::uint64_t> integers(std::string_view text, std::size_t n) {
-    const std::string bytes = decode(text.substr(0, encoded_length(8 * n)));
+  /// From the offset on.
+  std::vector<std::uint64_t> integers(std::size_t offset, std::size_t n) const {
     std::vector<std::uint64_t> result(n);
-    std::memcpy(result.data(), bytes.data(), 8 * n);
+    if (offset + 8 * n > appended_.size()) throw std::runtime_error("the appended data are too short");
+    std::memcpy(result.data(), appended_.data() + offset, 8 * n);
     return result;
   }
 
   std::string inflate(std::size_t offset) const {
-    std::string_view text = std::string_view(appended_).substr(offset);
-    const std::size_t n_blocks = integers(text, 1)[0];
-    const auto header = integers(text, 3 + n_blocks);
-    text.remove_prefix(encoded_length(8 * header.size()));
-    std::size_t n_compressed = 0;
-    for (std::size_t b = 0; b < n_blocks; ++b) n_compressed += header[3 + b];
-    const std::string compressed = decode(text.substr(0, encoded_length(n_compressed)));
+    const std::size_t n_blocks = integers(offset, 1)[0];
+    const auto header = integers(offset, 3 + n_blocks);
     std::string result;
-    std::size_t begin = 0;
+    std::size_t begin = offset + 8 * header.size();
     for (std::size_t b = 0; b < n_blocks; ++b) {
       uLongf size = b + 1 == n_blocks && header[2] != 0 ? header[2] : header[1];
       std::string block(size, '\0');
       if (::uncompress(reinterpret_cast<Bytef*>(block.data()), &size,
-                       reinterpret_cast<const Bytef*>(compressed.data() + begin), header[3 + b]) != Z_OK ||
+                       reinterpret_cast<const Bytef*>(appended_.data() + begin), header[3 + b]) != Z_OK ||
           size != block.size())
         throw std::runtime_error("a block does not inflate");
       begin += header[3 + b];

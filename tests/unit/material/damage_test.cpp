@@ -6,6 +6,7 @@
 #include "../../../src/material/kachanov_rabotnov.hpp"
 
 namespace creepcontact::material {
+namespace damage_tests {
 namespace {
 
 const std::vector<double> parameters{1e-13, 5.0, 1e-12, 4.0, 6.0, 0.0};
@@ -92,4 +93,5 @@ TEST(KachanovRabotnov, StaysFiniteBeyondRupture) {
 }
 
 }  // namespace
+}  // namespace damage_tests
 }  // namespace creepcontact::material

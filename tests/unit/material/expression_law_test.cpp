@@ -10,6 +10,7 @@
 #include "../../../src/material/time_hardening.hpp"
 
 namespace creepcontact::material {
+namespace expression_law_tests {
 namespace {
 
 const Tensor6 uniaxial = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
@@ -134,4 +135,5 @@ TEST(ExpressionLaw, AnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace expression_law_tests
 }  // namespace creepcontact::material

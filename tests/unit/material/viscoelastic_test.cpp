@@ -6,6 +6,7 @@
 #include "../../../src/material/hereditary.hpp"
 
 namespace creepcontact::material {
+namespace viscoelastic_tests {
 namespace {
 
 std::vector<double> values_of(const CreepLaw& law) {
@@ -96,4 +97,5 @@ TEST(Hereditary, ListsThatDifferAreNamed) {
 }
 
 }  // namespace
+}  // namespace viscoelastic_tests
 }  // namespace creepcontact::material

@@ -38,7 +38,7 @@ TEST(Body, FreeBodyUnderBalancedLoads) {
   std::vector<double> right_hand_side(body.constraints().n_free()), resultant(6);
   body.right_hand_side(at, {}, right_hand_side);
   EXPECT_GE(body.external_resultant(at, resultant), 2 * 3.0 * 4) << "sum of the absolute forces";
-  body.clear_pins(right_hand_side);
+  body.clear_fixing_dofs(right_hand_side);
   for (const double work : resultant) EXPECT_NEAR(work, 0, 1e-12);
   std::vector<double> displacement(3 * box.nodes.size()), stress(6 * body.discretization().n_points());
   mechanics::FactoredBody factor = factored(body);

@@ -50,9 +50,9 @@ Support on(const std::string& surface, const Vector3& direction) {
   return support(box(), surface, direction);
 }
 
-std::vector<std::int64_t> nodes_at(const Vector3& place) {
+std::vector<std::int64_t> nodes_at(const Vector3& position) {
   for (std::size_t i = 0; i < box().nodes.size(); ++i)
-    if ((box().nodes[i] - place).norm() < 1e-12) return {static_cast<std::int64_t>(i)};
+    if ((box().nodes[i] - position).norm() < 1e-12) return {static_cast<std::int64_t>(i)};
   return {};
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 using Field = std::function<double(const Vector3&)>;
 
-double interpolated(const std::vector<Vector3>& points, const Field& field, const Vector3& place) {
+double interpolated(const std::vector<Vector3>& points, const Field& field, const Vector3& position) {
   double sum = 0;
-  for (const PointWeight& term : ScatteredInterpolation(points).weights(place))
+  for (const PointWeight& term : ScatteredInterpolation(points).weights(position))
     sum += term.weight * field(points[term.point]);
   return sum;
 }
@@ -35,8 +35,9 @@ double linear(const Vector3& x) {
 TEST(ScatteredInterpolation, IsExactForLinearFieldsAndAtThePoints) {
   const auto points = random_points(500, {2, 1, 4});
   const ScatteredInterpolation interpolation(points);
-  for (const Vector3& place : random_points(97, {2, 1, 4}))
-    EXPECT_NEAR(interpolated(points, linear, place), 500 + 20 * place[0] - 7 * place[1] + 3 * place[2], 1e-9);
+  for (const Vector3& position : random_points(97, {2, 1, 4}))
+    EXPECT_NEAR(interpolated(points, linear, position), 500 + 20 * position[0] - 7 * position[1] + 3 * position[2],
+                1e-9);
   for (const std::size_t i : {0u, 100u, 499u}) {
     const auto weights = interpolation.weights(points[i]);
     ASSERT_EQ(weights.size(), 1u);
@@ -50,8 +51,8 @@ TEST(ScatteredInterpolation, SeesTheNextLayer) {
   for (int k = 0; k < 4; ++k)
     for (int j = 0; j < 12; ++j)
       for (int i = 0; i < 12; ++i) points.emplace_back(0.05 * i, 0.05 * j, 1.0 * k);
-  for (const Vector3& place : {Vector3(0.31, 0.22, 1.4), Vector3(0.02, 0.5, 0.1), Vector3(0.55, 0.55, 2.98)})
-    EXPECT_NEAR(interpolated(points, linear, place), linear(place), 1e-9);
+  for (const Vector3& position : {Vector3(0.31, 0.22, 1.4), Vector3(0.02, 0.5, 0.1), Vector3(0.55, 0.55, 2.98)})
+    EXPECT_NEAR(interpolated(points, linear, position), linear(position), 1e-9);
 }
 
 TEST(ScatteredInterpolation, ErrorFallsWithTheSquareOfTheSpacing) {
@@ -63,8 +64,9 @@ TEST(ScatteredInterpolation, ErrorFallsWithTheSquareOfTheSpacing) {
       for (int j = 0; j <= n; ++j)
         for (int k = 0; k <= n; ++k) points.emplace_back(1.0 * i / n, 1.0 * j / n, 1.0 * k / n);
     double sum = 0;
-    const auto places = random_points(200, {1, 1, 1});
-    for (const Vector3& place : places) sum += std::pow(interpolated(points, curved, place) - curved(place), 2);
+    const auto positions = random_points(200, {1, 1, 1});
+    for (const Vector3& position : positions)
+      sum += std::pow(interpolated(points, curved, position) - curved(position), 2);
     errors.push_back(std::sqrt(sum / 200));
   }
   EXPECT_GT(errors[0] / errors[1], 3.2);

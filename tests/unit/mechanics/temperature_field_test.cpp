@@ -13,10 +13,10 @@ TemperatureField heated() {
 }
 
 double at(const TemperatureField& field, double x, double t) {
-  const std::vector<Vector3> place{{x, 3, 4}};
+  const std::vector<Vector3> position{{x, 3, 4}};
   std::vector<double> value(1);
   mechanics::TemperatureMemo memo;
-  field.at(place)->evaluate(t, value, memo);
+  field.at(position)->evaluate(t, value, memo);
   EXPECT_DOUBLE_EQ(value[0], field({.x = x, .y = 3, .z = 4, .t = t}));
   return value[0];
 }
@@ -35,11 +35,11 @@ TEST(TemperatureField, OfPointsIsLinearInTimeBetweenItsTimes) {
 /// Evaluated to and fro in time, the values that are kept stay right.
 TEST(TemperatureField, KeepsTheRightTimes) {
   const TemperatureField field = heated();
-  const auto places = field.at(line);
+  const auto positions = field.at(line);
   std::vector<double> values(3);
   mechanics::TemperatureMemo memo;
   for (const double t : {15.0, 45.0, 12.0, 25.0, 5.0, 19.0}) {
-    places->evaluate(t, values, memo);
+    positions->evaluate(t, values, memo);
     for (std::size_t p = 0; p < 3; ++p) EXPECT_DOUBLE_EQ(values[p], field({.x = line[p][0], .t = t})) << t;
   }
 }
@@ -48,10 +48,10 @@ TEST(TemperatureField, OfAFunction) {
   const TemperatureField field = Function::expression("500 + 20*x + t", {"x", "y", "z", "t"});
   EXPECT_DOUBLE_EQ(at(field, 2, 3), 543);
   EXPECT_EQ(field.text(), "500 + 20*x + t");
-  EXPECT_TRUE(field.depends_on_place() && field.depends_on_time());
+  EXPECT_TRUE(field.depends_on_position() && field.depends_on_time());
   EXPECT_EQ(field.distance_outside({99, 0, 0}), 0);
   const TemperatureField uniform = Function(20.0);
-  EXPECT_FALSE(uniform.depends_on_place() || uniform.depends_on_time());
+  EXPECT_FALSE(uniform.depends_on_position() || uniform.depends_on_time());
 }
 
 TEST(TemperatureField, TextTellsContentsApart) {

@@ -153,7 +153,7 @@ TEST(BoundaryFaces, SurfaceCellThatIsNoFaceIsAnError) {
   mesh.blocks[1].connectivity = {0, 1, 6, 7};
   mesh.groups = {{"cut", {"cut", 2, {{1, 0}}}}};
   EXPECT_EQ(message([&] { boundary_faces(mesh, "cut"); }),
-            "surface 'cut': the quad4 at (0.5, 0.5, 0.5) is no face of any volume cell");
+            "surface 'cut': the quad4 at (0.5, 0.5, 0.5) is not a face of any volume cell");
 }
 
 // Surface cells of order 1 on quadratic cells: the faces come with the cell's own mid nodes.

@@ -12,9 +12,9 @@ namespace {
 
 TEST(BoxTree, FindsWhatComparingAllBoxesFinds) {
   std::mt19937 generator(5);
-  std::uniform_real_distribution<double> place(0, 1), size(0, 0.1);
+  std::uniform_real_distribution<double> position(0, 1), size(0, 0.1);
   const auto random_box = [&] {
-    const Vector3 corner(place(generator), place(generator), place(generator));
+    const Vector3 corner(position(generator), position(generator), position(generator));
     return Eigen::AlignedBox3d(corner,
                                Vector3(corner + Vector3(size(generator), size(generator), 0.1 * size(generator))));
   };
@@ -53,11 +53,11 @@ TEST(PointTree, FindsTheNearestInTheirOrder) {
   for (int i = 0; i < 500; ++i) points.push_back(random_point());
   const mesh::PointTree tree(points);
   for (int trial = 0; trial < 200; ++trial) {
-    const Vector3 place = random_point();
+    const Vector3 position = random_point();
     std::vector<std::pair<double, std::size_t>> expected;
-    for (std::size_t i = 0; i < points.size(); ++i) expected.emplace_back((points[i] - place).norm(), i);
+    for (std::size_t i = 0; i < points.size(); ++i) expected.emplace_back((points[i] - position).norm(), i);
     std::ranges::sort(expected);
-    const std::vector<mesh::Neighbour> found = tree.nearest(place, 12);
+    const std::vector<mesh::Neighbour> found = tree.nearest(position, 12);
     ASSERT_EQ(found.size(), 12);
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(found[i].point, expected[i].second);

@@ -74,9 +74,9 @@ std::string mistakes(const Case& blocks, const std::string& text, const std::vec
 TEST(SharedNodes, BodiesThatWouldComeApart) {
   const Case blocks(quarters);
   const std::string said = mistakes(blocks, common + four);
-  const std::string place = (blocks / "case.toml").string() + ":3:8: mesh.file: ";
+  const std::string position = (blocks / "case.toml").string() + ":3:8: mesh.file: ";
   for (const char* pair : {"'a' and 'b'", "'b' and 'c'", "'c' and 'd'", "'a' and 'd'"})
-    EXPECT_TRUE(contains(said, place + "bodies " + pair +
+    EXPECT_TRUE(contains(said, position + "bodies " + pair +
                                    " share 21 nodes of the mesh, and no contact covers them: the "
                                    "bodies would come apart there. Add a contact"))
         << said;

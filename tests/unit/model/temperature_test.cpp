@@ -58,7 +58,7 @@ TEST_F(Temperatures, ComeFromAFile) {
 TEST_F(Temperatures, MistakesInTheFileAreNamedWithTheConfiguration) {
   const auto message = message_of<ModelError>([&] { build_model(config("x,y,z,T\n1,2,3,a\n")); });
   EXPECT_TRUE(contains(message, "case.toml:")) << message;
-  EXPECT_TRUE(contains(message, "T.csv', line 2: 'a' in the column 'T' is no number")) << message;
+  EXPECT_TRUE(contains(message, "T.csv', line 2: 'a' in the column 'T' is not a number")) << message;
   EXPECT_TRUE(
       contains(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\nvalue = 1\nfile = \"T.csv\"\n"); }),
                "temperature: both 'value' and 'file'"));
@@ -87,6 +87,12 @@ TEST_F(Temperatures, OutsideATableAreWarnedOfOnceATable) {
   EXPECT_TRUE(contains(said, "material 'soft': creep[0].A: the temperature at (")) << said;
   EXPECT_TRUE(contains(said, "outside its table (0 .. 190); the end value is used")) << said;
   EXPECT_EQ(said.find("outside"), said.rfind("outside")) << said;
+}
+
+TEST_F(Temperatures, OutsideATableOfRuptureDataAreWarnedOf) {
+  const std::string rupture = "materials.soft.rupture={ rupture_time = { T = [0, 190], values = [1e5, 1e3] } }";
+  const std::string said = warnings(config(csv, {rupture}), {4});
+  EXPECT_TRUE(contains(said, "material 'soft': rupture.rupture_time: the temperature at (")) << said;
 }
 
 /// Interpolation leaves 20 - 4e-15 of a field that is 20.

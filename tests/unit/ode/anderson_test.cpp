@@ -6,6 +6,7 @@
 #include "systems.hpp"
 
 namespace creepcontact::ode {
+namespace anderson_tests {
 namespace {
 
 constexpr double never = 1e9;
@@ -139,7 +140,7 @@ TEST(InnerAnderson, ParallelResidualsDoNoHarm) {
     }
 }
 
-TEST(InnerAnderson, LoadStrainIsTheArgumentOfTheLastEvaluation) {
+TEST(InnerAnderson, ResidualCorrectionIsTheArgumentOfTheLastEvaluation) {
   for (double gamma : {0.0, 0.5, 1.0}) {
     RelaxingBar bar;
     const double step = 2 * contraction_bound(bar, 1);
@@ -235,4 +236,5 @@ TEST(InnerAnderson, DepthMustNotBeNegative) {
 }
 
 }  // namespace
+}  // namespace anderson_tests
 }  // namespace creepcontact::ode

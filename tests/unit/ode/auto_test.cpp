@@ -9,6 +9,7 @@
 #include "unit/ode/systems.hpp"
 
 namespace creepcontact::ode {
+namespace auto_tests {
 namespace {
 
 const double tau = 1 / (ParallelBars::E * ParallelBars::n * 1e-14 * std::pow(ParallelBars::mean_stress, 4));
@@ -133,4 +134,5 @@ TEST_F(Auto, ResumesWithTheMethodAtWork) {
 }
 
 }  // namespace
+}  // namespace auto_tests
 }  // namespace creepcontact::ode

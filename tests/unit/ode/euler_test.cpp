@@ -176,7 +176,7 @@ TEST(BetaEuler, ResidualCorrectionKeepsTheResidualFromAccumulating) {
   EXPECT_LT(drift(0, 1e-15), 1e-6) << "with exact inner iterations there is no residual";
 }
 
-TEST(BetaEuler, ResidualCorrectionUsesTheLoadStrain) {
+TEST(BetaEuler, ResidualCorrectionUsesTheResidualCorrection) {
   // One inner iteration a step, worked by hand: f(y) = -y, dt = 0.1, beta = 1, y_0 = 1.
   // Predictor 0.9, rate at e = 0.9, y_1 = 0.91, residual 0.01. Step 2: predictor 0.82, e = 0.82 - (1 - gamma) 0.01.
   for (double gamma : {0.0, 0.5, 1.0}) {

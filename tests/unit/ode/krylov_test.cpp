@@ -3,6 +3,7 @@
 #include "every_integrator.hpp"
 
 namespace creepcontact::ode {
+namespace krylov_tests {
 namespace {
 
 using NewtonKrylov = EveryIntegrator;
@@ -76,4 +77,5 @@ TEST(CvodeBdf, ErrorOfTheStressIsBoundedByTheToleranceNotByTheCreepStrain) {
 }
 
 }  // namespace
+}  // namespace krylov_tests
 }  // namespace creepcontact::ode

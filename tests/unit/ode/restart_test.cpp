@@ -125,7 +125,7 @@ TEST(RestartOfCvode, KeepsTheAccuracy) {
 
 TEST(RestartOfArkode, CostsLittle) {
   for (const char* name : {"arkode_erk", "arkode_dirk"}) {
-    std::int64_t cost[2];
+    std::int64_t cost[2]{};
     for (const bool often : {false, true}) {
       ParallelBars system(6, 100);
       IntegratorOptions options{.tolerance = 1e-6};

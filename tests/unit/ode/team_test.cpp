@@ -1,5 +1,7 @@
 /// A state that several processes hold in parts is integrated as a whole: the same steps, the same solution.
 
+#include <cmath>
+
 #include "../base/thread_team.hpp"
 #include "every_integrator.hpp"
 

@@ -21,9 +21,9 @@ std::optional<int> width(int nx, int ny, const Force& force, mesh::CellType type
   pair.slave_surface = "z1";
   pair.coupling = contact::mortar_coupling(slave.surface(), master.surface(), contact::ContactType::unilateral);
   const contact::ContactGrid grid(pair, slave.mesh);
-  Eigen::VectorXd forces(grid.places.size());
+  Eigen::VectorXd forces(grid.positions.size());
   for (Index i = 0; i < forces.size(); ++i)
-    forces[i] = force(grid.place(static_cast<int>(i)).x(), grid.place(static_cast<int>(i)).y());
+    forces[i] = force(grid.position(static_cast<int>(i)).x(), grid.position(static_cast<int>(i)).y());
   return elements_across(grid, forces);
 }
 

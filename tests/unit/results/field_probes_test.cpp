@@ -16,9 +16,10 @@ class LinearField : public testing::TestWithParam<int> {
     const Case blocks;
     return probe(blocks, probes, {linear_temperature, "mesh.order=" + std::to_string(GetParam())});
   }
-  static std::vector<ProbeTable> all_reductions(const std::string& place) {
+  static std::vector<ProbeTable> all_reductions(const std::string& position) {
     std::vector<ProbeTable> probes;
-    for (const char* reduce : {"mean", "max", "min", "sum"}) probes.push_back({reduce, "temperature", place, reduce});
+    for (const char* reduce : {"mean", "max", "min", "sum"})
+      probes.push_back({reduce, "temperature", position, reduce});
     return probes;
   }
 };
@@ -152,9 +153,9 @@ TEST(FieldProbes, CylindricalStressAboutAnyAxis) {
   // As before, stress_xx = -2 alone; now about axes along y, along x, and inclined.
   const std::string pressed = "[[loads]]\non = 'side_x'\npressure = 2\n";
   std::vector<ProbeTable> probes;
-  const auto add = [&](const std::string& name, const std::string& place) {
+  const auto add = [&](const std::string& name, const std::string& position) {
     for (const char* component : {"r", "theta", "rtheta"})
-      probes.push_back({std::string(component) + '_' + name, std::string("stress_") + component, place});
+      probes.push_back({std::string(component) + '_' + name, std::string("stress_") + component, position});
   };
   add("y", "at = [1, 0.5, 0.5], axis = [0, 3, 0], origin = [0, -7, -0.5]");   // r along (1, 0, 1), theta (1, 0, -1)
   add("x", "at = [1, 0.5, 0.5], axis = [1, 0, 0]");                           // no part along r and theta
@@ -183,8 +184,8 @@ TEST(FieldProbes, CylindricalStressAboutAnyAxis) {
 
 TEST(FieldProbes, APointInTwoBodies) {
   const Case blocks;
-  const auto message = [&](const std::string& place) {
-    const config::Config config = blocks.parse(probe_tables({{"p", "von_mises", place}}) + case_text);
+  const auto message = [&](const std::string& position) {
+    const config::Config config = blocks.parse(probe_tables({{"p", "von_mises", position}}) + case_text);
     const Model model = build_model(config);
     return message_of<ModelError>([&] { make_probes(config, model); });
   };
@@ -219,9 +220,9 @@ TEST(FieldProbes, CreepStrainsOfTheState) {
 
 TEST(FieldProbes, EveryQuantityHasAValueWhereItMayStand) {
   std::vector<ProbeTable> probes;
-  for (const QuantityInfo& info : quantities()) {
+  for (const Quantity& info : quantities()) {
     probes.push_back({"on_" + info.name, info.name, "on = 'lower_top'"});
-    if (info.kind != QuantityInfo::Kind::field) continue;
+    if (info.variable->location != OutputVariable::Location::field) continue;
     probes.push_back({"at_" + info.name, info.name, "at = [1, 0.5, 0.5]"});
     probes.push_back({"in_" + info.name, info.name, "body = 'upper'"});
   }

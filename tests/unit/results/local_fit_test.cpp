@@ -28,7 +28,7 @@ double fitted(const mechanics::Discretization& discretization, const mesh::Mesh&
 
 const Vector3 lengths(2, 1, 1.5);
 /// A corner, the middle of a side, a place inside.
-const std::vector<Vector3> places{{0, 0, 0}, {2, 0.5, 0.75}, {0.7, 0.4, 1.1}};
+const std::vector<Vector3> positions{{0, 0, 0}, {2, 0.5, 0.75}, {0.7, 0.4, 1.1}};
 
 class LocalFit : public testing::TestWithParam<mesh::CellType> {};
 
@@ -36,7 +36,7 @@ TEST_P(LocalFit, ConstantsWhateverTheMesh) {
   for (const std::array<int, 3> divisions : {std::array{1, 1, 1}, std::array{3, 1, 1}, std::array{2, 2, 1}}) {
     const mesh::Mesh mesh = box_mesh(GetParam(), divisions, lengths, Vector3::Zero(), 0.1);
     const mechanics::Discretization discretization(mesh);
-    for (const Vector3& at : places)
+    for (const Vector3& at : positions)
       EXPECT_NEAR(fitted(discretization, mesh, 0, at, [](const Vector3&) { return 7.0; }), 7, 1e-9)
           << divisions[0] << divisions[1] << divisions[2] << " at " << at.transpose();
   }
@@ -45,7 +45,7 @@ TEST_P(LocalFit, ConstantsWhateverTheMesh) {
 TEST_P(LocalFit, LinearFieldsWhereTheMeshDeterminesThem) {
   const mesh::Mesh mesh = box_mesh(GetParam(), {2, 2, 2}, lengths, Vector3::Zero(), 0.1);
   const mechanics::Discretization discretization(mesh);
-  for (const Vector3& at : places) EXPECT_NEAR(fitted(discretization, mesh, 0, at, linear), linear(at), 1e-9);
+  for (const Vector3& at : positions) EXPECT_NEAR(fitted(discretization, mesh, 0, at, linear), linear(at), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Types, LocalFit, testing::ValuesIn(mesh::volume_cell_types()),
@@ -70,7 +70,7 @@ TEST(LocalFitOfOneLayer, LinearFieldsOfQuadraticElements) {
     for (const std::array<int, 3> divisions : {std::array{1, 1, 1}, std::array{3, 3, 1}, std::array{1, 4, 3}}) {
       const mesh::Mesh mesh = box_mesh(type, divisions, lengths);
       const mechanics::Discretization discretization(mesh);
-      for (const Vector3& at : places)
+      for (const Vector3& at : positions)
         EXPECT_NEAR(fitted(discretization, mesh, 0, at, linear), linear(at), 1e-9)
             << mesh::name(type) << " " << divisions[0] << divisions[1] << divisions[2] << " at " << at.transpose();
     }

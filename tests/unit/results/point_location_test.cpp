@@ -38,7 +38,7 @@ TEST_P(Locate, PointsInsideADistortedMesh) {
     const auto found = locator.locate(at);
     ASSERT_TRUE(found) << at.transpose();
     EXPECT_LT(found->distance, 1e-10) << at.transpose();
-    EXPECT_EQ(found->place, at);
+    EXPECT_EQ(found->position, at);
     EXPECT_LT((interpolated(mesh, *found) - at).norm(), 1e-10) << at.transpose();
     EXPECT_NEAR(sum_of_weights(*found), 1, 1e-12);
   }
@@ -103,7 +103,7 @@ TEST(LocateCurved, PointsOfTheTrueCircleOutsideItsChords) {
     const auto found = locator.locate(at);
     ASSERT_TRUE(found) << i;
     EXPECT_LT((interpolated(ring, *found) - at).norm(), 0.04) << i;
-    EXPECT_EQ(found->place, at);
+    EXPECT_EQ(found->position, at);
   }
 }
 

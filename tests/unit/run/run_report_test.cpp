@@ -1,4 +1,4 @@
-/// The table at the end of a run says what the summary holds; advice comes where it is due, and only there.
+/// The tables at the end of a run say what the summary holds; advice comes where it is due, and only there.
 #include "../../../src/run/run_report.hpp"
 
 #include <gtest/gtest.h>
@@ -39,17 +39,17 @@ StepStatistics steps() {
   return statistics;
 }
 
-Suspects suspects() {
+Diagnosis diagnosis() {
   return {.bodies = {{"shaft", 20}, {"bolt", 0.5}, {"plate", std::numeric_limits<double>::infinity()}},
           .contacts = {{"head", 3}, {"nut", 40}}};
 }
 
 TEST(RunReport, TellsWhatTheSummaryHolds) {
-  const std::string table = run_table(good_summary(), steps(), 1e-4, "cvode_bdf");
+  const std::string table = work_table(good_summary(), steps(), 1e-4, "cvode_bdf");
   for (const char* text :
        {"100 of 1 to 4, 2 rejected, 1 iterations failed; cvode_bdf, order up to 3",
         "270: 140 rates, 120 Jacobian products, 10 others (start, outputs, tangent); 2 factorisations",
-        "3.0 iterations a solve", "1e-04 requested", "0.40 of what that allows on average, 0.60 at most",
+        "3.0 iterations per solve", "1e-04 requested", "0.40 of what that allows on average, 0.60 at most",
         "10.00 s: factors 10 %, solves 50 %, material points 20 %, contact 5 %, output 5 %", "the rest 10 %", "123 MB"})
     expect_text(table, text);
 }
@@ -59,31 +59,56 @@ TEST(RunReport, HasNoLinesForWhatIsNotThere) {
   summary.schwarz_iterations = 0;
   StepStatistics plain;
   plain.see({.time = 1, .step = 1, .order = 1, .error_estimate = 0});
-  const std::string table = run_table(summary, plain, 1e-4, "explicit_euler");
+  const std::string table = work_table(summary, plain, 1e-4, "explicit_euler");
   EXPECT_EQ(table.find("accuracy"), std::string::npos);
   EXPECT_EQ(table.find("contact  "), std::string::npos);
 }
 
+TEST(RunReport, AnswersFirst) {
+  io::Summary summary = good_summary();
+  summary.bodies["shaft"].von_mises = {.start = 150, .largest = 160, .end = 40};
+  summary.contacts["fit"].normal_force = {.start = 1000, .largest = 1000, .end = 250};
+  summary.contacts["rim"].normal_force = {.start = 10, .largest = 10, .end = 0};
+  summary.contacts["rim"].opened = 3e4;
+  summary.life_fraction["shaft"] = {.value = 0.3, .position = {1, 2, 3}};
+  const std::string table = outcome_table(summary);
+  expect_text(table, "contact 'fit'             1000        1000         250        25 %");
+  expect_text(table, "body 'shaft'           150         160          40        25 %");
+  expect_text(table, "contact 'rim' is open from t = 30000 on");
+  expect_text(table, "body 'shaft' has used 30 % of its creep life at (1, 2, 3)");
+  EXPECT_EQ(table.find("damage"), std::string::npos);
+  EXPECT_EQ(table.find("ruptured"), std::string::npos);
+  summary.rupture = {.time = 7, .body = "shaft", .damage = {.value = 0.99, .position = {1, 2, 3}}};
+  expect_text(outcome_table(summary), "body 'shaft' ruptured at t = 7 at (1, 2, 3)");
+}
+
+TEST(RunReport, WorkIsOneLine) {
+  EXPECT_EQ(work_line(good_summary(), steps(), 1e-4, "cvode_bdf"),
+            "  cvode_bdf: 100 steps (relative stress tolerance 1e-04), 270 elastic solves, 450 Schwarz iterations, "
+            "10.00 s, 123 MB\n");
+  EXPECT_EQ(work_line(good_summary(), {}, 1e-4, ""), "  270 elastic solves, 450 Schwarz iterations, 10.00 s, 123 MB\n");
+}
+
 TEST(Advice, IsNotGivenWhereAllWentWell) {
-  EXPECT_EQ(advice(good_summary(), steps(), suspects()), Lines());
+  EXPECT_EQ(advice(good_summary(), steps(), diagnosis()), Lines());
 }
 
 TEST(Advice, NamesBodyAndContactWhereIterationsFail) {
   io::Summary summary = good_summary();
   summary.convergence_failures = 12;
-  const Lines lines = advice(summary, steps(), suspects());
+  const Lines lines = advice(summary, steps(), diagnosis());
   ASSERT_EQ(lines.size(), 1U);
   expect_text(lines[0], "failed 12 times in 100 steps");
   expect_text(lines[0], "Body 'bolt' creeps fastest (relaxation time 0.5 at the end)");
   expect_text(lines[0], "Contact 'nut' opened or closed somewhere in 40 of 100 steps");
   summary.steps = 19;  // too few to say
-  EXPECT_EQ(advice(summary, steps(), suspects()), Lines());
+  EXPECT_EQ(advice(summary, steps(), diagnosis()), Lines());
 }
 
 TEST(Advice, TellsOfRejectedStepsAndOfContactThatKeepsThemShort) {
   io::Summary summary = good_summary();
   summary.rejected_steps = 35;
-  const Lines lines = advice(summary, steps(), suspects());
+  const Lines lines = advice(summary, steps(), diagnosis());
   ASSERT_EQ(lines.size(), 2U);
   expect_text(lines[0], "time.breakpoints");
   expect_text(lines[1], "contact 'nut' opened or closed");
@@ -91,12 +116,12 @@ TEST(Advice, TellsOfRejectedStepsAndOfContactThatKeepsThemShort) {
             Lines({lines[0].substr(0, lines[0].find(" Body")) + lines[0].substr(lines[0].find(" If loads"))}));
 }
 
-TEST(Advice, TellsOfDearContactSolves) {
+TEST(Advice, TellsOfExpensiveContactSolves) {
   io::Summary summary = good_summary();
   summary.schwarz_iterations = 50 * summary.contact_solves;
-  const Lines lines = advice(summary, steps(), suspects());
+  const Lines lines = advice(summary, steps(), diagnosis());
   ASSERT_EQ(lines.size(), 1U);
-  expect_text(lines[0], "50 iterations a solve");
+  expect_text(lines[0], "50 iterations per solve");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
 
@@ -48,6 +50,21 @@ TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
     EXPECT_GT(steps.sum(count), 0) << count;
   }
   EXPECT_EQ(summary.number("elastic_solves"), summary.number("contact_solves") + summary.number("jacobian_products"));
+}
+
+TEST(RunOutputs, StepsEndAtOutputTimesIfAsked) {
+  const Case blocks;
+  for (const char* stop : {"true", "false"}) {
+    const std::filesystem::path out = blocks / stop;
+    const config::Config config =
+        blocks.config(pressure_probe, {"time.output=[0.1, 1, 1.7, 3]", "time.stop_at_output=" + std::string(stop)});
+    ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
+    const std::vector<double> times = Table(out / "steps.csv").times();
+    int found = 0;
+    for (const double output : {0.1, 1.0, 1.7, 3.0}) found += static_cast<int>(std::ranges::count(times, output));
+    EXPECT_EQ(found, stop == std::string("true") ? 4 : 0) << stop;
+    expect_relaxed_pressure(Table(out / "history.csv"), 1e-3, stop);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, Run,

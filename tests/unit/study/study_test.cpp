@@ -78,10 +78,22 @@ class StudyTables : public testing::Test {
   /// Errors of first order for u, of second for v; the single run fails.
   void SetUp() override {
     for (const config::PlannedRun& run : runs_) {
-      StudyRow row{"failed", "gave up, \"really\"", {std::nan("")}};
+      StudyRow row;
+      row.status = "failed";
+      row.message = "gave up, \"really\"";
+      row.errors = {std::nan("")};
       if (run.product == 0) {
         const double step = run.point[1] == 0 ? 0.4 : 0.1;
-        row = {"completed", "", {run.point[0] == 0 ? step : step * step}, 5, 6, 7, 2, 1, 0.5, true};
+        row.status = "completed";
+        row.message.clear();
+        row.errors = {run.point[0] == 0 ? step : step * step};
+        row.steps = 5;
+        row.elastic_solves = 6;
+        row.schwarz_iterations = 7;
+        row.rejected_steps = 2;
+        row.convergence_failures = 1;
+        row.wall_seconds = 0.5;
+        row.counted = true;
       }
       rows_.push_back(row);
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// Area in contact, with the edge of contact found between the multiplier nodes.
+/// Area in contact. The edge of contact is located between the multiplier nodes.
 
 #include <Eigen/Core>
 
@@ -7,17 +7,17 @@
 
 namespace creepcontact::contact {
 
-/// The area of one unilateral pair. A row counts with the share of its hat that lies inside the edge (ContactEdge).
-/// Surfaces closed all over count in full.
+/// The area in contact of one unilateral pair. Each row counts with the part of its standard hat function that lies
+/// inside the edge (ContactEdge); surfaces that are closed everywhere count in full.
 class ContactArea {
  public:
-  /// @param pair  must outlive the object
+  /// @param pair  must outlive the object @param slave  mesh of the slave body
   ContactArea(const contact::Pair& pair, const mesh::Mesh& slave);
   ContactArea(const ContactArea&) = delete;
   ContactArea& operator=(const ContactArea&) = delete;
 
-  /// @param pressure, gap  of the pair's multiplier nodes; the gaps are the weighted ones. Cost: O(rows), and the
-  /// quadrature points near the edge
+  /// Area in contact [length^2]. @param pressure, gap  of the multiplier nodes of the pair; the gaps are weighted
+  /// Cost: O(rows), and the quadrature points near the edge.
   double value(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
 
  private:

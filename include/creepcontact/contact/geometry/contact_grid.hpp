@@ -1,5 +1,5 @@
 #pragma once
-/// The multiplier nodes (rows) of a pair as a grid on the slave surface.
+/// The multiplier nodes (rows) of a unilateral pair as a grid of facets on the slave surface.
 
 #include <array>
 #include <vector>
@@ -8,22 +8,24 @@
 
 namespace creepcontact::contact {
 
+/// Rows at the corners of facets, and their neighbours.
 struct ContactGrid {
   struct Facet {
-    std::array<int, 4> rows{};  ///< at its corners
+    std::array<int, 4> rows{};  ///< row at each corner
     std::size_t n_corners = 0;
   };
 
-  /// Facets of the slave surface that have a row at each corner; those that the other surface hardly covers have not.
+  /// Takes the facets of the slave surface with a row at every corner; those that the master hardly covers are left
+  /// out.
   ContactGrid(const contact::Pair& pair, const mesh::Mesh& slave);
 
-  const Vector3& place(int row) const { return places[static_cast<std::size_t>(row)]; }
-  /// Rows that share a facet with a row, itself excepted.
-  const std::vector<int>& around(int row) const { return neighbours[static_cast<std::size_t>(row)]; }
+  const Vector3& position(int row) const { return positions[row]; }
+  /// Rows that share a facet with this row, without the row itself.
+  const std::vector<int>& around(int row) const { return neighbours[row]; }
 
-  std::vector<Vector3> places;  ///< of each row
+  std::vector<Vector3> positions;  ///< per row
   std::vector<Facet> facets;
-  std::vector<std::vector<int>> neighbours;  ///< of each row, ascending
+  std::vector<std::vector<int>> neighbours;  ///< per row, ascending
 };
 
 }  // namespace creepcontact::contact

@@ -1,5 +1,5 @@
 #pragma once
-/// Two surfaces in contact, by bodies.
+/// A contact pair: two surfaces of two bodies, or ties between their nodes.
 
 #include <span>
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace creepcontact::contact {
 
+/// Plain values; bodies are given by their index in the model.
 struct Pair {
   std::string name;
-  std::string slave_surface, master_surface;  ///< empty: ties of nodes (node_ties.hpp)
+  std::string slave_surface, master_surface;  ///< both empty for node ties (node_ties.hpp)
   std::size_t slave_body = 0, master_body = 0;
   MortarCoupling coupling;
-  Function gap;                ///< given initial gap ...
-  bool geometric_gap = false;  ///< ... or the one measured from the meshes
-  Index first_row = 0;         ///< in the multipliers of all pairs
+  Function gap;                ///< given initial gap [length], used unless ...
+  bool geometric_gap = false;  ///< ... it is measured from the meshes
+  Index first_row = 0;         ///< number of the first row among those of all pairs
 
   bool ties_nodes() const { return slave_surface.empty(); }
 };
 
-/// Numbers the rows of all pairs. @returns how many there are
+/// Sets first_row of all pairs. @returns the number of rows of all pairs
 Index number_rows(std::vector<Pair>& pairs);
 
-/// The contact rows of one body, those of all pairs stacked; `rows` receives their numbers.
+/// The contact rows of one body from all pairs, rows.size() x 3 n_nodes. @param rows  overwritten with their numbers
 RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows);
 
 }  // namespace creepcontact::contact

@@ -1,11 +1,12 @@
 #pragma once
-/// Convex polygons in a plane: what remains of one face under another.
+/// Convex polygons in a plane: the overlap of projected faces.
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace creepcontact::contact {
 
+/// Corners in order.
 using Polygon = std::vector<Eigen::Vector2d>;
 
 /// Signed area, positive for counter-clockwise order.

@@ -1,5 +1,5 @@
 #pragma once
-/// The bodies' flexibility as an operator, for contact zones too large for dense matrices.
+/// The flexibility F of all bodies as an operator, for contact zones that are too large for dense matrices.
 
 #include <Eigen/Core>
 #include <memory>
@@ -7,21 +7,23 @@
 
 namespace creepcontact::contact {
 
-/// Approximates the multipliers that close given gaps on one set of rows.
+/// Approximate inverse of F on one set of rows: multipliers that about close given gaps.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
+  /// @param gaps  one per row of the set @returns one per row of the set
   virtual Eigen::VectorXd multipliers(const Eigen::VectorXd& gaps) const = 0;
 };
 
+/// Symmetric positive semidefinite.
 class FlexibilityOperator {
  public:
   virtual ~FlexibilityOperator() = default;
-  /// F lambda on all rows.
+  /// F multiplier, on all rows. Cost: one forward and one back substitution per body.
   virtual Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const = 0;
-  /// An estimate of diag F, each entry positive where bodies can move.
+  /// Estimate of the diagonal of F; each entry is positive if its row can move.
   virtual const Eigen::VectorXd& diagonal() const = 0;
-  /// @param set  rows, ascending; the operator must outlive the result
+  /// @param set  rows, ascending. The operator must outlive the result.
   virtual std::unique_ptr<Preconditioner> preconditioner(const std::vector<int>& set) const = 0;
 };
 

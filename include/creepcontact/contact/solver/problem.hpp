@@ -1,12 +1,12 @@
 #pragma once
-/// The contact problem in multiplier space, condensed from all bodies. With the multipliers lambda (contact pressures)
-/// and the amplitudes alpha of the rigid motions that contact alone holds:
+/// The contact problem in the multipliers, condensed from all bodies. With the multipliers lambda (contact pressures)
+/// and the amplitudes alpha of the rigid-body modes that only contact holds:
 ///   gap = initial gap + sum_b F_b lambda + N alpha,   N^T lambda + resultant = 0,
 ///   lambda >= 0, gap >= 0, lambda . gap = 0   (tied rows: gap = 0)
-/// F_b is body b's flexibility on the rows it takes part in: the gaps that unit multipliers open by straining this
-/// body. A body held by contact alone is strained about some statically determinate pins: F_b depends on their choice,
-/// the solution does not, since N^T lambda + resultant = 0 leaves the pins without force. Source: Farhat and Roux
-/// (1991), rigid motions of floating subdomains in dual form.
+/// F_b is the flexibility of body b on its rows: the gaps that unit multipliers open by straining the body. A body held
+/// by contact alone is strained with some fixing dofs held (statically determinate). F_b depends on their choice, the
+/// solution does not: since N^T lambda + resultant = 0, they carry no force.
+/// Source: Farhat and Roux (1991), rigid-body modes of floating subdomains in dual form.
 
 #include <Eigen/Core>
 #include <vector>
@@ -16,41 +16,43 @@
 
 namespace creepcontact::contact {
 
+/// Flexibility of one body on its contact rows.
 struct Flexibility {
-  std::vector<int> rows;   ///< ascending
-  Eigen::MatrixXd matrix;  ///< rows.size() square, symmetric positive semidefinite
+  std::vector<int> rows;   ///< numbers among all rows, ascending
+  Eigen::MatrixXd matrix;  ///< rows.size() square, symmetric positive semidefinite; empty with an operator
 };
 
+/// All data that does not depend on the load. Owned by CondensedInterface; solvers refer to it.
 struct ContactProblem {
   std::vector<Flexibility> bodies;
-  std::vector<int> slave_body, master_body;  ///< of each row
-  std::vector<char> bilateral;               ///< of each row: tied
-  Eigen::MatrixXd total;                     ///< sum of the bodies' flexibilities; empty if ...
-  const FlexibilityOperator* large =
-      nullptr;  ///< ... it is given as an operator, together with `bodies` without matrices
-  /// N, n_rows x n_motions (no columns if supports hold all bodies): the gaps that unit amplitudes open, summed over
-  /// the bodies. A motion may move several bodies.
+  std::vector<int> slave_body, master_body;  ///< per row
+  std::vector<char> bilateral;               ///< per row: true if tied
+  Eigen::MatrixXd total;  ///< sum of the flexibilities of the bodies, n_rows square; empty if `large` is set
+  const FlexibilityOperator* large = nullptr;  ///< the flexibility as an operator, not owned, or null
+  /// N, n_rows x n_motions (no columns if supports hold all bodies): the gaps opened by unit amplitudes, summed over
+  /// the bodies. One mode may move several bodies.
   Eigen::MatrixXd rigid;
-  /// The same, body by body (rows of the body x n_motions): the part that this body's movement opens.
+  /// Contribution of each body to N, rows of the body x n_motions.
   std::vector<Eigen::MatrixXd> rigid_of_body;
 
   Index n_rows() const { return std::ssize(slave_body); }
   Index n_motions() const { return rigid.cols(); }
 };
 
-/// What the loads ask of contact.
+/// The loads as the contact solver takes them.
 struct ContactLoad {
   Eigen::VectorXd gap;        ///< weighted gaps without contact forces, n_rows
-  Eigen::VectorXd resultant;  ///< work of the loads on unit rigid motions, n_motions; empty: none
+  Eigen::VectorXd resultant;  ///< work of the loads on unit rigid-body modes, n_motions; empty: zero
 };
 
-/// Multipliers, amplitudes of the rigid motions and the rows that are in contact (ascending). All empty: nothing known.
+/// State of contact. All members empty: nothing known.
 struct ContactState {
-  Eigen::VectorXd multiplier;
-  Eigen::VectorXd rigid;
-  std::vector<int> active;
+  Eigen::VectorXd multiplier;  ///< contact pressures, n_rows [force/area]
+  Eigen::VectorXd rigid;       ///< amplitudes of the rigid-body modes, n_motions
+  std::vector<int> active;     ///< rows in contact, ascending
 };
 
+/// Solution of a contact problem, and the work it took.
 struct ContactResult {
   ContactState state;
   Eigen::VectorXd gap;  ///< weighted gaps of all rows in this state
@@ -58,41 +60,42 @@ struct ContactResult {
   int set_changes = 0;  ///< updates of the active set
 };
 
-/// Thrown when no contact pressures can balance the loads: the bodies fly off along `motion` (amplitudes of the rigid
-/// motions). It opens all contacts or leaves them as they are, and the loads do work along it.
+/// Thrown if no contact pressures can balance the loads; no std::exception, callers translate it. Along `motion`
+/// (amplitudes of the rigid-body modes) no contact closes, and the loads do work.
 struct UnbalancedLoad {
   Eigen::VectorXd motion;
 };
 
-/// gap = load.gap + F lambda + N alpha
+/// Weighted gaps of all rows: load.gap + F lambda + N alpha
 Eigen::VectorXd contact_gaps(const ContactProblem& problem, const ContactLoad& load, const ContactState& state);
 
 /// F lambda
 Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier);
-/// diag F, or an estimate of it.
+/// Diagonal of F; an estimate if F is an operator.
 Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem);
 
-/// Gap that a unit multiplier opens at its own row, the measure of gaps against multipliers. At the pins of a body held
-/// by contact alone F_ii may vanish: its rigid motions put a floor under it.
+/// Gap that a unit multiplier opens at its own row, to convert gaps to multipliers. F_ii may vanish at the fixing dofs
+/// of a body held by contact alone; a lower bound from the rigid-body modes is used there.
 Eigen::VectorXd row_flexibility(const ContactProblem& problem);
 
-/// Rows that no body can move along (supports hold both sides), ascending: they carry no multiplier, whatever their
-/// gap.
+/// Rows along which neither body can move, because supports hold both sides; ascending. They carry no multiplier,
+/// whatever their gap.
 std::vector<int> immovable_rows(const ContactProblem& problem);
 
-/// Flexibility that makes F + c N N^T regular at the pins without a new scale: trace F / |N|^2; 0 without motions.
-double pin_flexibility(const ContactProblem& problem);
+/// The factor c that makes F + c N N^T regular at the fixing dofs without introducing a new scale: trace F / |N|^2; 0
+/// without rigid-body modes.
+double fixing_flexibility(const ContactProblem& problem);
 
-/// What rounding makes of multipliers that are zero, as those of a body that moves out of an overlap unhindered: 1e-13
-/// of the ones that the gaps without contact forces ask for.
+/// Round-off threshold below which a multiplier counts as zero: 1e-13 of the largest multiplier that closing the gaps
+/// of the load would need.
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
 
-/// The set that the multipliers and gaps of a solution on some set ask for: rows with lambda_i - gap_i/F_ii > 0, and
-/// all tied ones. Changes below 1e-12 of the largest multiplier, or below the rounding, count as none.
+/// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones, ascending. Changes below 1e-12 of the
+/// largest multiplier, or below `rounding`, are ignored. @param current  ascending
 std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding);
 
-/// Where to begin: the warm start's set, or the rows that overlap without contact.
+/// The first active set: that of the warm start, or the rows that overlap without contact forces.
 std::vector<int> first_set(const ContactProblem& problem, const Eigen::VectorXd& initial_gap, const ContactState& warm);
 
 }  // namespace creepcontact::contact

@@ -1,0 +1,247 @@
+#include "discontinuities.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+namespace creepcontact::model {
+namespace {
+
+constexpr int uniform_samples = 16381;                     // a prime: no period divides their distance
+constexpr double first_sample = 1e-10, log_ratio = 1.024;  // over the end; between samples near 0
+constexpr double standing_out = 0.02;  // deviation of a slope change from those beside it, over them: not smooth
+constexpr double negligible = 1e-7;    // over the range of the values
+constexpr double persistent = 0.3;     // of a slope change through three refinements, of a kink's
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr std::size_t finer = 8;  // refinement of a level
+constexpr std::size_t margin = 6, stencil = 3;
+constexpr std::size_t longest_cluster = 8, most_kinks = 4000, trials = 24;
+constexpr int most_evaluations = 500000, deepest = 40;
+
+/// Nodes that stand out beside each other: one or several kinks.
+struct Cluster {
+  std::size_t first, last;
+};
+
+struct Grid {
+  std::vector<double> t, v;
+  double slope(std::size_t j) const { return (v[j + 1] - v[j]) / (t[j + 1] - t[j]); }  // behind node j
+  double change(std::size_t j) const { return slope(j) - slope(j - 1); }
+  double strength(std::size_t j) const { return std::abs(change(j)) + std::abs(change(j + 1)); }
+};
+
+/// The neighbour with fewer digits: expressions are written with round numbers.
+double rounder(double a, double b) {
+  return fmt::format("{}", a).size() <= fmt::format("{}", b).size() ? a : b;
+}
+
+double rounded(double t, double error) {
+  for (int digits = 1; digits <= 12; ++digits)
+    if (const double round = std::strtod(fmt::format("{:.{}e}", t, digits - 1).c_str(), nullptr);
+        std::abs(round - t) <= error)
+      return round;
+  return t;
+}
+
+/// At one place. A smooth function, seen closely enough, has slope changes that vary smoothly from sample to sample; a
+/// kink has one that stands out however close one looks. Suspicious samples are looked at ever closer, up to rounding.
+class Search {
+ public:
+  Search(const Function& function, const Vector3& position, double end)
+      : function_(function), at_{.x = position[0], .y = position[1], .z = position[2]}, end_(end) {}
+
+  void run(Discontinuities& kinks) {
+    const Grid grid = samples();
+    if (grid.t.empty()) return;
+    const auto [least, largest] = std::minmax_element(grid.v.begin(), grid.v.end());
+    const std::vector<Cluster> found = clusters(grid, negligible * (*largest - *least));
+    std::size_t n_nodes = 0;
+    for (const Cluster& cluster : found) n_nodes += cluster.last - cluster.first + 1;
+    const bool crowded = n_nodes > grid.t.size() / 2;
+    if (crowded && !is_smooth_closer(grid, found)) too_many_ = true;
+    if (!crowded)
+      for (const Cluster& cluster : found) examine(grid, cluster, {}, 0);
+    if (too_many_ || kinks_.size() + jumps_.size() > most_kinks) {
+      kinks.too_many = true;
+      return;
+    }
+    kinks.kinks.insert(kinks.kinks.end(), kinks_.begin(), kinks_.end());
+    kinks.jumps.insert(kinks.jumps.end(), jumps_.begin(), jumps_.end());
+  }
+
+ private:
+  struct Jump {
+    double time, size;
+  };
+
+  double value(double t) {
+    ++n_evaluations_;
+    at_.t = t;
+    double result = function_(at_);
+    for (const Jump& jump : subtracted_)
+      if (t >= jump.time) result -= jump.size;
+    return result;
+  }
+
+  /// Empty if the function has no value somewhere.
+  Grid samples() {
+    Grid grid;
+    const double step = end_ / uniform_samples;
+    for (double t = first_sample * end_; t * (log_ratio - 1) < step; t *= log_ratio) grid.t.push_back(t);
+    const double begin = grid.t.back();
+    for (int i = 1; grid.t.back() <= end_ + 5 * step; ++i) grid.t.push_back(begin + step * i);
+    for (std::size_t i = 0; i < grid.t.size(); ++i) {
+      grid.v.push_back(value(grid.t[i]));
+      if (std::isfinite(grid.v.back())) continue;
+      if (grid.t[i] <= end_) return {};
+      grid.t.resize(i);
+      grid.v.pop_back();
+    }
+    return grid;
+  }
+
+  double noise(const Grid& grid, std::size_t j) const {
+    double size = std::abs(grid.v[j]) + grid.t[j] * (std::abs(grid.slope(j)) + std::abs(grid.slope(j - 1)));
+    for (const Jump& jump : subtracted_) size += std::abs(jump.size);
+    return 64 * epsilon * size;
+  }
+
+  std::vector<Cluster> clusters(const Grid& grid, double floor) const {
+    std::vector<Cluster> found;
+    for (std::size_t j = stencil + 1; j + stencil + 1 < grid.t.size(); ++j) {
+      const double here = grid.change(j), before = grid.change(j - stencil), after = grid.change(j + stencil);
+      const double deviation = std::abs(here - 0.5 * (before + after));
+      const double beside = std::max(std::abs(before), std::abs(after));
+      if (!(deviation > standing_out * (std::abs(here) + beside)) || std::abs(here) < 0.1 * beside) continue;
+      if (deviation * (grid.t[j + 1] - grid.t[j - 1]) < 2 * std::max(floor, noise(grid, j))) continue;
+      if (!found.empty() && j <= found.back().last + 2 && j < found.back().first + longest_cluster)
+        found.back().last = j;
+      else
+        found.push_back({j, j});
+    }
+    return found;
+  }
+
+  /// Whether a few of the clusters vanish when looked at closely: a vibration, not a saw.
+  bool is_smooth_closer(const Grid& grid, const std::vector<Cluster>& found) {
+    std::size_t n_kinks = 0;
+    for (std::size_t i = 0; i < trials; ++i) n_kinks += examine(grid, found[i * found.size() / trials], {}, 0) ? 1 : 0;
+    kinks_.clear();
+    jumps_.clear();
+    return n_kinks < trials / 4;
+  }
+
+  /// @param strengths  slope changes seen at the coarser levels @returns whether a kink or a jump was found
+  bool examine(const Grid& grid, const Cluster& cluster, std::vector<double> strengths, int level) {
+    std::size_t j = cluster.first - 1;  // the kink lies behind this node and before the next
+    for (std::size_t k = cluster.first; k <= cluster.last; ++k)
+      if (grid.strength(k) > grid.strength(j)) j = k;
+    const double strength = grid.strength(j), step = grid.t[j + 1] - grid.t[j];
+    const bool grows = !strengths.empty() && strength > 3 * strengths.back();
+    strengths.push_back(strength);
+    const double before = strengths[strengths.size() < 4 ? 0 : strengths.size() - 4];
+    if (strengths.size() > 2 && strength < persistent * before) return false;
+    if (level > deepest || n_evaluations_ > most_evaluations) return too_many_ = n_evaluations_ > most_evaluations;
+    const double begin = grid.t[cluster.first - 1], end = grid.t[cluster.last + 1];
+    const std::size_t n = cluster.last - cluster.first + 2;
+    if (grows)
+      if (const auto jump = bisect(grid.t[j], grid.t[j + 1])) {
+        subtracted_.push_back(*jump);
+        zoom(begin, end, n, {}, level + 1);  // kinks beside the jump
+        subtracted_.pop_back();
+        return true;
+      }
+    const double kink = intersection(grid, j), rounding = noise(grid, j);
+    if (strength * step < 2 * finer * rounding || step < 1e-13 * grid.t[j]) {
+      const double error = std::max(4 * epsilon * kink, std::min(1e-11 * kink, 8 * rounding / strength));
+      add(kinks_, rounded(kink, error));
+      return true;
+    }
+    // A single kink is where the lines on both sides meet, and is looked for there first.
+    const double close = std::max(step / 128, 4e-13 * kink);
+    const bool single = level > 1 && cluster.last - cluster.first < 2 && close < step / 4;
+    if (single && zoom(kink - close, kink + close, 2, strengths, level + 1)) return true;
+    return zoom(begin, end, n, strengths, level + 1);
+  }
+
+  bool zoom(double begin, double end, std::size_t intervals, const std::vector<double>& strengths, int level) {
+    const double step = (end - begin) / static_cast<double>(finer * intervals);
+    if (step < 4 * epsilon * end) return false;
+    Grid grid;
+    for (std::size_t i = 0; i <= finer * intervals + 2 * margin; ++i) {
+      grid.t.push_back(begin + step * (static_cast<double>(i) - static_cast<double>(margin)));
+      grid.v.push_back(value(grid.t.back()));
+      if (!std::isfinite(grid.v.back())) return false;
+    }
+    bool found = false;
+    for (const Cluster& cluster : clusters(grid, 0)) found = examine(grid, cluster, strengths, level) || found;
+    return found;
+  }
+
+  /// Of the lines on both sides of the interval behind node j.
+  static double intersection(const Grid& grid, std::size_t j) {
+    const double left = grid.slope(j - 1), right = grid.slope(j + 1), step = grid.t[j + 1] - grid.t[j];
+    const double share = (grid.slope(j) - right) / (left - right);
+    return grid.t[j] + step * (std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.5);
+  }
+
+  /// The jump between two times, recorded, if one makes up most of the change between them.
+  std::optional<Jump> bisect(double low, double high) {
+    const double first = value(low), last = value(high);
+    while (std::nextafter(low, high) < high) {
+      const double middle = low + 0.5 * (high - low);
+      if (const double at = value(middle); std::abs(at - first) < std::abs(at - last))
+        low = middle;
+      else
+        high = middle;
+    }
+    const double size = value(high) - value(low);
+    const double rounding = 1000 * epsilon * (std::abs(first) + std::abs(last));
+    if (!(std::abs(size) > 0.5 * std::abs(last - first)) || std::abs(size) <= rounding) return std::nullopt;
+    add(jumps_, rounder(low, high));
+    return Jump{high, size};
+  }
+
+  void add(std::vector<double>& times, double t) const {
+    if (t > 0 && t < end_) times.push_back(t);
+  }
+
+  const Function& function_;
+  Arguments at_;
+  double end_;
+  int n_evaluations_ = 0;
+  bool too_many_ = false;
+  std::vector<double> kinks_, jumps_;
+  std::vector<Jump> subtracted_;  // known ones in the interval that is looked at
+};
+
+/// Increasing, one of those that differ by rounding alone, none of those in `others`.
+void tidy(std::vector<double>& times, double error, const std::vector<double>& others = {}) {
+  std::sort(times.begin(), times.end());
+  std::vector<double> kept;
+  for (const double t : times) {
+    const auto other = std::lower_bound(others.begin(), others.end(), t * (1 - error));
+    const bool known = other != others.end() && *other <= t * (1 + error);
+    if (!known && (kept.empty() || t > kept.back() * (1 + error))) kept.push_back(t);
+  }
+  times = std::move(kept);
+}
+
+}  // namespace
+
+Discontinuities kinks(const Function& function, double end, std::span<const Vector3> positions) {
+  Discontinuities result;
+  if (!function.depends_on_time() || function.table_range("t")) return result;
+  for (const Vector3& position : positions.first(function.depends_on_position() ? positions.size() : 1))
+    Search(function, position, end).run(result);
+  if (result.too_many) return {.jumps = {}, .kinks = {}, .too_many = true};
+  tidy(result.jumps, 4 * epsilon);
+  tidy(result.kinks, 1e-11, result.jumps);
+  return result;
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,115 @@
+#include "creepcontact/results/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "creepcontact/base/index.hpp"
+#include "creepcontact/base/log.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_force = 1e-9;  // of the largest: round-off
+
+bool is_tied(const contact::Pair& pair) {
+  return pair.coupling.type == contact::ContactType::tied;
+}
+
+/// Sum of pressure times nodal area.
+double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
+  double force = 0;
+  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+    force += pair.coupling.area[i] * multipliers[pair.first_row + i];
+  return force;
+}
+
+double largest_von_mises(const std::vector<double>& stress) {
+  double largest = 0;
+  for (std::size_t i = 0; i < stress.size(); i += 6)
+    largest = std::max(largest, tensor::von_mises(tensor::ConstMap(&stress[i])));
+  return largest;
+}
+
+void add(double value, bool is_first, io::Summary::Course& course) {
+  if (is_first) course.start = value;
+  course.largest = is_first ? value : std::max(course.largest, value);
+  course.end = value;
+}
+
+std::vector<double> packed(const std::vector<io::Summary::Course>& courses) {
+  std::vector<double> values;
+  for (const io::Summary::Course& course : courses)
+    values.insert(values.end(), {course.start, course.largest, course.end});
+  return values;
+}
+
+bool unpack(const creep::Memory& memory, const std::string& name, std::vector<io::Summary::Course>& courses) {
+  const auto found = memory.find(name);
+  if (found == memory.end() || found->second.size() != 3 * courses.size()) return false;
+  for (std::size_t i = 0; i < courses.size(); ++i)
+    courses[i] = {found->second[3 * i], found->second[3 * i + 1], found->second[3 * i + 2]};
+  return true;
+}
+
+}  // namespace
+
+Outcome::Outcome(const creep::Assembly& assembly)
+    : assembly_(assembly),
+      forces_(assembly.pairs().size()),
+      opened_(assembly.pairs().size(), never),
+      stresses_(assembly.bodies().size()) {}
+
+void Outcome::output(double time, const creep::Equilibrium& at) {
+  const bool is_first = !started_;
+  started_ = true;
+  for (std::size_t p = 0; p < forces_.size(); ++p) {
+    const contact::Pair& pair = assembly_.pairs()[p];
+    if (is_tied(pair)) continue;
+    add(normal_force(pair, at.contact.multiplier), is_first, forces_[p]);
+    const bool is_open = forces_[p].end <= no_force * forces_[p].largest;
+    if (!is_open)
+      opened_[p] = never;
+    else if (forces_[p].largest > 0 && std::isnan(opened_[p]))
+      opened_[p] = time;
+  }
+  for (std::size_t b = 0; b < stresses_.size(); ++b)
+    add(assembly_.team().max(largest_von_mises(at.bodies[b].stress)), is_first, stresses_[b]);
+}
+
+void Outcome::warn_of_open_contacts() const {
+  for (std::size_t p = 0; p < forces_.size(); ++p) {
+    const contact::Pair& pair = assembly_.pairs()[p];
+    if (is_tied(pair) || forces_[p].largest > 0) continue;
+    log::warning(
+        "contact '{}' was open at every output time and has carried nothing (a negative gap is an interference)",
+        pair.name);
+  }
+}
+
+void Outcome::fill(io::Summary& summary) const {
+  for (std::size_t b = 0; b < stresses_.size(); ++b)
+    summary.bodies[assembly_.bodies()[b].name()].von_mises = stresses_[b];
+  for (std::size_t p = 0; p < forces_.size(); ++p) {
+    const contact::Pair& pair = assembly_.pairs()[p];
+    if (is_tied(pair)) continue;
+    io::Summary::Contact& contact = summary.contacts[pair.name];
+    contact.normal_force = forces_[p];
+    if (!std::isnan(opened_[p])) contact.opened = opened_[p];
+  }
+}
+
+void Outcome::save(creep::Memory& memory) const {
+  memory["outcome.forces"] = packed(forces_);
+  memory["outcome.opened"] = opened_;
+  memory["outcome.stresses"] = packed(stresses_);
+}
+
+void Outcome::restore(const creep::Memory& memory) {
+  const auto opened = memory.find("outcome.opened");
+  if (opened == memory.end() || opened->second.size() != opened_.size()) return;
+  started_ = unpack(memory, "outcome.forces", forces_) && unpack(memory, "outcome.stresses", stresses_);
+  if (started_) opened_ = opened->second;
+}
+
+}  // namespace creepcontact::results

@@ -1,0 +1,290 @@
+#include "config_fixture.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+const std::string at_12 = "cases/block.toml:12:";
+
+TEST(ConfigMistakes, Syntax) {
+  const std::vector<std::string> lines = mistakes(minimal + "step = = 1\n");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].rfind(at_12, 0), 0u) << lines[0];
+}
+
+TEST(ConfigMistakes, OddDocuments) {
+  EXPECT_EQ(mistakes("").size(), 4u);
+  EXPECT_EQ(mistakes("mesh = 1979-05-27\nbodies = 1\nmaterials = []\ntime = {}\n").size(), 4u);
+  EXPECT_EQ(mistakes("\xff\xfe").size(), 1u);
+  expect_mistake(minimal + "[bodies.\"\"]\n", "cases/block.toml:12:", {"bodies.\"\".region=x"});
+}
+
+TEST(ConfigMistakes, UnknownKeyNamesTheNearest) {
+  expect_mistake(minimal + "  integrater = \"cvode_bdf\"\n",
+                 at_12 + "3: time.integrater: unknown key; did you mean 'integrator'? (allowed: end, integrator, ");
+  expect_mistake(minimal + "[contact]\n", at_12 + "2: contact: unknown key; did you mean 'contacts'?");
+  expect_mistake(minimal + "[[materials.steel.creep]]\n  exponent = 7\n  law = \"norton\"\n  A = 1e-20\n  n = 7\n",
+                 "cases/block.toml:13:3: materials.steel.creep[0].exponent: unknown key: the exponent of the stress is "
+                 "'n'");
+}
+
+TEST(ConfigMistakes, MissingKey) {
+  expect_mistake(
+      "[time]\nend = 1\n" + minimal.substr(0, minimal.find("[time]")) + "[materials.gold]\nyoung_modulus = 1\n",
+      "cases/block.toml:12:1: materials.gold.poisson_ratio: missing; allowed: a number in (-1, 0.5)");
+  EXPECT_EQ(mistakes("title = 'x'").size(), 4u);
+  expect_mistake(minimal + "[[loads]]\non = \"a\"\n", at_12 + "1: loads[0]: no load; allowed: exactly one of pressure");
+}
+
+TEST(ConfigMistakes, WrongType) {
+  expect_mistake(minimal + "tolerance = \"small\"\n",
+                 at_12 + "13: time.tolerance: string 'small'; allowed: a number in (0, 0.5]");
+  expect_mistake(minimal + "output = 5\n", at_12 + "10: time.output: number 5; allowed: a list of times, or");
+  expect_mistake(minimal + "output = [1, \"x\"]\n", at_12 + "14: time.output[1]: string 'x'; allowed: a number >= 0");
+  expect_mistake(minimal + "[output]\nfields = 1\n", "cases/block.toml:13:10: output.fields: number 1; allowed: true");
+  expect_mistake(
+      minimal + "[contact_solver]\nmax_iterations = 1.5\n",
+      "cases/block.toml:13:18: contact_solver.max_iterations: number 1.5; allowed: an integer in [1, 1000000]");
+  expect_mistake(minimal + "[loads]\non = \"a\"\n",
+                 at_12 + "1: loads: written [loads]; allowed: [[loads]], with two brackets");
+  expect_mistake(minimal + "tolerance = nan\n",
+                 at_12 + "13: time.tolerance: number nan; allowed: a number in (0, 0.5]");
+}
+
+TEST(ConfigMistakes, ButcherTables) {
+  const std::string erk = minimal + "integrator = \"arkode_erk\"\n";
+  expect_mistake(erk + "table = \"heun_euler\"\n",
+                 "cases/block.toml:13:9: time.table: arkode_erk has no table 'heun_euler' with an embedded method for "
+                 "error control; did you mean 'heun_euler_2_1_2'? (allowed: heun_euler_2_1_2, bogacki_shampine_4_2_3)");
+  expect_mistake(minimal + "table = \"heun_euler_2_1_2\"\n",
+                 at_12 +
+                     "9: time.table: integrator \"auto\" has no tables to choose from; leave it out, or take "
+                     "arkode_erk");
+}
+
+TEST(ConfigMistakes, OutOfRange) {
+  expect_mistake(minimal + "beta = 0.4\n", at_12 + "8: time.beta: number 0.4; allowed: a number in [0.5, 1]");
+  expect_mistake(minimal + "step = 0\n",
+                 at_12 + "8: time.step: number 0; allowed: a number > 0 or \"stable\" or \"adaptive\"");
+  expect_mistake(minimal + "step = \"stabel\"\n",
+                 at_12 + "8: time.step: unknown value 'stabel'; did you mean 'stable'? (allowed: a number > 0 or");
+  expect_mistake(minimal + "[contact_solver]\nalpha = 1.5\n",
+                 "cases/block.toml:13:9: contact_solver.alpha: number 1.5; allowed: a number in (0, 1]");
+  expect_mistake(minimal + "[contact_solver]\nalpha = { block = 2 }\n",
+                 "cases/block.toml:13:19: contact_solver.alpha.block: number 2; allowed: a number in (0, 1]");
+  expect_mistake(minimal + "[contact_solver]\nalpha = { blok = 0.5 }\n",
+                 "cases/block.toml:13:18: contact_solver.alpha.blok: unknown body 'blok'; did you mean 'block'?");
+  expect_mistake(minimal + "[contact_solver]\ndamping = 0\n",
+                 "cases/block.toml:13:11: contact_solver.damping: number 0; allowed: a number in (0, 1]");
+  expect_mistake(minimal + "[temperature]\nvalue = 1\nrefactor_change = 0.6\n",
+                 "cases/block.toml:14:19: temperature.refactor_change: number 0.6; allowed: a number in [0, 0.5]");
+  expect_mistake(minimal, "--set time.end=0: time.end: number 0; allowed: a number > 0", {"time.end=0"});
+  for (const char* wrong : {"0.5", "-1", "'0.25*2'", "{ T = [0, 1], values = [0.3, 0.5] }"}) {
+    const std::vector<std::string> lines = mistakes(
+        minimal, {std::string("materials.steel.poisson_ratio=") + wrong, "materials.steel.reference_temperature=20"});
+    ASSERT_EQ(lines.size(), 1u) << wrong;
+    EXPECT_NE(lines[0].find("a number in (-1, 0.5)"), std::string::npos) << lines[0];
+  }
+  EXPECT_EQ(mistakes(minimal, {"materials.steel.young_modulus=0"}).size(), 1u);
+}
+
+TEST(ConfigMistakes, UnknownWord) {
+  expect_mistake(minimal + "integrator = \"cvode_bfd\"\n",
+                 at_12 +
+                     "14: time.integrator: unknown integrator 'cvode_bfd'; did you mean 'cvode_bdf'? "
+                     "(allowed: explicit_euler, beta_euler, cvode_bdf, arkode_erk)");
+  expect_mistake(
+      minimal + "[[materials.steel.creep]]\nlaw = \"nortan\"\nA = 1\n",
+      "cases/block.toml:13:7: materials.steel.creep[0].law: unknown creep law 'nortan'; did you mean 'norton'?");
+  expect_mistake(minimal + "[[probes]]\nname = \"a\"\nquantity = \"mises\"\non = \"s\"\n",
+                 "cases/block.toml:14:12: probes[0].quantity: unknown quantity 'mises'; did you mean 'von_mises'?");
+}
+
+TEST(ConfigMistakes, Functions) {
+  const std::string loads = minimal + "[[loads]]\non = \"a\"\n";
+  expect_mistake(loads + "pressure = \"100*(t\"\n", "cases/block.toml:14:12: loads[0].pressure: expression '100*(t': ");
+  expect_mistake(loads + "pressure = \"q\"\n", "cases/block.toml:14:12: loads[0].pressure: expression 'q': ");
+  expect_mistake(loads + "pressure = { t = [0, 5, 5, 5], values = [1, 2, 3, 4] }\n",
+                 "cases/block.toml:14:28: loads[0].pressure.t[3]: 5 after 5: the points of a table must increase; a "
+                 "jump is the same time twice");
+  expect_mistake(
+      minimal + "[materials.other]\nyoung_modulus = { T = [0, 5, 5], values = [1, 2, 3] }\npoisson_ratio = 0\n",
+      "cases/block.toml:13:30: materials.other.young_modulus.T[2]: 5 after 5: the points of a table must increase");
+  expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2, 3] }\n",
+                 "cases/block.toml:14:12: loads[0].pressure: 2 points and 3 values");
+  expect_mistake(loads + "pressure = { t = [0, 5], value = [1, 2] }\n",
+                 "cases/block.toml:14:26: loads[0].pressure.value: unknown key; did you mean 'values'?");
+  expect_mistake(loads + "pressure = { t = [0, 5] }\n",
+                 "cases/block.toml:14:12: loads[0].pressure: an incomplete table");
+  expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2], period = 4 }\n",
+                 "cases/block.toml:14:52: loads[0].pressure.period: the last point 5 lies beyond the period 4; the "
+                 "points fill one period");
+  expect_mistake(loads + "pressure = { t = [1, 5], values = [1, 2], period = 6 }\n",
+                 "cases/block.toml:14:52: loads[0].pressure.period: the first point is 1; a table with a period begins "
+                 "at t = 0");
+  expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2], period = 0 }\n",
+                 "cases/block.toml:14:52: loads[0].pressure.period: number 0; allowed: a number > 0");
+  expect_mistake(loads + "pressure = true\n", "cases/block.toml:14:12: loads[0].pressure: boolean true");
+  expect_mistake(loads + "traction = [1, 2]\n", "cases/block.toml:14:12: loads[0].traction: a list of 2");
+}
+
+TEST(ConfigMistakes, TemperatureThatIsNotKnown) {
+  const std::string table = "materials.steel.young_modulus={ T = [0, 1], values = [1, 2] }";
+  EXPECT_EQ(mistakes(minimal, {table}).size(), 1u);
+  EXPECT_TRUE(mistakes(minimal, {table, "materials.steel.reference_temperature=0"}).empty());
+  EXPECT_TRUE(mistakes(minimal + "[temperature]\nvalue = 1\n", {table}).empty());
+}
+
+TEST(ConfigMistakes, Loads) {
+  expect_mistake(minimal + "[[loads]]\non = \"a\"\npressure = 1\ntraction = [1, 0, 0]\n",
+                 at_12 + "1: loads[0]: several loads: pressure, traction; allowed: exactly one of");
+  expect_mistake(minimal + "[[loads]]\nbody = \"block\"\npressure = 1\n",
+                 at_12 + "1: loads[0]: 'pressure' without 'on'");
+  expect_mistake(minimal + "[[loads]]\non = \"a\"\nbody = \"block\"\nbody_force = [0, 0, 1]\n",
+                 "cases/block.toml:13:6: loads[0].on: ");
+  expect_mistake(minimal + "[[loads]]\nat = [0, 0, 0]\non = \"a\"\nforce = [0, 0, 1]\n",
+                 "cases/block.toml:14:6: loads[0].on: ");
+  expect_mistake(minimal + "[[loads]]\nbody = \"blok\"\nbody_force = [0, 0, 1]\n",
+                 "cases/block.toml:13:8: loads[0].body: unknown body 'blok'; did you mean 'block'? (allowed: block)");
+  expect_mistake(
+      minimal + "[[loads]]\nbody = \"block\"\nrotation = { axis = [0, 0, 0], density = 1, angular_velocity = 1 }\n",
+      "cases/block.toml:14:21: loads[0].rotation.axis: [0, 0, 0]; allowed: a direction");
+}
+
+TEST(ConfigMistakes, Supports) {
+  expect_mistake(minimal + "[[supports]]\non = \"a\"\ndisplacement = {}\n",
+                 "cases/block.toml:14:16: supports[0].displacement: an empty table; allowed: at least one of");
+  expect_mistake(minimal + "[[supports]]\non = \"\"\ndisplacement = { x = 0 }\n",
+                 "cases/block.toml:13:6: supports[0].on: an empty string");
+}
+
+TEST(ConfigMistakes, Bodies) {
+  expect_mistake(
+      minimal,
+      "--set bodies.block.material=stel: bodies.block.material: unknown material 'stel'; did you mean 'steel'?",
+      {"bodies.block.material=stel"});
+  expect_mistake(minimal + "[bodies.second]\nregion = [\"b\", \"all\"]\nmaterial = \"steel\"\n",
+                 "cases/block.toml:13:16: bodies.second.region[1]: volume 'all' belongs to body 'block' already");
+}
+
+TEST(ConfigMistakes, Mesh) {
+  expect_mistake(minimal, "--set mesh.file=block.inp: mesh.file: 'block.inp'; allowed: a .geo or .msh file",
+                 {"mesh.file=block.inp"});
+  expect_mistake(minimal, "--set mesh.order=2: mesh.order: has no effect on a finished mesh", {"mesh.order=2"});
+}
+
+TEST(ConfigMistakes, Contacts) {
+  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\nslave = \"c\"\n",
+                 "cases/block.toml:14:9: contacts[0].slave: unknown surface 'c'; allowed: auto, a, b");
+  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\"]\n",
+                 "cases/block.toml:13:11: contacts[0].between: a list of 1; allowed: two physical surfaces");
+  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"a\"]\n",
+                 "cases/block.toml:13:11: contacts[0].between: 'a' twice");
+  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"a\", \"b\"]\n",
+                 "cases/block.toml:14:1: contacts[1]: the name 'a-b' is that of contacts[0] too");
+  expect_mistake(
+      minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"b\", \"a\"]\n",
+      "cases/block.toml:14:1: contacts[1]: the surfaces 'b' and 'a' are in contact already by contacts[0]; leave "
+      "one of the two out");
+  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\ngap = \"geometrical\"\n",
+                 "cases/block.toml:14:7: contacts[0].gap: expression 'geometrical': ");
+}
+
+TEST(ConfigMistakes, Creep) {
+  const std::string creep = minimal + "[[materials.steel.creep]]\n";
+  expect_mistake(creep + "law = \"norton\"\nA = 1\n",
+                 at_12 + "1: materials.steel.creep[0].n: missing; allowed: a number > 0, an expression in T");
+  expect_mistake(creep + "law = \"norton\"\nA = 1\nn = -1\n",
+                 "cases/block.toml:15:5: materials.steel.creep[0].n: number -1; allowed: a number > 0");
+  expect_mistake(creep + "law = \"hereditary\"\ncompliances = [1, 2]\ntimes = [1]\n",
+                 "cases/block.toml:15:9: materials.steel.creep[0].times: a list of 1; allowed: as many values");
+  expect_mistake(creep + "A = 1\n", at_12 + "1: materials.steel.creep[0].law: missing");
+}
+
+TEST(ConfigMistakes, Time) {
+  expect_mistake(minimal + "output = [1, 200]\n",
+                 at_12 + "14: time.output[1]: number 200 is beyond time.end; allowed: times in [0, 100]");
+  expect_mistake(minimal + "output = [-1]\n", at_12 + "11: time.output[0]: number -1; allowed: a number >= 0");
+  expect_mistake(minimal + "output = { count = 3, spacing = \"log\" }\n",
+                 at_12 + "10: time.output: spacing \"log\" without 'first'");
+  expect_mistake(minimal + "output = { first = 100, count = 3 }\n",
+                 at_12 + "10: time.output.first: number 100; allowed: before");
+  expect_mistake(minimal + "output = { first = 1 }\n", at_12 + "10: time.output.count: missing");
+}
+
+TEST(ConfigMistakes, Probes) {
+  const std::string probe = minimal + "[[probes]]\nname = \"p\"\n";
+  expect_mistake(probe + "quantity = \"von_mises\"\n",
+                 at_12 + "1: probes[0]: no place; allowed: 'on', 'at', or 'body'");
+  expect_mistake(probe + "quantity = \"von_mises\"\non = \"a\"\nat = [0, 0, 0]\n",
+                 at_12 + "1: probes[0]: both 'on' and 'at'");
+  expect_mistake(probe + "quantity = \"von_mises\"\nat = [0, 0, 0]\nreduce = \"max\"\n",
+                 "cases/block.toml:16:10: probes[0].reduce: has no meaning at a point");
+  expect_mistake(probe + "quantity = \"contact_pressure\"\nbody = \"block\"\n",
+                 "cases/block.toml:14:12: probes[0].quantity: 'contact_pressure' at a point or in a body");
+  expect_mistake(probe + "quantity = \"contact_area\"\non = \"a\"\nreduce = \"mean\"\n",
+                 "cases/block.toml:16:10: probes[0].reduce: string 'mean'; allowed: \"sum\" with 'contact_area'");
+  expect_mistake(
+      probe + "quantity = \"von_mises\"\non = \"a\"\n[[probes]]\nname = \"p\"\nquantity = \"von_mises\"\non = \"b\"\n",
+      "cases/block.toml:16:1: probes[1]: the name 'p' is that of probes[0] too");
+  expect_mistake(minimal + "[[probes]]\nname = \"a,b\"\nquantity = \"von_mises\"\non = \"a\"\n",
+                 "cases/block.toml:13:8: probes[0].name: 'a,b'; allowed: a name without comma");
+}
+
+TEST(ConfigMistakes, AllInOneGoInTheOrderOfTheFile) {
+  const std::vector<std::string> lines = mistakes(
+      minimal +
+          "beta = 0\nbeat = 1\n[[loads]]\nbody = \"no\"\nbody_force = [0, 0, 1]\n[[loads]]\n[[probes]]\nname = 1\n",
+      {"contact_solver.alpha=x", "mesh.file=3"});
+  const std::vector<std::string> begins = {"cases/block.toml:12:8: time.beta: ",
+                                           "cases/block.toml:13:1: time.beat: ",
+                                           "cases/block.toml:15:8: loads[0].body: ",
+                                           "cases/block.toml:17:1: loads[1]: ",
+                                           "cases/block.toml:18:1: probes[0].quantity: ",
+                                           "cases/block.toml:18:1: probes[0]: ",
+                                           "cases/block.toml:19:8: probes[0].name: ",
+                                           "--set mesh.file=3: mesh.file: ",
+                                           "--set contact_solver.alpha=x: contact_solver.alpha: "};
+  ASSERT_EQ(lines.size(), begins.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i].substr(0, begins[i].size()), begins[i]);
+}
+
+}  // namespace
+TEST(ConfigMistakes, ValuesThatALawCannotHave) {
+  const std::string picky = minimal + "[[materials.steel.creep]]\nlaw = \"picky\"\n";
+  expect_mistake(picky + "m = 1.5\n",
+                 "cases/block.toml:14:5: materials.steel.creep[0].m: number 1.5; allowed: a number in (0, 1]");
+  expect_mistake(picky + "m = \"0.3*T\"\n", "cases/block.toml:14:5: materials.steel.creep[0].m: expression '0.3*T'");
+  expect_mistake(picky + "m = 0.5\n",
+                 "cases/block.toml:14:5: materials.steel.creep[0].m: the number 0.5; allowed: any other");
+}
+
+TEST(ConfigMistakes, ALawThatDependsOnTheTemperatureByItselfNeedsOne) {
+  const std::string picky = minimal + "[[materials.steel.creep]]\nlaw = \"picky\"\nm = 1\n";
+  EXPECT_TRUE(mistakes(picky).empty());
+  expect_mistake(picky + "Q = 3e5\n",
+                 "cases/block.toml:12:1: materials.steel.creep[0]: depends on T, which is not known");
+  EXPECT_TRUE(mistakes(picky + "Q = 3e5\n[temperature]\nvalue = 500\n").empty());
+}
+
+TEST(ConfigMistakes, RuptureData) {
+  const std::string rupture = minimal + "[materials.steel.rupture]\n", at_12 = "cases/block.toml:12:1: ";
+  const std::string at = "cases/block.toml:13:", key = "materials.steel.rupture.";
+  expect_mistake(rupture, at_12 + "materials.steel.rupture: no rupture data; allowed: rupture_time, or stress and");
+  expect_mistake(rupture + "rupture_time = \"1e20*q^-5*t\"\n", at + "16: " + key + "rupture_time: expression");
+  const std::string miller = rupture + "stress = [1, 2]\nparameter = [3, 2]\n[temperature]\nvalue = 500\n";
+  EXPECT_TRUE(mistakes(miller).empty());
+  expect_mistake(miller, at + "10: " + key + "stress: 2 values; allowed: none",
+                 {"materials.steel.rupture.parameter=[7, 8]"});
+  expect_mistake(rupture + "stress = [1, 2]\n", at_12 + "materials.steel.rupture.parameter: missing; allowed: a list");
+  expect_mistake(rupture + "stress = [1, 2]\nparameter = [3, 2]\n",
+                 at_12 + "materials.steel.rupture: depends on T, which is not known");
+  const std::string time = rupture + "rupture_time = \"1e20*q^-5\"\n";
+  EXPECT_TRUE(mistakes(time).empty());
+  expect_mistake(time + "stress = [1, 2]\n", "cases/block.toml:14:10: " + key +
+                                                 "stress: given together with rupture_time; allowed: one of the two");
+  expect_mistake(time + "stress_measure = \"mixed\"\n",
+                 at_12 + key + "alpha: missing; allowed: a number in [0, 1], with stress_measure = \"mixed\"");
+  expect_mistake(time + "alpha = 0.5\n", "cases/block.toml:14:9: " + key + "alpha: has no effect");
+}
+
+}  // namespace creepcontact::config

@@ -1,0 +1,121 @@
+#include "../../../src/config/known_words.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+#include <set>
+
+#include "config_fixture.hpp"
+#include "creepcontact/config/key_reference.hpp"
+#include "creepcontact/config/schema.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
+  const std::string contact = minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n";
+  expect_mistake(contact + "friction = 0.15\n",
+                 "cases/block.toml:14:1: contacts[0].friction: not in this version: contact is without friction");
+  expect_mistake(contact + "preload = { force = 1 }\n",
+                 "cases/block.toml:14:1: contacts[0].preload: not in this version; a negative 'gap'");
+  expect_mistake("analysis = \"axisymmetric\"\n" + minimal,
+                 "cases/block.toml:1:1: analysis: not in this version, which");
+  for (const char* table : {"[[cyclic]]", "[[rigid]]", "[[events]]", "[generalized_plane_strain]"}) {
+    const std::vector<std::string> lines = mistakes(minimal + table + "\nx = 1\n");
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NE(lines[0].find(": not in this version"), std::string::npos) << lines[0];
+    EXPECT_EQ(lines[0].find("did you mean"), std::string::npos) << lines[0];
+  }
+  const std::string probe = minimal + "[[probes]]\nname = \"a\"\nquantity = \"von_mises\"\non = \"s\"\n";
+  for (const char* key : {"where = \"x < 1\"", "section = {}", "expression = \"1\""}) {
+    const std::vector<std::string> lines = mistakes(probe + key + '\n');
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].substr(lines[0].size() - 21), ": not in this version") << lines[0];
+  }
+}
+
+TEST(KnownWords, LeadToTheRightKeyOrLaw) {
+  const std::string creep = minimal + "[[materials.steel.creep]]\n";
+  for (const char* law : {"norton_bailey", "Bailey"})
+    expect_mistake(
+        creep + "law = \"" + law + "\"\n",
+        fmt::format("cases/block.toml:13:7: materials.steel.creep[0].law: unknown creep law '{}': Norton and "
+                    "Bailey's creep, strain A q^n t^m, is 'strain_hardening' or 'time_hardening'",
+                    law));
+  const std::pair<const char*, const char*> top[] = {{"dt = 1", "'step'"}, {"step_size = 1", "'step'"}};
+  for (const auto& [key, right] : top) {
+    const std::vector<std::string> lines = mistakes(minimal + key + '\n');
+    ASSERT_EQ(lines.size(), 1u) << key;
+    EXPECT_NE(lines[0].find(right), std::string::npos) << lines[0];
+  }
+  const std::string gold = minimal + "[materials.gold]\nyoung_modulus = 1\npoisson_ratio = 0\n";
+  const std::pair<const char*, const char*> material[] = {{"E = 1", "'young_modulus'"},
+                                                          {"youngs_modulus = 1", "'young_modulus'"},
+                                                          {"nu = 0.3", "'poisson_ratio'"},
+                                                          {"poisson = 0.3", "'poisson_ratio'"},
+                                                          {"alpha = 1", "'thermal_expansion'"}};
+  for (const auto& [key, right] : material) {
+    const std::vector<std::string> lines = mistakes(gold + key + '\n');
+    ASSERT_EQ(lines.size(), 1u) << key;
+    EXPECT_NE(lines[0].find(": unknown key: "), std::string::npos) << lines[0];
+    EXPECT_NE(lines[0].find(right), std::string::npos) << lines[0];
+  }
+  const std::vector<std::string> rpm =
+      mistakes(minimal + "[[loads]]\nbody = \"block\"\nrotation = { rpm = 5000, density = 1, angular_velocity = 1 }\n");
+  ASSERT_EQ(rpm.size(), 1u);
+  EXPECT_NE(rpm[0].find("loads[0].rotation.rpm: unknown key: the speed is 'angular_velocity'"), std::string::npos)
+      << rpm[0];
+  const std::vector<std::string> restart = mistakes(minimal + "restart = true\n");
+  ASSERT_EQ(restart.size(), 1u);
+  EXPECT_NE(restart[0].find("--resume"), std::string::npos) << restart[0];
+}
+
+/// The table must not outlive what it speaks of: its places exist, its words are no keys, the keys it names are.
+TEST(KnownWords, AgreeWithTheSchema) {
+  std::set<std::string> tables{""}, paths, names;
+  for (const KeyInfo& key : schema(test_vocabulary())) {
+    paths.insert(key.path);
+    names.insert(key.path.substr(key.path.rfind('.') + 1));
+    if (key.form == Form::table) tables.insert(key.path);
+    if (key.form == Form::tables) tables.insert(key.path + "[]");
+    if (key.form == Form::named) tables.insert(key.path + ".<name>");
+    for (const Word& word : key.words) names.insert(word.text);
+  }
+  tables.insert("loads[].rotation");
+  // of the program's own vocabulary, which this test does not see
+  for (const char* name : {"strain_hardening", "time_hardening", "garofalo", "kachanov_rabotnov", "activation_energy",
+                           "gas_constant", "m", "cvode_adams", "arkode_dirk", "stress_r", "displacement_x",
+                           "creep_strain_equivalent", "principal_1", "reaction_x", "contact_force_x"})
+    names.insert(name);
+  for (const KnownWord& known : known_words()) {
+    const std::string position(known.place), says(known.says);
+    const bool of_value = position.ends_with('=');
+    if (of_value)
+      EXPECT_TRUE(paths.contains(position.substr(0, position.size() - 1))) << position;
+    else
+      EXPECT_TRUE(tables.contains(position)) << position;
+    std::istringstream words{std::string(known.words)};
+    for (std::string word; !of_value && words >> word;)
+      EXPECT_FALSE(paths.contains(position.empty() ? word : position + '.' + word)) << position << ' ' << word;
+    static const std::regex quoted("'([^']+)'(?![a-z])");
+    std::sregex_iterator at(says.begin(), says.end(), quoted);
+    const bool names_something = at != std::sregex_iterator();
+    for (; at != std::sregex_iterator(); ++at)
+      EXPECT_TRUE(names.contains((*at)[1]) || paths.contains((*at)[1])) << (*at)[1] << " in: " << says;
+    EXPECT_TRUE(names_something || says.starts_with(absent_feature) || says.find("--resume") != std::string::npos)
+        << says;
+  }
+}
+
+TEST(KnownWords, AfterListKeys) {
+  try {
+    select_keys(key_sections(schema(test_vocabulary())), "rpm");
+    FAIL() << "no mistake found";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("loads[].rotation: the speed is 'angular_velocity'"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::config

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include "config_fixture.hpp"
+#include "creepcontact/config/study.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+/// The whole message, without the place in line 12, where what is appended to `minimal` begins.
+void expect_syntax(const std::string& appended, int column, const std::string& message) {
+  const std::vector<std::string> lines = mistakes(minimal + appended + '\n');
+  ASSERT_EQ(lines.size(), 1u) << appended;
+  EXPECT_EQ(lines[0], fmt::format("cases/block.toml:12:{}: {}", column, message)) << appended;
+}
+
+TEST(ConfigSyntax, TextWithoutQuotationMarks) {
+  expect_syntax("integrator = cvode_bdf", 14,
+                "'cvode_bdf' is text and needs quotation marks: integrator = \"cvode_bdf\"");
+  expect_syntax("law = norton", 8, "'norton' is text and needs quotation marks: law = \"norton\"");
+  expect_syntax("c = { law = norton, A = 1 }", 14, "'norton' is text and needs quotation marks: law = \"norton\"");
+  expect_syntax("title = My first run # one", 9,
+                "'My first run' is text and needs quotation marks: title = \"My first run\"");
+  expect_syntax("file = ../mesh.msh", 8, "'../mesh.msh' is text and needs quotation marks: file = \"../mesh.msh\"");
+  expect_syntax("on = [bore, rim]", 7, "'bore' is text and needs quotation marks: \"bore\"");
+  expect_syntax("title = \"run", 13, "the text has no closing quotation mark in its line");
+  expect_syntax("file = \"C:\\mesh.msh\"", 12,
+                "a backslash has a meaning of its own in double quotation marks; write / in paths, or single quotation "
+                "marks");
+}
+
+TEST(ConfigSyntax, Numbers) {
+  expect_syntax("A = 1,5e-3", 6, "'1,5e-3' has a decimal comma; write 1.5e-3");
+  expect_syntax("c = { A = 1,5, n = 2 }", 14, "'1,5' has a decimal comma; write 1.5");
+  expect_syntax("step = 1.", 10, "'1.': a number has digits on both sides of the point, as in 1.0 or 0.5");
+  expect_syntax("step = 010", 11, "'010': numbers have no zeros in front");
+  expect_syntax("step = 1e-3 h", 13,
+                "'1e-3 h': numbers are written without units; all of them are in one consistent set of your own");
+  expect_syntax("pressure = 100*t", 12,
+                "'100*t' is not a number; an expression needs quotation marks: pressure = \"100*t\"");
+  expect_syntax("fields = True", 10, "'True' is written in small letters: fields = true");
+}
+
+TEST(ConfigSyntax, Lines) {
+  expect_syntax("// a comment", 1, "a comment begins with #");
+  expect_syntax("step : 1", 6, "'step : 1' is not an assignment: a line is written key = value");
+  expect_syntax("end = 5", 7, "the key is given for the second time; leave one of the two out");
+  expect_syntax(
+      "output = { first = 1,\n count = 3 }", 22,
+      "a table in braces ends in the line where it begins, without a comma after its last key; write a longer "
+      "one under a heading of its own");
+}
+
+TEST(ConfigSyntax, LongLines) {
+  for (const std::string& begin : {std::string("title = a"), std::string("[a"), std::string("A = 1,5")}) {
+    const std::vector<std::string> lines = mistakes(minimal + begin + std::string(1000000, 'a'));
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_LT(lines[0].size(), 1000u);
+  }
+}
+
+TEST(ConfigSyntax, OneBracketOrTwo) {
+  const std::string support = "\non = \"a\"\ndisplacement = { x = 0 }\n";
+  const auto expect = [](const std::string& appended, int line, const std::string& message) {
+    const std::vector<std::string> lines = mistakes(minimal + appended);
+    ASSERT_EQ(lines.size(), 1u) << appended;
+    EXPECT_EQ(lines[0], fmt::format("cases/block.toml:{}:1: {}", line, message)) << appended;
+  };
+  const std::string several = ", with two brackets: there may be several, each with a heading of its own";
+  expect("[supports]" + support, 12, "supports: written [supports]; allowed: [[supports]]" + several);
+  expect("[materials.steel.creep]\nlaw = \"norton\"\n", 12,
+         "materials.steel.creep: written [materials.steel.creep]; allowed: [[materials.steel.creep]]" + several);
+  expect("[supports]" + support + "[supports]" + support, 15,
+         "[supports] is here, and in line 12: every one of several needs two brackets, [[supports]]");
+  expect("[supports]" + support + "[[supports]]" + support, 15,
+         "[supports] is here, and in line 12: every one of several needs two brackets, [[supports]]");
+  expect("[bodies.block]\nregion = \"b\"\n", 12,
+         "the table [bodies.block] is here, and in line 3: put all its keys under one heading");
+  expect("[[output]]\nfields = false\n", 12,
+         "output: written [[output]]; allowed: [output], with single brackets: there is only one");
+  expect("[[materials.gold]]\nyoung_modulus = 1\npoisson_ratio = 0\n", 12,
+         "materials.gold: written [[materials.gold]]; allowed: [materials.gold], with single brackets: there is only "
+         "one");
+}
+
+TEST(ConfigSyntax, StudyForARunAndRunForAStudy) {
+  const std::string study = "base = \"block.toml\"\n[[axes]]\nkey = \"time.step\"\nvalues = [1, 2]\n";
+  EXPECT_EQ(mistakes(study),
+            std::vector<std::string>{"cases/block.toml: this file describes a study, many runs of one configuration "
+                                     "('base'); compute it with: creepcontact study cases/block.toml"});
+  try {
+    parse_study(minimal, "cases/block.toml");
+    FAIL() << "no mistake found";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "cases/block.toml: this file describes a single run, not a study; compute it with: creepcontact run "
+                 "cases/block.toml");
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::config
