@@ -3,32 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "item.hpp"
+#include "toml_text.hpp"
 
 namespace creepcontact::config {
 namespace {
 
-/// Numbers as doubles, tables sorted by key (as toml++ has them).
-std::string canonical(const toml::node& node) {
+/// 1 and 1.0 are the same number, 'x' and "x" the same text.
+std::string canonical_leaf(const toml::node& node) {
   if (const auto* text = node.as_string()) return '"' + text->get() + '"';
-  if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
   if (node.is_number()) return fmt::format("{}", node.value<double>().value());
-  std::string text;
-  if (const toml::array* array = node.as_array()) {
-    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + canonical(entry);
-    return '[' + text + ']';
-  }
-  for (const auto& [key, entry] : *node.as_table())
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key.str(), canonical(entry));
-  return "{ " + text + " }";
+  std::ostringstream stream;
+  node.visit([&](const auto& one) { stream << one; });
+  return stream.str();
 }
 
-/// Keys below a key have entries of their own.
-bool has_keys_below(const KeyInfo& key, const std::vector<KeyInfo>& schema) {
-  return std::any_of(schema.begin(), schema.end(), [&](const KeyInfo& other) {
-    return other.path.starts_with(key.path + '.') || other.path.starts_with(key.path + '[');
-  });
+/// Keys below a key have entries of their own; the schema has them right after it.
+bool has_keys_below(std::size_t number, const std::vector<KeyInfo>& schema) {
+  if (number + 1 == schema.size()) return false;
+  const std::string &path = schema[number].path, &next = schema[number + 1].path;
+  return next.starts_with(path + '.') || next.starts_with(path + '[');
 }
 
 class Collector {
@@ -52,7 +48,7 @@ class Collector {
     const toml::node* node = table.get(name);
     if (end == std::string_view::npos) {
       if (node != nullptr)
-        values.push_back({here, canonical(*node)});
+        values.push_back({here, toml_text(*node, canonical_leaf)});
       else if (!key_.default_value.empty())
         values.push_back({here, key_.default_value});
     } else if (path[end] == '[') {
@@ -92,8 +88,9 @@ bool ConfiguredFunction::is_of_position_and_time() const {
 
 std::vector<ConfiguredValue> configured_values(const toml::table& document, const std::vector<KeyInfo>& schema) {
   std::vector<ConfiguredValue> all;
-  for (const KeyInfo& key : schema) {
-    if (!key.identifies_model || has_keys_below(key, schema)) continue;
+  for (std::size_t i = 0; i < schema.size(); ++i) {
+    const KeyInfo& key = schema[i];
+    if (!key.identifies_model || has_keys_below(i, schema)) continue;
     Collector collector(key, schema);
     collector.collect(document, key.path, "");
     std::ranges::move(collector.values, std::back_inserter(all));

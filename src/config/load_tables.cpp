@@ -102,6 +102,7 @@ Value<Load> load_table() {
       field<LoadKeys>("at", &LoadKeys::at, triple(number()), "place of `force`: the mesh node nearest to this point")
           .in("length"),
       field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)), "largest distance of that node")
+          .changeable()
           .in("length")
           .otherwise("1e-6 of the model's size"),
       field<LoadKeys>("body", &LoadKeys::body, reference("the name of a body"),

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "table.hpp"
+#include "toml_text.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -17,14 +18,6 @@ std::string number_text(double number) {
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
-/// A name that needs quotation marks in a path gets them; a path with marks of its own keeps those.
-std::string path_part(std::string_view key) {
-  const bool needs_marks = key.empty() || (key.find('"') == std::string_view::npos &&
-                                           key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                                                 "0123456789_-.[]") != std::string_view::npos);
-  return needs_marks ? '"' + std::string(key) + '"' : std::string(key);
-}
-
 std::string leaf_text(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number_text(number->get());
   std::ostringstream stream;
@@ -32,51 +25,8 @@ std::string leaf_text(const toml::node& node) {
   return stream.str();
 }
 
-/// In one line, as an override and a table of results need it. Without recursion: dotted keys nest thousands of levels.
-std::string toml_text(const toml::node& node) {
-  struct Open {
-    const toml::array* array;
-    const toml::table* table;
-    toml::table::const_iterator at;  // in a table
-    std::size_t n_done = 0;
-  };
-  std::string text;
-  std::vector<Open> open;
-  const auto append = [&](const toml::node& one) {
-    if (const auto* array = one.as_array()) {
-      text += '[';
-      open.push_back({array, nullptr, {}});
-    } else if (const auto* table = one.as_table()) {
-      text += "{ ";
-      open.push_back({nullptr, table, table->begin()});
-    } else {
-      text += leaf_text(one);
-    }
-  };
-  append(node);
-  while (!open.empty()) {
-    Open& last = open.back();
-    if (last.n_done == (last.array != nullptr ? last.array->size() : last.table->size())) {
-      text += last.array != nullptr ? "]" : " }";
-      open.pop_back();
-      continue;
-    }
-    if (last.n_done > 0) text += ", ";
-    const std::size_t number = last.n_done++;
-    if (last.array != nullptr) {
-      append(*last.array->get(number));
-    } else {
-      const auto& [key, value] = *last.at;
-      ++last.at;
-      text.append(path_part(key.str())).append(" = ");
-      append(value);
-    }
-  }
-  return text;
-}
-
 StudyValue study_value(const Item& item) {
-  const std::string text = toml_text(*item.node);
+  const std::string text = toml_text(*item.node, leaf_text);
   const auto* word = item.node->as_string();
   return {text, word ? word->get() : text, item.location};
 }
