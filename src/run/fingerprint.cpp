@@ -43,6 +43,17 @@ bool is_of_unused_material(const std::string& key, const config::Config& config)
   });
 }
 
+/// Whether the key belongs to a method of contact that this model does not use.
+bool is_of_unused_method(const std::string& key, const config::Config& config) {
+  const std::string table = "contact_solver.";
+  if (!key.starts_with(table)) return false;
+  if (config.contacts.empty()) return true;
+  const std::string name = key.substr(table.size());
+  const settings::ContactSettings& used = config.contact_solver;
+  if (used.method == settings::ContactMethod::active_set) return name != "method";
+  return used.acceleration == settings::Acceleration::cg && (name.starts_with("alpha") || name == "damping");
+}
+
 struct Entry {
   std::string item, value;
 };
@@ -78,7 +89,8 @@ std::string fingerprint(const config::Config& config, const model::Model& model)
   for (const mechanics::Body& body : model.bodies())
     lines.add(fmt::format("mesh of body '{}'", body.name()), describe(body.mesh()));
   for (const config::ConfiguredValue& value : config.values)
-    if (!is_of_unused_material(value.key, config)) lines.add(value.key, value.text);
+    if (!is_of_unused_material(value.key, config) && !is_of_unused_method(value.key, config))
+      lines.add(value.key, value.text);
   if (config.temperature && !config.temperature->file.empty())
     lines.add("temperature.file", model.temperature->text());  // by its content
   return lines.text();

@@ -174,6 +174,33 @@ TEST(ResumeChanges, TolerancesTimesAndIntegratorsMay) {
   }
 }
 
+TEST(ResumeChanges, WhatHasNoEffectOnTheModelMayDiffer) {
+  const Case blocks;
+  using Overrides = std::vector<std::string>;
+  const std::string active_set = "contact_solver.method=active_set";
+  const std::vector<std::pair<Overrides, std::string>> changes{
+      {Overrides{}, "contact_solver.alpha=0.3"},
+      {Overrides{}, "contact_solver.alpha={upper=0.3}"},
+      {Overrides{}, "contact_solver.damping=0.9"},
+      {Overrides{active_set}, "contact_solver.acceleration=anderson"},
+      {Overrides{"contacts=[]", "probes=[]"}, active_set}};
+  const std::vector<std::string> outputs{"time.output=[0.5, 1, 2]"};
+  for (const auto& [before, change] : changes) {
+    const std::filesystem::path out = blocks / change;
+    std::vector<std::string> overrides = before;
+    overrides.insert(overrides.end(), outputs.begin(), outputs.end());
+    interrupted_run(blocks.config(pressure_probe, overrides), out, 2);
+    overrides.push_back(change);
+    const RunResult result = run(blocks.config(pressure_probe, overrides), {.output = out.string(), .resume = true});
+    EXPECT_EQ(result.exit_status, 0) << change << ": " << result.message;
+  }
+  const std::string sweeps = "contact_solver.acceleration=none";
+  interrupted_run(blocks.config(pressure_probe, {outputs[0], sweeps}), blocks / "sweeps", 2);
+  EXPECT_THROW(run(blocks.config(pressure_probe, {outputs[0], sweeps, "contact_solver.damping=0.9"}),
+                   {.output = (blocks / "sweeps").string(), .resume = true}),
+               ConfigError);
+}
+
 TEST(ResumeChanges, ALaterEndProlongsACompletedRun) {
   const Case blocks;
   const std::vector<std::string> before{"time.output=[1, 3]"}, after{"time.output=[1, 3, 5, 6]", "time.end=7"};
