@@ -19,7 +19,7 @@ void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> bl
                      std::span<const std::int64_t> trailing) {
   if (lower.rows() != lower.cols()) throw std::invalid_argument("the matrix must be square");
   if (!lower.isCompressed()) throw std::invalid_argument("the matrix must be compressed");
-  if (std::ssize(block_of) != lower.rows()) throw std::invalid_argument("one block number an unknown is needed");
+  if (std::ssize(block_of) != lower.rows()) throw std::invalid_argument("one block number per unknown is needed");
   std::vector<bool> seen(block_of.size(), false);
   for (const std::int64_t unknown : trailing) {
     if (unknown < 0 || unknown >= lower.rows()) throw std::invalid_argument("trailing unknown outside the matrix");

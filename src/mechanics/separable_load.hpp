@@ -10,7 +10,7 @@ class SpatialIntegral {
  public:
   virtual ~SpatialIntegral() = default;
   virtual const std::vector<std::int64_t>& nodes() const = 0;
-  /// values (3 a node of nodes()) += integral at time t
+  /// values (3 per node of nodes()) += integral at time t
   virtual void add(const Function& f, double t, std::span<double> values) const = 0;
 };
 
@@ -29,7 +29,7 @@ class SeparableLoad final : public Load {
   std::vector<double> steady_;  // of f, or of 1 where f does not depend on place; empty if f mixes place and time
 };
 
-/// Sum of loads, one a component of a vector.
+/// Sum of loads, one per component of a vector.
 class SumOfLoads final : public Load {
  public:
   explicit SumOfLoads(std::vector<std::unique_ptr<Load>> parts) : parts_(std::move(parts)) {}

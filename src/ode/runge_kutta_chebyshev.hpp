@@ -16,7 +16,7 @@ namespace creepcontact::ode {
 /// stabilisation pay for the length itself. Needs no Jacobian and no linear solve.
 /// The radius is 2 / System::stable_step: the relaxation rate of the stiffest point bounds that of the whole system,
 /// held together by equilibrium and with the set of closed contacts held fixed or not.
-/// Cost: s rate evaluations a step; memory: 8 vectors with the weights, whatever s.
+/// Cost: s rate evaluations per step; memory: 8 vectors with the weights, whatever s.
 class RungeKuttaChebyshev final : public Integrator {
  public:
   /// @throws ConfigError if the tolerance is not positive

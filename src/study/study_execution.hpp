@@ -33,7 +33,7 @@ class StudyExecution {
         progress_(progress) {}
 
   /// Makes the runs that are not finished yet; after an interruption the rest is "not started".
-  /// @returns one row a run, without errors
+  /// @returns one row per run, without errors
   std::vector<StudyRow> run(const std::vector<config::PlannedRun>& runs);
   std::filesystem::path directory_of(const config::PlannedRun& run) const { return directory_ / "runs" / run.name; }
 

@@ -11,7 +11,7 @@
 
 namespace creepcontact::study {
 
-/// A row a run: values of all keys that are varied; errors; status, message, costs.
+/// One row per run: values of all keys that are varied; errors; status, message, costs.
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                       const std::vector<StudyRow>& rows);
 

@@ -35,7 +35,7 @@ constexpr auto names_of(InnerIteration) {
       {{"fixed_point", InnerIteration::fixed_point}, {"newton", InnerIteration::newton}});
 }
 
-/// How implicit methods solve their Newton systems: GMRES with System::jacobian_times, or System::solve_tangent.
+/// How implicit methods solve their Newton systems: GMRES with JacobianProducts, or NewtonSolver.
 enum class LinearSolver { krylov, tangent };
 constexpr auto names_of(LinearSolver) {
   return std::to_array<EnumName<LinearSolver>>({{"krylov", LinearSolver::krylov}, {"tangent", LinearSolver::tangent}});

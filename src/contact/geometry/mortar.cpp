@@ -220,7 +220,7 @@ RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
   return matrix;
 }
 
-/// One row a multiplier and node -> three rows a multiplier (x, y, z), three columns a node.
+/// One row per multiplier and one column per node -> three rows per multiplier (x, y, z), three columns per node.
 RowMatrix by_component(const RowMatrix& plain) {
   Triplets entries;
   for (int r = 0; r < plain.outerSize(); ++r)

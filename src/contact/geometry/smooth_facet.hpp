@@ -10,7 +10,7 @@ namespace creepcontact::contact {
 /// Simple local interpolation of surfaces using normal vectors, Comput. Aided Geom. Des. 22 (2005)), but without their
 /// singularity where an edge turns. Where one end of an edge is straight, as next to a kink, the edge is.
 /// A quadratic face is returned as it is.
-/// @param normals  one a node
+/// @param normals  one per node
 Facet smooth_facet(const Facet& facet, const std::vector<Vector3>& normals);
 
 }  // namespace creepcontact::contact

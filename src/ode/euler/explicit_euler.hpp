@@ -5,7 +5,7 @@
 
 namespace creepcontact::ode {
 
-/// Cost: one rate evaluation a step (two, one a half, if adaptive), made at the new state before it is accepted, so
+/// Cost: one rate evaluation per step (two, one per half, if adaptive), made at the new state before it is accepted, so
 /// that a failure there can be answered by a smaller step and accept() meets the point of the last evaluation.
 /// residual_correction is without effect: the load of every evaluation is the state itself, so that the residual of
 /// nodal forces, which the article's incremental form carries along, is zero here by construction.

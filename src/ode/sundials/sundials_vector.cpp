@@ -73,11 +73,16 @@ sunindextype length_of_all(N_Vector v) {
   return std::max<sunindextype>(content(v).all_counted, 1);
 }
 
+/// Over the entries of all members that are not padding.
+template <typename OfPiece>
+double sum_of_all(N_Vector x, OfPiece&& of_piece) {
+  return content(x).team->sum(sum_over_pieces(content(x).counted, std::forward<OfPiece>(of_piece)));
+}
+
 realtype dot(N_Vector x, N_Vector y) {
   const double *p = NV_DATA_S(x), *q = NV_DATA_S(y);
-  return content(x).team->sum(sum_over_pieces(content(x).counted, [=](std::size_t begin, std::size_t n) {
-    return (piece(p, begin, n) * piece(q, begin, n)).sum();
-  }));
+  return sum_of_all(x,
+                    [=](std::size_t begin, std::size_t n) { return (piece(p, begin, n) * piece(q, begin, n)).sum(); });
 }
 
 /// Takes the place of the root mean square in every test of CVODE and ARKODE.
@@ -87,15 +92,13 @@ realtype weighted_norm(N_Vector x, N_Vector w) {
 
 realtype weighted_euclidean_norm(N_Vector x, N_Vector w) {
   const double *p = NV_DATA_S(x), *q = NV_DATA_S(w);
-  return std::sqrt(content(x).team->sum(sum_over_pieces(content(x).counted, [=](std::size_t begin, std::size_t n) {
-    return (piece(p, begin, n) * piece(q, begin, n)).square().sum();
-  })));
+  return std::sqrt(sum_of_all(
+      x, [=](std::size_t begin, std::size_t n) { return (piece(p, begin, n) * piece(q, begin, n)).square().sum(); }));
 }
 
 realtype absolute_sum(N_Vector x) {
   const double* p = NV_DATA_S(x);
-  return content(x).team->sum(sum_over_pieces(
-      content(x).counted, [=](std::size_t begin, std::size_t n) { return piece(p, begin, n).abs().sum(); }));
+  return sum_of_all(x, [=](std::size_t begin, std::size_t n) { return piece(p, begin, n).abs().sum(); });
 }
 
 realtype largest(N_Vector x) {

@@ -86,7 +86,7 @@ TEST_P(ChangingStiffness, HasTheEquilibriumOfItsTimeWithAnyFactor) {
     EXPECT_EQ(now.equilibrium().contact.active, before.equilibrium().contact.active);
   }
   EXPECT_EQ(before.solver.counters().factorizations, 2) << "its bound is not reached";
-  EXPECT_GE(now.solver.counters().factorizations, 2 * 4) << "one a body and time";
+  EXPECT_GE(now.solver.counters().factorizations, 2 * 4) << "one per body and time";
 }
 
 TEST_P(ChangingStiffness, IsQuickerFromAnAcceptedStepAndNotElsewhere) {

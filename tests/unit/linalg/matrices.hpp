@@ -21,7 +21,7 @@ SparseMatrix lower_of(const Eigen::MatrixXd& dense);
 Eigen::VectorXd random_vector(std::int64_t n, unsigned seed);
 
 /// Grid of n x n x n nodes, 3 unknowns each, with the pattern of trilinear elasticity: a random positive definite
-/// 24 x 24 matrix a cell. `copies` such bodies side by side, not connected.
+/// 24 x 24 matrix per cell. `copies` such bodies side by side, not connected.
 Problem grid(int n, int copies = 1, unsigned seed = 1);
 
 /// Random sparse diagonally dominant matrix; every unknown is a block of its own.

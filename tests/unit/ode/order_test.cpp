@@ -37,7 +37,7 @@ void expect_order(const std::string& variant) {
 }
 
 /// ... with it, with the tolerance: the more so, the higher the order p, at most in proportion. One-step methods with
-/// errors of order p + 1 a step go with its power p/(p + 1); multistep methods swing about it as their order changes.
+/// errors of order p + 1 per step go with its power p/(p + 1); multistep methods swing about it as their order changes.
 void expect_control(const std::string& variant) {
   double least = 0.55;
   if (variant.starts_with("explicit_euler")) least = 0.45;
