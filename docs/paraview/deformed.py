@@ -60,6 +60,14 @@ def unit(grid, dimension):
     return next((word for word in words if word in UNITS.get(dimension, ())), "")
 
 
+def without_units(grid):
+    """The arrays by their plain names: "stress" instead of "stress [MPa]"."""
+    for data in (grid.GetPointData(), grid.GetCellData()):
+        for i in range(data.GetNumberOfArrays()):
+            data.GetArray(i).SetName(data.GetArrayName(i).partition(" [")[0])
+    return grid
+
+
 def automatic_factor(grid):
     """1, 2 or 5 times a power of ten; no less than 1."""
     largest = grid.GetPointData().GetArray("displacement").GetMaxNorm()
@@ -208,7 +216,7 @@ def main():
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(file))
     reader.Update()
-    grid = reader.GetOutput()
+    grid = without_units(reader.GetOutput())
     arrays = [grid.GetPointData().GetArrayName(i) for i in range(grid.GetPointData().GetNumberOfArrays())]
     known = [name for name in arrays if grid.GetPointData().GetArray(name).GetNumberOfComponents() == 1]
     if options.field not in known:

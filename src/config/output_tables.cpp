@@ -83,6 +83,8 @@ Value<Output> output_table() {
       field<Output>("directory", &Output::directory, path(), "where results go")
           .otherwise("`results/<name of the configuration>`"),
       field<Output>("fields", &Output::fields, boolean(), "write `fields.pvd`, `contact.pvd` and their `.vtu` files"),
+      field<Output>("unit_names", &Output::unit_names, boolean(),
+                    "the arrays of the field files carry their unit, `stress [MPa]`, if `units` names it"),
       field<Output>("checkpoint_seconds", &Output::checkpoint_seconds, number(at_least(0)),
                     "wall time between checkpoints for `--resume`; 0: one after every step")
           .in("seconds"),

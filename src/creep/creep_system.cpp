@@ -190,20 +190,20 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
     if (!points_[b].empty()) points_[b].add_increment(t, duration, points_state(b, at, y), layout_.part(b, change));
 }
 
-bool CreepSystem::knows(material::Measure measure) const {
-  return std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.knows(measure); });
+bool CreepSystem::has(const material::StateVariable& variable) const {
+  return std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.has(variable); });
 }
 
-std::vector<double> CreepSystem::measure(material::Measure of, std::size_t body, const Evaluation& at,
-                                         std::span<const double> y) const {
-  if (!points_[body].knows(of)) return {};
-  return points_[body].measure(of, points_state(body, at, y));
+std::vector<double> CreepSystem::evaluate(const material::StateVariable& variable, std::size_t body,
+                                          const Evaluation& at, std::span<const double> y) const {
+  if (!points_[body].has(variable)) return {};
+  return points_[body].evaluate(variable, points_state(body, at, y));
 }
 
-std::optional<CreepSystem::Extreme> CreepSystem::largest(material::Measure of, std::size_t body, const Evaluation& at,
-                                                         std::span<const double> y) const {
-  if (!points_[body].knows(of)) return std::nullopt;
-  const std::vector<double> values = measure(of, body, at, y);
+std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,
+                                                         const Evaluation& at, std::span<const double> y) const {
+  if (!points_[body].has(scalar)) return std::nullopt;
+  const std::vector<double> values = evaluate(scalar, body, at, y);
   std::array<double, 4> extreme{-std::numeric_limits<double>::infinity()};
   if (!values.empty()) {
     const auto largest = std::ranges::max_element(values);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -33,9 +34,12 @@ MaterialPoints::MaterialPoints(const mechanics::Body& body, double least_strain)
   LawParameters laws;
   update(body.at(0), laws);
   const PointsState at{laws, {}, nothing, nothing};
-  for (const Mechanism& mechanism : mechanisms_)
-    for (const material::Measure one : {material::Measure::damage, material::Measure::life_fraction})
-      if (mechanism.law->measure(one, seen_by(mechanism, 0, at))) known_[static_cast<std::size_t>(one)] = true;
+  std::array<double, 6> values;
+  for (const material::StateVariable* variable : material::state_variables())
+    if (std::ranges::any_of(mechanisms_, [&](const Mechanism& mechanism) {
+          return mechanism.law->evaluate(*variable, seen_by(mechanism, 0, at), values);
+        }))
+      known_.push_back(variable);
 }
 
 void MaterialPoints::update(const mechanics::BodyConditions& at, LawParameters& into) const {
@@ -138,12 +142,19 @@ void MaterialPoints::add_increment(double t, double duration, const PointsState&
   });
 }
 
-std::vector<double> MaterialPoints::measure(material::Measure of, const PointsState& at) const {
-  std::vector<double> values(n_points_, 0.0);
+std::vector<double> MaterialPoints::evaluate(const material::StateVariable& variable, const PointsState& at) const {
+  const std::size_t width = variable.width();
+  const bool sums = variable.of_several == material::StateVariable::OfSeveralLaws::sum;
+  std::vector<double> values(width * n_points_, 0.0);
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
-    for (const Mechanism& mechanism : mechanisms_)
-      if (const std::optional<double> value = mechanism.law->measure(of, seen_by(mechanism, p, at)))
-        values[p] = std::max(values[p], *value);
+    std::array<double, 6> of_law;
+    for (const Mechanism& mechanism : mechanisms_) {
+      if (!mechanism.law->evaluate(variable, seen_by(mechanism, p, at), of_law)) continue;
+      for (std::size_t k = 0; k < width; ++k) {
+        double& value = values[width * p + k];
+        value = sums ? value + of_law[k] : std::max(value, of_law[k]);
+      }
+    }
   });
   return values;
 }

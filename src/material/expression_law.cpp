@@ -109,7 +109,8 @@ LawInfo expression_info() {
             .variables = {"q", "T", "t", "eps"}}},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<ExpressionLaw>(std::move(p.at(0).at(0)));
-          }};
+          },
+          {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

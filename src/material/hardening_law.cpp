@@ -44,4 +44,10 @@ void HardeningLaw::increment(const PointState& at, double duration, PointIncreme
   if (accumulates_) into.internal[0] += change;
 }
 
+bool HardeningLaw::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  if (&variable != &hardening_strain || !accumulates_) return false;
+  into[0] = at.internal[0];
+  return true;
+}
+
 }  // namespace creepcontact::material

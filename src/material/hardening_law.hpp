@@ -13,6 +13,12 @@ struct HardeningRate {
   double by_strain = 0;  ///< df/d eps
 };
 
+inline constexpr StateVariable hardening_strain{
+    .name = "hardening_strain",
+    .description = "equivalent creep strain that strain hardening has accumulated; 0 where there is none",
+    .label = "hardening strain",
+    .of_several = StateVariable::OfSeveralLaws::sum};
+
 /// Base of laws with at most that one internal variable.
 class HardeningLaw : public CreepLaw {
  public:
@@ -30,6 +36,7 @@ class HardeningLaw : public CreepLaw {
   void derivative(const PointState& at, const PointChange& change, PointRate into) const final;
   StressTangent stress_tangent(const PointState& at) const final;
   void increment(const PointState& at, double duration, PointIncrement into) const final;
+  bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const final;
 
  protected:
   /// @param accumulates  false: f does not depend on eps, and there is no internal variable

@@ -75,4 +75,12 @@ void Hereditary::increment(const PointState& at, double duration, PointIncrement
   into.creep_strain += 1.5 * chain.fluidity * duration * tensor::deviator(at.stress);
 }
 
+bool Hereditary::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  if (&variable != &kelvin_strain || n_elements_ == 0) return false;
+  tensor::Map sum = tensor::writable(into, 0);
+  sum.setZero();
+  for (int i = 0; i < n_elements_; ++i) sum += tensor::view(at.internal, i);
+  return true;
+}
+
 }  // namespace creepcontact::material

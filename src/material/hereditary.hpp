@@ -5,7 +5,7 @@
 /// In a uniaxial test sigma gives the creep strain sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t); under the mean
 /// stress p volume creeps by p sum of B_i (1 - exp(-t/tau_i)). Special cases: kelvin_voigt (one element), maxwell (the
 /// dashpot; with the material's elasticity a Maxwell body), burgers (both).
-/// Internal variables: e_i, 6 a Kelvin element. Limits: parameters may depend on T, but no time-temperature shift is
+/// Internal variables: e_i, 6 per Kelvin element. Limits: parameters may depend on T, but no time-temperature shift is
 /// made.
 
 #include "creepcontact/base/index.hpp"
@@ -13,6 +13,15 @@
 #include "creepcontact/material/registry.hpp"
 
 namespace creepcontact::material {
+
+inline constexpr StateVariable kelvin_strain{
+    .name = "kelvin_strain",
+    .description =
+        "strain of all Kelvin elements together, which recovers after unloading; tensor components; 0 where "
+        "there are none",
+    .label = "Kelvin strain",
+    .is_tensor = true,
+    .of_several = StateVariable::OfSeveralLaws::sum};
 
 class Hereditary final : public CreepLaw {
  public:
@@ -31,6 +40,7 @@ class Hereditary final : public CreepLaw {
   StressTangent stress_tangent(const PointState& at) const override;
   /// Exact.
   void increment(const PointState& at, double duration, PointIncrement into) const override;
+  bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const override;
 
  private:
   /// The values of the parameters at a point.

@@ -44,7 +44,8 @@ LawInfo hereditary_info() {
             .fallback = {{0.0}}}},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<Hereditary>("hereditary", p.at(0), p.at(1), p.at(2), p.at(3).at(0));
-          }};
+          },
+          {&kelvin_strain}};
 }
 
 LawInfo kelvin_voigt_info() {
@@ -54,7 +55,8 @@ LawInfo kelvin_voigt_info() {
           {compliance(), retardation()},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<Hereditary>("kelvin_voigt", p.at(0), p.at(1), std::vector<Function>{}, 0.0);
-          }};
+          },
+          {&kelvin_strain}};
 }
 
 LawInfo maxwell_info() {
@@ -76,7 +78,8 @@ LawInfo burgers_info() {
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<Hereditary>("burgers", p.at(1), p.at(2), std::vector<Function>{},
                                                 inverse(p.at(0).at(0)));
-          }};
+          },
+          {&kelvin_strain}};
 }
 
 }  // namespace creepcontact::material

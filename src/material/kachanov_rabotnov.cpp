@@ -64,9 +64,10 @@ StressTangent KachanovRabotnov::stress_tangent(const PointState& at) const {
   return coaxial_tangent(q, secant * q, p[n] * secant);
 }
 
-std::optional<double> KachanovRabotnov::measure(Measure of, const PointState& at) const {
-  if (of != Measure::damage) return std::nullopt;
-  return 1.0 - integrity(at).value;
+bool KachanovRabotnov::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  if (&variable != &material::damage) return false;
+  into[0] = 1.0 - integrity(at).value;
+  return true;
 }
 
 LawInfo kachanov_rabotnov_info() {
@@ -86,7 +87,8 @@ LawInfo kachanov_rabotnov_info() {
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<KachanovRabotnov>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0),
                                                       p.at(4).at(0), p.at(5).at(0));
-          }};
+          },
+          {&damage}};
 }
 
 }  // namespace creepcontact::material

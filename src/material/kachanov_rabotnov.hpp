@@ -28,7 +28,7 @@ class KachanovRabotnov final : public CreepLaw {
   void rate(const PointState& at, PointRate into) const override;
   void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
   StressTangent stress_tangent(const PointState& at) const override;
-  std::optional<double> measure(Measure of, const PointState& at) const override;
+  bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const override;
 
  private:
   struct Integrity {

@@ -15,9 +15,10 @@ void LifeFraction::derivative(const PointState& at, const PointChange& change, P
   into.internal[0] = S.value > 0.0 ? data_->rate(S.value, at.temperature).slope * dS : 0.0;
 }
 
-std::optional<double> LifeFraction::measure(Measure of, const PointState& at) const {
-  if (of != Measure::life_fraction) return std::nullopt;
-  return at.internal[0];
+bool LifeFraction::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  if (&variable != &material::life_fraction) return false;
+  into[0] = at.internal[0];
+  return true;
 }
 
 }  // namespace creepcontact::material

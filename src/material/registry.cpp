@@ -31,6 +31,17 @@ const std::vector<LawInfo>& creep_laws() {
   return laws;
 }
 
+const std::vector<const StateVariable*>& state_variables() {
+  static const std::vector<const StateVariable*> all = [] {
+    std::vector<const StateVariable*> found{&damage, &life_fraction};
+    for (const LawInfo& law : creep_laws())
+      for (const StateVariable* variable : law.state_variables)
+        if (std::ranges::find(found, variable) == found.end()) found.push_back(variable);
+    return found;
+  }();
+  return all;
+}
+
 const LawInfo* find_creep_law(const std::string& name) {
   const auto& laws = creep_laws();
   const auto found = std::find_if(laws.begin(), laws.end(), [&](const LawInfo& law) { return law.name == name; });

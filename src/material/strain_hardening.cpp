@@ -41,7 +41,8 @@ LawInfo strain_hardening_info() {
            {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<StrainHardening>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
-          }};
+          },
+          {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "axis_labels.hpp"
 #include "creepcontact/plot/run_plots.hpp"
-#include "units.hpp"
 
 namespace creepcontact::plot {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "axis_labels.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/base/suggestion.hpp"
-#include "units.hpp"
 
 namespace creepcontact::plot {
 namespace {

@@ -7,8 +7,6 @@
 namespace creepcontact::results {
 namespace {
 
-using material::Measure;
-
 constexpr double small_strain = 1;  // creep strain beyond which results mean nothing any more
 
 io::Summary::Largest largest(const creep::CreepSystem::Extreme& extreme) {
@@ -21,9 +19,9 @@ DamageMonitor::DamageMonitor(const creep::CreepSystem& system) : system_(system)
 
 creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double> y) const {
   creep::CreepSystem::Extreme result;
-  if (!system_.knows(Measure::damage)) return result;
+  if (!system_.has(material::damage)) return result;
   for (std::size_t b = 0; b < system_.assembly().bodies().size(); ++b)
-    if (const auto of_body = system_.largest(Measure::damage, b, system_.step_evaluation(), y);
+    if (const auto of_body = system_.largest(material::damage, b, system_.step_evaluation(), y);
         of_body && of_body->value > result.value)
       result = *of_body;
   return result;
@@ -31,8 +29,8 @@ creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double
 
 void DamageMonitor::output(const creep::Evaluation& at) {
   for (std::size_t b = 0; b < at.equilibrium.bodies.size(); ++b) {
-    if (const auto damage = system_.largest(Measure::damage, b, at, at.y)) damage_[b] = *damage;
-    if (const auto life = system_.largest(Measure::life_fraction, b, at, at.y)) life_[b] = *life;
+    if (const auto damage = system_.largest(material::damage, b, at, at.y)) damage_[b] = *damage;
+    if (const auto life = system_.largest(material::life_fraction, b, at, at.y)) life_[b] = *life;
   }
 }
 
@@ -53,7 +51,7 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
       break;
     }
   for (std::size_t b = 0; b < bodies.size() && !warned_of_life_; ++b) {
-    const auto life = system_.largest(Measure::life_fraction, b, at, y);
+    const auto life = system_.largest(material::life_fraction, b, at, y);
     if (!life || !(life->value > 1)) continue;
     log::warning(
         "body '{}': the creep life is used up before t = {:.6g} at ({:.6g}, {:.6g}, {:.6g}): life_fraction {:.3g}",

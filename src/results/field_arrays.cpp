@@ -10,7 +10,7 @@ class Arrays {
  public:
   Arrays(std::string OutputVariable::*name, const Snapshot& snapshot) {
     for (const OutputVariable& variable : output_variables()) {
-      if ((variable.*name).empty() || (variable.measure && !snapshot.knows(*variable.measure))) continue;
+      if ((variable.*name).empty() || (variable.state_variable && !snapshot.has(*variable.state_variable))) continue;
       variables_.push_back(&variable);
       // Vectors and tensors have the component names of ParaView.
       const bool own_names = variable.point_array != variable.name;

@@ -46,8 +46,8 @@ class PointProbe final : public Probe {
       sample.strain += weight * at_point.strain;
       sample.creep_strain += weight * at_point.creep_strain;
       sample.temperature += weight * at_point.temperature;
-      sample.damage += weight * at_point.damage;
-      sample.life_fraction += weight * at_point.life_fraction;
+      sample.state.resize(at_point.state.size());
+      for (std::size_t k = 0; k < at_point.state.size(); ++k) sample.state[k] += weight * at_point.state[k];
     }
     sample.position = location_.position;
     return quantity_(sample);

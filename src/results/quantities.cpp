@@ -11,11 +11,39 @@ using Location = OutputVariable::Location;
 
 constexpr std::size_t most_components = 6;
 
-template <Tensor6 Sample::*field>
-void cartesian(const Sample& sample, double* into) {
-  const Matrix3 tensor = tensor::to_matrix(sample.*field);
+const std::vector<std::string> vector_components{"x", "y", "z"};
+const std::vector<std::string> tensor_components{"xx", "yy", "zz", "xy", "yz", "zx"};
+
+/// @param mandel  in Mandel order
+void set_cartesian(const Tensor6& mandel, double* into) {
+  const Matrix3 tensor = tensor::to_matrix(mandel);
   const std::array values{tensor(0, 0), tensor(1, 1), tensor(2, 2), tensor(0, 1), tensor(1, 2), tensor(2, 0)};
   std::ranges::copy(values, into);
+}
+
+template <Tensor6 Sample::*field>
+void cartesian(const Sample& sample, double* into) {
+  set_cartesian(sample.*field, into);
+}
+
+/// @param first  its place in Sample::state
+OutputVariable of_state_variable(const material::StateVariable& variable, std::size_t first) {
+  const auto evaluate = [&variable, first](const Sample& sample, double* into) {
+    if (sample.state.empty())
+      std::fill_n(into, variable.width(), 0.0);
+    else if (variable.is_tensor)
+      set_cartesian(Eigen::Map<const Tensor6>(sample.state.data() + first), into);
+    else
+      *into = sample.state[first];
+  };
+  return {.name = variable.name,
+          .components = variable.is_tensor ? tensor_components : std::vector<std::string>(),
+          .description = variable.description,
+          .label = variable.label,
+          .dimension = "",
+          .evaluate = evaluate,
+          .point_array = variable.name,
+          .state_variable = &variable};
 }
 
 /// About the z axis.
@@ -35,10 +63,9 @@ void principal(const Sample& sample, double* into) {
 }
 
 std::vector<OutputVariable> make_variables() {
-  const std::vector<std::string> vector{"x", "y", "z"}, tensor{"xx", "yy", "zz", "xy", "yz", "zx"};
   std::vector<OutputVariable> all;
   all.push_back({.name = "displacement",
-                 .components = vector,
+                 .components = vector_components,
                  .description = "displacement",
                  .label = "displacement",
                  .dimension = "length",
@@ -51,7 +78,7 @@ std::vector<OutputVariable> make_variables() {
                  .dimension = "length",
                  .evaluate = [](const Sample& at, double* into) { *into = at.displacement.norm(); }});
   all.push_back({.name = "stress",
-                 .components = tensor,
+                 .components = tensor_components,
                  .description = "stress",
                  .label = "stress",
                  .dimension = "stress",
@@ -88,13 +115,13 @@ std::vector<OutputVariable> make_variables() {
                  .dimension = "stress",
                  .evaluate = [](const Sample& at, double* into) { *into = tensor::trace(at.stress) / 3; }});
   all.push_back({.name = "strain",
-                 .components = tensor,
+                 .components = tensor_components,
                  .description = "total strain, tensor components",
                  .label = "strain",
                  .dimension = "",
                  .evaluate = cartesian<&Sample::strain>});
   all.push_back({.name = "creep_strain",
-                 .components = tensor,
+                 .components = tensor_components,
                  .description = "creep strain, tensor components",
                  .label = "creep strain",
                  .dimension = "",
@@ -115,22 +142,11 @@ std::vector<OutputVariable> make_variables() {
                  .dimension = "temperature",
                  .evaluate = [](const Sample& at, double* into) { *into = at.temperature; },
                  .point_array = "temperature"});
-  all.push_back({.name = "damage",
-                 .components = {},
-                 .description = "damage of `kachanov_rabotnov`, 0 to 1; 0 where there is none",
-                 .label = "damage",
-                 .dimension = "",
-                 .evaluate = [](const Sample& at, double* into) { *into = at.damage; },
-                 .point_array = "damage",
-                 .measure = material::Measure::damage});
-  all.push_back({.name = "life_fraction",
-                 .components = {},
-                 .description = "fraction of the creep life used up, from rupture data; 0 where there are none",
-                 .label = "life fraction",
-                 .dimension = "",
-                 .evaluate = [](const Sample& at, double* into) { *into = at.life_fraction; },
-                 .point_array = "life_fraction",
-                 .measure = material::Measure::life_fraction});
+  std::size_t first = 0;
+  for (const material::StateVariable* variable : material::state_variables()) {
+    all.push_back(of_state_variable(*variable, first));
+    first += variable->width();
+  }
 
   all.push_back({.name = "contact_pressure",
                  .components = {},
@@ -151,13 +167,13 @@ std::vector<OutputVariable> make_variables() {
                  .dimension = "area",
                  .location = Location::contact_area});
   all.push_back({.name = "contact_force",
-                 .components = vector,
+                 .components = vector_components,
                  .description = "resultant contact force on the body of this surface",
                  .label = "contact force",
                  .dimension = "force",
                  .location = Location::contact_force});
   all.push_back({.name = "reaction",
-                 .components = vector,
+                 .components = vector_components,
                  .description = "resultant force of the supports on the body",
                  .label = "reaction",
                  .dimension = "force",

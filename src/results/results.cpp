@@ -1,11 +1,25 @@
 #include "creepcontact/results/results.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
 
+#include "creepcontact/base/units.hpp"
 #include "creepcontact/results/quantities.hpp"
 #include "field_arrays.hpp"
 
 namespace creepcontact::results {
+namespace {
+
+/// Names of the arrays with their units: "stress [MPa]".
+std::map<std::string, std::string> names_with_units(const std::string& units) {
+  std::map<std::string, std::string> names;
+  for (const OutputVariable& variable : output_variables())
+    if (const std::string unit = unit_of(dimension_of(variable.dimension), units); !unit.empty())
+      for (const std::string& name : {variable.name, variable.point_array, variable.cell_array})
+        names[name] = fmt::format("{} [{}]", name, unit);
+  return names;
+}
+
+}  // namespace
 
 Results::Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
                  std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation)
@@ -15,6 +29,7 @@ Results::Results(const config::Config& config, const std::filesystem::path& dire
   history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation);
   steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation);
   if (!config.output.fields) return;
+  if (config.output.unit_names) names_with_units_ = names_with_units(config.units);
   io::FieldMesh mesh;
   io::TextArray body_names{"bodies", {}};
   for (const mechanics::Body& body : assembly.bodies()) {
@@ -35,9 +50,17 @@ void Results::output(Snapshot& snapshot) {
   std::vector<io::FieldData> at_points = point_arrays(snapshot);
   if (contact_) {
     for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
-    contact_->write(snapshot.time(), surfaces_.point_arrays(snapshot.equilibrium()), surfaces_.cell_arrays());
+    contact_->write(snapshot.time(), named(surfaces_.point_arrays(snapshot.equilibrium())),
+                    named(surfaces_.cell_arrays()));
   }
-  fields_->write(snapshot.time(), at_points, cell_arrays(snapshot));
+  fields_->write(snapshot.time(), named(std::move(at_points)), named(cell_arrays(snapshot)));
+}
+
+std::vector<io::FieldData> Results::named(std::vector<io::FieldData> arrays) const {
+  for (io::FieldData& array : arrays)
+    if (const auto found = names_with_units_.find(array.name); found != names_with_units_.end())
+      array.name = found->second;
+  return arrays;
 }
 
 void Results::sync() {

@@ -17,10 +17,39 @@ constexpr std::size_t number(PointField field) {
   return static_cast<std::size_t>(field);
 }
 
+std::size_t state_width() {
+  std::size_t width = 0;
+  for (const material::StateVariable* variable : material::state_variables()) width += variable->width();
+  return width;
+}
+
+/// Into rows of all state variables.
+/// @param values  n rows of `width`, which get their place from column `first` on
+void insert(const std::vector<double>& values, std::size_t width, std::size_t first, std::vector<double>& rows) {
+  for (std::size_t i = 0; i < values.size(); ++i) rows[i / width * state_width() + first + i % width] = values[i];
+}
+
+std::vector<double> row(const std::vector<double>& rows, std::size_t number) {
+  if (rows.empty()) return {};
+  const auto first = rows.begin() + static_cast<std::ptrdiff_t>(number * state_width());
+  return {first, first + static_cast<std::ptrdiff_t>(state_width())};
+}
+
+std::vector<double> to_nodes(const mechanics::Discretization& discretization, const std::vector<double>& at_points,
+                             bool is_tensor, std::size_t n_nodes) {
+  std::vector<double> at_nodes((is_tensor ? 6 : 1) * n_nodes, 0.0);
+  if (is_tensor)
+    discretization.tensors_to_nodes(at_points, at_nodes);
+  else
+    discretization.to_nodes(at_points, 1, at_nodes);
+  return at_nodes;
+}
+
 }  // namespace
 
 BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions,
-                       const creep::BodyState& state, mechanics::CreepStrainView creep, PointMeasures measures)
+                       const creep::BodyState& state, mechanics::CreepStrainView creep,
+                       const std::vector<PointState>& variables)
     : body_(body), state_(state) {
   using enum PointField;
   const mechanics::Discretization& discretization = body.discretization();
@@ -39,22 +68,24 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   }
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);
-  at_points(damage) = std::move(measures.damage);
-  at_points(life_fraction) = std::move(measures.life_fraction);
-  for (const PointField field : point_fields) {
-    const std::size_t width = is_tensor(field) ? 6 : 1;
-    std::vector<double>& nodes = nodes_[number(field)];
-    nodes.assign(width * n_nodes(), 0.0);
-    at_points(field).resize(width * n_points(), 0.0);
-    if (is_tensor(field))
-      discretization.tensors_to_nodes(at_points(field), nodes);
-    else
-      discretization.to_nodes(at_points(field), 1, nodes);
+  for (const PointField field : point_fields)
+    nodes_[number(field)] = to_nodes(discretization, at_points(field), is_tensor(field), n_nodes());
+  if (variables.empty()) return;
+  state_at_points_.assign(state_width() * n_points(), 0.0);
+  state_at_nodes_.assign(state_width() * n_nodes(), 0.0);
+  std::size_t first = 0;
+  auto known = variables.begin();
+  for (const material::StateVariable* variable : material::state_variables()) {
+    if (known != variables.end() && known->variable == variable) {
+      std::vector<double> at_nodes = to_nodes(discretization, known->values, variable->is_tensor, n_nodes());
+      if (!variable->is_tensor)
+        for (double& value : at_nodes) value = std::clamp(value, variable->minimum, variable->maximum);
+      insert(known->values, variable->width(), first, state_at_points_);
+      insert(at_nodes, variable->width(), first, state_at_nodes_);
+      ++known;
+    }
+    first += variable->width();
   }
-  // Extrapolation must not leave the interval that these have.
-  for (const PointField field : {damage, life_fraction})
-    for (double& value : nodes_[number(field)]) value = std::max(value, 0.0);
-  for (double& value : nodes_[number(damage)]) value = std::min(value, 1.0);
 }
 
 Sample BodyFields::at_node(std::size_t node) const {
@@ -65,8 +96,7 @@ Sample BodyFields::at_node(std::size_t node) const {
           tensor_at(nodes_[number(strain)], node),
           tensor_at(nodes_[number(creep_strain)], node),
           nodes_[number(temperature)][node],
-          nodes_[number(damage)][node],
-          nodes_[number(life_fraction)][node]};
+          row(state_at_nodes_, node)};
 }
 
 Sample BodyFields::at_point(std::size_t point) const {
@@ -77,8 +107,7 @@ Sample BodyFields::at_point(std::size_t point) const {
           tensor_at(points_[number(strain)], point),
           tensor_at(points_[number(creep_strain)], point),
           points_[number(temperature)][point],
-          points_[number(damage)][point],
-          points_[number(life_fraction)][point]};
+          row(state_at_points_, point)};
 }
 
 Snapshot::Snapshot(const creep::CreepSystem& system, double time, const creep::Evaluation& at)
@@ -89,11 +118,13 @@ const BodyFields& Snapshot::fields(std::size_t body) {
   if (found != fields_.end()) return found->second;
   std::vector<mechanics::CreepStrainView> creep;
   system_.layout().views(at_.y, creep);
+  std::vector<PointState> variables;
+  for (const material::StateVariable* variable : material::state_variables())
+    if (std::vector<double> values = system_.evaluate(*variable, body, at_, at_.y); !values.empty())
+      variables.push_back({variable, std::move(values)});
   return fields_
       .try_emplace(body, assembly().bodies()[body], at_.equilibrium.conditions[body], at_.equilibrium.bodies[body],
-                   creep[body],
-                   PointMeasures{.damage = system_.measure(material::Measure::damage, body, at_, at_.y),
-                                 .life_fraction = system_.measure(material::Measure::life_fraction, body, at_, at_.y)})
+                   creep[body], variables)
       .first->second;
 }
 

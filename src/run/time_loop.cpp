@@ -87,7 +87,7 @@ void TimeLoop::keep_restart_point() {
   const double reach = 2 * integrator_->next_step();
   const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
   kept_.reset();
-  const bool may_rupture = system_.knows(material::Measure::damage);
+  const bool may_rupture = system_.has(material::damage);
   if (far || output_ahead || may_rupture) kept_ = checkpoint();
 }
 

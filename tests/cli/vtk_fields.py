@@ -26,6 +26,10 @@ def collection(path):
     return [(float(entry.get("timestep")), path.parent / entry.get("file")) for entry in entries]
 
 
+def without_unit(name):
+    return name.partition(" [")[0]
+
+
 class Grid:
     """One .vtu file, or what a filter made of it."""
 
@@ -40,16 +44,22 @@ class Grid:
             self.data = reader.GetOutput()
 
     def components(self, where):
-        """{name: components} of the arrays of "point" or "cell" data."""
+        """{name: components} of the arrays of "point" or "cell" data; names without units."""
         data = self.attributes(where)
-        return {data.GetArrayName(i): data.GetArray(i).GetNumberOfComponents() for i in range(data.GetNumberOfArrays())}
+        return {without_unit(name): data.GetArray(name).GetNumberOfComponents() for name in self.names(where)}
+
+    def names(self, where):
+        """As the file has them, "stress [MPa]"."""
+        data = self.attributes(where)
+        return [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
 
     def attributes(self, where):
         return self.data.GetPointData() if where == "point" else self.data.GetCellData()
 
     def values(self, where, name):
-        """A number each, or a tuple of components."""
-        array = self.attributes(where).GetArray(name)
+        """A number each, or a tuple of components. The name is without unit."""
+        full = next(one for one in self.names(where) if without_unit(one) == name)
+        array = self.attributes(where).GetArray(full)
         tuples = [array.GetTuple(i) for i in range(array.GetNumberOfTuples())]
         return [t[0] for t in tuples] if array.GetNumberOfComponents() == 1 else tuples
 
@@ -88,7 +98,8 @@ class Grid:
         return [part / total for part in integral] if isinstance(integral, tuple) else integral / total
 
     def warped(self):
-        self.data.GetPointData().SetActiveVectors("displacement")
+        full = next(name for name in self.names("point") if without_unit(name) == "displacement")
+        self.data.GetPointData().SetActiveVectors(full)
         return Grid(output(vtkWarpVector(), self.data))
 
     def enclosed(self):

@@ -64,7 +64,7 @@ Scene& scene() {
 template <typename Work>
 void measure(benchmark::State& state, const Work& work) {
   double total = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const auto start = Clock::now();
     work();
     total += seconds_since(start);

@@ -91,7 +91,7 @@ void measure(benchmark::State& state, Work work) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   Scene& s = scene(static_cast<int>(state.range(0)));
   double least = 1e300;
-  for (auto _ : state) least = std::min(least, least_seconds(1, [&] { work(s); }));
+  for ([[maybe_unused]] auto _ : state) least = std::min(least, least_seconds(1, [&] { work(s); }));
   s.count(state, least);
 }
 void pass(benchmark::State& state) {
@@ -117,7 +117,7 @@ void run(benchmark::State& state) {
     getrusage(RUSAGE_SELF, &usage);
     return 1024.0 * static_cast<double>(usage.ru_maxrss);
   };
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const auto start = Clock::now();
     const config::Config config = pressed_blocks(static_cast<int>(state.range(0)));
     Stopwatch watch;

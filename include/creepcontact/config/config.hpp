@@ -189,6 +189,7 @@ struct Output {
   /// Relative to the working directory; default: results/<stem> next to the configuration.
   std::filesystem::path directory;
   bool fields = true;              ///< write fields.pvd, contact.pvd and their .vtu files
+  bool unit_names = true;          ///< their arrays carry the unit in their names
   double checkpoint_seconds = 30;  ///< wall time between checkpoints [s]; 0: after every step
 };
 

@@ -102,20 +102,21 @@ class CreepSystem final : public ode::System,
   const Assembly& assembly() const { return solver_.assembly(); }
   const StateLayout& layout() const { return layout_; }
 
-  /// True if some law of some body knows this measure (damage, life fraction).
-  bool knows(material::Measure measure) const;
+  /// True if some law of some body has this variable (damage, life fraction, ...).
+  bool has(const material::StateVariable& variable) const;
   struct Extreme {
     double value = 0;
     std::size_t body = 0;
     Vector3 position = Vector3::Zero();
   };
-  /// Largest value over all points of a body; nullopt if none of its laws knows the measure. Collective.
+  /// Largest value over all points of a body; nullopt if none of its laws has the variable. Collective.
+  /// @param scalar  not a tensor
   /// @param y  the state, equal or close to that of `at`
-  std::optional<Extreme> largest(material::Measure measure, std::size_t body, const Evaluation& at,
+  std::optional<Extreme> largest(const material::StateVariable& scalar, std::size_t body, const Evaluation& at,
                                  std::span<const double> y) const;
-  /// The measure at all points of a body, n_points; empty if none of its laws knows it.
-  std::vector<double> measure(material::Measure of, std::size_t body, const Evaluation& at,
-                              std::span<const double> y) const;
+  /// The variable at all points of a body, n_points x variable.width(); empty if none of its laws has it.
+  std::vector<double> evaluate(const material::StateVariable& variable, std::size_t body, const Evaluation& at,
+                               std::span<const double> y) const;
 
  private:
   void solve(double t, std::span<const double> y, Evaluation& into);

@@ -1,6 +1,7 @@
 #pragma once
 /// The creep laws of one body at all its integration points: rates and their derivatives.
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -66,10 +67,10 @@ class MaterialPoints {
   /// @param change  n_points x stride
   void add_increment(double t, double duration, const PointsState& at, std::span<double> change) const;
 
-  /// True if some law knows the measure.
-  bool knows(material::Measure measure) const { return known_[static_cast<std::size_t>(measure)]; }
-  /// Per point, the largest value over the laws; 0 where no law knows the measure.
-  std::vector<double> measure(material::Measure of, const PointsState& at) const;
+  /// True if some law has the variable.
+  bool has(const material::StateVariable& variable) const { return std::ranges::count(known_, &variable) > 0; }
+  /// n_points x variable.width()
+  std::vector<double> evaluate(const material::StateVariable& variable, const PointsState& at) const;
 
   /// Sum of the stress tangents of the laws at point p.
   material::StressTangent tangent(std::size_t p, const PointsState& at) const;
@@ -118,10 +119,10 @@ class MaterialPoints {
   std::size_t n_points_, stride_;
   double least_strain_;
   std::vector<Mechanism> mechanisms_;
-  std::size_t n_parameters_ = 0;         // of all laws
-  bool known_[2] = {false, false};       // by Measure
-  bool fits_mean_stress_ = false;        // a law needs it and the elements support it
-  bool depends_on_temperature_ = false;  // true if some parameter does
+  std::vector<const material::StateVariable*> known_;  // to some law
+  std::size_t n_parameters_ = 0;                       // of all laws
+  bool fits_mean_stress_ = false;                      // a law needs it and the elements support it
+  bool depends_on_temperature_ = false;                // true if some parameter does
 };
 
 }  // namespace creepcontact::creep

@@ -2,13 +2,13 @@
 /// Creep laws: creep strain rate as a function of stress, state, time and temperature at one material point.
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/base/tensor.hpp"
+#include "creepcontact/material/state_variable.hpp"
 
 namespace creepcontact::material {
 
@@ -57,9 +57,6 @@ enum class InternalKind {
   fraction  ///< of 1: damage, used life
 };
 
-/// Optional measures of the state of a point, between 0 and 1.
-enum class Measure { damage, life_fraction };
-
 /// One creep mechanism of a material; the rates of all mechanisms add up. Immutable, safe for any number of threads.
 class CreepLaw {
  public:
@@ -93,8 +90,11 @@ class CreepLaw {
   /// start. By default: duration times the rate.
   virtual void increment(const PointState& at, double duration, PointIncrement into) const;
 
-  /// @returns nullopt if the law does not know the measure
-  virtual std::optional<double> measure(Measure /*of*/, const PointState& /*at*/) const { return std::nullopt; }
+  /// @param into  variable.width() numbers, set if the law has the variable
+  /// @returns whether it has; the same at all states
+  virtual bool evaluate(const StateVariable& /*variable*/, const PointState& /*at*/, std::span<double> /*into*/) const {
+    return false;
+  }
 
  protected:
   explicit CreepLaw(std::vector<Function> parameters) : parameters_(std::move(parameters)) {}

@@ -52,7 +52,7 @@ class LifeFraction final : public CreepLaw {
   void rate(const PointState& at, PointRate into) const override;
   void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
   StressTangent stress_tangent(const PointState& /*at*/) const override { return {}; }
-  std::optional<double> measure(Measure of, const PointState& at) const override;
+  bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const override;
 
  private:
   std::shared_ptr<const RuptureData> data_;

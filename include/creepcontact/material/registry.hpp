@@ -54,6 +54,7 @@ struct LawInfo {
   std::vector<ParameterInfo> parameters;
   /// @throws ParameterError if the law cannot have these values
   std::unique_ptr<CreepLaw> (*make)(ParameterValues values);
+  std::vector<const StateVariable*> state_variables = {};  ///< that its laws may have
 };
 
 /// All laws.

@@ -1,7 +1,7 @@
 #pragma once
 /// The output variables of a run, declared once: probes, arrays of the field files, lists and labels of plots follow.
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,11 +26,12 @@ struct OutputVariable {
   std::string dimension;  ///< "stress", "length", ...; empty: none
   Location location = Location::field;
   /// Field variables: sets all components.
-  void (*evaluate)(const Sample& sample, double* components) = nullptr;
+  std::function<void(const Sample& sample, double* components)> evaluate = {};
   std::string point_array = {};  ///< name in the field files at nodes; empty: not there
   std::string cell_array = {};   ///< the same of element means
   bool cylindrical = false;      ///< components about the z axis; a probe may turn the sample to another axis
-  std::optional<material::Measure> measure = {};  ///< in the field files only if a material has this measure
+  /// In the field files only if a material has this variable; null: always.
+  const material::StateVariable* state_variable = nullptr;
 
   std::size_t n_components() const { return components.empty() ? 1 : components.size(); }
 };

@@ -2,6 +2,7 @@
 /// The result files of a run, written while it proceeds.
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -34,12 +35,16 @@ class Results {
   const std::vector<double>& last_values() const { return values_; }
 
  private:
+  /// The arrays under the names that they have in the files.
+  std::vector<io::FieldData> named(std::vector<io::FieldData> arrays) const;
+
   std::vector<std::unique_ptr<Probe>> probes_;
   std::vector<double> values_;
   std::unique_ptr<io::HistoryWriter> history_;
   std::unique_ptr<io::StepWriter> steps_;
   ContactSurfaces surfaces_;
   std::unique_ptr<io::FieldWriter> fields_, contact_;
+  std::map<std::string, std::string> names_with_units_;  // by the name without
 };
 
 }  // namespace creepcontact::results

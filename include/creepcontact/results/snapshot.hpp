@@ -14,26 +14,29 @@ struct Sample {
   Vector3 position = Vector3::Zero();
   Vector3 displacement = Vector3::Zero();
   Tensor6 stress = Tensor6::Zero(), strain = Tensor6::Zero(), creep_strain = Tensor6::Zero();
-  double temperature = 0, damage = 0, life_fraction = 0;
+  double temperature = 0;
+  /// material::state_variables() in turn, StateVariable::width() numbers each; empty: all zero.
+  std::vector<double> state = {};
 };
 
 /// Fields defined at the integration points.
-enum class PointField { stress, strain, creep_strain, temperature, damage, life_fraction };
-inline constexpr std::array point_fields{PointField::stress,      PointField::strain, PointField::creep_strain,
-                                         PointField::temperature, PointField::damage, PointField::life_fraction};
+enum class PointField { stress, strain, creep_strain, temperature };
+inline constexpr std::array point_fields{PointField::stress, PointField::strain, PointField::creep_strain,
+                                         PointField::temperature};
 
-/// Measures that creep laws provide in addition to strain: n_points values each, or empty if no law of the body has
-/// them.
-struct PointMeasures {
-  std::vector<double> damage = {}, life_fraction = {};
+/// A variable that laws of a body have, n_points x width().
+struct PointState {
+  const material::StateVariable* variable;
+  std::vector<double> values;
 };
 
 /// Fields of one body at its integration points, and smoothed at its nodes.
 class BodyFields {
  public:
   /// @param body, state  must outlive the object @param conditions, creep  of the same equilibrium; not used later
+  /// @param variables  in the order of material::state_variables(); those that are missing are zero
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
-             mechanics::CreepStrainView creep, PointMeasures measures);
+             mechanics::CreepStrainView creep, const std::vector<PointState>& variables);
 
   std::size_t n_nodes() const { return body_.mesh().nodes.size(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
@@ -48,6 +51,7 @@ class BodyFields {
   const mechanics::Body& body_;
   const creep::BodyState& state_;
   std::array<std::vector<double>, point_fields.size()> points_, nodes_;  // indexed by PointField
+  std::vector<double> state_at_points_, state_at_nodes_;  // one row as Sample::state each; empty: all zero
 };
 
 /// State of the model at one output time. Smoothed fields are computed at their first use.
@@ -59,7 +63,7 @@ class Snapshot {
   double time() const { return time_; }
   const creep::Assembly& assembly() const { return system_.assembly(); }
   const creep::Equilibrium& equilibrium() const { return at_.equilibrium; }
-  bool knows(material::Measure measure) const { return system_.knows(measure); }
+  bool has(const material::StateVariable& variable) const { return system_.has(variable); }
   /// Fields of a body; computed at the first call.
   const BodyFields& fields(std::size_t body);
   /// Support reactions of a body (3 n_nodes): nodal residual integral B^T sigma - F without the contact forces.

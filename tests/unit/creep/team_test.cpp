@@ -37,8 +37,7 @@ Course run(const Team& team, int first, int count) {
   course.stable_step = system.stable_step(end, integrator->state());
   course.factorizations = system.run_counters().factorizations;
   course.damage =
-      system.largest(material::Measure::damage, 0, system.evaluate_step(end, integrator->state()), course.state)
-          .value();
+      system.largest(material::damage, 0, system.evaluate_step(end, integrator->state()), course.state).value();
   return course;
 }
 

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -106,6 +109,18 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
   Eigen::VectorXd internal;
   Tensor6 creep_strain;
 };
+
+TEST_P(CreepLawProperties, HasTheStateVariablesOfItsEntryInTheRegistry) {
+  const std::vector<const StateVariable*>& listed = find_creep_law(GetParam())->state_variables;
+  for (const StateVariable* variable : state_variables()) {
+    std::vector<double> values(variable->width(), std::numeric_limits<double>::quiet_NaN());
+    const Tensor6 stress = random(6, -150, 150);
+    const bool known = law->evaluate(*variable, point(stress), values);
+    EXPECT_EQ(known, std::ranges::count(listed, variable) == 1) << variable->name;
+    if (known)
+      for (const double value : values) EXPECT_TRUE(std::isfinite(value)) << variable->name;
+  }
+}
 
 TEST_P(CreepLawProperties, RateIsDeviatoric) {
   for (int i = 0; i < 20; ++i) {

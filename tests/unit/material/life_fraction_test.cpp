@@ -94,8 +94,10 @@ TEST(LifeFraction, DerivativeIsTheLimitOfCentralDifferences) {
 TEST(LifeFraction, TellsTheLifeAlone) {
   const LifeFraction law(power_law(), 0.0);
   const double own = 0.3;
-  EXPECT_EQ(law.measure(Measure::life_fraction, {.internal = {&own, 1}}), 0.3);
-  EXPECT_FALSE(law.measure(Measure::damage, {.internal = {&own, 1}}).has_value());
+  double value = 0;
+  EXPECT_TRUE(law.evaluate(life_fraction, {.internal = {&own, 1}}, {&value, 1}));
+  EXPECT_EQ(value, 0.3);
+  EXPECT_FALSE(law.evaluate(damage, {.internal = {&own, 1}}, {&value, 1}));
 }
 
 std::string message(const LarsonMiller& data) {

@@ -1,4 +1,4 @@
-#include "units.hpp"
+#include "creepcontact/base/units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace creepcontact::plot {
+namespace creepcontact {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, Dimension>, 6> names{{{"time", Dimension::time},
@@ -16,11 +16,6 @@ constexpr std::array<std::pair<std::string_view, Dimension>, 6> names{{{"time", 
                                                                        {"force", Dimension::force},
                                                                        {"stress", Dimension::stress},
                                                                        {"temperature", Dimension::temperature}}};
-
-Dimension dimension_of(const std::string& name) {
-  const auto found = std::ranges::find(names, name, &std::pair<std::string_view, Dimension>::first);
-  return found == names.end() ? Dimension::none : found->second;
-}
 
 using Words = std::vector<std::string_view>;
 
@@ -56,13 +51,9 @@ std::vector<std::string> words(const std::string& units) {
 
 }  // namespace
 
-QuantityKind kind_of(const io::SummaryProbe& probe) {
-  if (probe.label.empty()) return {"value", Dimension::none};
-  const Dimension dimension = dimension_of(probe.dimension);
-  const bool is_total = dimension == Dimension::force || dimension == Dimension::area;
-  if (probe.integrated_over.empty() || is_total) return {probe.label, dimension};
-  if (dimension == Dimension::stress && probe.integrated_over == "surface") return {"force", Dimension::force};
-  return {probe.label + ", sum", Dimension::none};
+Dimension dimension_of(const std::string& name) {
+  const auto found = std::ranges::find(names, name, &std::pair<std::string_view, Dimension>::first);
+  return found == names.end() ? Dimension::none : found->second;
 }
 
 std::string name_of(Dimension dimension) {
@@ -80,9 +71,4 @@ std::string unit_of(Dimension dimension, const std::string& units) {
   return "";
 }
 
-std::string labelled(const std::string& name, Dimension dimension, const std::string& units) {
-  const std::string unit = unit_of(dimension, units);
-  return unit.empty() ? name : name + " (" + unit + ")";
-}
-
-}  // namespace creepcontact::plot
+}  // namespace creepcontact

@@ -1,0 +1,19 @@
+#pragma once
+/// Physical dimensions, and their units as far as the words of `units` in the configuration tell them.
+
+#include <string>
+
+namespace creepcontact {
+
+enum class Dimension { none, time, length, area, force, stress, temperature };
+
+/// @param name  as in the tables of keys and output variables: "stress"; unknown or empty: none
+Dimension dimension_of(const std::string& name);
+
+/// "stress"; "value" for none.
+std::string name_of(Dimension dimension);
+
+/// The unit of a dimension in a list such as "mm, N, MPa, h, degC"; empty if the list has none for it.
+std::string unit_of(Dimension dimension, const std::string& units);
+
+}  // namespace creepcontact

@@ -1,0 +1,36 @@
+#pragma once
+/// Output variables that creep laws have in addition to the creep strain.
+
+#include <limits>
+#include <vector>
+
+namespace creepcontact::material {
+
+/// What laws tell about the state of a point. A law that has one of its own declares it and names it in its LawInfo;
+/// probes, field files and lists follow.
+struct StateVariable {
+  /// What the value of a material with several such laws is.
+  enum class OfSeveralLaws { largest, sum };
+  const char* name;
+  const char* description;
+  const char* label;       ///< for axes of plots
+  bool is_tensor = false;  ///< six numbers in Mandel order instead of one
+  OfSeveralLaws of_several = OfSeveralLaws::largest;
+  double minimum = 0, maximum = std::numeric_limits<double>::infinity();  ///< of a scalar; extrapolation stays within
+
+  int width() const { return is_tensor ? 6 : 1; }
+};
+
+inline constexpr StateVariable damage{.name = "damage",
+                                      .description = "damage of `kachanov_rabotnov`, 0 to 1; 0 where there is none",
+                                      .label = "damage",
+                                      .maximum = 1};
+inline constexpr StateVariable life_fraction{
+    .name = "life_fraction",
+    .description = "fraction of the creep life used up, from rupture data; 0 where there are none",
+    .label = "life fraction"};
+
+/// Those of all laws, each once.
+const std::vector<const StateVariable*>& state_variables();
+
+}  // namespace creepcontact::material
