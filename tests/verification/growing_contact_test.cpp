@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/says.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/half_space.hpp"
@@ -91,12 +92,7 @@ TEST(NarrowContact, IsWarnedOf) {
     testing::internal::CaptureStderr();
     press_cylinder("lower", "", 1, fine);
     const std::string warnings = testing::internal::GetCapturedStderr();
-    EXPECT_EQ(
-        warnings.find(
-            "contact zone is about 3 elements wide at its narrowest (elements of the slave surface 'lower_patch')") !=
-            std::string::npos,
-        !wide)
-        << warnings;
+    EXPECT_EQ(warnings.find("about 3 elements wide") != std::string::npos, !wide) << warnings;
     EXPECT_EQ(warnings.find("warning: ") == std::string::npos, wide) << warnings;
   }
 }

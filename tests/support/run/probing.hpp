@@ -12,7 +12,7 @@ namespace creepcontact::run::test {
 
 struct ProbeTable {
   std::string name, quantity, position;  ///< place: the keys on, at, body as TOML, separated by commas
-  std::string reduce = "";
+  std::string reduce = {};
 };
 
 std::string probe_tables(const std::vector<ProbeTable>& probes);

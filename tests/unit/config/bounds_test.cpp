@@ -4,6 +4,7 @@
 
 #include "config_fixture.hpp"
 #include "creepcontact/config/study.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::config {
 namespace bounds_tests {
@@ -96,10 +97,8 @@ TEST(ConfigBounds, RunsOfAStudy) {
     parse_study(study, "study.toml");
     ADD_FAILURE();
   } catch (const ConfigError& error) {
-    EXPECT_EQ(
-        std::string(error.what()),
-        "study.toml:2:1: axes[0]: 1e+20 runs with the product of these axes; allowed: 10000 runs in a study; axes "
-        "of the same zip run together");
+    EXPECT_TRUE(
+        creepcontact::test::says(error.what(), {"study.toml:2:1: axes[0]: ", "1e+20 runs", "10000 runs", "zip"}));
   }
 }
 

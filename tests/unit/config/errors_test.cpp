@@ -267,23 +267,24 @@ TEST(ConfigMistakes, ALawThatDependsOnTheTemperatureByItselfNeedsOne) {
 }
 
 TEST(ConfigMistakes, RuptureData) {
-  const std::string rupture = minimal + "[materials.steel.rupture]\n", at_12 = "cases/block.toml:12:1: ";
+  const std::string rupture = minimal + "[materials.steel.rupture]\n", heading = at_12 + "1: ";
   const std::string at = "cases/block.toml:13:", key = "materials.steel.rupture.";
-  expect_mistake(rupture, at_12 + "materials.steel.rupture: no rupture data; allowed: rupture_time, or stress and");
+  expect_mistake(rupture, heading + "materials.steel.rupture: no rupture data; allowed: rupture_time, or stress and");
   expect_mistake(rupture + "rupture_time = \"1e20*q^-5*t\"\n", at + "16: " + key + "rupture_time: expression");
   const std::string miller = rupture + "stress = [1, 2]\nparameter = [3, 2]\n[temperature]\nvalue = 500\n";
   EXPECT_TRUE(mistakes(miller).empty());
   expect_mistake(miller, at + "10: " + key + "stress: 2 values; allowed: none",
                  {"materials.steel.rupture.parameter=[7, 8]"});
-  expect_mistake(rupture + "stress = [1, 2]\n", at_12 + "materials.steel.rupture.parameter: missing; allowed: a list");
+  expect_mistake(rupture + "stress = [1, 2]\n",
+                 heading + "materials.steel.rupture.parameter: missing; allowed: a list");
   expect_mistake(rupture + "stress = [1, 2]\nparameter = [3, 2]\n",
-                 at_12 + "materials.steel.rupture: depends on T, which is not known");
+                 heading + "materials.steel.rupture: depends on T, which is not known");
   const std::string time = rupture + "rupture_time = \"1e20*q^-5\"\n";
   EXPECT_TRUE(mistakes(time).empty());
   expect_mistake(time + "stress = [1, 2]\n", "cases/block.toml:14:10: " + key +
                                                  "stress: given together with rupture_time; allowed: one of the two");
   expect_mistake(time + "stress_measure = \"mixed\"\n",
-                 at_12 + key + "alpha: missing; allowed: a number in [0, 1], with stress_measure = \"mixed\"");
+                 heading + key + "alpha: missing; allowed: a number in [0, 1], with stress_measure = \"mixed\"");
   expect_mistake(time + "alpha = 0.5\n", "cases/block.toml:14:9: " + key + "alpha: has no effect");
 }
 

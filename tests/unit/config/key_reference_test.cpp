@@ -80,7 +80,8 @@ TEST(KeySelection, PathWithAllBelowIt) {
 }
 
 TEST(KeySelection, OneTable) {
-  EXPECT_EQ(selected("[output]"), (Lines{"output.directory", "output.fields", "output.checkpoint_seconds"}));
+  EXPECT_EQ(selected("[output]"),
+            (Lines{"output.directory", "output.fields", "output.unit_names", "output.checkpoint_seconds"}));
   EXPECT_EQ(selected("[bodies.shaft]"), (Lines{"bodies.<name>.region", "bodies.<name>.material"}));
   const Lines material = selected("[materials.<name>]");
   EXPECT_NE(std::find(material.begin(), material.end(), "materials.<name>.rupture"), material.end());

@@ -2,6 +2,7 @@
 
 #include "config_fixture.hpp"
 #include "creepcontact/config/study.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -60,40 +61,33 @@ TEST(ConfigSyntax, LongLines) {
 
 TEST(ConfigSyntax, OneBracketOrTwo) {
   const std::string support = "\non = \"a\"\ndisplacement = { x = 0 }\n";
-  const auto expect = [](const std::string& appended, int line, const std::string& message) {
+  const auto expect = [](const std::string& appended, int line, std::initializer_list<std::string_view> facts) {
     const std::vector<std::string> lines = mistakes(minimal + appended);
     ASSERT_EQ(lines.size(), 1u) << appended;
-    EXPECT_EQ(lines[0], fmt::format("cases/block.toml:{}:1: {}", line, message)) << appended;
+    EXPECT_TRUE(lines[0].starts_with(fmt::format("cases/block.toml:{}:1: ", line))) << lines[0];
+    EXPECT_TRUE(creepcontact::test::says(lines[0], facts)) << appended;
   };
-  const std::string several = ", with two brackets: there may be several, each with a heading of its own";
-  expect("[supports]" + support, 12, "supports: written [supports]; allowed: [[supports]]" + several);
+  expect("[supports]" + support, 12, {"supports: ", "[supports]", "allowed: [[supports]]"});
   expect("[materials.steel.creep]\nlaw = \"norton\"\n", 12,
-         "materials.steel.creep: written [materials.steel.creep]; allowed: [[materials.steel.creep]]" + several);
-  expect("[supports]" + support + "[supports]" + support, 15,
-         "[supports] is here, and in line 12: every one of several needs two brackets, [[supports]]");
-  expect("[supports]" + support + "[[supports]]" + support, 15,
-         "[supports] is here, and in line 12: every one of several needs two brackets, [[supports]]");
-  expect("[bodies.block]\nregion = \"b\"\n", 12,
-         "the table [bodies.block] is here, and in line 3: put all its keys under one heading");
-  expect("[[output]]\nfields = false\n", 12,
-         "output: written [[output]]; allowed: [output], with single brackets: there is only one");
+         {"materials.steel.creep: ", "[materials.steel.creep]", "allowed: [[materials.steel.creep]]"});
+  expect("[supports]" + support + "[supports]" + support, 15, {"[supports]", "line 12", "[[supports]]"});
+  expect("[supports]" + support + "[[supports]]" + support, 15, {"[supports]", "line 12", "[[supports]]"});
+  expect("[bodies.block]\nregion = \"b\"\n", 12, {"[bodies.block]", "line 3"});
+  expect("[[output]]\nfields = false\n", 12, {"output: ", "[[output]]", "allowed: [output]"});
   expect("[[materials.gold]]\nyoung_modulus = 1\npoisson_ratio = 0\n", 12,
-         "materials.gold: written [[materials.gold]]; allowed: [materials.gold], with single brackets: there is only "
-         "one");
+         {"materials.gold: ", "[[materials.gold]]", "allowed: [materials.gold]"});
 }
 
 TEST(ConfigSyntax, StudyForARunAndRunForAStudy) {
   const std::string study = "base = \"block.toml\"\n[[axes]]\nkey = \"time.step\"\nvalues = [1, 2]\n";
-  EXPECT_EQ(mistakes(study),
-            std::vector<std::string>{"cases/block.toml: this file describes a study, many runs of one configuration "
-                                     "('base'); compute it with: creepcontact study cases/block.toml"});
+  ASSERT_EQ(mistakes(study).size(), 1u);
+  EXPECT_TRUE(creepcontact::test::says(mistakes(study)[0],
+                                       {"cases/block.toml: ", "'base'", "creepcontact study cases/block.toml"}));
   try {
     parse_study(minimal, "cases/block.toml");
     FAIL() << "no mistake found";
   } catch (const ConfigError& error) {
-    EXPECT_STREQ(error.what(),
-                 "cases/block.toml: this file describes a single run, not a study; compute it with: creepcontact run "
-                 "cases/block.toml");
+    EXPECT_TRUE(creepcontact::test::says(error.what(), {"cases/block.toml: ", "creepcontact run cases/block.toml"}));
   }
 }
 

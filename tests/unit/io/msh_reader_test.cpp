@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/base/log.hpp"
+#include "support/says.hpp"
 #include "unit/io/msh_files.hpp"
 #include "unit/io/temporary_directory.hpp"
 
@@ -116,9 +117,8 @@ TEST(MshReader, CountsBeyondTheFileTakeNoMemory) {
 }
 
 TEST(MshReader, MessagesSayWhereAndWhat) {
-  EXPECT_EQ(error_of(test::replaced(test::ascii_41, "77 0 0\n2 7 1", "77 O 0\n2 7 1")),
-            "m.msh, line 20, in $Nodes: expected a coordinate of a node, a number, but found 'O'; the file is damaged: "
-            "write it again");
+  EXPECT_TRUE(creepcontact::test::says(error_of(test::replaced(test::ascii_41, "77 0 0\n2 7 1", "77 O 0\n2 7 1")),
+                                       {"m.msh, line 20, in $Nodes: ", "coordinate", "'O'"}));
   EXPECT_TRUE(contains(error_of(test::replaced(test::ascii_22, "3 0 1 0\n", "3 0 nan 0\n")),
                        "a coordinate of a node is nan, not a finite number"));
   EXPECT_TRUE(contains(error_of(test::binary_41(false).substr(0, 400)), "m.msh, byte "));

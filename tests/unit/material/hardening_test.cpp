@@ -5,6 +5,7 @@
 
 #include "../../../src/material/strain_hardening.hpp"
 #include "../../../src/material/time_hardening.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -66,7 +67,8 @@ TEST(GrahamWalles, ListsThatDifferAreNamed) {
     TimeHardening("graham_walles", {1e-8, 1e-13}, {2.0, 5.0}, {1.0});
     FAIL() << "accepted";
   } catch (const ParameterError& error) {
-    EXPECT_STREQ(error.what(), "m: a list of 1; allowed: as many values as 'A' has: 2");
+    EXPECT_EQ(error.key(), "m");
+    EXPECT_TRUE(creepcontact::test::says(error.what(), {"list of 1", "'A'", "2"}));
   }
   EXPECT_THROW(TimeHardening("graham_walles", {}, {}, {}), ParameterError);
 }
@@ -132,7 +134,7 @@ TEST(StrainHardening, TheTimeExponentIsANumberInItsRange) {
     FAIL() << "accepted";
   } catch (const ParameterError& error) {
     EXPECT_EQ(error.key(), "m");
-    EXPECT_STREQ(error.what(), "m: the function 0.3 + T/1e4; allowed: a number in (0, 1]");
+    EXPECT_TRUE(creepcontact::test::says(error.what(), {"0.3 + T/1e4", "(0, 1]"}));
   }
 }
 

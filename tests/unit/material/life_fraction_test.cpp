@@ -6,6 +6,7 @@
 #include <random>
 
 #include "creepcontact/material/registry.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -112,17 +113,17 @@ std::string message(const LarsonMiller& data) {
 TEST(LifeFraction, DataThatMakeNoSenseAreNamed) {
   LarsonMiller data = steel();
   data.parameter.pop_back();
-  EXPECT_EQ(message(data), "parameter: 2 values; allowed: as many values as 'stress' has: 3");
+  EXPECT_TRUE(creepcontact::test::says(message(data), {"parameter: ", "2 values", "'stress'", "3"}));
   data = steel();
   data.parameter[2] = 21000;
-  EXPECT_EQ(message(data), "parameter: 21000 after 20000; allowed: values that decrease as the stress increases");
+  EXPECT_TRUE(creepcontact::test::says(message(data), {"parameter: ", "21000 after 20000", "decrease"}));
   data = steel();
   data.stress[1] = 5;
-  EXPECT_EQ(message(data), "stress: 5 after 10; allowed: values that increase");
+  EXPECT_TRUE(creepcontact::test::says(message(data), {"stress: ", "5 after 10", "increase"}));
   data = steel();
   data.stress[0] = 0;
-  EXPECT_EQ(message(data), "stress: the number 0; allowed: numbers > 0");
-  EXPECT_EQ(message({}), "stress: 0 values; allowed: at least two values");
+  EXPECT_TRUE(creepcontact::test::says(message(data), {"stress: ", "0", "> 0"}));
+  EXPECT_TRUE(creepcontact::test::says(message({}), {"stress: ", "0 values", "two"}));
   EXPECT_EQ(message(steel()), "");
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 #include "unit/mesh/reference_cells.hpp"
 
 namespace creepcontact::mesh {
@@ -60,18 +61,18 @@ TEST(Mesh, FindsGroups) {
 
 TEST(Mesh, MissingGroupSuggestsTheNearestAndListsThoseOfItsDimension) {
   const Mesh mesh = two_blocks();
-  EXPECT_EQ(message([&] { mesh.group("botom", 2); }),
-            "the mesh has no physical surface 'botom'; did you mean 'bottom'?; there are: bottom, ends, interface");
+  EXPECT_TRUE(creepcontact::test::says(message([&] { mesh.group("botom", 2); }),
+                                       {"physical surface 'botom'", "'bottom'?", "bottom, ends, interface"}));
   const std::string far = message([&] { mesh.group("symmetry"); });
   EXPECT_FALSE(contains(far, "did you mean"));
   EXPECT_TRUE(contains(far, "bottom, edge, ends, interface, lower, upper"));
-  EXPECT_EQ(message([&] { Mesh().group("x", 3); }), "the mesh has no physical volume 'x'; there are: none");
+  EXPECT_TRUE(creepcontact::test::says(message([&] { Mesh().group("x", 3); }), {"physical volume 'x'", "none"}));
 }
 
 TEST(Mesh, GroupOfAnotherDimensionIsNamed) {
   const Mesh mesh = two_blocks();
-  EXPECT_EQ(message([&] { mesh.group("bottom", 3); }),
-            "'bottom' is a physical surface, not a volume; there are: lower, upper");
+  EXPECT_TRUE(creepcontact::test::says(message([&] { mesh.group("bottom", 3); }),
+                                       {"'bottom'", "surface", "volume", "lower, upper"}));
 }
 
 TEST(Mesh, GroupNodesAreDistinctAndAscending) {
@@ -152,8 +153,8 @@ TEST(BoundaryFaces, SurfaceCellThatIsNoFaceIsAnError) {
   Mesh mesh = two_blocks();
   mesh.blocks[1].connectivity = {0, 1, 6, 7};
   mesh.groups = {{"cut", {"cut", 2, {{1, 0}}}}};
-  EXPECT_EQ(message([&] { boundary_faces(mesh, "cut"); }),
-            "surface 'cut': the quad4 at (0.5, 0.5, 0.5) is not a face of any volume cell");
+  EXPECT_TRUE(creepcontact::test::says(message([&] { boundary_faces(mesh, "cut"); }),
+                                       {"'cut'", "quad4", "(0.5, 0.5, 0.5)", "volume"}));
 }
 
 // Surface cells of order 1 on quadratic cells: the faces come with the cell's own mid nodes.

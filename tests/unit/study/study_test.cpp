@@ -8,6 +8,7 @@
 #include "../../../src/study/study_plots.hpp"
 #include "../../../src/study/study_report.hpp"
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 #include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::study {
@@ -39,7 +40,7 @@ TEST(StudyErrors, AWholeRunHasEveryTimeOfTheReference) {
   const ReferenceHistory reference(history({0, 1, 2}, {1, 2, 3}), "reference", q);
   const auto error = reference.error(history({0, 2}, {1, 3}), "q", ErrorNorm::max, true);
   EXPECT_TRUE(std::isnan(error.value));
-  EXPECT_EQ(error.message, "no output at t = 1, where the reference has one");
+  EXPECT_TRUE(creepcontact::test::says(error.message, {"t = 1", "reference"}));
 }
 
 TEST(StudyErrors, ARupturedRunIsComparedUpToItsEnd) {
@@ -53,7 +54,7 @@ TEST(StudyErrors, NothingIsRelativeToZero) {
   const ReferenceHistory reference(history({0, 1}, {0, 0}), "reference", q);
   const auto error = reference.error(history({0, 1}, {0, 1}), "q", ErrorNorm::max, true);
   EXPECT_TRUE(std::isnan(error.value));
-  EXPECT_EQ(error.message, "the reference of 'q' is zero, to which no error is relative");
+  EXPECT_TRUE(creepcontact::test::says(error.message, {"reference", "'q'", "zero"}));
 }
 
 TEST(StudyErrors, MissingColumnsAreNamed) {
@@ -61,7 +62,7 @@ TEST(StudyErrors, MissingColumnsAreNamed) {
     ReferenceHistory(history({0}, {1}), "ref.csv", {{"p"}, {"q"}, {"r"}});
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_STREQ(error.what(), "ref.csv: there is no column 'p', 'r' (found: time, q)");
+    EXPECT_TRUE(creepcontact::test::says(error.what(), {"ref.csv: ", "column 'p', 'r'", "time, q"}));
   }
 }
 

@@ -1,0 +1,24 @@
+#pragma once
+/// Messages are compared by the facts that they name, not by their wording.
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace creepcontact::test {
+
+/// EXPECT_TRUE(says(message, {"case.toml:3:1", "'botom'", "'bottom'"})): all of them, in this order.
+inline testing::AssertionResult says(const std::string& message, std::initializer_list<std::string_view> facts) {
+  std::size_t from = 0;
+  for (const std::string_view fact : facts) {
+    const std::size_t found = message.find(fact, from);
+    if (found == std::string::npos)
+      return testing::AssertionFailure() << "no \"" << fact << "\" after character " << from << " of: " << message;
+    from = found + fact.size();
+  }
+  return testing::AssertionSuccess() << message;
+}
+
+}  // namespace creepcontact::test
