@@ -49,14 +49,14 @@ std::string why_unreadable(const fs::path& path) {
   }
 }
 
-FileBytes read_file(const fs::path& path, std::size_t most_bytes) {
+FileBytes read_file(const fs::path& path, std::size_t max_bytes) {
   FileBytes result{{}, why_unreadable(path)};
   if (!result.failure.empty()) return result;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return {{}, std::strerror(errno)};
   std::error_code ignored;
   const bool is_pipe = fs::status(path, ignored).type() == fs::file_type::fifo;
-  const std::size_t most = is_pipe ? std::min(most_bytes, most_from_pipes) : most_bytes;
+  const std::size_t most = is_pipe ? std::min(max_bytes, max_from_pipes) : max_bytes;
   std::string part(std::size_t{1} << 16, '\0');
   while (stream.read(part.data(), static_cast<std::streamsize>(part.size())), stream.gcount() > 0) {
     result.bytes.append(part, 0, static_cast<std::size_t>(stream.gcount()));

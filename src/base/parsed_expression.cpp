@@ -58,7 +58,7 @@ ParsedExpression::ParsedExpression(const std::string& text, const std::vector<st
 }
 
 ThreadParsers::ThreadParsers(std::string text, std::vector<std::string> allowed)
-    : text_(std::move(text)), allowed_(std::move(allowed)), parsers_(most_threads) {
+    : text_(std::move(text)), allowed_(std::move(allowed)), parsers_(max_threads) {
   mine();
 }
 

@@ -10,7 +10,7 @@ namespace {
 /// The numbers in use. Never destroyed: threads may end after main().
 struct Numbers {
   std::mutex mutex;
-  std::bitset<most_threads> used;
+  std::bitset<max_threads> used;
 };
 Numbers& numbers() {
   static auto* const all = new Numbers;
@@ -20,8 +20,8 @@ Numbers& numbers() {
 struct Own {
   Own() {
     const std::lock_guard lock(numbers().mutex);
-    while (number < most_threads && numbers().used[number]) ++number;
-    if (number == most_threads) throw std::length_error("more threads than any machine has cores");
+    while (number < max_threads && numbers().used[number]) ++number;
+    if (number == max_threads) throw std::length_error("more threads than any machine has cores");
     numbers().used.set(number);
   }
   ~Own() {

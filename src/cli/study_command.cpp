@@ -20,8 +20,8 @@ int study(const Command& self, const Arguments& arguments) {
                      "where results go; not given: results/<name of the study> next to its file");
   add_trust(line);
   if (!line.parse(arguments, "STUDY.toml")) return 0;
-  constexpr int most_jobs = 1000;
-  if (line.has("jobs")) line.require_within("jobs", options.jobs, most_jobs);
+  constexpr int max_jobs = 1000;
+  if (line.has("jobs")) line.require_within("jobs", options.jobs, max_jobs);
   options.output = output;
   options.trust_geometry = line.has(trust_option);
   std::error_code error;

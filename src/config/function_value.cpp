@@ -13,7 +13,7 @@
 namespace creepcontact::config {
 namespace {
 
-constexpr double most_repeated = 1e6;  // times at which steps end
+constexpr double max_repeated = 1e6;  // times at which steps end
 
 /// What one key allows.
 struct Allowed {
@@ -120,11 +120,11 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
       return std::nullopt;
     }
     const auto n_points = static_cast<double>(abscissae->size());
-    if (const double periods = context.end / *period; !(periods * n_points <= most_repeated)) {
+    if (const double periods = context.end / *period; !(periods * n_points <= max_repeated)) {
       context.errors.add(
           item_period.location,
           fmt::format("{} points repeat {:.6g} times up to time.end = {}", n_points, periods, context.end),
-          fmt::format("{} points in all; is the period in the unit of time.end?", most_repeated));
+          fmt::format("{} points in all; is the period in the unit of time.end?", max_repeated));
       return std::nullopt;
     }
   }

@@ -5,7 +5,7 @@
 namespace creepcontact::config {
 namespace {
 
-constexpr int most_parts = 20;
+constexpr int max_parts = 20;
 
 /// The end of the string whose first quotation mark is at `begin`.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
@@ -42,7 +42,7 @@ std::optional<std::size_t> find_long_key(std::string_view document) {
         i = end_of_string(document, i);
         break;
       case '.':
-        if (++parts > most_parts) return i;
+        if (++parts > max_parts) return i;
         ++i;
         break;
       case '=':

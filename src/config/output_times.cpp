@@ -8,7 +8,7 @@
 namespace creepcontact::config {
 namespace {
 
-constexpr int most_outputs = 100'000;  // each is a row, and a file of fields
+constexpr int max_outputs = 100'000;  // each is a row, and a file of fields
 
 Value<OutputSeries> series_table() {
   const auto spacing = choice<Spacing>("spacing");
@@ -16,7 +16,7 @@ Value<OutputSeries> series_table() {
       field<OutputSeries>("first", &OutputSeries::first, number(greater(0)), "first time after 0")
           .in("time")
           .otherwise("linear: `end` / `count`; log: required"),
-      field<OutputSeries>("count", &OutputSeries::count, integer(2, most_outputs), "number of times after 0",
+      field<OutputSeries>("count", &OutputSeries::count, integer(2, max_outputs), "number of times after 0",
                           Presence::required),
       field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "of the times from `first` to `end`"),
   });

@@ -13,7 +13,7 @@
 namespace creepcontact::config {
 namespace {
 
-constexpr double most_steps = 1e9;  // of a fixed length
+constexpr double max_steps = 1e9;  // of a fixed length
 
 struct TimeKeys : Time {
   OutputTimes wanted;
@@ -73,10 +73,10 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
   if (keys.end > 0) keys.output = resolve(keys.wanted, keys.end, item.child("output").location, context);
   check_table(keys, vocabulary, item.child("table").location, context);
   if (const double steps = keys.end / keys.step.length;
-      keys.step.mode == settings::StepMode::fixed && steps > most_steps)
+      keys.step.mode == settings::StepMode::fixed && steps > max_steps)
     context.errors.add(item.child("step").location,
                        fmt::format("{:.6g} steps of {} up to time.end = {}", steps, keys.step.length, keys.end),
-                       fmt::format("up to {:.0e} steps; is the step in the unit of time.end?", most_steps));
+                       fmt::format("up to {:.0e} steps; is the step in the unit of time.end?", max_steps));
   return Time(std::move(keys));
 }
 

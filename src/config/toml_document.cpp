@@ -14,12 +14,12 @@
 namespace creepcontact::config {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 26;
+constexpr std::size_t max_bytes = std::size_t{1} << 26;
 
 }  // namespace
 
 std::string read_text(const std::filesystem::path& file) {
-  auto [text, failure] = read_file(file, most_bytes);
+  auto [text, failure] = read_file(file, max_bytes);
   if (failure.starts_with("longer")) failure += "; is that a configuration?";
   if (!failure.empty()) throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(), failure));
   return text;

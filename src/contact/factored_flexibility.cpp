@@ -8,7 +8,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double least_pivot = 1e-12;
+constexpr double min_pivot = 1e-12;
 
 /// K restricted to the unknowns that contact rows touch, both triangles. @param place  of each unknown, or -1
 Sparse restricted(const linalg::SparseMatrix& lower, const std::vector<int>& position, int n) {
@@ -74,7 +74,7 @@ FactoredFlexibility::FactoredFlexibility(std::span<mechanics::FactoredBody> bodi
         touched * restricted(bodies[b].stiffness(at[b]), position, n_touched) * touched.transpose();
     const Sparse square = touched * touched.transpose();
     // Rows that the body cannot follow (held there) are none of its own but for rounding.
-    const double least = least_pivot * square.diagonal().maxCoeff();
+    const double least = min_pivot * square.diagonal().maxCoeff();
     Lumped lumped;
     std::vector<int> as_slave;
     for (int r = 0; r < std::ssize(own.rows); ++r) {

@@ -14,7 +14,7 @@ namespace {
 /// A preconditioner need not follow every step: gamma may be off by this factor.
 constexpr double same_gamma = 1.25;
 /// Of the strain that the tolerance stands for: where hardening begins to count.
-constexpr double least_share = 0.3;
+constexpr double min_share = 0.3;
 
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
@@ -41,7 +41,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
   const std::vector<mechanics::Body>& bodies = solver.assembly().bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (layout_.stride(b) > 0)
-      points_.emplace_back(bodies[b], least_share * tolerance * scale_.values()[layout_.offset(b)]);
+      points_.emplace_back(bodies[b], min_share * tolerance * scale_.values()[layout_.offset(b)]);
     else
       points_.emplace_back(bodies[b]);
     preconditioners_.emplace_back(layout_.stride(b));

@@ -16,7 +16,7 @@ namespace {
 
 // Jumps that differ by rounding alone count as one breakpoint: these times lie beyond all of them.
 constexpr double beside = 16 * std::numeric_limits<double>::epsilon();
-constexpr double most_creep = 1e12;  // of the elastic strain, over the run: no machine part lives through so much
+constexpr double max_creep = 1e12;  // of the elastic strain, over the run: no machine part lives through so much
 
 /// sigma : C sigma
 double elastic_work(const Tensor6& stress, const material::Moduli& moduli) {
@@ -75,7 +75,7 @@ class Survey {
       const PointsState at{laws, equilibrium_.conditions[b].elastic(), equilibrium_.bodies[b].stress, no_state};
       result.singular_start = result.singular_start || team.min(points.start_exponent(0, at)) < 1;
       const double strains = creep_over_elastic_strain(team, points, at, end_);
-      if (!(strains > most_creep) || !std::isfinite(strains)) continue;
+      if (!(strains > max_creep) || !std::isfinite(strains)) continue;
       const mechanics::Body& body = points.body();
       mistakes += fmt::format(
           "{}body '{}' would relax in {:.1g} of the run: under its typical stress of {:.3g} at t = {:.6g}, material "

@@ -82,7 +82,7 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
   if (problem.large == nullptr)
     return options_.use_schwarz ? contact::schwarz_solver(problem, options_.schwarz)
                                 : contact::active_set_solver(problem);
-  constexpr int most_iterations = 1000;
+  constexpr int max_iterations = 1000;
   contact::SchwarzOptions options = options_.schwarz;
   if (!options_.use_schwarz || options.acceleration != contact::SchwarzOptions::Acceleration::cg)
     log::warning(
@@ -90,7 +90,7 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
         "(contact_solver.dense_limit_mb sets the bound)",
         problem.n_rows());
   options.acceleration = contact::SchwarzOptions::Acceleration::cg;
-  options.max_iterations = std::max(options.max_iterations, most_iterations);
+  options.max_iterations = std::max(options.max_iterations, max_iterations);
   return contact::schwarz_solver(problem, options);
 }
 

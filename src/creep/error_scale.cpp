@@ -8,9 +8,9 @@
 namespace creepcontact::creep {
 namespace {
 
-constexpr double least_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
+constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
 /// Of the largest stress that the loads give without creep: bodies that carry less are taken to be unloaded.
-constexpr double least_share_of_elastic = 1e-3;
+constexpr double min_share_of_elastic = 1e-3;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
 /// At the first point; of several processes the largest.
@@ -26,9 +26,9 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
     : assembly_(assembly), layout_(assembly), strain_(assembly.bodies().size(), 0.0), values_(layout_.size(), 1.0) {
   if (elastic_stress.empty()) return;
   const double largest = *std::ranges::max_element(elastic_stress);
-  least_ = least_share_of_elastic * largest;
+  least_ = min_share_of_elastic * largest;
   for (std::size_t b = 0; b < strain_.size(); ++b)
-    set(b, std::max(elastic_stress[b], least_share_of_largest * largest) /
+    set(b, std::max(elastic_stress[b], min_share_of_largest * largest) /
                young_modulus(assembly.team(), assembly.bodies()[b].at(0)));
 }
 
@@ -54,7 +54,7 @@ void ErrorScale::follow(const Equilibrium& at) {
   const std::vector<double> stress = typical(assembly_, at);
   const double largest = *std::ranges::max_element(stress);
   for (std::size_t b = 0; b < strain_.size(); ++b) {
-    const double now = std::max({stress[b], least_share_of_largest * largest, least_}) /
+    const double now = std::max({stress[b], min_share_of_largest * largest, least_}) /
                        young_modulus(assembly_.team(), at.conditions[b]);
     if (std::abs(now - strain_[b]) > steady * strain_[b]) set(b, now);
   }

@@ -12,11 +12,11 @@
 
 namespace creepcontact::creep {
 
-MaterialPoints::MaterialPoints(const mechanics::Body& body, double least_strain)
+MaterialPoints::MaterialPoints(const mechanics::Body& body, double min_strain)
     : body_(body),
       n_points_(body.discretization().n_points()),
       stride_(body.material().n_state()),
-      least_strain_(least_strain) {
+      min_strain_(min_strain) {
   std::size_t n_state = 6;
   for (const auto& law : body.material().creep) {
     mechanisms_.push_back({.law = law.get(),
@@ -75,7 +75,7 @@ material::PointState MaterialPoints::seen_by(const Mechanism& mechanism, std::si
           .parameters = parameters.of(std::span(laws.values)),
           .time = laws.time,
           .temperature = laws.temperature.empty() ? body_.material().reference_temperature : laws.temperature[p],
-          .least_strain = least_strain_};
+          .min_strain = min_strain_};
 }
 
 MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<const double> stress) : given_(stress) {

@@ -96,7 +96,7 @@ void TangentSystem::solve(const std::vector<int>& active, std::span<const double
       std::fill(side.displacement.begin(), side.displacement.end(), 0.0);
       body.discretization().add_initial_stress_force(side.material->moduli(), side.stress, side.displacement);
       body.constraints().restrict_to_free(side.displacement, side.free);
-      // Initial strains are in equilibrium with themselves: only the pins' forces are to be taken out.
+      // Initial strains are in equilibrium with themselves: only the forces of the fixing dofs are taken out.
       body.clear_fixing_dofs(side.free);
       sides[b] = {side.factor.get(), side.free};
     });

@@ -17,10 +17,10 @@ hid_t native(char) {
 
 /// A damaged file may claim any number of entries; they must not be asked of the memory.
 bool can_hold(hid_t file, hssize_t entries, std::size_t entry_size) {
-  constexpr double most_compression = 1032;  // of deflate, the best of the usual filters
+  constexpr double max_compression = 1032;  // of deflate, the best of the usual filters
   hsize_t size = 0;
   return hdf5().H5Fget_filesize(file, &size) >= 0 &&
-         static_cast<double>(entries) * static_cast<double>(entry_size) <= most_compression * static_cast<double>(size);
+         static_cast<double>(entries) * static_cast<double>(entry_size) <= max_compression * static_cast<double>(size);
 }
 
 template <typename T>

@@ -13,7 +13,7 @@ namespace creepcontact::linalg {
 
 namespace {
 
-constexpr double least_rcond = 1e-12;
+constexpr double min_rcond = 1e-12;
 
 void check_arguments(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                      std::span<const std::int64_t> trailing) {
@@ -101,7 +101,7 @@ void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
   // A failed pivot is a warning to CHOLMOD; round-off may also carry it past the pivots of a singular matrix.
   if (factor->minor < factor->n) throw SingularMatrix{permutation()[factor->minor], 0};
   const double estimate = cholmod_l_rcond(factor.get(), context.get());
-  if (!(estimate >= least_rcond)) throw SingularMatrix{weakest_row(), estimate};
+  if (!(estimate >= min_rcond)) throw SingularMatrix{weakest_row(), estimate};
   rcond = estimate;
 }
 

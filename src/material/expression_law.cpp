@@ -60,7 +60,7 @@ ExpressionLaw::Singularity ExpressionLaw::singularity(double q, const PointState
     if (p > -1.0 && p < -1e-6) found.time = p;
   }
   if (n_internal() > 0 && infinite_or_undefined(value(q, 0.0, t, T))) {
-    const double near = at.least_strain, far = 10 * at.least_strain;
+    const double near = at.min_strain, far = 10 * at.min_strain;
     const double p = slope(near, far, value(q, near, t, T), value(q, far, t, T));
     if (p < -1e-6) found.strain = p;
   }
@@ -79,7 +79,7 @@ double ExpressionLaw::accumulated(double q, double eps, const PointState& at, do
   const double a = 1 + power.time, b = 1 - power.strain;
   const auto grown = [&](double end) {
     double integral = 0;
-    const double strain = std::max(0.5 * (eps + end), at.least_strain);
+    const double strain = std::max(0.5 * (eps + end), at.min_strain);
     for (std::size_t i = 0; i < gauss_place.size(); ++i) {
       const double since = duration * std::pow(gauss_place[i], 1 / a);
       integral += gauss_weight[i] * std::pow(gauss_place[i], 1 / a - 1) / a * duration *

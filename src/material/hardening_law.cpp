@@ -7,7 +7,7 @@
 namespace creepcontact::material {
 
 double HardeningLaw::strain(const PointState& at) const {
-  return accumulates_ ? std::max(at.internal[0], at.least_strain) : at.least_strain;
+  return accumulates_ ? std::max(at.internal[0], at.min_strain) : at.min_strain;
 }
 
 void HardeningLaw::rate(const PointState& at, PointRate into) const {
@@ -25,7 +25,7 @@ void HardeningLaw::derivative(const PointState& at, const PointChange& change, P
   if (!accumulates_) return;
   into.internal[0] = 0.0;
   if (now.q == 0.0) return;
-  const double by_strain = at.internal[0] > at.least_strain ? f.by_strain * change.internal[0] : 0.0;
+  const double by_strain = at.internal[0] > at.min_strain ? f.by_strain * change.internal[0] : 0.0;
   add_flow(now, by_strain, into.creep_strain);
   into.internal[0] = f.by_stress * 1.5 * now.s.dot(ds) / now.q + by_strain;
 }

@@ -24,7 +24,7 @@ class HardeningLaw : public CreepLaw {
  public:
   int n_internal() const final { return accumulates_ ? 1 : 0; }
   /// @param q  von Mises equivalent stress, > 0
-  /// @param eps  accumulated strain, at least PointState::least_strain (virgin points, and stages of an integrator that
+  /// @param eps  accumulated strain, at least PointState::min_strain (virgin points, and stages of an integrator that
   /// fall below 0, count as that: by_strain is then not used)
   virtual double equivalent_rate(double q, double eps, const PointState& at) const = 0;
   virtual HardeningRate linearized_rate(double q, double eps, const PointState& at) const = 0;

@@ -7,7 +7,7 @@
 namespace creepcontact::material {
 namespace {
 
-constexpr double least_rest = 1e-14;  // of 1 - D
+constexpr double min_rest = 1e-14;  // of 1 - D
 
 enum Parameter { A, n, B, r, phi, alpha };
 
@@ -25,8 +25,8 @@ bool KachanovRabotnov::uses_mean_stress() const {
 
 KachanovRabotnov::Integrity KachanovRabotnov::integrity(const PointState& at) const {
   const double rest = 1.0 - at.internal[0];
-  const bool ruptured = rest < least_rest;
-  const double value = std::pow(ruptured ? least_rest : rest, 1.0 / power_);
+  const bool ruptured = rest < min_rest;
+  const double value = std::pow(ruptured ? min_rest : rest, 1.0 / power_);
   return {value, ruptured ? 0.0 : -value / (power_ * rest)};
 }
 

@@ -50,7 +50,7 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
   Times times;
   std::vector<Discontinuities> found;
   for (const Function& function : functions) {
-    found.push_back(kinks(function, end, positions));
+    found.push_back(find_discontinuities(function, end, positions));
     for (const double t : found.back().jumps) times.add(t, rounding * t);
     if (found.back().too_many)
       log::warning(

@@ -19,8 +19,8 @@ constexpr double persistent = 0.3;     // of a slope change through three refine
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t finer = 8;  // refinement of a level
 constexpr std::size_t margin = 6, stencil = 3;
-constexpr std::size_t longest_cluster = 8, most_kinks = 4000, trials = 24;
-constexpr int most_evaluations = 500000, deepest = 40;
+constexpr std::size_t longest_cluster = 8, max_kinks = 4000, trials = 24;
+constexpr int max_evaluations = 500000, deepest = 40;
 
 /// Nodes that stand out beside each other: one or several kinks.
 struct Cluster {
@@ -65,7 +65,7 @@ class Search {
     if (crowded && !is_smooth_closer(grid, found)) too_many_ = true;
     if (!crowded)
       for (const Cluster& cluster : found) examine(grid, cluster, {}, 0);
-    if (too_many_ || kinks_.size() + jumps_.size() > most_kinks) {
+    if (too_many_ || kinks_.size() + jumps_.size() > max_kinks) {
       kinks.too_many = true;
       return;
     }
@@ -145,7 +145,7 @@ class Search {
     strengths.push_back(strength);
     const double before = strengths[strengths.size() < 4 ? 0 : strengths.size() - 4];
     if (strengths.size() > 2 && strength < persistent * before) return false;
-    if (level > deepest || n_evaluations_ > most_evaluations) return too_many_ = n_evaluations_ > most_evaluations;
+    if (level > deepest || n_evaluations_ > max_evaluations) return too_many_ = n_evaluations_ > max_evaluations;
     const double begin = grid.t[cluster.first - 1], end = grid.t[cluster.last + 1];
     const std::size_t n = cluster.last - cluster.first + 2;
     if (grows)
@@ -233,7 +233,7 @@ void tidy(std::vector<double>& times, double error, const std::vector<double>& o
 
 }  // namespace
 
-Discontinuities kinks(const Function& function, double end, std::span<const Vector3> positions) {
+Discontinuities find_discontinuities(const Function& function, double end, std::span<const Vector3> positions) {
   Discontinuities result;
   if (!function.depends_on_time() || function.table_range("t")) return result;
   for (const Vector3& position : positions.first(function.depends_on_position() ? positions.size() : 1))

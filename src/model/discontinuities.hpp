@@ -20,6 +20,6 @@ struct Discontinuities {
 /// near 0, than 2 % of the time, is seen. Tables know their points themselves: none.
 /// @param positions  at which functions of position are sampled; one at least
 /// Cost: some 20000 evaluations a place, and some hundreds a kink.
-Discontinuities kinks(const Function& function, double end, std::span<const Vector3> positions);
+Discontinuities find_discontinuities(const Function& function, double end, std::span<const Vector3> positions);
 
 }  // namespace creepcontact::model

@@ -7,7 +7,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr int samples = 2000;
-constexpr double least_turn = 0.01;
+constexpr double min_turn = 0.01;
 constexpr std::size_t most = 100;
 
 }  // namespace
@@ -23,7 +23,7 @@ std::vector<double> extrema(const Function& function, double end) {
     values.push_back(function({.x = 1.0, .y = 0.7, .z = 0.3, .t = end * i / samples}));
   if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) return {};
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  const double turn = least_turn * (*largest - *least);
+  const double turn = min_turn * (*largest - *least);
   if (!(turn > 0)) return {};
 
   std::vector<double> times;

@@ -11,10 +11,11 @@
 namespace creepcontact::ode {
 namespace {
 
-constexpr std::size_t window = 30;         // steps looked back on
-constexpr std::int64_t most_failures = 6;  // of the iterations in so many steps: a kink of a load costs some
-constexpr std::int64_t most_stages = 40;   // of rkc2 in a step on average, some ten times the solves of an implicit one
-constexpr double most_stable_steps = 300;  // in a step, for rkc2 to take over: 25 stages
+constexpr std::size_t window = 30;        // steps looked back on
+constexpr std::int64_t max_failures = 6;  // of the iterations in so many steps: a kink of a load costs some
+constexpr std::int64_t max_mean_stages =
+    40;                                   // of rkc2 in a step on average, some ten times the solves of an implicit one
+constexpr double max_stable_steps = 300;  // in a step, for rkc2 to take over: 25 stages
 
 /// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
 constexpr double stabilized_share = 0.2;
@@ -111,7 +112,7 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   const std::int64_t failures = recent_.back().failures - recent_.front().failures;
   const std::int64_t stages = (recent_.back().evaluations - recent_.front().evaluations) / std::int64_t{window};
   recent_.pop_front();
-  trouble_ = method_ == Method::stabilized ? stages > most_stages : failures > most_failures;
+  trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
   if (!trouble_) return;
   reason_ = method_ == Method::stabilized
                 ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
@@ -139,7 +140,7 @@ void AutoIntegrator::look_ahead(double t_limit) {
 AutoIntegrator::Method AutoIntegrator::choose(double step) {
   const auto free = [&](Method method) { return !given_up_.contains(method); };
   if (method_ == Method::functional && free(Method::krylov)) return Method::krylov;
-  const bool moderate = step <= most_stable_steps * system_.stable_step(time(), state());
+  const bool moderate = step <= max_stable_steps * system_.stable_step(time(), state());
   if (free(Method::stabilized) && moderate) return Method::stabilized;
   if (free(Method::tangent) && system_.newton_solver() != nullptr) return Method::tangent;
   if (free(Method::krylov)) return Method::krylov;

@@ -13,9 +13,9 @@
 namespace creepcontact::ode {
 namespace {
 
-constexpr double first_try = 1e-3;          // of the time to the limit
-constexpr double wanted_strain = 0.5;       // in errors that a step may make; the increment may give up to 1
-constexpr double most_stress_change = 0.1;  // by loads in the increment, as strain of it, in the same unit
+constexpr double first_try = 1e-3;         // of the time to the limit
+constexpr double wanted_strain = 0.5;      // in errors that a step may make; the increment may give up to 1
+constexpr double max_stress_change = 0.1;  // by loads in the increment, as strain of it, in the same unit
 constexpr int max_start_attempts = 60;
 
 IntegratorOptions options_in_s(IntegratorOptions options) {
@@ -53,7 +53,7 @@ double SingularStart::free_increment(double longest) {
   for (int attempt = 0;; ++attempt) {
     const double later = increment_size(time_ + duration, duration);
     const double size = increment_size(time_, duration);
-    if (size <= 1 && later - size <= most_stress_change) return duration;
+    if (size <= 1 && later - size <= max_stress_change) return duration;
     if (attempt == max_start_attempts || !std::isfinite(size + later))
       throw SolverError(
           fmt::format("{}: no first increment from t = {:.6g}: the creep strain grows without bound", name(), time_));

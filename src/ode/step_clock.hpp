@@ -26,11 +26,11 @@ class StepClock {
     double step = 0;
     double lost = 0;
   };
-  /// A remainder that exceeds dt by rounding only, or by the fraction `most_stretch` of dt, is taken whole.
-  Target target(double dt, double t_limit, double most_stretch = 0) const {
+  /// A remainder that exceeds dt by rounding only, or by the fraction `max_stretch` of dt, is taken whole.
+  Target target(double dt, double t_limit, double max_stretch = 0) const {
     const double rest = t_limit - time_;
     const double rounding =
-        std::max(std::max(1e-12, most_stretch) * dt, 4 * std::numeric_limits<double>::epsilon() * std::abs(time_));
+        std::max(std::max(1e-12, max_stretch) * dt, 4 * std::numeric_limits<double>::epsilon() * std::abs(time_));
     if (rest <= dt + rounding) return {t_limit, rest, 0};
     const double increment = dt - lost_;  // Kahan summation
     const double next = time_ + increment;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int rounds = 30;
 constexpr double share_seconds = 1e-4;  // of a thread in a round: as in the loops over integration points
-constexpr double least_speedup = 1.2;
+constexpr double min_speedup = 1.2;
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -49,7 +49,7 @@ int useful_threads() {
   }
   kept = sum;
   const double speedup = threads * rounds * share_seconds / (seconds() - start);
-  return speedup > least_speedup ? threads : 1;
+  return speedup > min_speedup ? threads : 1;
 }
 
 }  // namespace creepcontact::platform

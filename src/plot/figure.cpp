@@ -137,9 +137,9 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
   if (figure.panels.size() == 1 && figure.x.logarithmic && x_range.to < 100 * x_range.from)
     text += ticks_between_decades('x', x_range);
   if (zero) text += fmt::format("zero = {0:.12g}\nset xtics add ('' zero)\n", x_range.from);
-  const auto most_characters = static_cast<std::size_t>(width / character);
+  const auto max_characters = static_cast<std::size_t>(width / character);
   text += fmt::format("set label 1 {} noenhanced at screen {:.5f}, screen {:.5f} left font ',14'\n",
-                      gnuplot_quoted(shortened(figure.title, most_characters - 4)), left / width, 1 - 22 / height);
+                      gnuplot_quoted(shortened(figure.title, max_characters - 4)), left / width, 1 - 22 / height);
 
   std::size_t block = 0;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {

@@ -15,7 +15,7 @@
 namespace creepcontact::plot {
 namespace {
 
-constexpr std::size_t most_panels = 5;  // of a picture: what a screen shows
+constexpr std::size_t max_panels = 5;  // of a picture: what a screen shows
 
 std::string title(const RunTables& run) {
   const io::SummaryHeading& heading = run.heading;
@@ -105,7 +105,7 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) 
   std::vector<NamedFigure> figures;
   const std::vector<Panel> panels = missing.empty() ? history_panels(run.history, run.heading) : std::vector<Panel>();
   auto next = panels.begin();
-  for (std::size_t size : even_parts(panels.size(), most_panels)) {
+  for (std::size_t size : even_parts(panels.size(), max_panels)) {
     const std::string name = figures.empty() ? "history" : fmt::format("history_{}", figures.size() + 1);
     figures.push_back({name, {title(run), time_axis(run.heading, log_time), {next, next + size}}});
     next += static_cast<long>(size);

@@ -9,7 +9,7 @@ namespace {
 
 using Location = OutputVariable::Location;
 
-constexpr std::size_t most_components = 6;
+constexpr std::size_t max_components = 6;
 
 const std::vector<std::string> vector_components{"x", "y", "z"};
 const std::vector<std::string> tensor_components{"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -200,7 +200,7 @@ const std::vector<OutputVariable>& output_variables() {
 }
 
 double Quantity::value(const Sample& sample) const {
-  std::array<double, most_components> components;
+  std::array<double, max_components> components;
   variable->evaluate(sample, components.data());
   return components[component];
 }

@@ -10,8 +10,8 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string prefix = "integrator.";    // of its arrays
-constexpr std::size_t most_differences = 5;  // named
+const std::string prefix = "integrator.";   // of its arrays
+constexpr std::size_t max_differences = 5;  // named
 
 }  // namespace
 
@@ -22,9 +22,9 @@ Checkpoints::Checkpoints(const config::Config& config, const model::Model& model
 io::Checkpoint Checkpoints::read(std::size_t state_size) const {
   io::Checkpoint checkpoint = io::read_last_checkpoint(path_);
   std::vector<std::string> changes = differences(checkpoint.fingerprint, fingerprint_);
-  if (changes.size() > most_differences) {
-    const std::size_t more = changes.size() - most_differences;
-    changes.resize(most_differences);
+  if (changes.size() > max_differences) {
+    const std::size_t more = changes.size() - max_differences;
+    changes.resize(max_differences);
     changes.push_back(fmt::format("and {} more", more));
   }
   if (!changes.empty() || checkpoint.state.size() != state_size)

@@ -83,8 +83,8 @@ def processor_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def run(program, model, overrides, most_solves):
-    """What a run came to, and its history: None if it did not end or was stopped beyond most_solves."""
+def run(program, model, overrides, max_solves):
+    """What a run came to, and its history: None if it did not end or was stopped beyond max_solves."""
     with tempfile.TemporaryDirectory() as scratch:
         directory, messages = pathlib.Path(scratch) / "out", pathlib.Path(scratch) / "messages"
         configuration, changes = model
@@ -98,7 +98,7 @@ def run(program, model, overrides, most_solves):
             try:
                 process.wait(timeout=1)
             except subprocess.TimeoutExpired:
-                if solves_so_far(directory) > most_solves:
+                if solves_so_far(directory) > max_solves:
                     process.send_signal(signal.SIGINT)
                     process.wait()
         text = messages.read_text()
@@ -120,29 +120,29 @@ def largest_difference(history, reference):
     return difference
 
 
-def measure(program, case, model, method, value, reference, most_solves):
+def measure(program, case, model, method, value, reference, max_solves):
     settings, (key, _) = METHODS[method]
     overrides = [*(f"time.{setting}" for setting in settings), f"{key}={value:g}"]
-    summary, history = run(program, model, overrides, most_solves)
+    summary, history = run(program, model, overrides, max_solves)
     row = {"case": case, "method": method, "setting": key.removeprefix("time."), "value": value,
            "status": "completed", "error": ""}
     row |= {name: summary[name] for name in ("elastic_solves", "factorizations", "steps", "rejected_steps",
                                              "convergence_failures", "changed_method", "seconds")}
-    if history and row["elastic_solves"] <= most_solves:
+    if history and row["elastic_solves"] <= max_solves:
         row["error"] = largest_difference(history, reference)
     else:
-        row["status"] = "gave up" if summary["status"] == "failed" else f"> {most_solves}"
+        row["status"] = "gave up" if summary["status"] == "failed" else f"> {max_solves}"
     return row
 
 
-def measure_case(program, case, model, most_solves, fast):
+def measure_case(program, case, model, max_solves, fast):
     """Rows of all methods; after a run with too many solves the tighter ones of the method are left out."""
     _, reference = run(program, model, REFERENCE, float("inf"))
     if reference is None:
         raise SystemExit(f"{case}: the reference run gave up")
     for method, (_, (key, values)) in METHODS.items():
         for value in FAST_VALUES[key] if fast else values:
-            row = measure(program, case, model, method, value, reference, most_solves)
+            row = measure(program, case, model, method, value, reference, max_solves)
             print(*(row[name] for name in ("case", "method", "value", "status", "elastic_solves", "error")), flush=True)
             yield row
             if row["status"].startswith(">"):
@@ -158,13 +158,13 @@ def main():
     arguments = parser.parse_args()
 
     cases = FAST_CASES if arguments.fast else {case: CASES[case] for case in arguments.case or CASES}
-    most_solves = FAST_MOST_SOLVES if arguments.fast else MOST_SOLVES
+    max_solves = FAST_MOST_SOLVES if arguments.fast else MOST_SOLVES
     arguments.output.mkdir(parents=True, exist_ok=True)
     rows = []
     with open(arguments.output / "runs.csv", "w", newline="") as file:
         writer = None
         for case, model in cases.items():
-            for row in measure_case(arguments.program, case, model, most_solves, arguments.fast):
+            for row in measure_case(arguments.program, case, model, max_solves, arguments.fast):
                 writer = writer or csv.DictWriter(file, row)
                 if not rows:
                     writer.writeheader()

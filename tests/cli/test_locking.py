@@ -42,7 +42,7 @@ name = "rim"
 quantity = "stress_theta"
 at = [200, 0, 2.5]
 [[probes]]
-name = "least_mean"
+name = "smallest_mean"
 quantity = "hydrostatic"
 body = "wall"
 reduce = "min"
@@ -89,7 +89,7 @@ class Locking(unittest.TestCase):
                 with self.subTest(kind, time=row["time"]):
                     self.assertAlmostEqual(row["bore"], steady(100)[0], delta=0.02 * largest)
                     self.assertAlmostEqual(row["rim"], steady(200)[0], delta=0.02 * largest)
-                    self.assertAlmostEqual(row["least_mean"], steady(100)[1], delta=0.05 * largest)
+                    self.assertAlmostEqual(row["smallest_mean"], steady(100)[1], delta=0.05 * largest)
                     self.assertAlmostEqual(row["largest_mean"], steady(200)[1], delta=0.05 * largest)
 
 

@@ -65,8 +65,8 @@ void add_dataset(hid_t file, Bytes& bytes) {
   }
   const Id space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
   const Id set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-  constexpr double most_entries = 512;
-  if (set < 0 || entries > most_entries || bytes.below(4) == 0) return;
+  constexpr double max_entries = 512;
+  if (set < 0 || entries > max_entries || bytes.below(4) == 0) return;
   std::vector<char> values(static_cast<std::size_t>(entries) * sizeof(double));
   for (char& value : values) value = static_cast<char>(bytes.byte());
   H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());

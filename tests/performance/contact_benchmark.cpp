@@ -24,7 +24,7 @@ class Scene {
     later_ = load_;
     later_.gap.array() *= 1.001;
     for (const mechanics::Body& body : assembly_->bodies()) vectors_.emplace_back(body.constraints().n_free(), 1.0);
-    pass_ = least_seconds(5, [&] { pass(); });
+    pass_ = min_seconds(5, [&] { pass(); });
     floor_ = 2 * static_cast<double>(factor_bytes()) / bandwidth();
   }
 

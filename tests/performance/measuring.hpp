@@ -17,7 +17,7 @@ inline double seconds_since(Clock::time_point start) {
 }
 
 template <typename Work>
-double least_seconds(int times, const Work& work) {
+double min_seconds(int times, const Work& work) {
   double least = 1e300;
   for (int k = 0; k < times; ++k) {
     const auto start = Clock::now();
@@ -32,7 +32,7 @@ inline double bandwidth() {
   const std::vector<double> block(std::size_t{1} << 26, 1.0);  // 512 MB
   double sum = 0;
   const double seconds =
-      least_seconds(3, [&] { sum += Eigen::Map<const Eigen::VectorXd>(block.data(), block.size()).sum(); });
+      min_seconds(3, [&] { sum += Eigen::Map<const Eigen::VectorXd>(block.data(), block.size()).sum(); });
   benchmark::DoNotOptimize(sum);
   return 8.0 * static_cast<double>(block.size()) / seconds;
 }

@@ -47,7 +47,7 @@ class Scene {
     system_.rate(0, state_, rate_);  // contact from scratch
     system_.accept(0, state_);
     floor_ = 2 * bytes_ / bandwidth();
-    pass_ = least_seconds(7, [&] { pass(); });
+    pass_ = min_seconds(7, [&] { pass(); });
   }
 
   void pass() {
@@ -91,7 +91,7 @@ void measure(benchmark::State& state, Work work) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   Scene& s = scene(static_cast<int>(state.range(0)));
   double least = 1e300;
-  for ([[maybe_unused]] auto _ : state) least = std::min(least, least_seconds(1, [&] { work(s); }));
+  for ([[maybe_unused]] auto _ : state) least = std::min(least, min_seconds(1, [&] { work(s); }));
   s.count(state, least);
 }
 void pass(benchmark::State& state) {

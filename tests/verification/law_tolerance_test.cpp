@@ -16,7 +16,7 @@ using namespace test;
 struct Case {
   std::string name, file;
   std::vector<std::string> overrides;
-  std::int64_t most_solves;  ///< of `auto` for an error of the stress below 1e-3
+  std::int64_t max_solves;  ///< of `auto` for an error of the stress below 1e-3
 };
 
 std::string law(const std::string& material, const std::string& keys) {
@@ -79,7 +79,7 @@ TEST_P(LawTolerance, BoundsTheRelativeErrorOfTheStress) {
       if (error.norm < 1e-3) enough = std::min(enough, history.elastic_solves);
     }
     if (integrator == "auto") {
-      EXPECT_LE(enough, GetParam().most_solves);
+      EXPECT_LE(enough, GetParam().max_solves);
     }
   }
 }

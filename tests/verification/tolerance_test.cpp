@@ -13,7 +13,7 @@ namespace {
 struct Case {
   std::string name, file;
   std::vector<std::string> overrides;  // coarse meshes: tolerances and costs do not depend on the mesh
-  int most_solves;                     // for an error of 1e-3
+  int max_solves;                      // for an error of 1e-3
 };
 void PrintTo(const Case& tested, std::ostream* out) {
   *out << tested.name;
@@ -60,7 +60,7 @@ TEST_P(Tolerance, BoundsTheRelativeErrorOfTheStress) {
       if (error.norm < 1e-3) enough = std::min(enough, history.elastic_solves);
     }
     if (integrator == "auto") {
-      EXPECT_LE(enough, GetParam().most_solves);
+      EXPECT_LE(enough, GetParam().max_solves);
     }
   }
 }

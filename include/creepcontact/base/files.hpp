@@ -23,8 +23,8 @@ struct FileBytes {
   std::string bytes;
   std::string failure;  ///< why the bytes could not be read, or are too many; empty on success
 };
-/// Reads a whole file, or a pipe to its end. A pipe with more than most_from_pipes bytes is a failure.
-FileBytes read_file(const std::filesystem::path& path, std::size_t most_bytes = SIZE_MAX);
-inline constexpr std::size_t most_from_pipes = std::size_t{1} << 30;
+/// Reads a whole file, or a pipe to its end. A pipe with more than max_from_pipes bytes is a failure.
+FileBytes read_file(const std::filesystem::path& path, std::size_t max_bytes = SIZE_MAX);
+inline constexpr std::size_t max_from_pipes = std::size_t{1} << 30;
 
 }  // namespace creepcontact

@@ -39,7 +39,7 @@ class CreepSystem final : public ode::System,
   /// @param solver, watch  must outlive the object
   /// @param survey  made with the same solver
   /// @param tolerance  relative tolerance of the integrator: strain hardening below 0.3 of it is not resolved
-  /// (PointState::least_strain)
+  /// (PointState::min_strain)
   CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch);
   ~CreepSystem() override;
 

@@ -38,9 +38,9 @@ struct PointsChange {
 /// All creep laws of a body at its points. Rates, stresses and states of the laws add up per point. Immutable.
 class MaterialPoints {
  public:
-  /// @param body  must outlive the object @param least_strain  see material::PointState
+  /// @param body  must outlive the object @param min_strain  see material::PointState
   /// @throws ModelError if a parameter is not admissible at t = 0
-  explicit MaterialPoints(const mechanics::Body& body, double least_strain = material::PointState{}.least_strain);
+  explicit MaterialPoints(const mechanics::Body& body, double min_strain = material::PointState{}.min_strain);
 
   /// True for an elastic body.
   bool empty() const { return stride_ == 0; }
@@ -117,7 +117,7 @@ class MaterialPoints {
 
   const mechanics::Body& body_;
   std::size_t n_points_, stride_;
-  double least_strain_;
+  double min_strain_;
   std::vector<Mechanism> mechanisms_;
   std::vector<const material::StateVariable*> known_;  // to some law
   std::size_t n_parameters_ = 0;                       // of all laws

@@ -23,7 +23,7 @@ struct PointState {
   double temperature = 0;
   /// Lower bound on the strain in hardening laws: smaller strains count as this. It is small compared with the accuracy
   /// of the strain, but large enough that Newton corrections relative to it are not lost as negligible.
-  double least_strain = 1e-10;
+  double min_strain = 1e-10;
 };
 
 /// A direction of change of the state that a law sees, for derivatives.

@@ -12,16 +12,16 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr int rows_fitted = 5;       // outwards, ...
-constexpr double reach = 4.5;        // ... in elements: fewer where these grow
-constexpr double half_width = 1.5;   // in elements: of the strip across the edge whose rows are fitted
-constexpr double punch = 0.1;        // in elements: how far the closed rows, as a punch, reach beyond the last of them
-constexpr double beside_most = 2;    // in elements: over which the end of the punch is averaged along the edge
-constexpr double uneven_most = 1.6;  // in elements: how unevenly it may end
-constexpr double least_to_punch = 0.1;  // in elements: nearer rows tell nothing
-constexpr double weight_next = 0.1;     // of rows next to closed ones
-constexpr double weight_small = 0.1;    // of unknowns being small, where the rows do not tell them
-constexpr double farthest = 1.5;        // in elements beyond the closed row: further out that would be open
+constexpr int rows_fitted = 5;        // outwards, ...
+constexpr double reach = 4.5;         // ... in elements: fewer where these grow
+constexpr double half_width = 1.5;    // in elements: of the strip across the edge whose rows are fitted
+constexpr double punch = 0.1;         // in elements: how far the closed rows, as a punch, reach beyond the last of them
+constexpr double beside_most = 2;     // in elements: over which the end of the punch is averaged along the edge
+constexpr double uneven_most = 1.6;   // in elements: how unevenly it may end
+constexpr double min_to_punch = 0.1;  // in elements: nearer rows tell nothing
+constexpr double weight_next = 0.1;   // of rows next to closed ones
+constexpr double weight_small = 0.1;  // of unknowns being small, where the rows do not tell them
+constexpr double farthest = 1.5;      // in elements beyond the closed row: further out that would be open
 constexpr double edge_step = 2;  // in elements: where the gap, to the power of 2/3, is zero further inside, it jumps
 
 }  // namespace
@@ -102,7 +102,7 @@ double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) con
     sum += weight * ((1 - punch) * edge.length / own.length - out - own.curvature * own.length * beside * beside / 2);
     weights += weight;
   }
-  return weights > 0 ? std::max(sum / weights, least_to_punch) : 1 - punch;
+  return weights > 0 ? std::max(sum / weights, min_to_punch) : 1 - punch;
 }
 
 /// Of an open row next to a closed one, outwards from the edge.

@@ -18,8 +18,8 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 using HatMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
 using HatVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1>;
 
-constexpr double least_cover_of_dual_facet = 1e-3;  // below it the dual hats would oscillate wildly: standard ones
-constexpr double least_cover_of_row = 0.1;          // of a multiplier's area
+constexpr double min_cover_of_dual_facet = 1e-3;  // below it the dual hats would oscillate wildly: standard ones
+constexpr double min_cover_of_row = 0.1;          // of a multiplier's area
 
 /// Sums of one slave facet before its dual hats are known: rows are standard hats.
 struct FacetSums {
@@ -100,7 +100,7 @@ HatMatrix Assembler::dual_transformation(std::size_t f, const std::vector<Segmen
       sums.mass += point.weight * hats * hats.transpose();
       sums.integral += point.weight * hats;
     }
-  if (sums.integral.sum() < least_cover_of_dual_facet * facet.surface_area()) return HatMatrix::Identity(n, n);
+  if (sums.integral.sum() < min_cover_of_dual_facet * facet.surface_area()) return HatMatrix::Identity(n, n);
   // psi = D M^-1 phi  =>  integral psi_i phi_j = delta_ij integral phi_j
   return HatMatrix(sums.mass.ldlt().solve(HatMatrix(sums.integral.asDiagonal()))).transpose();
 }
@@ -182,7 +182,7 @@ class Gathering {
     const auto position = [&](int i) { return nodes[normals.multipliers[i].node]; };
     for (const int i : order_) {
       target_[i] = i;
-      if (part(i) >= least_cover_of_row) continue;
+      if (part(i) >= min_cover_of_row) continue;
       double nearest = std::numeric_limits<double>::infinity();
       for (const int k : neighbours_[i]) {
         const double distance = (position(k) - position(i)).norm();

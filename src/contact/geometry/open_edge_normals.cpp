@@ -24,7 +24,7 @@ struct Vertex {
 /// Number of faces at each edge: two inside the surface, one at an open edge.
 using Edges = std::map<std::pair<int, int>, int>;
 
-constexpr double least_break = 0.02;  // of a condition at a kink; about a degree
+constexpr double min_break = 0.02;  // of a condition at a kink; about a degree
 constexpr double break_of_turn = 0.35;
 // Squared sine: a component that the conditions see less than this is not determined by them.
 constexpr double well_seen = 0.05, barely_seen = 0.003;
@@ -90,7 +90,7 @@ class OpenEdges {
         const Vector3 chord = (vertices_[neighbour].position - vertices_[v].position).normalized();
         const double here = chord.dot(normals_.multipliers[v].normal);
         const double there = chord.dot(normals_.multipliers[neighbour].normal);
-        if (std::abs(here + there) > std::max(least_break, break_of_turn * std::abs(there - here)))
+        if (std::abs(here + there) > std::max(min_break, break_of_turn * std::abs(there - here)))
           vertices_[v].is_at_kink = true;
       }
   }
@@ -101,12 +101,11 @@ class OpenEdges {
   }
 
   /// One pass, from what is known before it. @returns false if there was nothing to do
-  bool correct_from_known(int least_rank, double least_seen) {
+  bool correct_from_known(int min_rank, double min_seen) {
     std::vector<std::pair<std::size_t, Vector3>> corrected;
     for (std::size_t v = 0; v < vertices_.size(); ++v) {
       Vector3 normal = normals_.multipliers[v].normal;
-      if (!vertices_[v].is_known && fit(vertices_[v], least_seen, normal) >= least_rank)
-        corrected.emplace_back(v, normal);
+      if (!vertices_[v].is_known && fit(vertices_[v], min_seen, normal) >= min_rank) corrected.emplace_back(v, normal);
     }
     for (const auto& [v, normal] : corrected) {
       MultiplierNode& at = normals_.multipliers[v];
@@ -118,7 +117,7 @@ class OpenEdges {
 
   /// Least change of a normal that fulfils the conditions to its known neighbours in the mean.
   /// @returns how many of the two components across the normal they determine
-  int fit(const Vertex& at, double least_seen, Vector3& normal) const {
+  int fit(const Vertex& at, double min_seen, Vector3& normal) const {
     int rank = 0;
     for (int iteration = 0; iteration < 20; ++iteration) {  // the normal's length is not in the conditions
       const Vector3 axis1 = normal.unitOrthogonal();
@@ -137,7 +136,7 @@ class OpenEdges {
       Eigen::Vector2d step = Eigen::Vector2d::Zero();
       rank = 0;
       for (int k = 0; k < 2; ++k) {
-        if (modes.values[k] < least_seen) continue;
+        if (modes.values[k] < min_seen) continue;
         step += modes.vectors.col(k) * (modes.vectors.col(k).dot(right) / modes.values[k]);
         ++rank;
       }

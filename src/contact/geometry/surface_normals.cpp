@@ -100,13 +100,13 @@ SurfaceNormals mean_normals(const std::vector<Facet>& facets) {
 /// that meets it obliquely; normals extrapolated from inside the surface do.
 void exclude_oblique_nodes(const std::vector<Facet>& facets, const SurfaceNormals& mean, SymmetryPlanes& symmetry) {
   constexpr double oblique_share = 0.35;  // of the mean's tilt: what a curved surface would lose by extrapolation
-  constexpr double least_tilt = 0.02, least_tilt_of_quadratic = 0.05;
+  constexpr double min_tilt = 0.02, min_tilt_of_quadratic = 0.05;
   SurfaceNormals extrapolated = mean;
   correct_open_edges(facets, SymmetryPlanes(), extrapolated);
   std::vector<std::int64_t> oblique;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const Facet& facet = facets[f];
-    const double least = facet.n_nodes() == facet.n_corners() ? least_tilt : least_tilt_of_quadratic;
+    const double least = facet.n_nodes() == facet.n_corners() ? min_tilt : min_tilt_of_quadratic;
     for (int i = 0; i < facet.n_nodes(); ++i) {
       const std::size_t at = i;
       const double tilt = symmetry.held_part(extrapolated.normal_of_node[f][at], facet.nodes()[at]);

@@ -9,8 +9,8 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr int most_updates = 100;
-constexpr int most_single_changes = 10000;
+constexpr int max_updates = 100;
+constexpr int max_single_changes = 10000;
 
 class ActiveSetSolver final : public ContactSolver {
  public:
@@ -37,7 +37,7 @@ class ActiveSetSolver final : public ContactSolver {
     const double rounding = multiplier_rounding(problem_, load);
     std::set<std::vector<int>> seen;
     bool one_at_a_time = false;
-    for (int change = 0; change < most_single_changes; ++change) {
+    for (int change = 0; change < max_single_changes; ++change) {
       ActiveSetSolution solution = system_.solve(active, load);
       if (!solution.balanced) return false;
       result.gap = contact_gaps(problem_, load, solution.state);
@@ -50,7 +50,7 @@ class ActiveSetSolver final : public ContactSolver {
         result.state = std::move(solution.state);
         return true;
       }
-      one_at_a_time = one_at_a_time || change > most_updates || !seen.insert(active).second;
+      one_at_a_time = one_at_a_time || change > max_updates || !seen.insert(active).second;
       if (one_at_a_time && problem_.n_motions() > 0) return false;
       active = one_at_a_time ? change_least_index(active, next) : std::move(next);
     }

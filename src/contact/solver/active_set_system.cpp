@@ -22,7 +22,7 @@ namespace {
 
 constexpr double weakest_held_motion = 1e-12;  // of the best held motion: below it a motion is free
 constexpr double resultant_error = 1e-9;       // of the forces that make up a resultant
-constexpr int most_iterations = 1000;
+constexpr int max_iterations = 1000;
 
 }  // namespace
 
@@ -100,7 +100,7 @@ ActiveSetSolution ActiveSetSystem::solve_directly(const ContactLoad& load) {
 ActiveSetSolution ActiveSetSystem::solve_iteratively(const std::vector<int>& active, const ContactLoad& load) {
   if (!cg_ || cg_->active() != active)
     cg_ = std::make_unique<ProjectedCg>(
-        problem_, SchwarzOptions{.tolerance = tolerance_, .max_iterations = most_iterations}, active);
+        problem_, SchwarzOptions{.tolerance = tolerance_, .max_iterations = max_iterations}, active);
   const ActiveSetLoad set_load{load.gap(active), load.resultant, multiplier_rounding(problem_, load)};
   const InnerResult inner = cg_->solve(set_load, Eigen::VectorXd::Zero(set_load.gap.size()), {nullptr, 0});
   ActiveSetSolution solution;

@@ -9,7 +9,7 @@ namespace creepcontact::contact {
 
 /// S = F^-1 on some rows of one body. Of a body held by contact alone the rigid part is taken out,
 ///   S = F^-1 - F^-1 G (G^T F^-1 G)^-1 G^T F^-1,   G: gaps of its rigid motions,
-/// which is the same for any pins, and for F + c G G^T in place of F, which is regular.
+/// which is the same for any fixing dofs, and for F + c G G^T in place of F, which is regular.
 class DirichletProblem {
  public:
   /// @param own  rows, as indices into the body's flexibility

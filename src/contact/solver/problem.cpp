@@ -9,10 +9,10 @@ namespace {
 constexpr double no_change = 1e-12;
 constexpr double rounding_of_gaps = 1e-13;
 constexpr double immovable = 1e-14;    // rows that neither body can move along (held on both sides) carry no multiplier
-constexpr double fixing_floor = 1e-2;  // of the flexibility that pins are given
+constexpr double fixing_floor = 1e-2;  // of the flexibility of fixing dofs
 
 /// Rows need more than this to be movable.
-double least_flexibility(const Eigen::VectorXd& flexibility) {
+double min_flexibility(const Eigen::VectorXd& flexibility) {
   return flexibility.size() > 0 ? immovable * flexibility.maxCoeff() : 0.0;
 }
 
@@ -48,7 +48,7 @@ Eigen::VectorXd row_flexibility(const ContactProblem& problem) {
 
 std::vector<int> immovable_rows(const ContactProblem& problem) {
   const Eigen::VectorXd flexibility = row_flexibility(problem);
-  const double least = least_flexibility(flexibility);
+  const double least = min_flexibility(flexibility);
   std::vector<int> rows;
   for (int i = 0; i < problem.n_rows(); ++i)
     if (!(flexibility[i] > least)) rows.push_back(i);
@@ -57,7 +57,7 @@ std::vector<int> immovable_rows(const ContactProblem& problem) {
 
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load) {
   const Eigen::VectorXd flexibility = row_flexibility(problem);
-  const double least = least_flexibility(flexibility);
+  const double least = min_flexibility(flexibility);
   double largest = 0;
   for (int i = 0; i < problem.n_rows(); ++i)
     if (flexibility[i] > least) largest = std::max(largest, std::abs(load.gap[i]) / flexibility[i]);
@@ -69,7 +69,7 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
   const double largest = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
   const double no_matter = std::max(no_change * largest, rounding);
   const Eigen::VectorXd flexibility = row_flexibility(problem);
-  const double least = least_flexibility(flexibility);
+  const double least = min_flexibility(flexibility);
   std::vector<int> next;
   auto it = current.begin();
   for (int i = 0; i < problem.n_rows(); ++i) {

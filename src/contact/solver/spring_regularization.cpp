@@ -30,7 +30,7 @@ class SpringRegularization::HeldOperator final : public FlexibilityOperator {
 namespace {
 
 constexpr double softness = 1e4;  // against the bodies' own flexibility: the springs carry next to nothing
-constexpr int most_spring_updates = 40;
+constexpr int max_spring_updates = 40;
 constexpr int patience = 2;  // updates before it is asked whether the bodies fly off
 
 }  // namespace
@@ -58,7 +58,7 @@ bool SpringRegularization::search(const ContactLoad& load, int& set_changes, con
       load.resultant.size() > 0 ? load.resultant : Eigen::VectorXd(Eigen::VectorXd::Zero(problem_.n_motions()));
   Eigen::VectorXd rigid = compliance_.cwiseProduct(resultant);
   ContactState state;
-  for (int update = 0; update < most_spring_updates; ++update) {
+  for (int update = 0; update < max_spring_updates; ++update) {
     ContactResult held = solver_->solve({load.gap + problem_.rigid * rigid, {}}, state);
     set_changes += held.set_changes;
     state = std::move(held.state);

@@ -9,7 +9,7 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr double round_off = 1e-9;
-constexpr int most_changes = 1000;
+constexpr int max_changes = 1000;
 
 /// Pressures on the rows of the set that come nearest to balancing the resultants.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& rigid, const std::vector<int>& set,
@@ -30,7 +30,7 @@ void throw_if_unbalanced(const ContactProblem& problem, const Eigen::VectorXd& r
     if (problem.bilateral[i]) set.push_back(i);
   const auto is_tied = [&](int i) { return problem.bilateral[i] != 0; };
 
-  for (int change = 0; change < most_changes; ++change) {
+  for (int change = 0; change < max_changes; ++change) {
     // Within the set, up to the first pressure that would turn into tension.
     while (!set.empty()) {
       const Eigen::VectorXd wanted = least_squares(problem.rigid, set, resultant);

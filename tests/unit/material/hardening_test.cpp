@@ -104,7 +104,7 @@ TEST(StrainHardening, NegativeAndVirginStrainCountAsTheFloor) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
   const StrainHardening law(parameters[0], parameters[1], parameters[2]);
   double expected = 0;
-  for (const double eps : {PointState{}.least_strain, 0.0, -1e-3}) {
+  for (const double eps : {PointState{}.min_strain, 0.0, -1e-3}) {
     Tensor6 rate = Tensor6::Zero();
     double own = 0;
     law.rate({.stress = tensor::view(uniaxial), .internal = {&eps, 1}, .parameters = parameters},

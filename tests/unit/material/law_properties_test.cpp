@@ -117,8 +117,9 @@ TEST_P(CreepLawProperties, HasTheStateVariablesOfItsEntryInTheRegistry) {
     const Tensor6 stress = random(6, -150, 150);
     const bool known = law->evaluate(*variable, point(stress), values);
     EXPECT_EQ(known, std::ranges::count(listed, variable) == 1) << variable->name;
-    if (known)
-      for (const double value : values) EXPECT_TRUE(std::isfinite(value)) << variable->name;
+    if (known) {
+      EXPECT_TRUE(std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) << variable->name;
+    }
   }
 }
 

@@ -26,7 +26,7 @@ std::string message_of(const Action& action) {
   return "";
 }
 
-/// Loads that are in equilibrium strain a free body as if it were held anywhere, whatever its pins.
+/// Loads that are in equilibrium strain a free body as if it were held anywhere, whatever its fixing dofs.
 TEST(Body, FreeBodyUnderBalancedLoads) {
   const mesh::Mesh box = box_mesh(CellType::hex20, {2, 2, 2}, {2, 2, 2}, {-1, -1, -1});
   Body body("ball", box, elastic_material(), {}, std::nullopt);
@@ -119,7 +119,7 @@ Matrix6 hooke(const material::Moduli& moduli) {
 }
 
 TEST(Body, StiffnessOfElasticModuliIsTheElasticOne) {
-  // A block on a slope, one that floats (pins), a row that needs its hourglass modes held.
+  // A block on a slope, an unconstrained one (fixing dofs), a row that needs its hourglass modes held.
   const mesh::Mesh block = box_mesh(CellType::hex8, {2, 2, 2}), row = box_mesh(CellType::hex20, {4, 1, 1}, {4, 1, 1});
   const std::vector<Support> slope{support(block, "z0", Vector3(0, 0.6, 0.8)), support(block, "x0", Vector3::Unit(0))};
   for (const auto& [mesh, supports] :

@@ -13,7 +13,7 @@ namespace {
 const std::vector<Vector3> positions{{1.0, 0.7, 0.3}, {0.2, 3.1, 0.9}};
 
 Discontinuities of(const std::string& expression, double end) {
-  return kinks(Function::expression(expression, {"x", "y", "z", "t"}), end, positions);
+  return find_discontinuities(Function::expression(expression, {"x", "y", "z", "t"}), end, positions);
 }
 
 void expect_times(const std::string& expression, const std::vector<double>& found, const std::vector<double>& expected,
@@ -62,7 +62,7 @@ TEST(Discontinuities, AreFoundToRounding) {
 TEST(Discontinuities, AJumpIsKnownToTheLastBit) {
   for (const char* expression : {"t < 1/3 ? 1 : 2", "t <= 1/3 ? 1 : 2", "floor(3*t)", "floor(t/0.1)"}) {
     const Function f = Function::expression(expression, {"t"});
-    const Discontinuities found = kinks(f, 3, positions);
+    const Discontinuities found = find_discontinuities(f, 3, positions);
     EXPECT_FALSE(found.jumps.empty()) << expression;
     for (const double t : found.jumps)
       EXPECT_NEAR(f({.t = std::nextafter(t, 9.0)}) - f({.t = std::nextafter(t, 0.0)}), 1, 1e-9) << expression << t;
@@ -108,7 +108,7 @@ TEST(Discontinuities, OfAFastSawAreTooMany) {
 }
 
 TEST(Discontinuities, TablesKnowTheirOwn) {
-  const Discontinuities found = kinks(Function::table("t", {0, 1, 2}, {0, 1, 0}), 10, positions);
+  const Discontinuities found = find_discontinuities(Function::table("t", {0, 1, 2}, {0, 1, 0}), 10, positions);
   EXPECT_TRUE(found.kinks.empty() && found.jumps.empty());
 }
 

@@ -81,8 +81,8 @@ TEST_P(SingularStarts, FollowsTheExactRelaxationFromTheSingularPoint) {
             << (hardening ? "strain hardening, " : "time hardening, ") << "t0 = " << t0 << ", t - t0 = " << elapsed;
       }
       EXPECT_EQ(integrator->time(), t0 + 1000);
-      const int most_steps = GetParam().starts_with("explicit_euler") ? 200000 : 5000;
-      EXPECT_LT(integrator->counters().steps, most_steps) << hardening;
+      const int max_steps = GetParam().starts_with("explicit_euler") ? 200000 : 5000;
+      EXPECT_LT(integrator->counters().steps, max_steps) << hardening;
     }
 }
 
