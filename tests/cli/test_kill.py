@@ -80,7 +80,7 @@ on = "bottom"
 
 
 class KillTest(unittest.TestCase):
-    kills = 25
+    kills = 15
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()

@@ -27,13 +27,13 @@ class MemoryLimits(ProcessTest):
         return statuses
 
     def test_address_space(self):
-        statuses = self.expect_done_or_a_sentence(resource.RLIMIT_AS, [*range(25, 750, 25), 2000])
+        statuses = self.expect_done_or_a_sentence(resource.RLIMIT_AS, [*range(25, 750, 50), 2000])
         self.assertEqual(statuses[-1], 0)
         self.assertIn(3, statuses)
-        self.expect_done_or_a_sentence(resource.RLIMIT_AS, range(50, 450, 50), "check")
+        self.expect_done_or_a_sentence(resource.RLIMIT_AS, range(50, 450, 100), "check")
 
     def test_data(self):
-        statuses = self.expect_done_or_a_sentence(resource.RLIMIT_DATA, [*range(10, 250, 20), 1000])
+        statuses = self.expect_done_or_a_sentence(resource.RLIMIT_DATA, [*range(10, 250, 40), 1000])
         self.assertEqual(statuses[-1], 0)
 
     def test_a_model_that_is_too_large_is_refused_with_numbers(self):
@@ -41,7 +41,7 @@ class MemoryLimits(ProcessTest):
             "Layers{1}", "Layers{12}"))
         self.write("cube.toml", BASE.replace("order = 1", "order = 2"))
         # How much the libraries take is theirs to say: the first limit at which nothing but the model is too large.
-        for size in range(200, 1000, 50):
+        for size in range(200, 1000, 100):
             done = self.limited(resource.RLIMIT_AS, size, "run", "cube.toml", "--output", "out", "--threads", "1")
             self.assertNotEqual(done.returncode, 0, f"{size} MB")
             if "make the mesh coarser" in done.stderr:

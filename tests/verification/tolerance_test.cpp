@@ -29,7 +29,7 @@ std::vector<Case> cases() {
       {"ShrinkFit", "shrink_fit.toml", {"mesh.parameters.around_shaft=6", "mesh.parameters.around_disc=5"}, 120},
       {"BallOnBlock",
        "ball_on_block.toml",
-       {"mesh.parameters.h=0.5", "time.end=10", "time.output={first=1e-2,count=10,spacing=\"log\"}"},
+       {"mesh.parameters.h=0.7", "time.end=10", "time.output={first=1e-2,count=10,spacing=\"log\"}"},
        250},
       {"BladeRoot",
        "blade_root.toml",

@@ -91,7 +91,8 @@ TEST(Discontinuities, OfAHundredCycles) {
   EXPECT_TRUE(found.jumps.empty());
   ASSERT_EQ(found.kinks.size(), 399u);
   for (std::size_t i = 0; i < found.kinks.size(); ++i) {
-    const double base = 50 * static_cast<double>((i + 1) / 4);
+    const std::size_t cycle = (i + 1) / 4;
+    const double base = 50 * static_cast<double>(cycle);
     const double phase = std::vector<double>{0, 1, 24, 25}[(i + 1) % 4];
     EXPECT_NEAR(found.kinks[i], base + phase, 1e-9 * (base + phase));
   }
