@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "checkpoint_seal.hpp"
@@ -24,7 +25,8 @@ void write_content(const std::filesystem::path& path, const Checkpoint& checkpoi
   write_array(file, "state", checkpoint.state);
   {
     const Hdf5Handle counters = create_group(file, "counters");
-    for (const auto& [name, value] : checkpoint.counters) write_array(counters, name, std::array{value});
+    for (const RunCounters::Field& field : RunCounters::fields)
+      write_array(counters, std::string(field.name), std::array{checkpoint.counters.*field.value});
     const Hdf5Handle arrays = create_group(file, "arrays");
     for (const auto& [name, values] : checkpoint.arrays) write_array(arrays, name, values);
   }
@@ -43,8 +45,10 @@ Checkpoint read_content(const std::filesystem::path& path) {
   checkpoint.next_step = read_number<double>(file, "next_step");
   checkpoint.state = read_array<double>(file, "state");
   const Hdf5Handle counters = open_group(file, "counters");
-  for (const std::string& name : member_names(counters))
-    checkpoint.counters[name] = read_number<std::int64_t>(counters, name);
+  const std::vector<std::string> names = member_names(counters);
+  for (const RunCounters::Field& field : RunCounters::fields)
+    if (std::ranges::find(names, field.name) != names.end())
+      checkpoint.counters.*field.value = read_number<std::int64_t>(counters, std::string(field.name));
   const Hdf5Handle arrays = open_group(file, "arrays");
   for (const std::string& name : member_names(arrays)) checkpoint.arrays[name] = read_array<double>(arrays, name);
   return checkpoint;

@@ -54,9 +54,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
     resumed_ = checkpoints_.read(system.size());
     time_ = resumed_->time;
     has_output_ = true;
-    for (const RunCounters::Field& field : RunCounters::fields)
-      if (const auto kept = resumed_->counters.find(std::string(field.name)); kept != resumed_->counters.end())
-        earlier_.*field.value = kept->second;
+    earlier_ = resumed_->counters;
     system.restore(resumed_->arrays);
     outcome_.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
@@ -73,9 +71,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
 io::Checkpoint TimeLoop::checkpoint() const {
   io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
   outcome_.save(checkpoint.arrays);
-  const RunCounters work = counters();
-  for (const RunCounters::Field& field : RunCounters::fields)
-    checkpoint.counters[std::string(field.name)] = work.*field.value;
+  checkpoint.counters = counters();
   return checkpoint;
 }
 

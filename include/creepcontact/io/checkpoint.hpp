@@ -1,11 +1,12 @@
 #pragma once
 /// checkpoint.h5: everything needed to continue an interrupted run.
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "creepcontact/base/run_counters.hpp"
 
 namespace creepcontact::io {
 
@@ -16,7 +17,7 @@ struct Checkpoint {
   double time = 0;
   double next_step = 0;
   std::vector<double> state;                          ///< y of the ODE
-  std::map<std::string, std::int64_t> counters;       ///< accumulated costs, output indices
+  RunCounters counters;                               ///< of the run up to `time`
   std::map<std::string, std::vector<double>> arrays;  ///< everything else that later steps depend on
 };
 
@@ -25,7 +26,7 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
 
 /// Written as HDF5 next to the old file, synced to disk, then renamed over it, so that a complete checkpoint exists at
 /// any moment. The old one is kept as previous_checkpoint(path). The user block of the file, which HDF5 tools skip,
-/// contains a CRC-32 of the HDF5 part.
+/// contains a checksum (XXH3) of the HDF5 part.
 /// @throws Error if the disk cannot take it; the old file is then still there
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 

@@ -20,7 +20,7 @@ Checkpoint example() {
   checkpoint.time = 1.0 / 3;
   checkpoint.next_step = 0.1;
   for (int i = 0; i < 1000; ++i) checkpoint.state.push_back(i / 7.0);
-  checkpoint.counters = {{"steps", 12}, {"elastic solves", std::numeric_limits<std::int64_t>::max()}};
+  checkpoint.counters = {.steps = 12, .elastic_solves = std::numeric_limits<std::int64_t>::max()};
   checkpoint.arrays = {{"multipliers", {1.5, -2.5}}, {"empty", {}}};
   return checkpoint;
 }
@@ -69,9 +69,9 @@ TEST_F(CheckpointFile, ReplacesTheOldOne) {
 TEST_F(CheckpointFile, AHalfWrittenSuccessorDoesNoHarm) {
   write_checkpoint(path_, example());
   test::write_text(platform::aside(path_), "half");
-  EXPECT_EQ(read_checkpoint(path_).counters.at("steps"), 12);
+  EXPECT_EQ(read_checkpoint(path_).counters.steps, 12);
   write_checkpoint(path_, example());
-  EXPECT_EQ(read_checkpoint(path_).counters.at("steps"), 12);
+  EXPECT_EQ(read_checkpoint(path_).counters.steps, 12);
 }
 
 TEST_F(CheckpointFile, AnyChangedByteIsFound) {
