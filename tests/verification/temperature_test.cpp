@@ -17,7 +17,7 @@ const std::vector<double> times{1, 10, 100, 1e3, 1e4};
 double temperature(double r) {
   return 500 + 100 * std::log(outer / r) / std::log(2.0);
 }
-double A(double T) {
+double creep_coefficient(double T) {
   return 1e-15 * std::exp(0.02 * (T - 500));
 }
 
@@ -57,7 +57,7 @@ Outcome run_pipe(const std::string& temperature_key, const std::vector<double>& 
 
 TEST(Temperature, RadialFieldInACreepingCylinder) {
   const reference::HotCylinderHistory history({inner, outer, pressure, E, nu, n,
-                                               [](double r) { return A(temperature(r)); },
+                                               [](double r) { return creep_coefficient(temperature(r)); },
                                                [](double r) { return alpha * (temperature(r) - 500); }});
   const auto exact = history.stress(times);
   const std::vector<std::size_t> points{2, 5, 8, 12, 15};

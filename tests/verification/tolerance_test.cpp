@@ -15,7 +15,7 @@ struct Case {
   std::vector<std::string> overrides;  // coarse meshes: tolerances and costs do not depend on the mesh
   int max_solves;                      // for an error of 1e-3
 };
-void PrintTo(const Case& tested, std::ostream* out) {
+void PrintTo(const Case& tested, std::ostream* out) {  // NOLINT(readability-identifier-naming): of GTest
   *out << tested.name;
 }
 
