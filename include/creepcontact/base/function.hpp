@@ -45,13 +45,13 @@ class Function {
   static Function table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values,
                         std::optional<double> period = {});
 
-  /// A function of the values of other functions; it depends on what they depend on.
+  /// A function of the values of other functions; it depends on the variables that they depend on.
   /// @param text  identifies it: functions with equal texts must be equal
   static Function composed(const std::string& text, std::vector<Function> parts,
                            std::function<double(const std::vector<double>&)> value);
 
-  /// Index of the first abscissa that a table in this variable cannot have after its predecessor; their number if all
-  /// are allowed.
+  /// Index of the first abscissa that is not allowed after its predecessor in a table in this variable; the number of
+  /// abscissae if all are allowed.
   static std::size_t misplaced_point(const std::string& variable, const std::vector<double>& abscissae);
 
   /// Why a table with these points (at least one) cannot have this period; empty if it can.

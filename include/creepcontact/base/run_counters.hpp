@@ -1,6 +1,6 @@
 #pragma once
-/// The work of a run, counted. Reports, summary.json, steps.csv, checkpoints and studies take the counters from the one
-/// list of fields here.
+/// Counters of the work of a run. Reports, summary.json, steps.csv, checkpoints and studies take the counters from the
+/// one list of fields here.
 
 #include <array>
 #include <cstdint>

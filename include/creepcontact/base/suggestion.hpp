@@ -12,8 +12,7 @@ namespace creepcontact {
 int edit_distance(std::string_view a, std::string_view b);
 
 /// The nearest name; the first of several. Names that begin with the word, or contain it as one of the parts separated
-/// by underscores, are preferred to all others. Empty if every name would need changes to more than a third of the
-/// letters.
+/// by underscores, are preferred to all others. Empty if for every name more than a third of the letters would change.
 std::string nearest(std::string_view name, const std::vector<std::string>& names);
 
 /// "; did you mean 'x'?" with the nearest name; empty if none is near.

@@ -10,7 +10,7 @@
 namespace creepcontact {
 
 /// Every operation is collective: all members call it, in the same order and with the same number of values. Afterwards
-/// all hold the same bits and so take the same decisions.
+/// all hold the same bits, and so make the same decisions.
 class Team {
  public:
   virtual ~Team() = default;
@@ -54,9 +54,9 @@ class SerialTeam final : public Team {
 /// A SerialTeam that lives as long as the program.
 const Team& serial_team();
 
-/// Collective. If local work has failed on any member, all members throw the same error: fatal ones before a
-/// RecoverableError, and among equals that of the lowest rank, with its type (those of base/error.hpp and
-/// std::bad_alloc; else std::runtime_error) and message. @param own  the failure of this member, or null
+/// Collective. If local work has failed on any member, all members throw the same error. Fatal errors precede a
+/// RecoverableError; among equals, that of the lowest rank is thrown, with its message and type (those of
+/// base/error.hpp and std::bad_alloc; else std::runtime_error). @param own  the failure of this member, or null
 void agree_on_failure(const Team& team, const std::exception_ptr& own);
 
 /// Runs local(), the work between two collective operations, such that a failure on one member makes all throw instead

@@ -1,5 +1,5 @@
 #pragma once
-/// Physical dimensions, and their units as far as the words of `units` in the configuration tell them.
+/// Physical dimensions, and their units as given by the words of `units` in the configuration.
 
 #include <string>
 

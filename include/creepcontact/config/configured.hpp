@@ -1,6 +1,6 @@
 #pragma once
-/// What a configuration says, as data: recorded while it is read, so that no kind of key can be forgotten by those who
-/// need all of them (breakpoints, the fingerprint of a checkpoint).
+/// Functions and values of a configuration as data, recorded while it is read. Code that needs all of them
+/// (breakpoints, the fingerprint of a checkpoint) then cannot forget a kind of key.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct ConfiguredFunction {
   std::vector<std::string> variables;  ///< that the key allows
 
   bool may_depend_on(const std::string& variable) const;
-  /// Of no other variables than x, y, z and t.
+  /// True if it may depend on x, y, z and t only.
   bool is_of_position_and_time() const;
 };
 

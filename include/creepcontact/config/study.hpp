@@ -87,7 +87,7 @@ struct Study {
   std::optional<StudyReference> reference;
   Compare compare;
   StudyPlot plot;
-  /// The document without names, [plot], comments and layout: studies with equal texts have equal runs.
+  /// The study without names, [plot], comments and layout: studies with equal texts have equal runs.
   std::string normalized;
 };
 
@@ -128,8 +128,8 @@ std::vector<PlannedRun> plan(const Study& study);
 std::vector<std::string> overrides(const Study& study, const std::vector<Setting>& own);
 
 /// Reads the base configuration with the settings of every run, and of the reference if it is a run.
-/// @throws ConfigError with one line per error: those of settings with their location in the study, and quantities that
-/// are not probes of the configuration
+/// @throws ConfigError with one line per error: those of settings with their location in the study, and unknown
+/// quantities (not probes of the configuration)
 void check_runs(const Study& study, const std::vector<PlannedRun>& runs, const Vocabulary& vocabulary);
 
 }  // namespace creepcontact::config

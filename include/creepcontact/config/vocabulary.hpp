@@ -1,5 +1,5 @@
 #pragma once
-/// Names that the configuration may use but that other modules define; passed in by the caller of the reader.
+/// Names that the configuration may use and other modules define; the caller of the reader passes them in.
 
 #include <functional>
 #include <limits>
@@ -25,12 +25,12 @@ struct LawKey {
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
 };
 
-/// A value that a law cannot have, although it is in the range of its key.
+/// A value that is in the range of its key but not possible for the law.
 struct LawError {
   std::string key, found, allowed;
 };
 
-/// Judgement of a law on its values.
+/// Result of the check of a law's values.
 struct LawValidation {
   std::optional<LawError> mistake;
   bool depends_on_temperature = false;

@@ -1,11 +1,11 @@
 #pragma once
 /// All contact pairs condensed onto their multipliers. K = L L^T is factored with the contact dofs of each body last.
-/// With the rows B of the weighted gaps of a body, G = L22^-1 B^T (L22: the trailing block of L) contains all that
-/// contact needs:
+/// Let B be the rows of the weighted gaps of a body, and L22 the trailing block of L. Then G = L22^-1 B^T contains all
+/// that contact needs:
 ///   y = L^-1 f,   gap = initial gap + G^T y2,   contact forces: y2 += G lambda,   u = L^-T y,   F = G^T G.
 /// Contact therefore needs no substitutions of its own.
 ///
-/// If the dense matrices would exceed a bound, the bodies are factored in any order instead: G = L^-1 P B^T is applied
+/// If the dense matrices would exceed a bound, the bodies are factored without this ordering: G = L^-1 P B^T is applied
 /// by additional substitutions, and a product with F costs one forward and one back substitution.
 
 #include <functional>
@@ -40,8 +40,8 @@ class CondensedInterface {
  public:
   /// One per body, in their order.
   using Conditions = std::span<const mechanics::BodyConditions>;
-  /// Called between analysis and factorisation, when the sizes of all factors are known but no memory is taken yet; may
-  /// throw to refuse. @param dense_bytes  size of the dense matrices that will be made
+  /// Called between analysis and factorisation, when the sizes of all factors are known but their memory is not yet
+  /// allocated. It may throw to refuse the model. @param dense_bytes  size of the dense matrices that will be made
   using Admission = std::function<void(const CondensedInterface& analyzed, double dense_bytes)>;
   /// Factors every body with its contact dofs last and condenses the contact rows.
   /// @param bodies, pairs (numbered), rigid_body_modes (of both)  must outlive the object
@@ -57,8 +57,8 @@ class CondensedInterface {
   ~CondensedInterface();
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-  /// Factors and condenses these bodies again, with the stiffness of these conditions. All contact solvers and systems
-  /// that use problem() must then be told by flexibility_changed().
+  /// Factors and condenses these bodies again, with the stiffness of these conditions. The caller must then call
+  /// flexibility_changed() of all contact solvers and systems that use problem().
   /// Cost: as the constructor, without analysis and ordering.
   void refactorize(std::span<const std::size_t> bodies, Conditions at);
 
@@ -81,9 +81,9 @@ class CondensedInterface {
   void add_resultant(std::size_t body, const mechanics::BodyConditions& at, InterfaceLoad& load) const;
   /// gap += G^T y2. @param y  L^-1 P f on all free dofs of the body
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap);
-  /// The load in the form the contact solver takes. Warns once if the loads are out of balance along an unconstrained
-  /// mode by more than 1e-8 of the sum of the forces, as on meshes that are not quite symmetric.
-  /// @throws ModelError if they are by more than 1e-4
+  /// The load in the form the contact solver takes. Warns once if, along an unconstrained mode, the loads are out of
+  /// balance by more than 1e-8 of the sum of the forces, as on meshes that are not quite symmetric.
+  /// @throws ModelError if they are out of balance by more than 1e-4
   ContactLoad contact_load(const InterfaceLoad& load);
   /// @throws ModelError naming the bodies and the motion along which the loads drive them
   [[noreturn]] void report(const UnbalancedLoad& unbalanced, double t) const;

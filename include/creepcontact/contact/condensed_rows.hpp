@@ -1,5 +1,5 @@
 #pragma once
-/// Contact rows B of one body condensed onto the trailing dofs, which the factor of its stiffness eliminates last:
+/// Contact rows B of one body condensed onto the trailing dofs, which the factor of its stiffness eliminates last.
 ///   G = L22^-1 B^T,   gaps of y = L^-1 P f: G^T y2,   forces of multipliers: y2 += G lambda,   flexibility F = G^T G.
 
 #include <Eigen/Core>

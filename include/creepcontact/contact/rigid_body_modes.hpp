@@ -1,7 +1,7 @@
 #pragma once
-/// Rigid-body modes: the motions of bodies that their own supports leave free, and which of them contact holds.
-/// Combinations that open or close gaps are held by contact. The unconstrained ones, such as a ring turning on its
-/// shaft without friction, are held by nothing and must not be loaded.
+/// Rigid-body modes: the motions of bodies that their own supports leave free, and which of them contact holds. Contact
+/// holds the combinations that open or close gaps. Nothing holds the unconstrained ones, such as a ring turning on its
+/// shaft without friction; they must not be loaded.
 
 #include <span>
 #include <string>
@@ -40,9 +40,9 @@ class RigidBodyModes {
   /// One description per unconstrained mode, without repetitions.
   std::vector<std::string> describe_unconstrained() const;
 
-  /// Motions along which a pair would slide freely but for the facets of its meshes (gap rates below 0.3 %), as
-  /// relative motions of the two bodies: one list per pair. If its coupling is built again with these
-  /// (mortar_coupling), they become exactly unconstrained.
+  /// Motions along which a pair would slide freely if its meshes had no facets (gap rates below 0.3 %), as relative
+  /// motions of the two bodies: one list per pair. If its coupling is built again with these (mortar_coupling), they
+  /// become exactly unconstrained.
   std::vector<std::vector<mechanics::RigidMotion>> sliding(std::span<const Pair> pairs) const;
 
  private:

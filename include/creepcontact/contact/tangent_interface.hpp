@@ -1,6 +1,6 @@
 #pragma once
-/// The contact rows condensed with stiffnesses other than the elastic ones, as in a Newton iteration: closed rows stay
-/// closed, and no other rows matter.
+/// The contact rows condensed with stiffnesses other than the elastic ones, as in a Newton iteration. Closed rows stay
+/// closed, and open rows do not matter.
 
 #include <span>
 #include <vector>

@@ -17,7 +17,7 @@ namespace creepcontact::creep {
 class Assembly {
  public:
   /// Rebuilds pair number `pair`, a pair of two surfaces, such that the given relative rigid-body modes leave its gaps
-  /// unchanged. These motions would slide without resistance but for the facets of the meshes.
+  /// unchanged. Only the facets of the meshes resist these motions.
   using Remake = std::function<contact::Pair(const std::vector<mechanics::Body>& bodies, std::size_t pair,
                                              std::span<const mechanics::RigidMotion> sliding)>;
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Creep of all bodies as a differential equation dy/dt = f(t, y): y holds the creep strains and internal variables of
-/// all integration points, f(t, y) the rates of the creep laws at the stress of the elastic contact equilibrium.
+/// Creep of all bodies as a differential equation dy/dt = f(t, y). y holds the creep strains and internal variables of
+/// all integration points; f(t, y) holds the rates of the creep laws at the stress of the elastic contact equilibrium.
 
 #include <limits>
 #include <memory>
@@ -71,7 +71,7 @@ class CreepSystem final : public ode::System,
   void accept(double t, std::span<const double> y) override;
   void forget_evaluations() override;
   ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
-  /// All work so far but the integrator's: no steps.
+  /// All work so far except the integrator's: no steps.
   RunCounters run_counters() const;
   /// Closed multiplier nodes at the last evaluation of a step.
   std::int64_t n_active_contacts() const { return std::ssize(step_.equilibrium.contact.active); }

@@ -18,10 +18,10 @@ struct ElasticSurvey {
   bool singular_start = false;  ///< true if the rate of some law is infinite at first under such a stress
 };
 
-/// Solves for the elastic stress at the start, at the end and on both sides of each breakpoint; if it is zero at all
-/// these times, at the output times as well.
+/// Solves for the elastic stress at the start, at the end and on both sides of each breakpoint. If it is zero at all
+/// these times, the output times are tried as well.
 /// @param output_times  ascending; the last one is the end of the run
-/// @throws ModelError if no load causes any stress at any of these times, or if a body would relax within 1e-12 of the
+/// @throws ModelError if no load causes stress at any of these times. Also if a body would relax within 1e-12 of the
 /// run, which points to inconsistent units
 ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector<double>& output_times,
                                     const std::vector<double>& breakpoints);

@@ -17,7 +17,7 @@ struct BodyState {
   std::vector<double> stress;        ///< n_points x 6, Mandel order
 };
 
-/// Displacement of a body in the terms of its factor: y = L^T u (permuted), and u on the free dofs. Empty: u = 0.
+/// Displacement of a body in terms of its factor: y = L^T u (permuted), and u on the free dofs. Empty: u = 0.
 struct FactoredDisplacement {
   std::vector<double> factored, free;  ///< n_free each
 };

@@ -3,8 +3,8 @@
 /// creep rate needs.
 ///
 /// Where the temperature changes the stiffness K(t) in time, the factors belong to K0, the stiffness of an earlier
-/// time. Let s be a scale factor with K(t) = s K0 up to a relative remainder q (s and q follow from the moduli at all
-/// points). The equilibrium is then found by iterating
+/// time. Let s be the scale factor for which K(t) = s K0 up to a relative deviation q (s and q follow from the moduli
+/// at all points). The equilibrium is then found by iterating
 ///   s K0 u' = s K0 u + F(t) - integral B^T sigma(u) + contact forces,   sigma(u) = H(t) (B u - creep - thermal strain)
 /// with contact solved in each iteration. An iteration costs one elastic solve and reduces the error in the energy norm
 /// by the factor q; the projection onto the admissible contact states never increases it. If q exceeds
@@ -48,16 +48,16 @@ class EquilibriumSolver {
   ~EquilibriumSolver();
 
   /// Equilibrium at time t for these creep strains (one view per body). A pure function of its arguments: to the last
-  /// bit if the stiffness is constant in time, else to 1e-10 of the stress, since any solve may factor again.
-  /// @throws SolverError if the contact iteration does not converge; ModelError if the loads push a body away that only
-  /// contact holds, or along an unconstrained motion
-  /// Cost: one forward and one back substitution per body; several if the stiffness changes in time.
+  /// bit if the stiffness is constant in time. Otherwise to 1e-10 of the stress, since any solve may factor again.
+  /// @throws SolverError if the contact iteration does not converge; ModelError if the loads push away a body that only
+  /// contact holds, or drive an unconstrained motion
+  /// Cost: one forward and one back substitution per body; several if the stiffness changes.
   /// Source: Stankevich (2012), steps 8-11 of the implicit scheme.
   void solve(double t, CreepStrains creep, const History& history, Equilibrium& into);
 
   /// Change of stress for a change of creep strain, with the closed contacts of an equilibrium held closed. Uses the
-  /// moduli of the factors times stiffness_scale, a relative error of at most q. Strains that cause no stress still
-  /// cause none, and a Newton iteration converges linearly with the factor q.
+  /// moduli of the factors times stiffness_scale, with a relative error of at most q. Strains that cause no stress
+  /// still cause none, and a Newton iteration converges linearly with the factor q.
   /// @param stress  one per body, n_points x 6. Cost: one forward and one back substitution per body.
   void linearized(const Equilibrium& at, CreepStrains creep_change, std::vector<std::vector<double>>& stress);
 

@@ -9,9 +9,9 @@
 
 namespace creepcontact::creep {
 
-/// Scale of the state per body: typical stress / Young's modulus. A creep strain whose error is a fraction of it causes
-/// at most that fraction of relative error in the stress. The scale follows the stress as it relaxes: with the initial
-/// stress as the measure, the relative error would grow. Damage and life fractions have the scale 1.
+/// Scale of the state per body: typical stress / Young's modulus. An error of the creep strain of a fraction of this
+/// scale causes a relative error of the stress of at most the same fraction. The scale follows the stress as it
+/// relaxes; otherwise the relative error would grow. Damage and life fractions have the scale 1.
 class ErrorScale {
  public:
   /// @param assembly  must outlive the object

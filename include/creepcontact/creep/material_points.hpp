@@ -19,8 +19,8 @@ struct LawParameters {
   bool evaluated = false;           ///< false: `values` are not valid yet
 };
 
-/// Where the laws of a body are evaluated: what material::PointState is for one point, for all of them. Refers to
-/// values of the caller.
+/// Where the laws of a body are evaluated: like material::PointState, but for all points of the body. Refers to values
+/// of the caller.
 struct PointsState {
   const LawParameters& laws;
   mechanics::ElasticState elastic;
@@ -79,7 +79,8 @@ class MaterialPoints {
   double stiffest_rate(const PointsState& at) const;
 
  private:
-  /// The stress as the laws see it: with fitted mean stress (Discretization::fit_mean_stress) if a law depends on that.
+  /// The stress as the laws see it: with fitted mean stress (Discretization::fit_mean_stress) if a law depends on the
+  /// mean stress.
   class LawStress {
    public:
     LawStress(const MaterialPoints& points, std::span<const double> stress);

@@ -1,10 +1,10 @@
 #pragma once
 /// The contribution of the material points of one body to a Newton system (I - gamma J) z = r of the creep rate. With
 /// the linearised laws, d(rate) = A d(state) + C d(stress), the system of each point reads
-///   M z - gamma C ds = r,   M = I - gamma A,   ds = H (B du - z_c)        (z_c: the creep strain in z)
-/// so that z = M^-1 r + N ds with N = gamma M^-1 C, and
+///   M z - gamma C ds = r,   M = I - gamma A,   ds = H (B du - z_c)        (z_c: the creep strain in z).
+/// It follows that z = M^-1 r + N ds with N = gamma M^-1 C, and
 ///   ds = D (B du - e),   D = (H^-1 + N_c)^-1,   e = (M^-1 r)_c.
-/// There remains an elastic problem for du with the moduli D and the initial strain e.
+/// An elastic problem for du remains, with the moduli D and the initial strain e.
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Direct solution of the Newton systems (I - gamma J) z = r of the creep rate. The point-wise parts are eliminated
-/// (MaterialTangent); there remains an elastic problem of all bodies with the tangent stiffness, in which closed
-/// contacts stay closed.
+/// (MaterialTangent). An elastic problem of all bodies remains, with the tangent stiffness, in which closed contacts
+/// stay closed.
 
 #include <memory>
 #include <optional>
@@ -29,8 +29,8 @@ class TangentSystem {
   /// @throws RecoverableError if a tangent stiffness is not positive definite
   /// Cost: per body that creeps an assembly, a factorisation and a condensation of the contact rows.
   void prepare(double gamma, std::span<const PointsState> at, double stiffness_scale);
-  /// Solves for z with the system last prepared, but with this set of closed rows: where the contact grows, a Newton
-  /// iteration with the set of earlier steps would not converge. Cost: as an elastic solve.
+  /// Solves for z with the system last prepared, but with this set of closed rows: with the set of earlier steps, a
+  /// Newton iteration would not converge where the contact grows. Cost: as an elastic solve.
   /// @param r, z  of size StateLayout::size() @throws RecoverableError if the contact rows contradict each other
   void solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z);
 

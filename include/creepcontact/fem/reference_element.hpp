@@ -47,7 +47,7 @@ class ReferenceElement {
   /// True if elements close to a parallelepiped are not projected: in such hex20 the reduced integration avoids locking
   /// by itself, and they resist hourglass modes better without projection.
   bool projects_distorted_elements_only() const { return type_ == CellType::hex20; }
-  /// True for linear tetrahedra and wedges, which are too stiff in incompressible deformation with any projection.
+  /// True for linear tetrahedra and wedges: with any projection they are too stiff in incompressible deformation.
   bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6; }
 
   /// Shape functions at xi. @param shape  size n_nodes

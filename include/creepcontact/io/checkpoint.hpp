@@ -37,7 +37,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path);
 /// @throws ConfigError with both reasons if neither can be read
 Checkpoint read_last_checkpoint(const std::filesystem::path& path);
 
-/// Removes both, and unfinished ones next to them, so that a new run is not taken for a continuation of the old one.
+/// Removes both checkpoints, and unfinished ones next to them, so that a new run is not taken for a continuation of the
+/// old one.
 void remove_checkpoints(const std::filesystem::path& path);
 
 }  // namespace creepcontact::io

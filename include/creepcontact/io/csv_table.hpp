@@ -18,7 +18,7 @@ struct CsvTable {
   const std::vector<double>* column(const std::string& name) const;
 };
 
-/// Treatment of a last row without end of line: other programs write such rows, a run in progress leaves incomplete
+/// Treatment of a last row without end of line: other programs write such rows, and a run in progress leaves incomplete
 /// ones.
 enum class UnendedRow { counts, is_left_out };
 

@@ -10,8 +10,8 @@
 
 namespace creepcontact::io {
 
-/// Texts stored in the field data of every file, such as the names of bodies: as component names of an array of
-/// numbers.
+/// Texts stored in the field data of every file, such as the names of bodies. They are the component names of an array
+/// of numbers.
 struct TextArray {
   std::string name;
   std::vector<std::string> values;

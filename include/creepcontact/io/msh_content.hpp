@@ -37,9 +37,9 @@ struct MshContent {
 
 /// Makes a mesh of the cells of the physical groups and their nodes, see read_mesh.
 /// @param file  name for messages
-/// @throws ModelError if there is no physical volume with cells (distinguishing surface meshes from volumes without a
-/// physical group), if a physical group contains cells of an unsupported type, if a name denotes several groups, if a
-/// cell refers to a node that does not exist, or if a node has two positions
+/// @throws ModelError if there is no physical volume with cells (the message tells surface meshes from volumes without
+/// a physical group). Also for cells of an unsupported type in a physical group, a name of several groups, a cell with
+/// a node that does not exist, or a node with two positions.
 /// Cost: O(n log n) for n cells.
 mesh::Mesh import_msh(const MshContent& content, const std::string& file);
 

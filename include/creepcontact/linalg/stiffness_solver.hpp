@@ -14,7 +14,7 @@ namespace creepcontact::linalg {
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int64_t>;
 
 /// Thrown if a pivot is not positive or the estimated reciprocal condition is below 1e-12 (CHOLMOD itself may then
-/// still report success). No std::exception: the caller knows the body and names it.
+/// still report success). Not a std::exception: the caller knows the body and names it.
 struct SingularMatrix {
   std::int64_t row = -1;  ///< dof of the failing (or smallest) pivot, numbered as by the caller
   double rcond = 0;

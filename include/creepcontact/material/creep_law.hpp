@@ -22,7 +22,7 @@ struct PointState {
   double time = 0;
   double temperature = 0;
   /// Lower bound on the strain in hardening laws: smaller strains count as this. It is small compared with the accuracy
-  /// of the strain, but large enough that Newton corrections relative to it are not lost as negligible.
+  /// of the strain, but large enough that Newton corrections relative to it are not negligible.
   double min_strain = 1e-10;
 };
 
@@ -83,15 +83,15 @@ class CreepLaw {
   /// True if a rate depends on principal stresses or the mean stress other than through a volumetric creep strain.
   virtual bool uses_mean_stress() const { return false; }
 
-  /// Where loads that begin or jump at at.time make the rate infinite, the strain grows as (t - at.time)^exponent. In
-  /// (0, 1]; 1: the rate is finite.
+  /// Exponent of the growth of the strain, (t - at.time)^exponent, if loads that begin or jump at at.time make the rate
+  /// infinite. In (0, 1]; 1: the rate is finite.
   virtual double start_exponent(const PointState& /*at*/) const { return 1; }
   /// Adds the growth over `duration` from at.time on, at constant stress: the closed form of a law with a singular
   /// start. By default: duration times the rate.
   virtual void increment(const PointState& at, double duration, PointIncrement into) const;
 
   /// @param into  variable.width() numbers, set if the law has the variable
-  /// @returns whether it has; the same at all states
+  /// @returns true if it has; the same at all states
   virtual bool evaluate(const StateVariable& /*variable*/, const PointState& /*at*/, std::span<double> /*into*/) const {
     return false;
   }

@@ -25,7 +25,7 @@ struct ParameterInfo {
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
 };
 
-/// Thrown for values that are within their ranges, but that the law cannot have.
+/// Thrown for values that are within their ranges but not possible for the law.
 class ParameterError : public std::invalid_argument {
  public:
   /// @param found  description of the value

@@ -6,10 +6,10 @@
 
 namespace creepcontact::material {
 
-/// What laws tell about the state of a point. A law that has one of its own declares it and names it in its LawInfo;
-/// probes, field files and lists follow.
+/// An output variable computed by laws from the state of a point. A law with a variable of its own declares it and
+/// names it in its LawInfo; probes, field files and lists follow.
 struct StateVariable {
-  /// What the value of a material with several such laws is.
+  /// How the values of several such laws of a material are combined.
   enum class OfSeveralLaws { largest, sum };
   const char* name;
   const char* description;

@@ -21,7 +21,7 @@ namespace creepcontact::mechanics {
 /// accessors stay valid after a move.
 class Body {
  public:
-  /// @param temperature  nullopt if none is given: no thermal strain, material at its reference temperature
+  /// @param temperature  nullopt: no thermal strain, material at its reference temperature
   /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants at t = 0 are
   /// not admissible, or the mesh has no volume elements
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
@@ -32,7 +32,6 @@ class Body {
 
   /// Only while the model is built. A volume load refers to discretization() of this body.
   /// @throws ModelError if its forces at t = 0 are not finite; the body is then unchanged
-  /// @throws ModelError if its forces at t = 0 are not finite
   void add_load(std::unique_ptr<const Load> load);
 
   const std::string& name() const;
@@ -59,14 +58,13 @@ class Body {
   BodyConditions at(double t) const;
   /// The same in place. Skips what is constant in time or was evaluated for this time already.
   /// @param conditions  made by this body, or new
-  /// @param conditions  of this body, or new
   void update(double t, BodyConditions& conditions) const;
   /// True if the elastic constants depend on a temperature that changes in time.
   bool stiffness_changes() const;
 
   /// resultant += work of the external forces on the rigid-body modes, one entry per motion. Creep and thermal strains
-  /// and prescribed displacements are left out: their nodal forces are in equilibrium, so their work is round-off,
-  /// which may exceed that of the loads if the material is stiff and almost incompressible.
+  /// and prescribed displacements are left out: their nodal forces are in equilibrium, so their work is only round-off.
+  /// In a stiff and almost incompressible material it may exceed the work of the loads.
   /// @returns the sum of the absolute forces, the scale of the work; 0 without rigid-body modes
   double external_resultant(const BodyConditions& at, std::span<double> resultant) const;
   /// right_hand_side (n_free) = T^T (F(t) + integral B^T H (creep + thermal strain) - K prescribed(t))

@@ -1,5 +1,5 @@
 #pragma once
-/// What depends on time in a body: temperature, moduli, thermal strain, loads and prescribed displacements.
+/// Quantities of a body that depend on time: temperature, moduli, thermal strain, loads and prescribed displacements.
 
 #include <optional>
 #include <span>

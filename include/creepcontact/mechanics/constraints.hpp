@@ -1,6 +1,6 @@
 #pragma once
 /// Supports of a body. Each support, by component or along a normal, is a condition n . u = g(x, t) at its nodes. The
-/// conditions of a node are combined to an orthonormal frame: its leading directions are held, the others are free.
+/// conditions of a node are combined into an orthonormal frame: its leading directions are held, the others are free.
 
 #include <array>
 #include <string>

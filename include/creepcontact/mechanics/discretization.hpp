@@ -27,8 +27,8 @@ struct CreepStrainView {
   tensor::ConstMap at(std::size_t point) const { return tensor::ConstMap(&data[stride * point]); }
 };
 
-/// Elastic material data at all points: isotropic moduli, one for all points or one per point; thermal strain, one
-/// equal normal strain per point; forces on the inner displacements, 3 n_inner. The last two may be empty, meaning
+/// Elastic material data at all points. Isotropic moduli: one for all points, or one per point. Thermal strain: one
+/// equal normal strain per point. Forces on the inner displacements: 3 n_inner. The last two may be empty, meaning
 /// zero. Refers to values of the caller.
 struct ElasticState {
   std::span<const Moduli> moduli;
@@ -38,10 +38,10 @@ struct ElasticState {
 };
 
 /// Creep is incompressible, so large creep strains make the total strain almost incompressible. To avoid locking, the
-/// volumetric part of the elastic strain (total less creep and thermal strain) is projected: on a constant in hex8 and
-/// wedge6 (B-bar, Hughes 1980), on linear functions of the position in quadratic elements (in hex20 to the extent that
-/// they are distorted). tet10 and wedge15 have an inner displacement in addition (fem/bubble.hpp), which is eliminated
-/// per element: arguments u are nodal displacements, and stress and strain include the inner displacement in
+/// volumetric part of the elastic strain (total less creep and thermal strain) is projected. In hex8 and wedge6 it is
+/// projected on a constant (B-bar, Hughes 1980), in quadratic elements on linear functions of the position (in hex20 to
+/// the extent that they are distorted). tet10 and wedge15 also have an inner displacement (fem/bubble.hpp), which is
+/// eliminated per element: arguments u are nodal displacements, and stress and strain include the inner displacement in
 /// equilibrium.
 ///
 /// The loops use all threads; results are the same to the last bit for any number of threads. Immutable.
@@ -87,7 +87,7 @@ class Discretization {
   bool fits_mean_stress() const;
   /// Smooths the mean stress at the points. In hex20 it is replaced by its fit by a linear function per element; in
   /// linear elements and tet10 by the mean of its values at their corners, with the gradient of the surrounding element
-  /// means. What is removed (checkerboards of distorted meshes, gradients in flat tetrahedra) balances nodal forces,
+  /// means. The part removed (checkerboards of distorted meshes, gradients in flat tetrahedra) balances nodal forces,
   /// but does not approximate the mean stress. So use the result where the mean or a principal stress is evaluated, not
   /// for add_internal_force(). Linear fields do not change. @param stress  n_points x 6
   void fit_mean_stress(std::span<double> stress) const;

@@ -1,6 +1,6 @@
 #pragma once
-/// Material tables in T cover a limited range. Warns once per table when a temperature is outside it, where the end
-/// value of the table is used.
+/// Material tables in T cover a limited range; outside it their end values are used. Warns once per table when a
+/// temperature leaves the range.
 
 #include <map>
 #include <optional>

@@ -12,8 +12,8 @@
 namespace creepcontact::ode {
 
 /// The next iterate is the linear combination of the last images G(y) for which the combined residual G(y) - y has the
-/// smallest norm; the plain iteration takes the last image alone. Needs fewer iterations than the plain one, and can
-/// converge where the fastest modes are amplified. Collective.
+/// smallest norm; the plain iteration takes the last image alone. It needs fewer iterations than the plain one, and can
+/// converge where the plain one amplifies the fastest modes. Collective.
 /// Memory: 12 + 3 depth vectors. Source: Anderson (1965), as in SUNDIALS.
 class AndersonIteration {
  public:
@@ -21,7 +21,7 @@ class AndersonIteration {
   using Step = std::function<bool(std::span<const double> y, std::span<double> image)>;
 
   /// @param size  of the part of y held by this member of the team
-  /// @param depth  number of earlier residuals combined, at least 1; at most `size` are used
+  /// @param depth  earlier residuals combined, at least 1; at most `size` are used
   /// @param trust  if an iterate is farther from the last image than this multiple of |G(y) - y|, the acceleration
   /// restarts
   AndersonIteration(std::size_t size, int depth, double trust = std::numeric_limits<double>::infinity(),

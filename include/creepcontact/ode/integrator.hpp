@@ -97,8 +97,9 @@ struct IntegratorInfo {
 
 /// All integrators that a configuration may name.
 const std::vector<IntegratorInfo>& integrators();
-/// Makes an integrator by name. If the rate of the system may start singular (System::singular_rate), the integrator is
-/// wrapped to work in a transformed time in which it is finite. @param system  must outlive the result
+/// Makes an integrator by name. If the rate of the system may be infinite at the start (System::singular_rate), the
+/// integrator is wrapped to work in a transformed time in which the rate is finite. @param system  must outlive the
+/// result
 /// @throws std::out_of_range if the name is unknown
 std::unique_ptr<Integrator> make_integrator(const std::string& name, System& system, const IntegratorOptions& options);
 

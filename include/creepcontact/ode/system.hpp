@@ -47,8 +47,8 @@ class SingularRate {
                                std::span<double> change) = 0;
 };
 
-/// f is a pure function of (t, y): what accept() stores may affect the cost of an evaluation, not its value. Calls are
-/// collective, from one thread at a time.
+/// f is a pure function of (t, y): the data that accept() stores may affect the cost of an evaluation, not its value.
+/// Calls are collective, from one thread at a time.
 class System {
  public:
   virtual ~System() = default;
@@ -67,7 +67,7 @@ class System {
   /// May change in accept().
   virtual std::span<const double> scale() const = 0;
 
-  /// Announces that (t, y) is an accepted step; warm starts are taken from it.
+  /// Announces that (t, y) is an accepted step; later warm starts are taken from it.
   virtual void accept(double t, std::span<const double> y) = 0;
   /// Discards evaluations made so far, so that later ones depend to the last bit only on what accept() has stored.
   /// Integrators call it at restart points.

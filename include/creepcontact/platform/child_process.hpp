@@ -45,7 +45,8 @@ struct ChildSetup {
 /// A running or finished child process.
 class ChildProcess {
  public:
-  /// Starts the program in its own process group: signals from the terminal reach it only through this process.
+  /// Starts the program in its own process group: signals from the terminal reach it only if this process passes them
+  /// on.
   /// @throws SolverError if it cannot be started
   explicit ChildProcess(const ChildSetup& setup);
   ChildProcess(const ChildProcess&) = delete;

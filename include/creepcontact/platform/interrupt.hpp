@@ -1,6 +1,6 @@
 #pragma once
-/// Handling of SIGINT, SIGTERM and SIGHUP: they end the process at once while it has nothing to save, and are a request
-/// to finish while it has.
+/// Handling of SIGINT, SIGTERM and SIGHUP. While the process has nothing to save, they end it at once; otherwise they
+/// are a request to finish.
 
 #include <csignal>
 
@@ -14,8 +14,8 @@ constexpr int interrupted_status = 130;
 /// ignored SIGCHLD is reset to its default.
 void end_at_signals();
 
-/// Blocks the signals while it lives, in this thread and in processes started meanwhile. A program that is started so
-/// and calls end_at_signals() misses no signal, however early.
+/// Blocks the signals while it lives, in this thread and in processes started meanwhile. A program started in this way
+/// that calls end_at_signals() misses no signal, however early.
 class BlockedSignals {
  public:
   BlockedSignals();
@@ -27,8 +27,8 @@ class BlockedSignals {
   sigset_t before_;
 };
 
-/// While one lives, a signal is a request that the owner polls; the same signal once more ends the process at once. The
-/// first one replaces the handlers, the last one restores them. Use from one thread only.
+/// While an object of this class lives, a signal is a request that the owner polls; the same signal once more ends the
+/// process at once. The first object replaces the handlers, the last one restores them. Use from one thread only.
 class Interrupt {
  public:
   Interrupt();

@@ -1,5 +1,5 @@
 #pragma once
-/// What ends the life of a part in a run: damage and spent life.
+/// Monitoring of what ends the life of a part: damage and used-up life.
 
 #include <map>
 #include <optional>

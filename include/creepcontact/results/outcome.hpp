@@ -1,6 +1,6 @@
 #pragma once
-/// The answer of a run in a few numbers: contact forces and von Mises stresses at the start, at their largest and at
-/// the end, and the contacts that opened.
+/// The main results of a run in a few numbers: contact forces and von Mises stresses at the start, at their largest and
+/// at the end, and the contacts that opened.
 
 #include <limits>
 #include <map>

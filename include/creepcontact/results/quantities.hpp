@@ -10,7 +10,7 @@
 namespace creepcontact::results {
 
 struct OutputVariable {
-  /// Where it is known.
+  /// Where it is defined.
   enum class Location {
     field,             ///< at every point of a body
     contact_pressure,  ///< at the multiplier nodes of a contact surface

@@ -24,7 +24,7 @@ enum class PointField { stress, strain, creep_strain, temperature };
 inline constexpr std::array point_fields{PointField::stress, PointField::strain, PointField::creep_strain,
                                          PointField::temperature};
 
-/// A variable that laws of a body have, n_points x width().
+/// A state variable of the laws of a body, n_points x width().
 struct PointState {
   const material::StateVariable* variable;
   std::vector<double> values;

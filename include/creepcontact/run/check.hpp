@@ -13,7 +13,7 @@ namespace creepcontact::run {
 /// @throws ModelError with all errors found; a body that can move freely is found when the report is written
 void check(const config::Config& config, std::ostream& report);
 
-/// Warnings about settings that are allowed but do not go well together; also issued by run().
+/// Warnings about settings that are allowed but unsuitable in combination; also issued by run().
 std::vector<std::string> settings_warnings(const config::Config& config);
 
 }  // namespace creepcontact::run

@@ -1,7 +1,7 @@
 #pragma once
 /// Enumerations whose values the configuration names. Each declares its names once, next to itself, by a function
 ///   constexpr auto names_of(Colour) { return std::to_array<EnumName<Colour>>({{"red", Colour::red}, ...}); }
-/// that argument-dependent lookup finds; readers, lists of keys and reports take them from there.
+/// that argument-dependent lookup finds. Readers, lists of keys and reports take the names from it.
 
 #include <array>
 #include <string_view>

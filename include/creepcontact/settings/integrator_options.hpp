@@ -48,10 +48,10 @@ struct IntegratorOptions {
   double step_factor = 1.0;
   double beta = 1.0;  ///< beta_euler, >= 0.5
   InnerIteration inner = InnerIteration::fixed_point;
-  double inner_tolerance = 1e-10;    ///< beta_euler: bound on the maximum creep-strain change of the inner iterations
+  double inner_tolerance = 1e-10;    ///< beta_euler: bound on the last change of the creep strain by inner iterations
   int max_inner_iterations = 200;    ///< beta_euler
   int inner_anderson = 0;            ///< beta_euler: depth of Anderson acceleration of the inner iterations; 0: plain
-  double residual_correction = 1.0;  ///< gamma of the nodal-force residual (Euler schemes)
+  double residual_correction = 1.0;  ///< beta_euler: gamma, fraction of the force residual that the next step corrects
   LinearSolver linear_solver = LinearSolver::krylov;  ///< cvode_bdf, arkode_dirk
   std::string table = {};     ///< ARKODE: name of a Butcher table with an embedded method; empty: the default
   double end_time = 0;        ///< end of the run, bounds the first step

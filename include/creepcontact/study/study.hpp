@@ -23,9 +23,9 @@ struct StudyResult {
   std::string message;
 };
 
-/// Each run is a separate process with one thread, in <output>/runs/<name>. Runs finished by an earlier call with the
-/// same settings, files and version are kept; interrupted ones continue from their checkpoint. SIGINT and SIGTERM end
-/// the current runs, each with a checkpoint.
+/// Each run is a separate process in <output>/runs/<name>; concurrent runs share the cores as threads. Runs finished by
+/// an earlier call with the same settings, files and version are kept; interrupted ones continue from their checkpoint.
+/// SIGINT, SIGTERM and SIGHUP end the current runs, each with a checkpoint.
 /// @param vocabulary  names that the configurations may use
 /// @throws ConfigError with all errors found before the first run, or if the directory contains another study
 /// @throws SolverError if the reference run does not finish

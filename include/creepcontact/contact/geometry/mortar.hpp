@@ -57,17 +57,19 @@ struct MortarCoupling {
 
 /// Integrates the coupling of two surfaces.
 /// @param sliding  relative rigid-body modes of the two bodies that contact must not resist at all, such as a ring
-/// turning on its shaft: at every point the normal loses its component along their displacement. A motion is ignored at
-/// points where its displacement vanishes or is closer to the normal than to the surface.
+/// turning on its shaft. At every point the component of the normal along their displacement is removed. A motion is
+/// ignored at points where its displacement vanishes or is closer to the normal than to the surface.
 /// @throws ModelError if the surfaces do not face each other anywhere
 /// Cost: O(n log n) for n facets, plus about 50 points per segment.
 MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
                                std::span<const mechanics::RigidMotion> sliding = {});
 
-/// True if `first` should be the slave, the surface that carries the multipliers. Criteria in this order: the surface
-/// that supports do not hold along its normal; the one better covered, if facets of the other extend far beyond it; the
-/// softer body, if the moduli differ by more than a factor of 10; the coarser surface where the two face each other.
-/// (With the stiffer, finer side as the slave the pressures are useless.)
+/// True if `first` should be the slave, the surface that carries the multipliers. Criteria in this order:
+/// - the surface that supports do not hold along its normal
+/// - the one better covered, if facets of the other extend far beyond it
+/// - the softer body, if the moduli differ by more than a factor of 10
+/// - the coarser surface where the two face each other
+/// With the stiffer, finer side as the slave, the pressures are useless.
 bool first_is_better_slave(const Surface& first, const Surface& second);
 
 }  // namespace creepcontact::contact

@@ -24,8 +24,8 @@ class ContactSolver {
   virtual void flexibility_changed() = 0;
   /// Sets the receiver of all later iterations; null: none. @param recorder  must outlive its use
   virtual void set_recorder(IterationRecorder* recorder) = 0;
-  /// True after Schwarz sweeps have failed to converge; they are then not tried again. In addition to the warm start,
-  /// this is all that later solves depend on.
+  /// True after Schwarz sweeps have failed to converge; they are then not tried again. Later solves depend on this
+  /// only, apart from their arguments.
   virtual bool has_given_up_sweeps() const { return false; }
   /// Makes has_given_up_sweeps() true, as if they had failed.
   virtual void give_up_sweeps() {}
@@ -44,8 +44,8 @@ struct SchwarzOptions {
 };
 
 /// Primal-dual active set method (Hintermueller, Ito and Kunisch 2003) with direct solves. If the sets cycle, Murty's
-/// least-index rule takes over, which terminates for every positive definite problem; rigid-body modes are held by
-/// added springs whose force is iterated to zero (method of multipliers, Hestenes 1969).
+/// least-index rule takes over, which terminates for every positive definite problem. Added springs, whose force is
+/// iterated to zero, then hold rigid-body modes (method of multipliers, Hestenes 1969).
 /// @param problem  must outlive the solver
 std::unique_ptr<ContactSolver> active_set_solver(const ContactProblem& problem);
 

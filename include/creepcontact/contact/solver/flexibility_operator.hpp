@@ -7,7 +7,7 @@
 
 namespace creepcontact::contact {
 
-/// Approximate inverse of F on one set of rows: multipliers that about close given gaps.
+/// Approximate inverse of F on one set of rows: multipliers that approximately close given gaps.
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;

@@ -3,8 +3,8 @@
 /// and the amplitudes alpha of the rigid-body modes that only contact holds:
 ///   gap = initial gap + sum_b F_b lambda + N alpha,   N^T lambda + resultant = 0,
 ///   lambda >= 0, gap >= 0, lambda . gap = 0   (tied rows: gap = 0)
-/// F_b is the flexibility of body b on its rows: the gaps that unit multipliers open by straining the body. A body held
-/// by contact alone is strained with some fixing dofs held (statically determinate). F_b depends on their choice, the
+/// F_b is the flexibility of body b on its rows: the gaps that unit multipliers open by straining the body. In a body
+/// held by contact alone, some fixing dofs are held in a statically determinate way. F_b depends on their choice, the
 /// solution does not: since N^T lambda + resultant = 0, they carry no force.
 /// Source: Farhat and Roux (1991), rigid-body modes of floating subdomains in dual form.
 
@@ -60,7 +60,7 @@ struct ContactResult {
   int set_changes = 0;  ///< updates of the active set
 };
 
-/// Thrown if no contact pressures can balance the loads; no std::exception, callers translate it. Along `motion`
+/// Thrown if no contact pressures can balance the loads. Not a std::exception: callers translate it. Along `motion`
 /// (amplitudes of the rigid-body modes) no contact closes, and the loads do work.
 struct UnbalancedLoad {
   Eigen::VectorXd motion;
@@ -78,7 +78,7 @@ Eigen::VectorXd flexibility_diagonal(const ContactProblem& problem);
 /// of a body held by contact alone; a lower bound from the rigid-body modes is used there.
 Eigen::VectorXd row_flexibility(const ContactProblem& problem);
 
-/// Rows along which neither body can move, because supports hold both sides; ascending. They carry no multiplier,
+/// Rows along which neither body can move, because supports hold both sides; ascending. Their multipliers are zero,
 /// whatever their gap.
 std::vector<int> immovable_rows(const ContactProblem& problem);
 
