@@ -36,10 +36,11 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
     const std::string name = error.get_option_name();
     const std::vector<std::string> known = option_names();
     const bool restart = name == "--restart" && std::ranges::count(known, "--resume") > 0;
-    const std::string question = restart ? "; '--resume' goes on from the last checkpoint" : did_you_mean(name, known);
+    const std::string question =
+        restart ? "; '--resume' continues from the last checkpoint" : did_you_mean(name, known);
     throw ConfigError(fmt::format("unknown option '{}'{}{}", name, question, help));
   } catch (const po::too_many_positional_options_error&) {
-    const std::string further = optional.empty() ? "" : fmt::format(", and perhaps {}", optional);
+    const std::string further = optional.empty() ? "" : fmt::format(", optionally followed by {}", optional);
     throw ConfigError(fmt::format("{} takes {}, {}{}{}", command_.name,
                                   optional.empty() ? "one argument" : "one or two arguments", positional, further,
                                   help));

@@ -51,9 +51,9 @@ void require_valid(const std::string& what, const CommandLine& line, const Outpu
     throw ConfigError(fmt::format("list {}: KEY, --names, --values and --json-schema are for {} only", what,
                                   fmt::join(key_lists, " and ")));
   if (output.markdown + output.names + output.values + output.json_schema > 1)
-    throw ConfigError("list: --markdown, --names, --values and --json-schema exclude each other");
+    throw ConfigError("list: --markdown, --names, --values and --json-schema cannot be combined");
   if (output.json_schema && line.optional())
-    throw ConfigError("list: --json-schema takes no KEY, it describes all keys");
+    throw ConfigError("list: --json-schema takes no KEY; it describes all keys");
 }
 
 }  // namespace
@@ -64,9 +64,9 @@ int list(const Command& self, const Arguments& arguments) {
   const auto flag = [&](const char* name, bool& value, const char* meaning) {
     line.add_options()(name, boost::program_options::bool_switch(&value), meaning);
   };
-  flag("markdown", output.markdown, "as in the documentation");
-  flag("names", output.names, "keys: their names alone, one per line");
-  flag("values", output.values, "keys: the words that they may be, one per line");
+  flag("markdown", output.markdown, "print Markdown tables, as in the documentation");
+  flag("names", output.names, "keys: only their names, one per line");
+  flag("values", output.values, "keys: the words allowed as values, one per line");
   flag("json-schema", output.json_schema, "keys: as JSON Schema, for editors");
   if (!line.parse(arguments, "one of " + all_lists(), "KEY")) return 0;
   const std::string& what = line.positional();

@@ -25,15 +25,18 @@ namespace {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
-      {"run", "CONFIG.toml [options]", "Computes what the configuration describes.", run},
-      {"check", "CONFIG.toml [options]", "Reads configuration and mesh and reports on them; computes nothing.", check},
-      {"study", "STUDY.toml [options]", "Runs a configuration with many settings and compares the results.", study},
-      {"plot", "DIR [options]", "Draws the probes and the time steps of a run, as SVG and PNG (by gnuplot).", plot},
+      {"run", "CONFIG.toml [options]", "Runs the analysis that a configuration describes.", run},
+      {"check", "CONFIG.toml [options]", "Checks a configuration and its mesh without running the analysis.", check},
+      {"study", "STUDY.toml [options]", "Runs a configuration with many different settings and compares the results.",
+       study},
+      {"plot", "DIR [options]", "Plots the probes and the time steps of a run as SVG and PNG (needs gnuplot).", plot},
       {"list", "(keys|study-keys|integrators|laws|elements|quantities) [KEY] [options]",
-       "Shows what a configuration or a study may say.", list,
-       "KEY picks keys: a path (time, contacts[0].gap) with all below it, a table as written in\n"
-       "the file ('[time]'; '[]' for the keys above all tables), or a word: one in their names or one\n"
-       "they may be (tolerance, cvode_bdf), else one in their descriptions.\n"},
+       "Lists the keys and names that a configuration or a study may use.", list,
+       "KEY selects the keys to show. It is one of:\n"
+       "  a path (time, contacts[0].gap): this key and all keys below it;\n"
+       "  a table as written in the file ('[time]'; '[]' for the keys above all tables);\n"
+       "  a word (tolerance, cvode_bdf): the keys with this word in their names or allowed values,\n"
+       "  or else in their descriptions.\n"},
   };
   return all;
 }
@@ -124,6 +127,6 @@ int main(int argc, char** argv) {
   const int lost = output.finish();
   if (lost == 0) return status;
   cli::report(
-      fmt::format("cannot write to standard output: {}; files of results do not depend on it", std::strerror(lost)));
+      fmt::format("cannot write to standard output: {}; the result files are not affected", std::strerror(lost)));
   return status != 0 ? status : SolverError::status;
 }

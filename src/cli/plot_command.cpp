@@ -36,10 +36,10 @@ int plot(const Command& self, const Arguments& arguments) {
   std::string directory;
   CommandLine line(self);
   line.add_options()("log-time", po::value(&log)->value_name("auto|yes|no"),
-                     "logarithmic time; auto, the default: if the output times span more than three decades");
-  line.add_options()("probes", po::value(&probes)->value_name("a,b,..."), "these probes only, in this order");
+                     "logarithmic time axis; auto (default): if the output times span more than three decades");
+  line.add_options()("probes", po::value(&probes)->value_name("a,b,..."), "plot only these probes, in this order");
   line.add_options()("output,o", po::value(&directory)->value_name("DIR"),
-                     "where pictures go, instead of plots in the run's directory");
+                     "directory of the pictures (default: plots in the directory of the run)");
   if (!line.parse(arguments, "DIR, the output directory of a run")) return 0;
   options.log_time = log_time(log);
   if (line.has("probes")) options.probes = names(probes);

@@ -20,14 +20,16 @@ int run(const Command& self, const Arguments& arguments) {
   CommandLine line(self);
   add_overrides(line);
   line.add_options()("output,o", po::value(&options.output)->value_name("DIR"),
-                     "where results go, instead of the configuration's directory");
+                     "directory of the results, instead of output.directory in the configuration");
   line.add_options()("threads,j", po::value(&threads)->value_name("N"),
-                     "number of threads; not given: as many as there are cores");
-  line.add_options()("resume", po::bool_switch(&options.resume), "go on from the checkpoint in the output directory");
+                     "number of threads (default: the number of cores)");
+  line.add_options()("resume", po::bool_switch(&options.resume),
+                     "continue from the checkpoint in the output directory");
   line.add_options()("log-contact", po::value(&options.log_contact)->value_name("FILE.csv"),
-                     "write a row of every iteration of the contact solver");
-  line.add_options()("verbose,v", po::bool_switch(&verbose), "at the end also steps, solves, accuracy, time, memory");
-  line.add_options()("quiet,q", po::bool_switch(&quiet), "warnings and errors only");
+                     "write the iterations of the contact solver to this file, one row per iteration");
+  line.add_options()("verbose,v", po::bool_switch(&verbose),
+                     "at the end, also report steps, solves, accuracy, time and memory");
+  line.add_options()("quiet,q", po::bool_switch(&quiet), "print only warnings and errors");
   add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
   if (line.has("threads")) line.require_within("threads", threads, cores());

@@ -15,9 +15,9 @@ int study(const Command& self, const Arguments& arguments) {
   std::string output;
   CommandLine line(self);
   line.add_options()("jobs", po::value(&options.jobs)->value_name("N"),
-                     "runs at a time; not given: as many as there are cores");
+                     "number of runs at a time (default: the number of cores)");
   line.add_options()("output,o", po::value(&output)->value_name("DIR"),
-                     "where results go; not given: results/<name of the study> next to its file");
+                     "directory of the results (default: results/<name of the study> next to the study file)");
   add_trust(line);
   if (!line.parse(arguments, "STUDY.toml")) return 0;
   constexpr int max_jobs = 1000;
@@ -26,7 +26,7 @@ int study(const Command& self, const Arguments& arguments) {
   options.trust_geometry = line.has(trust_option);
   std::error_code error;
   options.program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw SolverError("the program does not find its own file: /proc/self/exe: " + error.message());
+  if (error) throw SolverError("cannot find the program's own file: /proc/self/exe: " + error.message());
 
   const study::StudyResult result = study::run_study(config::read_study(line.positional()), run::vocabulary(), options);
   (result.exit_status == 0 ? std::cout : std::cerr << "error: ") << result.message << '\n';

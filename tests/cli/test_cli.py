@@ -84,7 +84,7 @@ class CommandErrors(CliTest):
         self.expect_error(call("run", "a.toml", "--out", "x"), "unknown option '--out'; did you mean '--output'?")
 
     def test_option_of_another_name(self):
-        self.expect_error(call("run", "a.toml", "--restart"), "unknown option '--restart'; '--resume' goes on")
+        self.expect_error(call("run", "a.toml", "--restart"), "unknown option '--restart'", "'--resume'")
         self.expect_error(call("list", "keys", "--colour"), "unknown option '--colour'; see creepcontact list --help")
 
     def test_nothing_near(self):
@@ -128,7 +128,7 @@ class List(CliTest):
     def test_mistakes_with_keys(self):
         self.expect_error(call("list", "keys", "tolerence"), "no key has 'tolerence'", "did you mean 'tolerance'?")
         self.expect_error(call("list", "laws", "norton"), "--json-schema are for keys and study-keys only")
-        self.expect_error(call("list", "keys", "--names", "--markdown"), "exclude each other")
+        self.expect_error(call("list", "keys", "--names", "--markdown"), "--names", "--json-schema")
         self.expect_error(call("list", "keys", "time", "mesh"), "list takes one or two arguments")
 
     def test_unknown_list(self):
