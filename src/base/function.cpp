@@ -85,7 +85,7 @@ Function Function::expression(const std::string& text, const std::vector<std::st
     const double value = parser.Eval();  // compiles anew: looking for variables dropped the byte code
     if (parser.GetNumResults() != 1)
       throw std::invalid_argument(
-          fmt::format("'{}': {} values separated by commas; one is wanted", text, parser.GetNumResults()));
+          fmt::format("'{}': {} values separated by commas; only one is allowed", text, parser.GetNumResults()));
     if (!made->variables.empty()) return Function(std::move(made));
     if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("'{}': the value is {}", text, value));
     return Function(std::make_shared<Constant>(value, text));

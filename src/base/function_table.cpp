@@ -104,31 +104,31 @@ std::size_t Function::misplaced_point(const std::string& variable, const std::ve
 }
 
 std::string Function::period_error(const std::string& variable, const std::vector<double>& abscissae, double period) {
-  if (variable != "t") return fmt::format("a table in {} has no period; only one in t repeats", variable);
+  if (variable != "t") return fmt::format("a table in {} cannot have a period; only a table in t can repeat", variable);
   if (abscissae.front() != 0)
-    return fmt::format("the first point is {}; a table with a period begins at t = 0", abscissae.front());
+    return fmt::format("the first point is {}; a table with a period must begin at t = 0", abscissae.front());
   if (!(period > 0) || !std::isfinite(period)) return fmt::format("the period {} is not positive", period);
   if (abscissae.back() > period)
-    return fmt::format("the last point {} lies beyond the period {}; the points fill one period", abscissae.back(),
-                       period);
+    return fmt::format("the last point {} lies beyond the period {}; all points must lie within one period",
+                       abscissae.back(), period);
   return {};
 }
 
 Function Function::table(const std::string& variable, std::vector<double> abscissae, std::vector<double> values,
                          std::optional<double> period) {
   if (variable != "t" && variable != "T")
-    throw std::invalid_argument(fmt::format("a table is in 't' or 'T', not in '{}'", variable));
+    throw std::invalid_argument(fmt::format("the variable of a table must be 't' or 'T', not '{}'", variable));
   if (abscissae.empty()) throw std::invalid_argument(fmt::format("the table in {} has no points", variable));
   if (abscissae.size() != values.size())
     throw std::invalid_argument(
         fmt::format("the table has {} points in {} but {} values", abscissae.size(), variable, values.size()));
   const auto finite = [](double number) { return std::isfinite(number); };
   if (!std::all_of(abscissae.begin(), abscissae.end(), finite) || !std::all_of(values.begin(), values.end(), finite))
-    throw std::invalid_argument(fmt::format("the table in {} holds a number that is not finite", variable));
+    throw std::invalid_argument(fmt::format("the table in {} contains a number that is not finite", variable));
   if (const std::size_t i = misplaced_point(variable, abscissae); i < abscissae.size())
     throw std::invalid_argument(fmt::format("the points of the table in {} must increase: {} follows {} (entry {}){}",
                                             variable, abscissae[i], abscissae[i - 1], i + 1,
-                                            variable == "t" ? "; a jump is the same time twice" : ""));
+                                            variable == "t" ? "; for a jump, give the same time twice" : ""));
   if (period) check_period(variable, abscissae, *period);
   if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
     return values.front();

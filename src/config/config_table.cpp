@@ -17,22 +17,24 @@ const Material& Config::material(const std::string& name) const {
 
 Value<Config> config_table(const Vocabulary& vocabulary) {
   return table<Config>({
-      field<Config>("title", &Config::title, text(), "what the run is about; goes into `summary.json`").changeable(),
-      field<Config>("units", &Config::units, text(), "the set of units; goes into `summary.json` and the fields")
+      field<Config>("title", &Config::title, text(), "title of the run; copied to `summary.json`").changeable(),
+      field<Config>("units", &Config::units, text(),
+                    "the units used, for information; copied to `summary.json` and the field files")
           .changeable(),
       field<Config>("mesh", &Config::mesh, mesh_table(), "the mesh of all bodies", Presence::required),
-      field<Config>("bodies", &Config::bodies, named(body_table()),
-                    "the bodies; the order of the file is the order of all results", Presence::required),
+      field<Config>("bodies", &Config::bodies, named(body_table()), "the bodies; all results list them in this order",
+                    Presence::required),
       field<Config>("materials", &Config::materials, named(material_table(vocabulary)), "the materials",
                     Presence::required),
       field<Config>("supports", &Config::supports, tables(support_table()), "prescribed displacements"),
       field<Config>("loads", &Config::loads, tables(load_table()), "external forces"),
       field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies")
-          .otherwise("each material at its `reference_temperature`"),
+          .otherwise("each material is at its `reference_temperature`"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),
-      field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(), "how contact is solved"),
+      field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(),
+                    "settings of the contact solver"),
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),
-      field<Config>("output", &Config::output, output_table(), "where results go, and which").changeable(),
+      field<Config>("output", &Config::output, output_table(), "which results are written, and where").changeable(),
       field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),
   });
 }

@@ -43,7 +43,7 @@ Value<std::array<Reference, 2>> two_surfaces() {
     const auto found = list(reference("a physical surface")).read(item, context);
     if (!found) return std::nullopt;
     if ((*found)[0].name == (*found)[1].name) {
-      context.errors.add(item.location, fmt::format("'{}' twice", (*found)[0].name), type);
+      context.errors.add(item.location, fmt::format("'{}' is given twice", (*found)[0].name), type);
     }
     return std::array{(*found)[0], (*found)[1]};
   };
@@ -53,11 +53,11 @@ Value<std::array<Reference, 2>> two_surfaces() {
 Value<Alpha> alpha_value(Range range) {
   const Value<double> number_of_body = number(range);
   const auto single = word_or_number("diagonal", range);
-  const std::string type = single.type + ", or a table of numbers by body";
+  const std::string type = single.type + ", or a table with one number per body";
   Value<Alpha> value{
       .type = type,
       .read = {},
-      .brief = single.brief + ", or a table of such numbers by body",
+      .brief = single.brief + ", or a table with one such number per body",
       .words = single.words,
       .json = [=] {
         return schema_of_any({single.json(), {{"type", "object"}, {"additionalProperties", range.json()}}});
@@ -93,7 +93,7 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
   const bool has_gap = keys.geometric_gap || !keys.gap.is_zero();
   if (keys.type == ContactType::tied && has_gap)
     context.errors.add(item.child("gap").location,
-                       "has no effect on a tied contact, which joins the surfaces as the mesh has them",
+                       "has no effect on a tied contact, which joins the surfaces as they are in the mesh",
                        "no gap, or type = \"unilateral\"");
   if (!keys.between[0].given()) return std::nullopt;  // reported
   const std::string& first = keys.between[0].name;
@@ -116,11 +116,14 @@ Value<Contact> contact_table() {
   slave.brief = "`\"auto\"` or one of the two surfaces";
   slave.words = words_of({"auto"});
   const auto keys = table<ContactKeys>({
-      field<ContactKeys>("name", &ContactKeys::name, name("a name"), "for messages; unique")
+      field<ContactKeys>("name", &ContactKeys::name, name("a name"), "unique name, used in messages and reports")
           .otherwise("the two surfaces"),
-      field<ContactKeys>("between", &ContactKeys::between, two_surfaces(), "of two bodies", Presence::required),
-      field<ContactKeys>("type", &ContactKeys::type, type, "`\"unilateral\"`: may open and slide; `\"tied\"`: neither"),
-      field<ContactKeys>("slave", &ContactKeys::slave_name, slave, "the surface that the multipliers live on"),
+      field<ContactKeys>("between", &ContactKeys::between, two_surfaces(), "the two surfaces, of two different bodies",
+                         Presence::required),
+      field<ContactKeys>("type", &ContactKeys::type, type,
+                         "`\"unilateral\"`: may open and slide without friction; `\"tied\"`: does neither"),
+      field<ContactKeys>("slave", &ContactKeys::slave_name, slave,
+                         "the slave surface: the contact pressures (multipliers) are unknowns at its nodes"),
       field<ContactKeys>("gap", &ContactKeys::initial_gap, gap_value(),
                          "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh; "
                          "unilateral contacts only")
@@ -138,21 +141,21 @@ Value<ContactSolver> contact_solver_table() {
                            "alternating Schwarz, or direct solves on an active set"),
       field<ContactSolver>(
           "alpha", &ContactSolver::alpha, alpha_value(relaxation),
-          "Schwarz: iteration parameter of all bodies; `\"diagonal\"`: weights from their stiffness; or body by "
-          "body: `{ shaft = 0.3, disc = 0.6 }`, `\"diagonal\"` for those left out"),
+          "Schwarz: iteration parameter of all bodies; `\"diagonal\"`: weights from their stiffness; or one value per "
+          "body: `{ shaft = 0.3, disc = 0.6 }`, with `\"diagonal\"` for bodies left out"),
       field<ContactSolver>("damping", &ContactSolver::damping, number(relaxation),
-                           "Schwarz: part of each sweep that is taken"),
+                           "Schwarz: fraction of the change computed by each sweep that is applied"),
       field<ContactSolver>("acceleration", &ContactSolver::acceleration, acceleration,
-                           "Schwarz: plain sweeps, accelerated ones, or conjugate gradients"),
+                           "Schwarz: plain sweeps, sweeps with Anderson acceleration, or conjugate gradients"),
       field<ContactSolver>("tolerance", &ContactSolver::tolerance, number(greater(0)),
-                           "relative error of the multipliers")
+                           "largest relative error of the multipliers (contact pressures)")
           .changeable(),
       field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1, 1'000'000),
-                           "bound on the iterations on one active set")
+                           "largest number of iterations on one active set")
           .changeable(),
       field<ContactSolver>("dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
-                           "memory [MB] for the matrices of the contact zones; beyond it contact is iterated by passes "
-                           "through the factor")
+                           "memory [MB] allowed for the matrices of the contact zones; if they need more, contact is "
+                           "solved without them, by iterations with the factorised stiffness")
           .changeable()
           .in("MB"),
   });

@@ -33,8 +33,8 @@ void check_unique(const std::vector<T>& all, Diagnostics& errors) {
   for (const T& one : all) {
     const auto [found, is_new] = first.emplace(one.name, &one);
     if (is_new || one.name.empty()) continue;
-    errors.add(one.location, fmt::format("the name '{}' is that of {} too", one.name, found->second->location.key),
-               "names that differ");
+    errors.add(one.location, fmt::format("the name '{}' is already used by {}", one.name, found->second->location.key),
+               "a different name for each");
   }
 }
 
@@ -44,8 +44,8 @@ void check_regions(const std::vector<Body>& bodies, Diagnostics& errors) {
     for (const Reference& region : body.region) {
       const auto [found, is_new] = owner.emplace(region.name, body.name);
       if (is_new) continue;
-      errors.add(region.location, fmt::format("volume '{}' belongs to body '{}' already", region.name, found->second),
-                 "every volume once");
+      errors.add(region.location, fmt::format("volume '{}' already belongs to body '{}'", region.name, found->second),
+                 "each volume in one body only");
     }
   }
 }
@@ -60,7 +60,7 @@ bool by_temperature(const Rupture& rupture) {
 void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
   if (root.has("temperature")) return;
   const auto report = [&](const Location& where) {
-    errors.add(where, "depends on T, which is not known", "with [temperature] or a reference_temperature");
+    errors.add(where, "depends on T, but no temperature is given", "with [temperature] or a reference_temperature");
   };
   const auto check = [&](const Function& function, const Location& where) {
     if (function.depends_on_temperature()) report(where);
@@ -91,7 +91,7 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
     const Item table = root.child("materials").child(material.name);
     if (material.thermal_expansion.is_zero() || table.has("reference_temperature")) continue;
     errors.add(table.child("thermal_expansion").location,
-               "without 'reference_temperature': the temperature at which the thermal strain is zero is not known",
+               "'reference_temperature' is missing: the temperature at which the thermal strain is zero is not known",
                "with reference_temperature, often the temperature of assembly");
   }
 }
@@ -106,7 +106,7 @@ void check_pairs(const std::vector<Contact>& contacts, Diagnostics& errors) {
       if ((a.name != c.name || b.name != d.name) && (a.name != d.name || b.name != c.name)) continue;
       errors.add(
           contacts[i].location,
-          fmt::format("the surfaces '{}' and '{}' are in contact already by contacts[{}]; leave one of the two out",
+          fmt::format("the surfaces '{}' and '{}' are already in contact through contacts[{}]; remove one of the two",
                       a.name, b.name, j));
     }
 }

@@ -75,8 +75,8 @@ bool increasing(const Item& item, const std::string& variable, const std::vector
   const std::size_t i = Function::misplaced_point(variable, abscissae);
   if (i == abscissae.size()) return true;
   context.errors.add(item.element(i).location,
-                     fmt::format("{} after {}: the points of a table must increase{}", abscissae[i], abscissae[i - 1],
-                                 variable == "t" ? "; a jump is the same time twice" : ""));
+                     fmt::format("{} follows {}: the points of a table must increase{}", abscissae[i], abscissae[i - 1],
+                                 variable == "t" ? "; for a jump, give the same time twice" : ""));
   return false;
 }
 
@@ -93,7 +93,7 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
   const auto given = std::find_if(variables.begin(), variables.end(), [&](const auto& name) { return item.has(name); });
   if (given == variables.end() || !item.has("values")) {
     // a mistyped key has been named already
-    if (right) context.errors.add(item.location, "an incomplete table", allowed.describe());
+    if (right) context.errors.add(item.location, "a table without points or values", allowed.describe());
     return std::nullopt;
   }
   if (std::all_of(variables.begin(), variables.end(), [&](const auto& name) { return item.has(name); }) &&
@@ -124,7 +124,7 @@ std::optional<Function> read_points(const Item& item, const Allowed& allowed, Co
       context.errors.add(
           item_period.location,
           fmt::format("{} points repeat {:.6g} times up to time.end = {}", n_points, periods, context.end),
-          fmt::format("{} points in all; is the period in the unit of time.end?", max_repeated));
+          fmt::format("at most {} points in all; check that the period has the unit of time.end", max_repeated));
       return std::nullopt;
     }
   }

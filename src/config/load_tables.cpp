@@ -74,11 +74,10 @@ Value<Rotation> rotation_table() {
   const auto keys = written_inline(table<Rotation>({
       field<Rotation>("axis", &Rotation::axis, triple(number()), "direction of the axis, of any length"),
       field<Rotation>("origin", &Rotation::origin, triple(number()), "a point of the axis").in("length"),
-      field<Rotation>(
-          "angular_velocity", &Rotation::angular_velocity, function({"t"}),
-          "radians per unit of time, the one in which mass x length / time^2 is a force: rad/s with tonne, mm, "
-          "N, whatever the unit of `t`",
-          Presence::required)
+      field<Rotation>("angular_velocity", &Rotation::angular_velocity, function({"t"}),
+                      "in radians per unit of time; the unit of time is the one in which mass x length / time^2 gives "
+                      "the unit of force: rad/s with tonne, mm and N, whatever the unit of `t`",
+                      Presence::required)
           .in("1/time"),
       field<Rotation>("density", &Rotation::density, function(position_and_time, at_least(0)), "mass per volume",
                       Presence::required)
@@ -97,18 +96,21 @@ Value<Rotation> rotation_table() {
 Value<Load> load_table() {
   const Value<Functions3> vector = triple(function(position_and_time));
   const auto keys = table<LoadKeys>({
-      field<LoadKeys>("on", &LoadKeys::on, reference("a physical surface"),
-                      "surface of `pressure` and `traction`; on each of its bodies, unless `body` says which"),
-      field<LoadKeys>("at", &LoadKeys::at, triple(number()), "place of `force`: the mesh node nearest to this point")
+      field<LoadKeys>(
+          "on", &LoadKeys::on, reference("a physical surface"),
+          "surface on which `pressure` or `traction` acts: on every body with this surface, or only on `body`"),
+      field<LoadKeys>("at", &LoadKeys::at, triple(number()),
+                      "point at which `force` acts; it is applied to the nearest mesh node")
           .in("length"),
-      field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)), "largest distance of that node")
+      field<LoadKeys>("tolerance", &LoadKeys::tolerance, number(greater(0)),
+                      "largest allowed distance from `at` to that node")
           .changeable()
           .in("length")
           .otherwise("1e-6 of the model's size"),
       field<LoadKeys>("body", &LoadKeys::body, reference("the name of a body"),
-                      "place of `body_force` and `rotation`; with `on` or `at`: in this body only"),
+                      "body on which `body_force` or `rotation` acts; with `on` or `at`: load only this body"),
       field<LoadKeys>("pressure", &LoadKeys::pressure, function(position_and_time),
-                      "with `on`: per area, positive towards the body")
+                      "with `on`: normal force per area, positive if it pushes against the body")
           .in("stress"),
       field<LoadKeys>("traction", &LoadKeys::traction, vector, "with `on`: force per area").in("stress"),
       field<LoadKeys>("force", &LoadKeys::force, vector, "with `at`: force at the node").in("force"),

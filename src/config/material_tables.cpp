@@ -100,8 +100,8 @@ std::vector<KeyInfo> law_keys(const std::vector<Law>& laws, const std::vector<st
                              .type = choice("creep law", names).type,
                              .required = true,
                              .default_value = {},
-                             .description = "creep law; the other keys are the law's own",
-                             .brief = "law; `creepcontact list laws` shows all"}};
+                             .description = "creep law; the other keys are the constants of this law",
+                             .brief = "creep law; see `creepcontact list laws`"}};
   for (const Law& law : laws) {
     keys.front().words.push_back({law.name, law.formula});
     for (const LawKey& key : law.keys) keys.push_back(law_key(law, key));
@@ -168,14 +168,14 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "secant coefficient: strain = alpha(T) (T - `reference_temperature`)")
           .in("1/temperature"),
       field<Material>("reference_temperature", &Material::reference_temperature, number(),
-                      "temperature without thermal strain")
+                      "temperature at which the thermal strain is zero")
           .otherwise("required with `thermal_expansion` and `[temperature]`")
           .in("temperature"),
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
-                      "creep mechanisms; their rates add")
+                      "creep laws that act together: their rates are added")
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
-                      "time to rupture at constant stress, for the life used up"),
+                      "time to rupture at constant stress, from which the fraction of creep life used up is computed"),
   });
   return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
     material.location = item.location;

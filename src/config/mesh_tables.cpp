@@ -43,30 +43,29 @@ Value<Mesh> mesh_table() {
   const auto shared = choice<SharedNodes>("treatment of shared nodes");
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
-                  "`.geo` (meshed by the Gmsh library, in a process of its own) or `.msh` (2.2, 4.1; ASCII, binary)",
+                  "`.geo` (meshed by the Gmsh library, in a separate process) or `.msh` (2.2, 4.1; ASCII, binary)",
                   Presence::required)
           .changeable(),
       field<Mesh>("order", &Mesh::order, integer(1, 2),
                   "`.geo` only: order of the elements; 2 gives tet10, hex20, wedge15")
           .changeable(),
       field<Mesh>("parameters", &Mesh::parameters, numbers_by_name(),
-                  "`.geo` only: new values for constants made with `DefineConstant`")
+                  "`.geo` only: values for constants defined with `DefineConstant`")
           .changeable(),
       field<Mesh>("allow_locking", &Mesh::allow_locking, boolean(),
                   "accept `tet4` and `wedge6`, which are too stiff under creep; otherwise they are an error")
           .changeable(),
       field<Mesh>("time_limit", &Mesh::time_limit, number(greater(0)),
-                  "`.geo` only: seconds that meshing may take before it is ended with an error")
+                  "`.geo` only: time limit of meshing in seconds; longer meshing is an error")
           .changeable()
           .in("seconds"),
       field<Mesh>("memory_limit_mb", &Mesh::memory_limit_mb, integer(1, 1 << 24),
-                  "`.geo` only: memory that meshing may take, in MB")
+                  "`.geo` only: memory limit of meshing in MB")
           .changeable()
           .in("MB"),
-      field<Mesh>(
-          "share_nodes", &Mesh::share_nodes, shared,
-          "nodes that several bodies share and no contact covers: an error, or the bodies are glued there, node "
-          "to node"),
+      field<Mesh>("share_nodes", &Mesh::share_nodes, shared,
+                  "what to do about nodes that several bodies share outside any contact: report an error, or tie the "
+                  "bodies there, node to node"),
   });
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;
@@ -86,7 +85,7 @@ Value<Mesh> mesh_table() {
 Value<Body> body_table() {
   const auto keys = table<Body>({
       field<Body>("region", &Body::region, one_or_more("a physical volume"),
-                  "what the body fills; every volume belongs to one body at most", Presence::required)
+                  "volume or volumes of the body; a volume may belong to one body only", Presence::required)
           .changeable(),
       field<Body>("material", &Body::material, reference("the name of a material"), "one of `[materials]`",
                   Presence::required),

@@ -12,7 +12,7 @@ Value<std::string> quantity_name(const std::vector<Quantity>& quantities) {
   std::vector<std::string> names;
   names.reserve(quantities.size());
   for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  const std::string type = "a quantity; `creepcontact list quantities` shows all";
+  const std::string type = "a quantity; see `creepcontact list quantities`";
   Value<std::string> value = text();
   value.type = type;
   value.words = words_of(names);
@@ -42,7 +42,7 @@ void check_place(const Item& item, Context& context) {
   if (on && at) {
     context.errors.add(item.location, "both 'on' and 'at'", "'on', 'at', or 'body' alone");
   } else if (!on && !at && !body) {
-    context.errors.add(item.location, "no place", "'on', 'at', or 'body'");
+    context.errors.add(item.location, "no place: none of 'on', 'at' and 'body'", "'on', 'at', or 'body'");
   }
   if (at && !on && item.has("reduce")) {
     context.errors.add(item.child("reduce").location, "has no meaning at a point", "with 'on' or 'body' alone");
@@ -80,11 +80,12 @@ void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Co
 
 Value<Output> output_table() {
   return table<Output>({
-      field<Output>("directory", &Output::directory, path(), "where results go")
+      field<Output>("directory", &Output::directory, path(), "directory of the results")
           .otherwise("`results/<name of the configuration>`"),
       field<Output>("fields", &Output::fields, boolean(), "write `fields.pvd`, `contact.pvd` and their `.vtu` files"),
-      field<Output>("unit_names", &Output::unit_names, boolean(),
-                    "the arrays of the field files carry their unit, `stress [MPa]`, if `units` names it"),
+      field<Output>(
+          "unit_names", &Output::unit_names, boolean(),
+          "add units to the names of the arrays in the field files, as in `stress [MPa]`, where `units` gives them"),
       field<Output>("checkpoint_seconds", &Output::checkpoint_seconds, number(at_least(0)),
                     "wall time between checkpoints for `--resume`; 0: one after every step")
           .in("seconds"),
@@ -94,18 +95,17 @@ Value<Output> output_table() {
 Value<Probe> probe_table(const Vocabulary& vocabulary) {
   const auto reduce = choice<Reduce>("reduction");
   const auto keys = table<Probe>({
-      field<Probe>("name", &Probe::name, column_name(), "heads its column of `history.csv`; unique",
+      field<Probe>("name", &Probe::name, column_name(), "heading of its column in `history.csv`; unique",
                    Presence::required),
-      field<Probe>("quantity", &Probe::quantity, quantity_name(vocabulary.quantities), "what is recorded",
+      field<Probe>("quantity", &Probe::quantity, quantity_name(vocabulary.quantities), "quantity to record",
                    Presence::required),
-      field<Probe>("on", &Probe::on, reference("a physical surface, curve or point"), "over this group ..."),
-      field<Probe>("at", &Probe::at, triple(number()), "... or at this point of the undeformed body ...").in("length"),
+      field<Probe>("on", &Probe::on, reference("a physical surface, curve or point"), "record over this group, ..."),
+      field<Probe>("at", &Probe::at, triple(number()), "... or at this point of the undeformed body, ...").in("length"),
       field<Probe>("body", &Probe::body, reference("the name of a body"),
-                   "... or, alone, over this body; with `on` or `at`: in this body only"),
-      field<Probe>(
-          "reduce", &Probe::reduce, reduce,
-          "over a group or body; `\"mean\"` is weighted by area or volume, `\"sum\"` integrates; areas and forces have "
-          "`\"sum\"` alone"),
+                   "... or, without `on` and `at`, over this whole body; with `on` or `at`: only in this body"),
+      field<Probe>("reduce", &Probe::reduce, reduce,
+                   "how the values over a group or body become one: `\"mean\"` is weighted by area or volume, "
+                   "`\"sum\"` is the integral; areas and forces allow only `\"sum\"`"),
       field<Probe>(
           "axis", &Probe::axis, triple(number()),
           "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "

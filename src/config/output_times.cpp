@@ -18,7 +18,7 @@ Value<OutputSeries> series_table() {
           .otherwise("linear: `end` / `count`; log: required"),
       field<OutputSeries>("count", &OutputSeries::count, integer(2, max_outputs), "number of times after 0",
                           Presence::required),
-      field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "of the times from `first` to `end`"),
+      field<OutputSeries>("spacing", &OutputSeries::spacing, spacing, "spacing of the times from `first` to `end`"),
   });
   return converted<OutputSeries>(
       keys, [](OutputSeries series, const Item& item, Context& context) -> std::optional<OutputSeries> {

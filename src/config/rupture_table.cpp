@@ -49,16 +49,18 @@ Value<Rupture> rupture_table(const Vocabulary& vocabulary) {
                      "stresses of the Larson-Miller data: at least two, increasing")
           .in("stress")
           .otherwise("required without `rupture_time`"),
-      field<Rupture>("parameter", &Rupture::parameter, list(number()), "P at these stresses; decreasing")
+      field<Rupture>("parameter", &Rupture::parameter, list(number()), "values of P at these stresses; decreasing")
           .otherwise("required without `rupture_time`"),
       field<Rupture>("absolute_zero", &Rupture::absolute_zero, number(),
-                     "the temperature of absolute zero in your unit; 0 for kelvin")
+                     "absolute zero in your unit of temperature: -273.15 for degrees Celsius, 0 for kelvin")
           .in("temperature"),
-      field<Rupture>("time_unit", &Rupture::time_unit, number(greater(0)),
-                     "your unit of time in that of the data: 1/3600 if t is in seconds and the data in hours"),
+      field<Rupture>(
+          "time_unit", &Rupture::time_unit, number(greater(0)),
+          "your unit of time, expressed in the unit of the data: 1/3600 if t is in seconds and the data in hours"),
       field<Rupture>("stress_measure", &Rupture::stress_measure, choice<StressMeasure>("stress measure"),
-                     "`q`, max(sigma_1, 0), or `alpha` max(sigma_1, 0) + (1 - `alpha`) q"),
-      field<Rupture>("alpha", &Rupture::alpha, number({.min = 0, .max = 1}), "share of the largest principal stress")
+                     "stress that decides the time to rupture: `q`, max(sigma_1, 0), or `alpha` max(sigma_1, 0) + (1 - "
+                     "`alpha`) q"),
+      field<Rupture>("alpha", &Rupture::alpha, number({.min = 0, .max = 1}), "weight of the largest principal stress")
           .otherwise("required with `\"mixed\"`"),
   });
   return converted<Rupture>(

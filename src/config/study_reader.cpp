@@ -16,13 +16,13 @@ void check_axes(const Product& product, Diagnostics& errors) {
     for (auto other = product.axes.begin(); other != axis; ++other) {
       if (axis->key.given() && axis->key.name == other->key.name)
         errors.add(axis->key.location,
-                   fmt::format("'{}' has an axis already, in line {}", axis->key.name, other->key.location.line));
+                   fmt::format("'{}' already has an axis, in line {}", axis->key.name, other->key.location.line));
       if (axis->zip.empty() || axis->zip != other->zip || axis->values.empty() || other->values.empty()) continue;
       if (axis->values.size() != other->values.size())
         errors.add(axis->location,
-                   fmt::format("{} values of '{}' and {} of '{}', which run together (zip = \"{}\")",
+                   fmt::format("{} values of '{}' and {} of '{}', which vary together (zip = \"{}\")",
                                axis->values.size(), axis->key.name, other->values.size(), other->key.name, axis->zip),
-                   "as many values on all axes of a zip");
+                   "equally many values on all axes with the same zip");
       break;
     }
   }
@@ -34,8 +34,10 @@ void check_size(const Study& study, Diagnostics& errors) {
   for (const Product& product : products(study)) {
     runs += n_runs(product);
     if (runs <= most) continue;
-    errors.add(product.location, fmt::format("{:.6g} runs with the product of these axes", runs),
-               fmt::format("{:.0f} runs in a study; axes of the same zip run together", most));
+    errors.add(
+        product.location, fmt::format("the combinations of these axes are {:.6g} runs", runs),
+        fmt::format("at most {:.0f} runs in a study; axes with the same zip vary together, which gives fewer runs",
+                    most));
     return;
   }
 }

@@ -70,10 +70,11 @@ Value<std::vector<Setting>> settings() {
 Value<Axis> axis_table() {
   const auto keys = table<Axis>({
       field<Axis>("key", &Axis::key, reference("a key of the configuration, \"time.step\""),
-                  "what is varied, written as after `--set`", Presence::required),
+                  "key to vary, written as for `--set`", Presence::required),
       field<Axis>("values", &Axis::values, list(any_value()), "its values, of any type", Presence::required),
-      field<Axis>("zip", &Axis::zip, name("a name that the axes which run together share"),
-                  "axes of the same name run together: first values, second values, ...; they have as many values"),
+      field<Axis>("zip", &Axis::zip, name("a name that axes which vary together share"),
+                  "axes with the same name vary together: their first values give a run, their second values the next, "
+                  "...; they need equally many values"),
   });
   return converted<Axis>(keys, [](Axis axis, const Item& item, Context& context) -> std::optional<Axis> {
     axis.location = item.location;
@@ -85,10 +86,10 @@ Value<Axis> axis_table() {
 
 Value<Product> runs_table() {
   const auto keys = table<Product>({
-      field<Product>("label", &Product::label, text(), "names these runs in the legends of the pictures")
+      field<Product>("label", &Product::label, text(), "name of these runs in the legends of the pictures")
           .otherwise("the settings"),
       field<Product>("set", &Product::settings, settings(), "the settings of these runs"),
-      field<Product>("axes", &Product::axes, tables(axis_table()), "what is varied among them; without axes: one run"),
+      field<Product>("axes", &Product::axes, tables(axis_table()), "keys to vary in these runs; without axes: one run"),
   });
   return converted<Product>(keys, [](Product runs, const Item& item, Context& context) -> std::optional<Product> {
     runs.location = item.location;
@@ -101,16 +102,16 @@ Value<Product> runs_table() {
 Value<StudyPlot> plot_table() {
   return table<StudyPlot>({
       field<StudyPlot>("over", &StudyPlot::over, one_or_more("the key of an axis"),
-                       "the axes along which the curves of the pictures run")
+                       "the axes drawn horizontally in the pictures")
           .otherwise("`time.step`, `time.tolerance`, or the last axis of numbers"),
       field<StudyPlot>("show", &StudyPlot::show, list(choice("column", study_counts())),
-                       "columns of `study.csv` that are drawn over these axes in addition to the errors"),
+                       "columns of `study.csv` to plot against these axes, in addition to the errors"),
   });
 }
 
 Value<std::map<std::string, Function>> expressions() {
   using Map = std::map<std::string, Function>;
-  Value<Map> value{.type = "a table of functions of t by probe", .read = {}};
+  Value<Map> value{.type = "a table with one function of t per probe", .read = {}};
   value.read = [type = value.type](const Item& item, Context& context) -> std::optional<Map> {
     const toml::table* found = item.node->as_table();
     if (!found || found->empty()) {
@@ -129,10 +130,10 @@ Value<std::map<std::string, Function>> expressions() {
 Value<StudyReference> reference_table() {
   const auto keys = table<StudyReference>({
       field<StudyReference>("set", &StudyReference::settings, settings(),
-                            "a run with these settings, `{}` for the base as it is; it is made first"),
+                            "a run with these settings (`{}`: the base unchanged), computed first; ..."),
       field<StudyReference>("csv", &StudyReference::csv, path(), "... or a file with the columns of `history.csv`"),
       field<StudyReference>("expressions", &StudyReference::expressions, expressions(),
-                            "... or closed forms: `{ force = \"100*exp(-t)\" }`"),
+                            "... or exact solutions: `{ force = \"100*exp(-t)\" }`"),
   });
   return converted<StudyReference>(
       keys, [](StudyReference read, const Item& item, Context& context) -> std::optional<StudyReference> {
@@ -157,12 +158,12 @@ Value<Compare> compare_table() {
 
 Value<Study> study_table() {
   return table<Study>({
-      field<Study>("title", &Study::title, text(), "what the study asks; heads `study.md`"),
-      field<Study>("base", &Study::base, path(), "the configuration that all runs share, relative to the study",
-                   Presence::required),
+      field<Study>("title", &Study::title, text(), "title of the study; heading of `study.md`"),
+      field<Study>("base", &Study::base, path(),
+                   "the configuration that all runs share; path relative to the study file", Presence::required),
       field<Study>("set", &Study::settings, settings(), "settings of all runs and of the reference"),
-      field<Study>("axes", &Study::axes, tables(axis_table()), "what is varied"),
-      field<Study>("runs", &Study::runs, tables(runs_table()), "runs in addition to the product of the axes"),
+      field<Study>("axes", &Study::axes, tables(axis_table()), "keys to vary"),
+      field<Study>("runs", &Study::runs, tables(runs_table()), "runs in addition to the combinations of the axes"),
       field<Study>("reference", &Study::reference, reference_table(),
                    "what the runs are compared with; together with `[compare]`"),
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),

@@ -47,9 +47,10 @@ struct SupportKeys : Support {
 
 Value<Support> support_table() {
   const auto keys = table<SupportKeys>({
-      field<SupportKeys>("on", &SupportKeys::on, reference("a physical surface, curve or point"), "what is held",
-                         Presence::required),
-      field<SupportKeys>("body", &SupportKeys::body, reference("the name of a body"), "only the nodes of this body"),
+      field<SupportKeys>("on", &SupportKeys::on, reference("a physical surface, curve or point"),
+                         "group that is supported", Presence::required),
+      field<SupportKeys>("body", &SupportKeys::body, reference("the name of a body"),
+                         "support only the nodes of this body"),
       field<SupportKeys>("displacement", &SupportKeys::prescribed, displacement_table(),
                          "at least one of the four below", Presence::required),
   });
@@ -69,10 +70,9 @@ Value<Temperature> temperature_table() {
       field<TemperatureKeys>("file", &TemperatureKeys::file, path(),
                              "... temperatures at points, `.csv`, `.h5` or `.hdf5`, interpolated to all bodies")
           .changeable(),
-      field<TemperatureKeys>(
-          "refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
-          "change of the stiffness with the temperature, relative, beyond which it is factorised again; it moves the "
-          "cost, not the results")
+      field<TemperatureKeys>("refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
+                             "relative change of the stiffness with temperature above which it is factorised again; "
+                             "affects the run time, not the results")
           .changeable(),
   });
   return converted<

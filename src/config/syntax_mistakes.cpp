@@ -48,8 +48,8 @@ std::string repeated_heading(const Lines& lines, std::size_t at, const std::vect
   while (first < at && heading_of(lines[first]) != name) ++first;
   const std::string before = first < at ? fmt::format(", and in line {}", first + 1) : "";
   if (key != schema.end() && key->form == Form::tables)
-    return fmt::format("[{0}] is here{1}: every one of several needs two brackets, [[{0}]]", name, before);
-  return fmt::format("the table [{}] is here{}: put all its keys under one heading", name,
+    return fmt::format("[{0}] appears here{1}: each of several entries needs two brackets, [[{0}]]", name, before);
+  return fmt::format("the table [{}] appears here{}: put all its keys under one heading", name,
                      before.empty() ? " for the second time" : before);
 }
 
@@ -96,14 +96,12 @@ std::string wrong_value(const Written& written) {
   std::string lower = value;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (lower == "true" || lower == "false")
-    return fmt::format("'{}' is written in small letters: {}{}", value, begin, lower);
-  if (matches(value, R"([+-]?0\d+)")) return fmt::format("'{}': numbers have no zeros in front", value);
+  if (lower == "true" || lower == "false") return fmt::format("'{}' must be in lower case: {}{}", value, begin, lower);
+  if (matches(value, R"([+-]?0\d+)")) return fmt::format("'{}': numbers must not have leading zeros", value);
   if (matches(value, R"([+-]?(\d+\.|\.\d+)([eE][+-]?\d+)?)"))
-    return fmt::format("'{}': a number has digits on both sides of the point, as in 1.0 or 0.5", value);
+    return fmt::format("'{}': a number needs digits on both sides of the point, as in 1.0 or 0.5", value);
   if (matches(value, R"([+-]?\d+(\.\d+)?([eE][+-]?\d+)?\s+[A-Za-z%].*)"))
-    return fmt::format("'{}': numbers are written without units; all of them are in one consistent set of your own",
-                       value);
+    return fmt::format("'{}': write numbers without units; use one consistent set of units for all of them", value);
   if (matches(value, R"(([A-Za-z_\\/~]|\.\.?/)[^"]*)") && !matches(value, R"(.*[*+()^].*)"))
     return fmt::format("'{0}' is text and needs quotation marks: {1}\"{0}\"", value, begin);
   if (matches(value, R"([^"]*[*/+()^-][^"]*)"))
@@ -126,17 +124,17 @@ std::string explain_syntax(const std::string& text, const Location& where, std::
 
   if (says("cannot redefine")) {
     if (std::string heading = repeated_heading(lines, at, schema); !heading.empty()) return heading;
-    return "the key is given for the second time; leave one of the two out";
+    return "the key is given for the second time; remove one of the two";
   }
   if (says("escape sequence"))
-    return "a backslash has a meaning of its own in double quotation marks; write / in paths, or single quotation "
+    return "a backslash has a special meaning in double quotation marks; write / in paths, or use single quotation "
            "marks";
-  if (says("parsing string")) return "the text has no closing quotation mark in its line";
+  if (says("parsing string")) return "the text has no closing quotation mark on its line";
   if (std::string comma = decimal_comma(line, column); !comma.empty()) return comma;
   if (trimmed(line).starts_with("//")) return "a comment begins with #";
   if (says("inline table"))
-    return "a table in braces ends in the line where it begins, without a comma after its last key; write a longer one "
-           "under a heading of its own";
+    return "a table in braces must end on the line where it begins, without a comma after its last key; write a longer "
+           "table under its own heading";
   if (line.find('=') == std::string::npos && line.find_first_of("[]") == std::string::npos)
     return fmt::format("'{}' is not an assignment: a line is written key = value", trimmed(line));
   if (std::string value = wrong_value(written_at(line, column)); !value.empty()) return value;

@@ -29,7 +29,7 @@ bool has_wrong_brackets(const Item& item, Form form, Context& context) {
   if (form == Form::tables && table && !table->is_inline()) {
     context.errors.add(
         item.location, fmt::format("written [{}]", heading),
-        fmt::format("[[{}]], with two brackets: there may be several, each with a heading of its own", heading));
+        fmt::format("[[{}]], with two brackets: there may be several, each with its own heading", heading));
     return true;
   }
   if (form != Form::tables && item.node->is_array_of_tables()) {

@@ -53,7 +53,7 @@ void check_table(const Time& time, const Vocabulary& vocabulary, const Location&
   if (found == vocabulary.tables.end()) {
     std::vector<std::string> names;
     for (const auto& [name, tables] : vocabulary.tables) names.push_back(name);
-    context.errors.add(where, fmt::format("integrator \"{}\" has no tables to choose from; leave it out, or take {}",
+    context.errors.add(where, fmt::format("integrator \"{}\" has no Butcher tables; remove 'table', or choose {}",
                                           time.integrator, fmt::join(names, " or ")));
     return;
   }
@@ -76,7 +76,7 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
       keys.step.mode == settings::StepMode::fixed && steps > max_steps)
     context.errors.add(item.child("step").location,
                        fmt::format("{:.6g} steps of {} up to time.end = {}", steps, keys.step.length, keys.end),
-                       fmt::format("up to {:.0e} steps; is the step in the unit of time.end?", max_steps));
+                       fmt::format("at most {:.0e} steps; check that the step has the unit of time.end", max_steps));
   return Time(std::move(keys));
 }
 
@@ -85,46 +85,47 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
 Value<Time> time_table(const Vocabulary& vocabulary) {
   const auto linear_solver = choice<settings::LinearSolver>("linear solver");
   auto integrator = choice("integrator", vocabulary.integrators);
-  integrator.brief = "integrator; `creepcontact list integrators` shows all";
+  integrator.brief = "integrator; see `creepcontact list integrators`";
   const auto keys = table<TimeKeys>({
-      field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "the run goes from 0 to here", Presence::required)
+      field<TimeKeys>("end", &TimeKeys::end, number(greater(0)), "end of the run, which starts at t = 0",
+                      Presence::required)
           .in("time"),
       field<TimeKeys>("integrator", &TimeKeys::integrator, integrator, "method of time integration"),
       field<TimeKeys>("tolerance", &TimeKeys::tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
-                      "relative accuracy of the stress; the Euler schemes use it with `step = \"adaptive\"` only"),
-      field<TimeKeys>(
-          "linear_solver", &TimeKeys::linear_solver, linear_solver,
-          "`auto`, `cvode_bdf`, `arkode_dirk`: GMRES on the elastic factors, or a factored tangent stiffness"),
-      field<TimeKeys>("output", &TimeKeys::wanted, output_times(), "times of results; 0 and `end` always are")
+                      "allowed relative error of the stress; the Euler schemes use it with `step = \"adaptive\"` only"),
+      field<TimeKeys>("linear_solver", &TimeKeys::linear_solver, linear_solver,
+                      "`auto`, `cvode_bdf`, `arkode_dirk`: GMRES, which needs only the elastic factorisation, or a "
+                      "factorised tangent stiffness"),
+      field<TimeKeys>("output", &TimeKeys::wanted, output_times(),
+                      "times at which results are written; 0 and `end` are always included")
           .in("time"),
       field<TimeKeys>("stop_at_output", &TimeKeys::stop_at_output, boolean(),
                       "steps end at the output times; otherwise results are interpolated within the steps"),
-      field<TimeKeys>("step", &TimeKeys::step, time_step(),
-                      "Euler schemes: fixed step, the stable step times `step_factor` (with fixed-point iterations at "
-                      "most 0.8 of the "
-                      "bound up to which these contract), or chosen to meet `tolerance`")
+      field<TimeKeys>(
+          "step", &TimeKeys::step, time_step(),
+          "Euler schemes: a fixed step; `\"stable\"`: the stable step times `step_factor` (with fixed-point iterations "
+          "at most 0.8 of the longest step for which they converge); `\"adaptive\"`: chosen to meet `tolerance`")
           .in("time"),
       field<TimeKeys>("step_factor", &TimeKeys::step_factor, number(at_least(1e-6)),
-                      "Euler schemes with `step = \"stable\"`"),
+                      "Euler schemes with `step = \"stable\"`: length of the steps in stable steps"),
       field<TimeKeys>("beta", &TimeKeys::beta, number({.min = 0.5, .max = 1}),
                       "`beta_euler`: 0.5 trapezoidal rule, 1 implicit Euler"),
       field<TimeKeys>("inner", &TimeKeys::inner, choice<settings::InnerIteration>("inner iteration"),
                       "`beta_euler`: inner iterations; Newton's converge for steps of any length"),
-      field<TimeKeys>(
-          "inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
-          "`beta_euler`: bound on the change of creep strain in the last inner iteration; the rest adds up over many "
-          "short steps if `residual_correction` < 1"),
-      field<TimeKeys>(
-          "inner_anderson", &TimeKeys::inner_anderson, integer(0, 100),
-          "`beta_euler`: depth of Anderson acceleration of the fixed-point iterations (3 to 5 is enough); 0: the "
-          "article's plain ones"),
+      field<TimeKeys>("inner_tolerance", &TimeKeys::inner_tolerance, number(greater(0)),
+                      "`beta_euler`: largest change of creep strain in the last inner iteration; the remaining errors "
+                      "add up over many short steps if `residual_correction` < 1"),
+      field<TimeKeys>("inner_anderson", &TimeKeys::inner_anderson, integer(0, 100),
+                      "`beta_euler`: depth of Anderson acceleration of the fixed-point iterations (3 to 5 is enough); "
+                      "0: plain iterations, as in Stankevich 2012"),
       field<TimeKeys>("residual_correction", &TimeKeys::residual_correction, number({.min = 0, .max = 1}),
                       "`beta_euler`: fraction of the nodal-force residual that the next step corrects"),
       field<TimeKeys>("table", &TimeKeys::table, name("a Butcher table of ARKODE"),
-                      "`arkode_erk`, `arkode_dirk`: one with an embedded method")
+                      "`arkode_erk`, `arkode_dirk`: a table with an embedded method")
           .otherwise("the integrator's own"),
-      field<TimeKeys>("breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
-                      "further times to stop at; jumps and kinks of tables and expressions are found")
+      field<TimeKeys>(
+          "breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
+          "further times at which steps must end; jumps and kinks of tables and expressions are found automatically")
           .in("time"),
   });
   return converted<Time>(keys, [vocabulary](TimeKeys read, const Item& item, Context& context) {

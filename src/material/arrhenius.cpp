@@ -12,13 +12,15 @@ namespace creepcontact::material {
 std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own) {
   const double any = -std::numeric_limits<double>::infinity();
   own.push_back({.key = "activation_energy",
-                 .description = "Q in A exp(-Q/(R (T - absolute_zero))) [energy/mol]",
+                 .description = "activation energy Q in A exp(-Q/(R (T - absolute_zero))) [energy/mol]",
                  .strict = false,
                  .fallback = {{0.0}}});
-  own.push_back(
-      {.key = "gas_constant", .description = "R [energy/(mol degree)]", .fallback = {{8.314462618}}, .variables = {}});
+  own.push_back({.key = "gas_constant",
+                 .description = "gas constant R [energy/(mol degree)]",
+                 .fallback = {{8.314462618}},
+                 .variables = {}});
   own.push_back({.key = "absolute_zero",
-                 .description = "the temperature of absolute zero in your unit; 0 for kelvin",
+                 .description = "absolute zero in your unit of temperature: -273.15 for degrees Celsius, 0 for kelvin",
                  .minimum = any,
                  .strict = false,
                  .fallback = {{-273.15}},

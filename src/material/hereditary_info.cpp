@@ -8,13 +8,13 @@ namespace creepcontact::material {
 namespace {
 
 ParameterInfo compliance() {
-  return {"compliance", "of the Kelvin element, uniaxial [1/stress]", 0.0, false};
+  return {"compliance", "uniaxial compliance J of the Kelvin element [1/stress]", 0.0, false};
 }
 ParameterInfo retardation() {
-  return {"time", "of retardation of the Kelvin element [time]", 0.0, true};
+  return {"time", "retardation time tau of the Kelvin element [time]", 0.0, true};
 }
 ParameterInfo viscosity() {
-  return {"viscosity", "of the dashpot in series, uniaxial: rate = q/viscosity [stress time]", 0.0, true};
+  return {"viscosity", "uniaxial viscosity of the dashpot in series: rate = q/viscosity [stress time]", 0.0, true};
 }
 
 Function inverse(const Function& viscosity) {
@@ -29,17 +29,18 @@ LawInfo hereditary_info() {
           "strain at constant stress = sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t)",
           "L. Boltzmann, 1874; V. Volterra, 1909; R. de Prony, 1795",
           {{.key = "compliances",
-            .description = "J_i of the Kelvin elements, uniaxial [1/stress]",
+            .description = "uniaxial compliances J_i of the Kelvin elements [1/stress]",
             .strict = false,
             .list = true},
-           {.key = "times", .description = "tau_i of retardation [time]", .list = true},
+           {.key = "times", .description = "retardation times tau_i [time]", .list = true},
            {.key = "volumetric_compliances",
-            .description = "B_i, volumetric strain by mean stress [1/stress]; not given: volume does not creep",
+            .description = "volumetric compliances B_i, volumetric strain per mean stress [1/stress]; not given: the "
+                           "volume does not creep",
             .strict = false,
             .list = true,
             .fallback = std::vector<Function>{}},
            {.key = "fluidity",
-            .description = "of a dashpot in series, uniaxial: rate by stress [1/(stress time)]",
+            .description = "uniaxial fluidity of a dashpot in series, rate per stress [1/(stress time)]",
             .strict = false,
             .fallback = {{0.0}}}},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {

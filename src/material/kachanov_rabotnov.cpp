@@ -80,7 +80,7 @@ LawInfo kachanov_rabotnov_info() {
            {"r", "stress exponent of damage [-]", 0.0, true},
            {"phi", "damage exponent [-]", 0.0, false},
            {.key = "alpha",
-            .description = "part of the largest principal stress in S [-]",
+            .description = "weight of the largest principal stress in S [-]",
             .strict = false,
             .fallback = {{0.0}},
             .maximum = 1.0}},

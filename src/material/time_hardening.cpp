@@ -73,7 +73,7 @@ LawInfo graham_walles_info() {
           "A. Graham, K. F. A. Walles, 1955",
           {{.key = "A", .description = "factors [1/(time^m stress^n)]", .minimum = 0.0, .strict = false, .list = true},
            {.key = "n", .description = "stress exponents [-]", .minimum = 1.0, .strict = false, .list = true},
-           {.key = "m", .description = "time exponents [-], as 1/3, 1, 3", .minimum = 0.0, .list = true}},
+           {.key = "m", .description = "time exponents [-], for example 1/3, 1, 3", .minimum = 0.0, .list = true}},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<TimeHardening>("graham_walles", p.at(0), p.at(1), p.at(2));
           }};

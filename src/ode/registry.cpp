@@ -26,8 +26,8 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
       {"auto",
-       "the default: `cvode_adams` while stress relaxes, `cvode_bdf` where creep becomes steady; `rkc2` or the tangent "
-       "stiffness where these fail",
+       "the default: chooses by itself, `cvode_adams` while stress relaxes, `cvode_bdf` when creep becomes steady, "
+       "`rkc2` or the tangent stiffness if these fail",
        make<AutoIntegrator>},
       {"explicit_euler", "explicit Euler; fixed, stable or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},
       {"beta_euler",
@@ -40,8 +40,7 @@ const std::vector<IntegratorInfo>& integrators() {
        CvodeIntegrator::adams},
       {"arkode_erk",
        "ARKODE explicit Runge-Kutta, 3(2) of Bogacki and Shampine (`table = \"bogacki_shampine_4_2_3\"`) or another, "
-       "error control: for times short against the "
-       "relaxation",
+       "error control: for times short compared with the relaxation",
        ArkodeIntegrator::explicit_rk, table_names(explicit_tables())},
       {"arkode_dirk",
        "ARKODE implicit Runge-Kutta, ESDIRK 3(2) (`table = \"ark324l2sa_dirk_4_2_3\"`) or another, Newton-Krylov, "
@@ -52,8 +51,8 @@ const std::vector<IntegratorInfo>& integrators() {
        "stabilised explicit Runge-Kutta-Chebyshev of order 2, error control: for moderate stiffness, no Jacobian",
        make<RungeKuttaChebyshev>},
       {.name = "isochronous",
-       .description = "no integration: the equilibrium of ageing theory at every output time, Newton; takes the law "
-                      "`ageing`, and alone does",
+       .description = "no integration: equilibrium of ageing theory at every output time, Newton; for the law "
+                      "`ageing`, which needs it",
        .make = make<Isochronous>,
        .isochronous = true},
   };

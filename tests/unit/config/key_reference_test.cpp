@@ -114,7 +114,7 @@ TEST(KeySelection, NothingFoundNamesTheNearest) {
 TEST(KeyMarkdown, RowsOfATable) {
   const std::string text = key_markdown(select_keys(sections(), "[time]"), false);
   EXPECT_EQ(text.substr(0, text.find('\n')), "| key | type | default | meaning |");
-  EXPECT_TRUE(has_line(text, "| `end` | number > 0 [time] | *required* | the run goes from 0 to here |")) << text;
+  EXPECT_NE(text.find("\n| `end` | number > 0 [time] | *required* | "), std::string::npos) << text;
   EXPECT_NE(text.find("| `tolerance` | number in (0, 0.5] | `0.0001` | "), std::string::npos) << text;
   EXPECT_NE(text.find("| `inner` | `\"fixed_point\"`, `\"newton\"` | `\"fixed_point\"` | "), std::string::npos) << text;
   EXPECT_NE(text.find("| `breakpoints` | list of numbers >= 0 [time] | `[]` | "), std::string::npos) << text;

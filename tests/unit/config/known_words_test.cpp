@@ -37,11 +37,10 @@ TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
 TEST(KnownWords, LeadToTheRightKeyOrLaw) {
   const std::string creep = minimal + "[[materials.steel.creep]]\n";
   for (const char* law : {"norton_bailey", "Bailey"})
-    expect_mistake(
-        creep + "law = \"" + law + "\"\n",
-        fmt::format("cases/block.toml:13:7: materials.steel.creep[0].law: unknown creep law '{}': Norton and "
-                    "Bailey's creep, strain A q^n t^m, is 'strain_hardening' or 'time_hardening'",
-                    law));
+    expect_mistake(creep + "law = \"" + law + "\"\n",
+                   fmt::format("cases/block.toml:13:7: materials.steel.creep[0].law: unknown creep law '{}': the "
+                               "Norton-Bailey law, strain A q^n t^m, is 'strain_hardening' or 'time_hardening'",
+                               law));
   const std::pair<const char*, const char*> top[] = {{"dt = 1", "'step'"}, {"step_size = 1", "'step'"}};
   for (const auto& [key, right] : top) {
     const std::vector<std::string> lines = mistakes(minimal + key + '\n');

@@ -82,9 +82,9 @@ TEST(StudyReading, ValuesOfAnyTypeAsOverridesTakeThem) {
 TEST(StudyReading, ProductsBeyondAllBounds) {
   std::string text = head;
   for (int i = 0; i < 30; ++i) text += axis(fmt::format("key_{}", i), "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10]");
-  expect_complaint(
-      text,
-      "studies/cost.toml:3:1: axes[0]: 1e+30 runs with the product of these axes; allowed: 10000 runs in a study");
+  expect_complaint(text,
+                   "studies/cost.toml:3:1: axes[0]: the combinations of these axes are 1e+30 runs; allowed: at most "
+                   "10000 runs in a study");
 }
 
 TEST(StudyReading, ClosedFormsAsReference) {
@@ -175,9 +175,9 @@ TEST(StudyMistakes, AtTheirPlaces) {
   expect_complaint(axis("time.step", "[1]"), "studies/cost.toml:1:1: base: missing");
   expect_complaint(head, "studies/cost.toml:1:1: no runs; allowed: [[axes]] or [[runs]]");
   expect_complaint(head + axis("time.step", "[]"), "studies/cost.toml:5:10: axes[0].values: an empty list");
-  expect_complaint(head + one + one, "studies/cost.toml:7:7: axes[1].key: 'time.step' has an axis already, in line 4");
+  expect_complaint(head + one + one, "studies/cost.toml:7:7: axes[1].key: 'time.step' already has an axis, in line 4");
   expect_complaint(head + axis("a", "[1, 2]", "zip = \"z\"\n") + axis("b", "[1]", "zip = \"z\"\n"),
-                   "studies/cost.toml:7:1: axes[1]: 1 values of 'b' and 2 of 'a', which run together");
+                   "studies/cost.toml:7:1: axes[1]: 1 values of 'b' and 2 of 'a', ");
   expect_complaint(head + one + "[compare]\nquantities = [\"q\"]\n", "studies/cost.toml:6:1: compare: nothing to");
   expect_complaint(head + one + "[reference]\nset = {}\n", "studies/cost.toml:6:1: reference: nothing is compared");
   expect_complaint(head + one + "[reference]\n[compare]\nquantities = [\"q\"]\n",

@@ -7,48 +7,40 @@
 namespace creepcontact::config {
 namespace {
 
-/// The whole message, without the place in line 12, where what is appended to `minimal` begins.
-void expect_syntax(const std::string& appended, int column, const std::string& message) {
+/// The place in line 12, where what is appended to `minimal` begins, and the facts of the message.
+void expect_syntax(const std::string& appended, int column, std::initializer_list<std::string_view> facts) {
   const std::vector<std::string> lines = mistakes(minimal + appended + '\n');
   ASSERT_EQ(lines.size(), 1u) << appended;
-  EXPECT_EQ(lines[0], fmt::format("cases/block.toml:12:{}: {}", column, message)) << appended;
+  EXPECT_TRUE(lines[0].starts_with(fmt::format("cases/block.toml:12:{}: ", column))) << lines[0];
+  EXPECT_TRUE(creepcontact::test::says(lines[0], facts)) << appended;
 }
 
 TEST(ConfigSyntax, TextWithoutQuotationMarks) {
-  expect_syntax("integrator = cvode_bdf", 14,
-                "'cvode_bdf' is text and needs quotation marks: integrator = \"cvode_bdf\"");
-  expect_syntax("law = norton", 8, "'norton' is text and needs quotation marks: law = \"norton\"");
-  expect_syntax("c = { law = norton, A = 1 }", 14, "'norton' is text and needs quotation marks: law = \"norton\"");
-  expect_syntax("title = My first run # one", 9,
-                "'My first run' is text and needs quotation marks: title = \"My first run\"");
-  expect_syntax("file = ../mesh.msh", 8, "'../mesh.msh' is text and needs quotation marks: file = \"../mesh.msh\"");
-  expect_syntax("on = [bore, rim]", 7, "'bore' is text and needs quotation marks: \"bore\"");
-  expect_syntax("title = \"run", 13, "the text has no closing quotation mark in its line");
-  expect_syntax("file = \"C:\\mesh.msh\"", 12,
-                "a backslash has a meaning of its own in double quotation marks; write / in paths, or single quotation "
-                "marks");
+  expect_syntax("integrator = cvode_bdf", 14, {"'cvode_bdf'", "quotation marks: integrator = \"cvode_bdf\""});
+  expect_syntax("law = norton", 8, {"'norton'", "quotation marks: law = \"norton\""});
+  expect_syntax("c = { law = norton, A = 1 }", 14, {"'norton'", "quotation marks: law = \"norton\""});
+  expect_syntax("title = My first run # one", 9, {"'My first run'", "quotation marks: title = \"My first run\""});
+  expect_syntax("file = ../mesh.msh", 8, {"'../mesh.msh'", "quotation marks: file = \"../mesh.msh\""});
+  expect_syntax("on = [bore, rim]", 7, {"'bore'", "quotation marks: \"bore\""});
+  expect_syntax("title = \"run", 13, {"no closing quotation mark"});
+  expect_syntax("file = \"C:\\mesh.msh\"", 12, {"backslash", "write / in paths", "single quotation marks"});
 }
 
 TEST(ConfigSyntax, Numbers) {
-  expect_syntax("A = 1,5e-3", 6, "'1,5e-3' has a decimal comma; write 1.5e-3");
-  expect_syntax("c = { A = 1,5, n = 2 }", 14, "'1,5' has a decimal comma; write 1.5");
-  expect_syntax("step = 1.", 10, "'1.': a number has digits on both sides of the point, as in 1.0 or 0.5");
-  expect_syntax("step = 010", 11, "'010': numbers have no zeros in front");
-  expect_syntax("step = 1e-3 h", 13,
-                "'1e-3 h': numbers are written without units; all of them are in one consistent set of your own");
-  expect_syntax("pressure = 100*t", 12,
-                "'100*t' is not a number; an expression needs quotation marks: pressure = \"100*t\"");
-  expect_syntax("fields = True", 10, "'True' is written in small letters: fields = true");
+  expect_syntax("A = 1,5e-3", 6, {"'1,5e-3'", "decimal comma", "1.5e-3"});
+  expect_syntax("c = { A = 1,5, n = 2 }", 14, {"'1,5'", "decimal comma", "1.5"});
+  expect_syntax("step = 1.", 10, {"'1.'", "digits on both sides", "1.0"});
+  expect_syntax("step = 010", 11, {"'010'", "zeros"});
+  expect_syntax("step = 1e-3 h", 13, {"'1e-3 h'", "without units"});
+  expect_syntax("pressure = 100*t", 12, {"'100*t'", "expression", "quotation marks: pressure = \"100*t\""});
+  expect_syntax("fields = True", 10, {"'True'", "fields = true"});
 }
 
 TEST(ConfigSyntax, Lines) {
-  expect_syntax("// a comment", 1, "a comment begins with #");
-  expect_syntax("step : 1", 6, "'step : 1' is not an assignment: a line is written key = value");
-  expect_syntax("end = 5", 7, "the key is given for the second time; leave one of the two out");
-  expect_syntax(
-      "output = { first = 1,\n count = 3 }", 22,
-      "a table in braces ends in the line where it begins, without a comma after its last key; write a longer "
-      "one under a heading of its own");
+  expect_syntax("// a comment", 1, {"comment", "#"});
+  expect_syntax("step : 1", 6, {"'step : 1'", "key = value"});
+  expect_syntax("end = 5", 7, {"the key", "second time"});
+  expect_syntax("output = { first = 1,\n count = 3 }", 22, {"braces", "without a comma after its last key"});
 }
 
 TEST(ConfigSyntax, LongLines) {
