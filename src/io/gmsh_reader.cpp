@@ -14,7 +14,7 @@ namespace {
 
 void check_options(const std::filesystem::path& file, const GmshOptions& options, bool is_geo) {
   if (options.order != 1 && options.order != 2)
-    throw ConfigError(fmt::format("mesh order is {}; it may be 1 or 2", options.order));
+    throw ConfigError(fmt::format("mesh order is {}; allowed: 1 or 2", options.order));
   if (!options.parameters.empty() && !is_geo)
     throw ConfigError(fmt::format("{}: parameters are for .geo files only", file.string()));
 }
@@ -23,7 +23,7 @@ void check_parameters(const std::filesystem::path& file, const GmshOptions& opti
   for (const auto& [name, value] : options.parameters) {
     if (scan.constants.count(name) > 0) continue;
     throw ConfigError(
-        fmt::format("{}: DefineConstant makes no number '{}'; it makes: {}", file.string(), name,
+        fmt::format("{}: DefineConstant defines no number '{}'; it defines: {}", file.string(), name,
                     scan.constants.empty() ? "none" : fmt::format("{}", fmt::join(scan.constants, ", "))));
   }
 }
@@ -36,7 +36,7 @@ void refuse_reaching_out(const GeoScan& scan) {
   }
   if (lines.empty()) return;
   throw ModelError(lines +
-                   "\nThe mesh needs no such statement: leave it out, or add --trust-geometry if you trust the file");
+                   "\nThe mesh needs no such statement: remove it, or add --trust-geometry if you trust the file");
 }
 
 mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& options) {
@@ -57,7 +57,7 @@ mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& option
 mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& options) {
   const bool is_geo = file.extension() == ".geo";
   if (!is_geo && file.extension() != ".msh")
-    throw ModelError(fmt::format("{}: unknown kind of mesh; .geo and .msh are read", file.string()));
+    throw ModelError(fmt::format("{}: unknown kind of mesh file; allowed: .geo or .msh", file.string()));
   if (const std::string reason = why_unreadable(file); !reason.empty())
     throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);

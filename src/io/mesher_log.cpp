@@ -60,7 +60,7 @@ void MesherLog::take(const std::string& line) {
     if (++n_errors_ <= errors_told) errors_.push_back(text);
   } else if (const std::string warning = text_behind(line, "Warning"); !warning.empty()) {
     if (++n_warnings_ <= warnings_told) log::warning("{}: Gmsh: {}", file_, warning);
-    if (n_warnings_ == warnings_told + 1) log::warning("{}: Gmsh warns of more, which is not shown", file_);
+    if (n_warnings_ == warnings_told + 1) log::warning("{}: further warnings of Gmsh are not shown", file_);
   }
   extrusions_touch_ |= line.find("extruded node") != std::string::npos;
   last_.push_back(line);
@@ -72,9 +72,9 @@ std::string MesherLog::errors() const {
   if (n_errors_ > errors_told)
     text += fmt::format("\n  and {} more, which may follow from these", n_errors_ - errors_told);
   if (extrusions_touch_)
-    text += "\n  (bodies that touch need SetFactory(\"OpenCASCADE\"): the built-in kernel makes their faces one)";
+    text += "\n  (bodies that touch need SetFactory(\"OpenCASCADE\"): the built-in kernel merges their faces)";
   if (lacks_descriptors_)
-    text += "\n  (the file is there: a file that includes itself is opened until the system refuses)";
+    text += "\n  (the file exists: if it includes itself, it is opened until the system allows no more open files)";
   return text;
 }
 

@@ -98,43 +98,45 @@ class Mesher {
     receive_log();
     log_.end();
     refuse(
-        "meshing took longer than mesh.time_limit = {} s and was ended; its last words:{}\n  An endless loop in the "
-        "file never ends; if the mesh is only large, raise mesh.time_limit or make it coarser",
+        "meshing took longer than mesh.time_limit = {} s and was stopped; its last messages:{}\n  Check the file for "
+        "an endless loop; if the mesh is just large, raise mesh.time_limit or make the mesh coarser",
         time_limit_, log_.last_words());
   }
 
   [[noreturn]] void fail(int status) const {
     if (status == mesher::reached_out || status == 128 + SIGSYS) {
       refuse(
-          "the geometry tried to reach beyond its mesh, and was ended:{}\n  Files are meshed without the right to run "
-          "programs, to write files or to use the network; if you trust this one, add --trust-geometry",
-          log_.own_words().empty() ? "\n  the file would start a program" : log_.own_words());
+          "the geometry tried more than to define a mesh, and meshing was stopped:{}\n  Geometry files may not run "
+          "programs, write files or use the network; if you trust this file, add --trust-geometry",
+          log_.own_words().empty() ? "\n  the file tried to start a program" : log_.own_words());
     }
     if (status == mesher::ended_by_file)
-      refuse("the file ended Gmsh by Exit before there was a mesh:{}\n  Leave out the statement", log_.own_words());
+      refuse("the file ended Gmsh by Exit before there was a mesh:{}\n  Remove the statement", log_.own_words());
     if (status == mesher::out_of_memory || log_.lacks_memory()) {
       refuse(
-          "meshing needs more memory than mesh.memory_limit_mb = {} or the system allows; its last words:{}{}\n  Make "
-          "the mesh coarser, or raise mesh.memory_limit_mb",
+          "meshing needs more memory than mesh.memory_limit_mb = {} or the system allows; its last messages:{}{}\n  "
+          "Make the mesh coarser, or raise mesh.memory_limit_mb",
           request_.memory_limit_mb, log_.last_words(), log_.own_words());
     }
     if (status == mesher::not_confined) {
       refuse(
-          "this system has no seccomp, so that the file cannot be kept from running programs, and it reads files whose "
-          "names it computes; if you trust it, add --trust-geometry. {}",
+          "this system has no seccomp, so the file cannot be prevented from running programs, and it reads files whose "
+          "names it computes; if you trust the file, add --trust-geometry. {}",
           remedy_by_hand);
     }
     if (!log_.errors().empty()) refuse("Gmsh failed:{}", log_.errors());
     if (status > 128) {
-      refuse("Gmsh crashed ({}); its last words:{}{}\n  Simplify the geometry around there{}. {}",
+      refuse("Gmsh crashed ({}); its last messages:{}{}\n  Simplify the geometry near that place{}. {}",
              signal_text(status - 128), log_.last_words(), log_.own_words(),
-             status == 128 + SIGKILL ? ", or make the mesh coarser: systems that run out of memory kill like that" : "",
+             status == 128 + SIGKILL
+                 ? ", or make the mesh coarser: a system that runs out of memory ends programs like this"
+                 : "",
              remedy_by_hand);
     }
     constexpr int not_started = 127;
-    refuse("Gmsh made no mesh (creepcontact-mesher ended with status {}); its last words:{}{}\n  {}{}", status,
+    refuse("Gmsh made no mesh (creepcontact-mesher ended with status {}); its last messages:{}{}\n  {}{}", status,
            log_.last_words(), log_.own_words(),
-           status == not_started ? "Its libraries take some 600 MB of address space: allow the program more memory if "
+           status == not_started ? "Its libraries need about 600 MB of address space: allow the program more memory if "
                                    "it is limited (ulimit -v). "
                                  : "",
            remedy_by_hand);
@@ -158,8 +160,8 @@ fs::path find_mesher() {
   if (const char* given = std::getenv("CREEPCONTACT_MESHER"); given != nullptr && *given != '\0') {
     if (::access(given, X_OK) == 0) return given;
     throw ModelError(
-        fmt::format("CREEPCONTACT_MESHER names '{}', which cannot be started: {}; name creepcontact-mesher, "
-                    "or unset the variable",
+        fmt::format("CREEPCONTACT_MESHER names '{}', which cannot be started: {}; set it to the path of "
+                    "creepcontact-mesher, or unset it",
                     given, std::strerror(errno)));
   }
   std::error_code failure;
@@ -173,8 +175,8 @@ fs::path find_mesher() {
   std::string names;
   for (const fs::path& place : places) names += (names.empty() ? "" : ", ") + place.string();
   throw ModelError(
-      fmt::format("creepcontact-mesher, which meshes .geo files, is at none of {}; install it again, or name it in the "
-                  "environment variable CREEPCONTACT_MESHER. {}",
+      fmt::format("creepcontact-mesher, which meshes .geo files, was not found as any of {}; install it again, or give "
+                  "its path in the environment variable CREEPCONTACT_MESHER. {}",
                   names, remedy_by_hand));
 }
 

@@ -49,11 +49,10 @@ class Reader {
       if (input_.take(section))
         throw ModelError(fmt::format("{}: is in Gmsh's format 1.0; formats {}", name_, conversion));
     }
-    throw ModelError(
-        fmt::format("{}: does not begin with $MeshFormat, so it is not a Gmsh mesh; if it is a geometry, call it "
-                    "NAME.geo, and if it is a mesh of another program, convert it with Gmsh: gmsh FILE -save -format "
-                    "msh41 -o NEW.msh",
-                    name_));
+    throw ModelError(fmt::format(
+        "{}: does not begin with $MeshFormat, so it is not a Gmsh mesh; if it is a geometry, rename it to NAME.geo; if "
+        "it is a mesh of another program, convert it with Gmsh: gmsh FILE -save -format msh41 -o NEW.msh",
+        name_));
   }
 
   void read_format() {
@@ -87,7 +86,7 @@ class Reader {
       return;
     }
     if (!read_.insert(section == "ParametricNodes" ? "Nodes" : section).second)
-      input_.fail("the section comes twice; the file holds several meshes: write each to a file of its own");
+      input_.fail("the section appears twice, so the file contains several meshes: write each to its own file");
     input_.use_binary(true);
     end_section(section);
   }
@@ -133,7 +132,7 @@ class Reader {
     input_.skip_blanks();
     if (!input_.take("$End" + section))
       input_.fail(
-          "expected $End{}: the section holds more or less than it announces; the file is damaged: write it again",
+          "expected $End{}: the section contains more or less than it announces; the file is damaged: write it again",
           section);
     input_.line();
   }

@@ -46,7 +46,7 @@ struct BlockCounts {
 
 void expect_total(const MshInput& input, std::uint64_t announced, std::uint64_t found, const char* what) {
   if (announced != found)
-    input.fail("{} {} are announced, but the blocks hold {}; the file is damaged: write it again", announced, what,
+    input.fail("{} {} are announced, but the blocks contain {}; the file is damaged: write it again", announced, what,
                found);
 }
 

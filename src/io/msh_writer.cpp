@@ -53,7 +53,8 @@ class Writer {
     for (const auto& [key, name] : content.physical_names) {
       if (name.find_first_of("\"\r\n") != std::string::npos)
         throw ModelError(fmt::format(
-            "the name of physical group {} holds a quotation mark or a line end; name it without", key.tag));
+            "the name of physical group {} contains a quotation mark or a line end; choose a name without them",
+            key.tag));
       text_ += fmt::format("{} {} \"{}\"\n", key.dimension, key.tag, name);
     }
     text_ += "$EndPhysicalNames\n";

@@ -36,13 +36,13 @@ extern "C" void end_for_reaching_out(int, siginfo_t* info, void*) {
     case SYS_clone:
     case SYS_execve:
     case SYS_execveat:
-      say("the file would start a program");
+      say("the file tried to start a program");
       break;
     case SYS_socket:
-      say("the file would open a network connection");
+      say("the file tried to open a network connection");
       break;
     default:
-      say("the file would write, make, rename or remove a file");
+      say("the file tried to write, create, rename or remove a file");
   }
   say_place();
   _exit(io::mesher::reached_out);

@@ -41,7 +41,7 @@ void set_variables(const std::map<std::string, double>& values) {
   for (const auto& [name, value] : values) text += fmt::format("{} = {};\n", name, value);
   const int file = ::memfd_create("parameters", 0);
   if (file < 0 || ::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-    throw ModelError("cannot hand the parameters to Gmsh: the system gives no memory file");
+    throw ModelError("cannot pass the parameters to Gmsh: the system provides no memory file");
   gmsh::merge(fmt::format("/proc/self/fd/{}", file));
   ::close(file);
 }
@@ -61,7 +61,7 @@ double option(const char* name) {
 /// Errors are on the terminal already, unless the file has turned it off.
 bool gmsh_has_failed() {
   if (option("General.Verbosity") < 1) {
-    std::cerr << "Error   : the file sets General.Verbosity below 1, which hides errors; leave that out" << std::endl;
+    std::cerr << "Error   : the file sets General.Verbosity below 1, which hides errors; remove that" << std::endl;
     return true;
   }
   const bool is_told = option("General.Terminal") != 0;

@@ -74,7 +74,7 @@ class Attacks(MeshTest):
     def test_nor_does_a_statement_that_hides(self):
         self.write("part.geo", '\nSystemCall "touch made";\n')
         self.write("cube.geo", GEOMETRY + 'Include Sprintf("part.geo");\n')
-        self.expect_error(self.check(), "the geometry tried to reach beyond its mesh", "--trust-geometry")
+        self.expect_error(self.check(), "the file tried to start a program", "--trust-geometry")
         self.assertFalse(self.made())
 
     def test_nor_where_there_is_no_seccomp(self):
@@ -127,7 +127,7 @@ class Ends(MeshTest):
     def test_endless_words(self):
         self.write("cube.geo", 'For i In {1 : 2}\n  i = 1; Printf("Warning : all is well");\nEndFor\n')
         done = self.check("--set", "mesh.time_limit=0.5")
-        self.expect_error(done, "longer than mesh.time_limit", "warns of more, which is not shown")
+        self.expect_error(done, "longer than mesh.time_limit", "further warnings of Gmsh")
         self.assertLess(len(done.stderr), 5000)
 
     def test_memory(self):
@@ -138,7 +138,7 @@ class Ends(MeshTest):
 
     def test_a_file_that_includes_itself(self):
         self.write("cube.geo", 'Include "cube.geo";\n')
-        self.expect_error(self.check("--set", "mesh.time_limit=50"), "cube.geo: Gmsh failed", "a file that includes itself")
+        self.expect_error(self.check("--set", "mesh.time_limit=50"), "cube.geo: Gmsh failed", "includes itself")
 
     def test_damaged_meshes(self):
         self.write("cube.geo", GEOMETRY + 'Mesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh 3;\nSave "cube.msh";\n')
