@@ -142,8 +142,8 @@ InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
     gap = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
     if (!gap.allFinite())
       throw ModelError(
-          fmt::format("contact '{}': the gap is not a finite number at t = {:.6g}; look for divisions by zero and "
-                      "roots or logarithms of negative numbers in its expression",
+          fmt::format("contact '{}': the gap is not a finite number at t = {:.6g}; check its expression for divisions "
+                      "by zero and for roots or logarithms of negative numbers",
                       pair.name, t));
   }
   for (std::size_t b = 0; b < sides_.size(); ++b) {
@@ -178,8 +178,7 @@ void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
     overlap_warned_ = true;
     log::warning(
         "contact '{}': both surfaces are held by supports where they overlap by {:.4g} at t = {:.6g}; the overlap "
-        "stays "
-        "and gives no pressure",
+        "remains and causes no pressure",
         pair.name, -deepest, load.time);
   }
 }
@@ -192,14 +191,14 @@ ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
     if (std::abs(unconstrained[j]) <= unconstrained_work * force[j]) continue;
     const std::string motion = rigid_body_modes_.describe(rigid_body_modes_.unconstrained().col(j));
     if (std::abs(unconstrained[j]) > residual_of_meshes * force[j])
-      throw ModelError(fmt::format(
-          "{}: at t = {:.6g} the loads drive this motion (generalised force {:.4g}), and neither supports nor "
-          "contact hold it; add a support, or balance the loads",
-          motion, load.time, unconstrained[j]));
+      throw ModelError(
+          fmt::format("{}: at t = {:.6g} the loads cause this motion (generalised force {:.4g}), and neither supports "
+                      "nor contact prevent it; add a support, or balance the loads",
+                      motion, load.time, unconstrained[j]));
     if (!residual_warned_)
       log::warning(
           "{}: the loads are out of balance along this motion by {:.2g} of their sum, as on a mesh that is not quite "
-          "symmetric; single nodes hold it",
+          "symmetric; the motion is prevented at single nodes",
           motion, std::abs(unconstrained[j]) / force[j]);
     residual_warned_ = true;
   }
@@ -211,9 +210,8 @@ ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
 
 void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {
   throw ModelError(
-      fmt::format("{}: at t = {:.6g} the loads drive the assembly along this motion and no contact stops it; "
-                  "add a support, or "
-                  "a load that presses the bodies together",
+      fmt::format("{}: at t = {:.6g} the loads move the assembly along this motion and no contact prevents it; add a "
+                  "support, or a load that presses the bodies together",
                   rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion), t));
 }
 

@@ -23,8 +23,8 @@ void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
     const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), stress.size()).sum();
     if (!std::isfinite(sum))
       throw RecoverableError(
-          fmt::format("the stress of body '{}' has grown beyond all bounds at t = {:.6g}; take shorter steps, or an "
-                      "integrator with error control",
+          fmt::format("the stress of body '{}' is no longer finite at t = {:.6g}; use shorter steps, or an integrator "
+                      "with error control",
                       assembly.bodies()[b].name(), at.time));
   }
 }
@@ -264,8 +264,8 @@ std::string CreepSystem::describe_overflow(const Evaluation& at, std::span<const
       const mechanics::Body& body = assembly().bodies()[b];
       const Vector3& x = body.discretization().point_coordinates()[p];
       return fmt::format(
-          "the creep rate of material '{}' overflows, is negative or no number in body '{}' at ({:.6g}, {:.6g}, "
-          "{:.6g}), where the equivalent stress is {:.6g} and t = {:.6g}; look at its creep constants and their units",
+          "the creep rate of material '{}' overflows, is negative or is undefined in body '{}' at ({:.6g}, {:.6g}, "
+          "{:.6g}), where the equivalent stress is {:.6g} and t = {:.6g}; check its creep constants and their units",
           body.material().name, body.name(), x.x(), x.y(), x.z(),
           tensor::von_mises(tensor::view(at.equilibrium.bodies[b].stress, p)), at.time);
     }

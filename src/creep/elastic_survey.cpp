@@ -78,9 +78,9 @@ class Survey {
       if (!(strains > max_creep) || !std::isfinite(strains)) continue;
       const mechanics::Body& body = points.body();
       mistakes += fmt::format(
-          "{}body '{}' would relax in {:.1g} of the run: under its typical stress of {:.3g} at t = {:.6g}, material "
-          "'{}' creeps by {:.1g} times its elastic strain until time.end; check that young_modulus, the loads and the "
-          "creep constants are in the same units",
+          "{}body '{}' would relax within {:.1g} of the run time: under its typical stress of {:.3g} at t = {:.6g}, "
+          "material '{}' creeps by {:.1g} times its elastic strain until time.end; check that young_modulus, the loads "
+          "and the creep constants are in the same units",
           mistakes.empty() ? "" : "\n", body.name(), 1 / strains, stress[b], equilibrium_.time, body.material().name,
           strains);
     }
@@ -118,7 +118,7 @@ ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector
   if (is_zero(result)) result = survey.at(output_times);
   if (is_zero(result))
     throw ModelError(
-        "nothing loads the bodies: at no output time does any load, support, temperature or gap give stress");
+        "the bodies are not loaded: no load, support, temperature or gap causes stress at any output time");
   return result;
 }
 

@@ -87,7 +87,7 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
   if (!options_.use_schwarz || options.acceleration != contact::SchwarzOptions::Acceleration::cg)
     log::warning(
         "contact: {} multipliers are too many for dense matrices; conjugate gradients without them are used "
-        "(contact_solver.dense_limit_mb sets the bound)",
+        "(contact_solver.dense_limit_mb sets the limit)",
         problem.n_rows());
   options.acceleration = contact::SchwarzOptions::Acceleration::cg;
   options.max_iterations = std::max(options.max_iterations, max_iterations);

@@ -83,7 +83,7 @@ PointTemperatures read_hdf5(const std::filesystem::path& path) {
   try {
     return read_datasets(path.string(), open_hdf5(path));
   } catch (const Hdf5Error& error) {
-    throw ModelError(fmt::format("'{}' is damaged or no HDF5 file: {}", path.string(), error.what()));
+    throw ModelError(fmt::format("'{}' is damaged or not an HDF5 file: {}", path.string(), error.what()));
   }
 }
 

@@ -28,10 +28,10 @@ bool moduli_depend_on_temperature(const material::Material& material) {
 
 void require_finite(const std::string& body, std::span<const double> values, double t) {
   if (Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).allFinite()) return;
-  throw ModelError(fmt::format(
-      "body '{}': its loads, supports or temperature give no finite number at t = {:.6g}; look for divisions "
-      "by zero and roots or logarithms of negative numbers in their expressions",
-      body, t));
+  throw ModelError(
+      fmt::format("body '{}': its loads, supports or temperature are not finite at t = {:.6g}; check their expressions "
+                  "for divisions by zero and for roots or logarithms of negative numbers",
+                  body, t));
 }
 
 }  // namespace

@@ -55,9 +55,8 @@ void FactoredBody::stabilize(const BodyConditions& at) {
     report_singular(error);
   }
   log::warning(
-      "body '{}': hex20 elements form single rows, where their reduced integration misses some motions; a "
-      "millionth "
-      "of their stiffness holds these",
+      "body '{}': hex20 elements form single rows, where their reduced integration allows hourglass modes; a millionth "
+      "of their stiffness is added against these modes",
       body_->name());
 }
 

@@ -54,7 +54,7 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
     for (const double t : found.back().jumps) times.add(t, rounding * t);
     if (found.back().too_many)
       log::warning(
-          "'{}' has more kinks or jumps in time than can be found; name the times that matter in time.breakpoints, or "
+          "'{}' has too many kinks or jumps in time to find them all; list the important times in time.breakpoints, or "
           "use a table with a period",
           function.text());
   }

@@ -30,20 +30,21 @@ void require_one_theory(const config::Config& config, const Bodies& bodies) {
           i < material.creep.size() ? fmt::format("the law '{}'", material.creep[i].law) : "rupture data";
       if (ageing_wanted && i >= material.creep.size())
         throw ConfigError(
-            fmt::format("{}material '{}' has rupture data, whose life fraction is a rate: time.integrator = \"{}\" "
-                        "integrates none. Leave [materials.{}.rupture] out, or take a law that is a rate "
-                        "(time_hardening, strain_hardening) and another integrator",
+            fmt::format("{}material '{}' has rupture data, whose life fraction must be integrated over time: "
+                        "time.integrator = \"{}\" does not integrate rates. Remove [materials.{}.rupture], or use a "
+                        "law that gives a rate (time_hardening, strain_hardening) and another integrator",
                         where.prefix(), material.name, config.time.integrator, material.name));
       if (ageing_wanted)
-        throw ConfigError(fmt::format(
-            "{}time.integrator = \"{}\" solves for the creep strain of ageing theory alone and integrates no rate, but "
-            "material '{}' has {}; allowed is law = \"ageing\" (for Norton's law take m = 1), or another integrator",
-            where.prefix(), config.time.integrator, material.name, found));
-      throw ConfigError(fmt::format(
-          "{}material '{}' has {}, which is a creep strain and no rate: time.integrator = \"{}\" cannot integrate it. "
-          "Set time.integrator = \"isochronous\", or take law = \"time_hardening\" or \"strain_hardening\" with the "
-          "same A, n, m (the same creep strain at constant stress)",
-          where.prefix(), material.name, found, config.time.integrator));
+        throw ConfigError(
+            fmt::format("{}time.integrator = \"{}\" solves only for the creep strain of ageing theory and does not "
+                        "integrate rates, but material '{}' has {}; allowed: law = \"ageing\" (for Norton's law with m "
+                        "= 1), or another integrator",
+                        where.prefix(), config.time.integrator, material.name, found));
+      throw ConfigError(
+          fmt::format("{}material '{}' has {}, which gives a creep strain and not a rate: time.integrator = \"{}\" "
+                      "cannot integrate it. Set time.integrator = \"isochronous\", or use law = \"time_hardening\" or "
+                      "\"strain_hardening\" with the same A, n, m (the same creep strain at constant stress)",
+                      where.prefix(), material.name, found, config.time.integrator));
     }
   }
 }

@@ -32,13 +32,13 @@ std::string instead_of(const fs::path& file) {
   if (!fs::is_directory(directory, failure))
     return fmt::format("there is no directory '{}'; a path is relative to the file that names it", directory.string());
   const std::vector<std::string> names = meshes_in(directory);
-  if (names.empty()) return fmt::format("no .geo or .msh is in '{}'", directory.string());
+  if (names.empty()) return fmt::format("there is no .geo or .msh file in '{}'", directory.string());
   if (const std::string nearest = creepcontact::nearest(file.filename().string(), names); !nearest.empty())
     return fmt::format("did you mean '{}'?", nearest);
   constexpr std::size_t told = 5;
   const std::string more = names.size() > told ? fmt::format(" and {} more", names.size() - told) : "";
   return fmt::format(
-      "'{}' has {}{}", directory.string(),
+      "'{}' contains {}{}", directory.string(),
       fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(told, names.size())), ", "), more);
 }
 

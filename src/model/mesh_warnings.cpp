@@ -37,22 +37,21 @@ double largest_poisson_ratio(const mechanics::Body& body) {
 std::vector<std::string> mesh_warnings(const mechanics::Body& body) {
   std::vector<std::string> warnings;
   if (body.n_parts() > 1)
-    warnings.push_back(fmt::format(
-        "body '{}': its mesh is in {} parts that share no faces and move apart from each other; if they are meant as "
-        "one, "
-        "let their volumes share surfaces (BooleanFragments or Coherence in the .geo file), or name them as bodies of "
-        "their own with tied contact",
-        body.name(), body.n_parts()));
+    warnings.push_back(
+        fmt::format("body '{}': its mesh consists of {} parts that share no faces and can move apart; if they are one "
+                    "part, let their volumes share surfaces (BooleanFragments or Coherence in the .geo file), or make "
+                    "them separate bodies with tied contact",
+                    body.name(), body.n_parts()));
   if (const auto folded = mechanics::folded_elements(body.mesh()); !folded.empty())
     warnings.push_back(fmt::format(
         "body '{}': {} quadratic elements are folded at a corner, the first around ({:.6g}, {:.6g}, {:.6g}); "
         "the stress there is wrong: refine the mesh, or let Gmsh straighten it (Mesh.HighOrderOptimize = 2)",
         body.name(), folded.size(), folded[0][0], folded[0][1], folded[0][2]));
   if (const double ratio = largest_poisson_ratio(body); ratio > almost_incompressible)
-    warnings.push_back(fmt::format(
-        "body '{}': Poisson's ratio is {:.8g}; above {:g} the mean stress loses digits to round-off, and {:g} is "
-        "incompressible enough for any purpose",
-        body.name(), ratio, almost_incompressible, almost_incompressible));
+    warnings.push_back(
+        fmt::format("body '{}': Poisson's ratio is {:.8g}; above {:g} the mean stress loses digits to rounding; {:g} "
+                    "is close enough to incompressible for any purpose",
+                    body.name(), ratio, almost_incompressible, almost_incompressible));
   if (!body.material().creeps()) return warnings;
   for (const mesh::CellBlock& block : locking_blocks(body.mesh()))
     warnings.push_back(

@@ -35,9 +35,8 @@ void append_ties(const config::Config& config, const SharedNodes& shared, const 
   std::vector<contact::Pair> ties = shared.ties(config, bodies);
   if (ties.empty() && config.mesh.share_nodes == config::SharedNodes::tie)
     log::warning(
-        "mesh.share_nodes = \"tie\" glues nothing: no bodies share nodes that no contact covers; bodies that only "
-        "touch "
-        "are joined by a contact with type = \"tied\"");
+        "mesh.share_nodes = \"tie\" has no effect: no bodies share nodes outside a contact; to join bodies that only "
+        "touch, use a contact with type = \"tied\"");
   std::move(ties.begin(), ties.end(), std::back_inserter(pairs));
 }
 

@@ -62,10 +62,10 @@ struct LoadAdder {
     const double tolerance = force.tolerance.value_or(nearest_node_tolerance * box.diagonal().norm());
     const Vector3& x = bodies[nearest_body].mesh().nodes[nearest_node];
     if (distance > tolerance)
-      throw ModelError(fmt::format(
-          "no mesh node at ({}, {}, {}): the nearest is ({}, {}, {}) on body '{}', {:.3g} away; give its place, or a "
-          "larger tolerance",
-          at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest_body].name(), distance));
+      throw ModelError(
+          fmt::format("no mesh node at ({}, {}, {}): the nearest is ({}, {}, {}) on body '{}', {:.3g} away; give its "
+                      "coordinates, or a larger tolerance",
+                      at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest_body].name(), distance));
     bodies[nearest_body].add_load(mechanics::point_load(bodies[nearest_body].mesh(), nearest_node, force.value));
   }
 };

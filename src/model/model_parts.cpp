@@ -74,9 +74,8 @@ void require_no_orphans(const mesh::Mesh& whole, const std::string& surface) {
   if (found == whole.groups.end() || found->second.dimension != 2) return;
   if (const std::size_t n = mesh::n_orphan_faces(whole, surface))
     throw ModelError(
-        fmt::format("{} of the {} faces of surface '{}' belong to no volume element; bodies that touch may have lost "
-                    "them where the "
-                    "mesher merged their nodes: mesh the bodies a small distance apart and give the contact its gap",
+        fmt::format("{} of the {} faces of surface '{}' belong to no volume element; the mesher may have merged nodes "
+                    "of bodies that touch: mesh the bodies a small distance apart and set the gap of the contact",
                     n, found->second.cells.size(), surface));
 }
 

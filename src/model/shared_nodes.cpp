@@ -84,9 +84,8 @@ std::array<std::size_t, 2> contact_bodies(const config::Contact& contact, const 
   else if (owners[0].size() > 1)
     body[0] = owners[0].back();
   else
-    throw ModelError(
-        fmt::format("surfaces '{}' and '{}' belong to one and the same body '{}'; contact is between two bodies",
-                    contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
+    throw ModelError(fmt::format("surfaces '{}' and '{}' belong to the same body '{}'; contact is between two bodies",
+                                 contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
   return body;
 }
 
@@ -162,15 +161,13 @@ void SharedNodes::check(const config::Config& config, ErrorCollector& errors) co
   };
   if (config.mesh.share_nodes == config::SharedNodes::error)
     for (const auto& [pair, n] : apart)
-      report(fmt::format(
-          "bodies '{}' and '{}' share {} of the mesh, and no contact covers {}: the bodies would come apart there. Add "
-          "a "
-          "contact (or one with type = \"tied\") between the two surfaces; or glue all bodies at shared nodes by "
-          "mesh.share_nodes = \"tie\"; or make one body of the two regions, if they have one material; or separate "
-          "them "
-          "in the geometry",
-          name(pair.first), name(pair.second), plural(n_shared(pair.first, pair.second)),
-          n == n_shared(pair.first, pair.second) ? "them" : fmt::format("{} of these", n)));
+      report(
+          fmt::format("bodies '{}' and '{}' share {} of the mesh, and no contact covers {}: the bodies would separate "
+                      "there. Add a contact (or one with type = \"tied\") between the two surfaces; or tie all bodies "
+                      "at shared nodes by mesh.share_nodes = \"tie\"; or make one body of the two regions, if they "
+                      "have one material; or separate them in the geometry",
+                      name(pair.first), name(pair.second), plural(n_shared(pair.first, pair.second)),
+                      n == n_shared(pair.first, pair.second) ? "them" : fmt::format("{} of these", n)));
   for (const auto& [pair, n] : at_edges)
     report(
         fmt::format("bodies '{}' and '{}' share {} along an edge or at a point, and no face: nothing can hold them "

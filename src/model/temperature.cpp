@@ -27,8 +27,8 @@ void warn_of_positions_outside(const config::Config& config, const std::vector<m
       }
   if (farthest > 0)
     log::warning(
-        "temperature: '{}' has no points near the whole model; farthest is ({:.6g}, {:.6g}, {:.6g}), {:.4g} from the "
-        "nearest point, whose value is taken there",
+        "temperature: '{}' does not cover the whole model; the worst place is ({:.6g}, {:.6g}, {:.6g}), {:.4g} from "
+        "the nearest point, whose value is used there",
         config.temperature->file.string(), position[0], position[1], position[2], farthest);
 }
 

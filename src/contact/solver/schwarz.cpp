@@ -28,10 +28,10 @@ class Schwarz final : public ContactSolver {
     End end = iterate(load, result);
     if (end != End::solved && problem_.n_motions() > 0) end = iterate_springs(load, result);
     if (end == End::solved) return result;
-    warn_once(end == End::cycling
-                  ? "the active sets of the Schwarz iteration recur; the active-set method takes over where they do"
-                  : "the Schwarz iteration did not reach its tolerance within max_iterations; the active-set method "
-                    "takes over where it does not",
+    warn_once(end == End::cycling ? "the Schwarz iteration repeats the same active sets; wherever this happens, the "
+                                    "active-set method is used instead"
+                                  : "the Schwarz iteration did not reach its tolerance within max_iterations; wherever "
+                                    "this happens, the active-set method is used instead",
               fallback_warned_);
     ContactResult direct = fallback_->solve(load, warm);
     direct.iterations = result.iterations;
@@ -113,8 +113,8 @@ class Schwarz final : public ContactSolver {
       total.iterations += result.iterations;
       if (result.converged) return result;
       warn_once(
-          "Schwarz sweeps did not converge with these parameters; conjugate gradients take over "
-          "(contact_solver.acceleration = \"cg\" asks for them from the start)",
+          "Schwarz sweeps did not converge with these parameters; conjugate gradients are used instead "
+          "(contact_solver.acceleration = \"cg\" uses them from the start)",
           sweeps_fail_);
     }
     const ProjectedCg& gradients =

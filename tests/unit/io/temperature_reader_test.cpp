@@ -67,11 +67,11 @@ TEST_F(TemperatureReader, MistakesAreNamedWithTheirLine) {
   expect_mistake("x,y,z,T\n1,2,3,\n", "line 2: '' in the column 'T' is not a number");
   expect_mistake("x,y,z,T\n1,2,3\n", "line 2: 3 cells, none in the column 'T'");
   expect_mistake("x,y,z,T\n1,2,3,nan\n", "line 2: the number is not finite");
-  expect_mistake("x,y,z,T\n", "holds no temperatures");
+  expect_mistake("x,y,z,T\n", "contains no temperatures");
   expect_mistake("x,y,z,T\n0,0,0,1\n0,0,0,2\n",
                  "line 3: the point (0, 0, 0) has the temperature 2 here and 1 in line 2");
   expect_mistake("x,y,z,t,T\n0,0,0,0,1\n1,0,0,0,1\n0,0,0,5,1\n",
-                 "the point (1, 0, 0) of line 3 is not there at t = 5; the same positions");
+                 "the point (1, 0, 0) of line 3 is missing at t = 5; the same positions");
   const auto missing = directory_ / "none.csv";
   EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(missing); }), "No such file"));
 }
@@ -103,7 +103,7 @@ TEST_F(TemperatureReader, Hdf5Mistakes) {
   EXPECT_TRUE(contains(message({{"coordinates", {n, 3}, {}}, {"temperature", {n}, {}}}),
                        "'coordinates' claims 3298534883328 entries, more than the file can hold"));
   const auto text = test::write_text(directory_ / "bad.h5", "x,y,z,T\n");
-  EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(text); }), "no HDF5 file"));
+  EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(text); }), "not an HDF5 file"));
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ slave = "side_y"
        {blocks.position("[[loads]]", more) + "loads[0]: no mesh node at (2, 1, 0.9): the nearest is (2, 1, 1) on body "
                                              "'upper', 0.1 away",
         blocks.position("[[contacts]]\nbetween = [\"lower_top\", \"bottom\"]", more) +
-            "contacts[1]: surfaces 'lower_top' and 'bottom' belong to one and the same body 'lower'",
+            "contacts[1]: surfaces 'lower_top' and 'bottom' belong to the same body 'lower'",
         blocks.position("[[contacts]]\nbetween = [\"side_y\"", more) + "contacts[2]: "})
     EXPECT_TRUE(contains(message, expected)) << expected << "\n--- in\n" << message;
 }
@@ -206,8 +206,9 @@ TEST(FreeBodies, NeedAContactThatHoldsThem) {
   check(blocks.config("", loose), report);
   for (const char* part :
        {"rigid-body modes: translation along y\n", "rigid-body modes: translation along y, translation along z",
-        "held by contact alone: 2 motions", "held by nothing, must not be loaded: body 'lower': translation along y\n",
-        "held by nothing, must not be loaded: body 'upper': translation along y\n"})
+        "rigid-body motions held by contact only: 2\n",
+        "not held by supports or contact, must not be loaded: body 'lower': translation along y\n",
+        "not held by supports or contact, must not be loaded: body 'upper': translation along y\n"})
     EXPECT_TRUE(contains(report.str(), part)) << part << "\n--- in\n" << report.str();
 
   std::vector<std::string> apart = loose;
@@ -231,11 +232,11 @@ TEST(FreeBodies, FlyOffUnderALoadThatNothingBalances) {
   };
   EXPECT_EQ(message("pressure = 1", loose), "nothing was thrown");
   const std::string pulled = message("pressure = -1", loose);
-  EXPECT_TRUE(contains(pulled, "body 'upper': translation along z: at t = 0 the loads drive")) << pulled;
+  EXPECT_TRUE(contains(pulled, "body 'upper': translation along z: at t = 0 the loads ")) << pulled;
   std::vector<std::string> sliding = loose;
   sliding.insert(sliding.end(), {"supports.1.on=symmetry_x", "supports.1.displacement={x=0}"});
   const std::string pushed = message("traction = [0, 1, -1]", sliding);
-  EXPECT_TRUE(contains(pushed, "body 'upper': translation along y: at t = 0 the loads drive")) << pushed;
+  EXPECT_TRUE(contains(pushed, "body 'upper': translation along y: at t = 0 the loads ")) << pushed;
 }
 
 TEST(Check, TellsWhatTheModelIs) {
@@ -247,7 +248,7 @@ TEST(Check, TellsWhatTheModelIs) {
        {"body 'lower': 12 hex8, 36 nodes, ", "96 integration points", "material 'soft'\n", "rigid-body modes: none",
         "body 'upper': 16 hex8, 45 nodes", "material 'hard' (elastic)",
         "contact 'lower_top-upper_bottom': slave 'lower_top' on 'lower', master 'upper_bottom' on 'upper', 12",
-        "state of the differential equation: 576 numbers", "estimated memory: "})
+        "unknowns of the time integration: 576", "estimated memory: "})
     EXPECT_TRUE(contains(text, part)) << part << "\n--- in\n" << text;
 }
 

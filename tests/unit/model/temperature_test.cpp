@@ -70,8 +70,8 @@ TEST_F(Temperatures, PlacesFarOutsideTheFileAreWarnedOfOnce) {
   testing::internal::CaptureStderr();
   build_model(config("x,y,z,T\n0,0,-2,1\n0,0,-1.9,2\n0,0,-1.8,3\n"));
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_TRUE(contains(said, "has no points near the whole model; farthest is (")) << said;
-  EXPECT_EQ(said.find("has no points"), said.rfind("has no points"));
+  EXPECT_TRUE(contains(said, "does not cover the whole model; the worst place is (")) << said;
+  EXPECT_EQ(said.find("does not cover"), said.rfind("does not cover"));
   testing::internal::CaptureStderr();
   build_model(config(csv));
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
