@@ -114,10 +114,9 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   recent_.pop_front();
   trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
   if (!trouble_) return;
-  reason_ = method_ == Method::stabilized
-                ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
-                : fmt::format("its iterations failed {} times in the {} steps before t = {:.6g}", failures, window,
-                              report.time);
+  reason_ = method_ == Method::stabilized ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
+                                          : fmt::format("iterations failed {} times in the {} steps before t = {:.6g}",
+                                                        failures, window, report.time);
   given_up_.insert(method_);
 }
 
@@ -134,7 +133,7 @@ void AutoIntegrator::look_ahead(double t_limit) {
   const double cost = implicit_cost(remaining_step_estimate_.decades(t_limit), options_.tolerance);
   if (!ahead || *ahead < (at_limit ? 1 : patience) * cost) return;
   trouble_ = true;
-  reason_ = fmt::format("from t = {:.6g} it would take some {:.2g} more steps", time(), *ahead);
+  reason_ = fmt::format("from t = {:.6g} on, the former would need about {:.2g} more steps", time(), *ahead);
 }
 
 AutoIntegrator::Method AutoIntegrator::choose(double step) {
@@ -153,7 +152,7 @@ void AutoIntegrator::change_to(Method method, const std::string& reason) {
   steps_with_method_ = 0;
   if (method == method_) return;
   log::write(method_ == Method::functional ? log::Level::info : log::Level::warning,
-             fmt::format("time integration: {} is left for {}: {}", describe(method_), describe(method), reason));
+             fmt::format("time integration changes from {} to {}: {}", describe(method_), describe(method), reason));
   const double t = time();
   const std::vector<double> y(state().begin(), state().end());
   before_ = counters();

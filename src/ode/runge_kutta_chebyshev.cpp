@@ -45,7 +45,8 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
     system_.rate(t, state_, rate_);
     radius_ = radius(t, state_);
   } catch (const RecoverableError& error) {
-    throw SolverError(fmt::format("{}: no rate at the start, t = {:.6g}: {}", name(), t, error.what()));
+    throw SolverError(
+        fmt::format("{}: the creep rate cannot be computed at the start, t = {:.6g}: {}", name(), t, error.what()));
   }
 }
 
@@ -82,7 +83,7 @@ double RungeKuttaChebyshev::first_step(double t_limit) {
   try {
     return ode::first_step(system_, norm_, start, newer_, stage_rate_, counters_.convergence_failures);
   } catch (const RecoverableError& error) {
-    throw SolverError(fmt::format("{}: no step from t = {:.6g}: {}", name(), time(), error.what()));
+    throw SolverError(fmt::format("{}: no step is possible from t = {:.6g}: {}", name(), time(), error.what()));
   }
 }
 
@@ -108,7 +109,7 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
       ++counters_.rejected_steps;
       reason = fmt::format(
           "the local error stays above the tolerance ({:.2g} times) however small the step. Most often a load or "
-          "temperature jumps there: name that time as a breakpoint; else choose a larger tolerance",
+          "temperature jumps there: list that time in time.breakpoints; otherwise use a larger tolerance",
           error);
       // An error that is no number fails the comparison, too.
       h = target.step * (error < 1e9 ? std::max(largest_cut, step_safety / std::cbrt(error)) : largest_cut);
@@ -174,7 +175,8 @@ double RungeKuttaChebyshev::next_step_after(double h, double error, bool repeate
 }
 
 void RungeKuttaChebyshev::give_up(double h, const std::string& reason) const {
-  throw SolverError(fmt::format("{}: no step from t = {:.6g}, not even one of {:.3g}: {}", name(), time(), h, reason));
+  throw SolverError(
+      fmt::format("{}: no step is possible from t = {:.6g}, not even one of {:.3g}: {}", name(), time(), h, reason));
 }
 
 void RungeKuttaChebyshev::interpolate(double t, std::span<double> y) const {

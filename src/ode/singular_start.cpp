@@ -55,8 +55,8 @@ double SingularStart::free_increment(double longest) {
     const double size = increment_size(time_, duration);
     if (size <= 1 && later - size <= max_stress_change) return duration;
     if (attempt == max_start_attempts || !std::isfinite(size + later))
-      throw SolverError(
-          fmt::format("{}: no first increment from t = {:.6g}: the creep strain grows without bound", name(), time_));
+      throw SolverError(fmt::format(
+          "{}: the first increment from t = {:.6g} failed: the creep strain grows without bound", name(), time_));
     const double largest = std::max(size, later);
     duration *= std::clamp(std::pow(wanted_strain / largest, 1 / started_.exponent()), 1e-12, 0.5);
   }
@@ -107,11 +107,11 @@ StepReport SingularStart::step(double t_limit) {
     report.step = time_ - from;
     return report;
   } catch (const RecoverableError& error) {
-    throw SolverError(fmt::format("{}: no first increment from t = {:.6g}: {}", name(), from, error.what()));
+    throw SolverError(fmt::format("{}: the first increment from t = {:.6g} failed: {}", name(), from, error.what()));
   } catch (const SolverError& error) {
     if (started_.exponent() == 1 || !begun_) throw;
-    throw SolverError(fmt::format("{} (t = {:.6g}; the times named are (t - {:.6g})^{:.3g})", error.what(), from,
-                                  started_.begin(), started_.exponent()));
+    throw SolverError(fmt::format("{} (at t = {:.6g}; times in this message are values of (t - {:.6g})^{:.3g})",
+                                  error.what(), from, started_.begin(), started_.exponent()));
   }
 }
 

@@ -32,10 +32,9 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
       load_rate_(system.size()),
       iterate_(system.size()) {
   if (!(options.beta >= 0.5 && options.beta <= 1))
-    throw ConfigError(
-        fmt::format("beta = {}: must lie between 0.5 and 1 (below 0.5 the scheme is unstable; for 0 take "
-                    "explicit_euler)",
-                    options.beta));
+    throw ConfigError(fmt::format(
+        "beta = {}: must lie between 0.5 and 1 (below 0.5 the scheme is unstable; for 0 use explicit_euler)",
+        options.beta));
   if (!(options.inner_tolerance > 0))
     throw ConfigError(fmt::format("inner_tolerance = {}: must be positive", options.inner_tolerance));
   if (options.max_inner_iterations < 1)
@@ -46,9 +45,9 @@ BetaEuler::BetaEuler(System& system, const IntegratorOptions& options)
   if (!(options.residual_correction >= 0 && options.residual_correction <= 1))
     throw ConfigError(fmt::format("residual_correction = {}: must lie between 0 and 1", options.residual_correction));
   if (options.inner_anderson > 0 && options.inner == InnerIteration::newton)
-    throw ConfigError(
-        fmt::format("inner_anderson = {}: accelerates inner = \"fixed_point\"; leave it out, or 0, with \"newton\"",
-                    options.inner_anderson));
+    throw ConfigError(fmt::format(
+        "inner_anderson = {}: is for inner = \"fixed_point\" only; remove it, or set it to 0, with \"newton\"",
+        options.inner_anderson));
   if (options.inner_anderson > 0)
     anderson_ = std::make_unique<AndersonIteration>(system.size(), options.inner_anderson, trust_factor, system.team());
   if (options.inner == InnerIteration::newton) newton_ = std::make_unique<NewtonIteration>(system);
@@ -128,20 +127,20 @@ void BetaEuler::iterate_by_newton(EulerPoint& to, ConvergenceWatch& watch) {
 void BetaEuler::give_up(const ConvergenceWatch& watch) {
   if (newton_)
     throw RecoverableError(
-        fmt::format("the Newton iterations end with a change of {:.2g} after {} iterations, inner_tolerance {:.2g}",
+        fmt::format("the Newton iterations do not converge: change {:.2g} after {} iterations, inner_tolerance {:.2g}",
                     watch.change(), watch.iterations(), options_.inner_tolerance));
   const double stable = stable_step();
   const char* what = watch.state() == ConvergenceWatch::State::diverging ? "diverge" : "do not converge";
   const std::string advice =
-      anderson_ ? fmt::format(" (inner_anderson = {} carries some times as far): take a smaller step",
+      anderson_ ? fmt::format(" (inner_anderson = {} allows a few times longer steps): use a smaller step",
                               options_.inner_anderson)
-                : ": take a smaller step, inner = \"newton\", accelerated iterations (inner_anderson = 3)";
-  fail(fmt::format(
-      "beta_euler: the inner iterations {} in the step of {:.3g} from t = {:.6g} (change {:.2g} after {} iterations, "
-      "inner_tolerance {:.2g}). The stable step of explicit Euler is {:.3g} there, and plain iterations contract only "
-      "for steps below stable / (2 beta) = {:.3g}{}, beta = 0.5, or cvode_bdf",
-      what, target_.step, time(), watch.change(), watch.iterations(), options_.inner_tolerance, stable,
-      stable / (2 * options_.beta), advice));
+                : ": use a smaller step, inner = \"newton\", accelerated iterations (inner_anderson = 3)";
+  fail(
+      fmt::format("beta_euler: the inner iterations {} in the step of {:.3g} from t = {:.6g} (change {:.2g} after {} "
+                  "iterations, inner_tolerance {:.2g}). The stable step of explicit Euler is {:.3g} there, and plain "
+                  "iterations converge only for steps below stable / (2 beta) = {:.3g}{}, beta = 0.5, or cvode_bdf",
+                  what, target_.step, time(), watch.change(), watch.iterations(), options_.inner_tolerance, stable,
+                  stable / (2 * options_.beta), advice));
 }
 
 }  // namespace creepcontact::ode

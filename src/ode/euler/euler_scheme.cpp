@@ -47,7 +47,8 @@ void EulerScheme::initialize(double t, std::span<const double> y, double step) {
   try {
     system_.rate(t, current_.state, current_.rate);
   } catch (const RecoverableError& error) {
-    throw SolverError(fmt::format("{}: no rate at the start, t = {:.6g}: {}", name(), t, error.what()));
+    throw SolverError(
+        fmt::format("{}: the creep rate cannot be computed at the start, t = {:.6g}: {}", name(), t, error.what()));
   }
 }
 
@@ -103,7 +104,7 @@ double EulerScheme::wanted_step(double t_limit) {
   const double dt = std::min(options_.step_factor, longest_stable_step()) * known_stable_step();
   if (std::isinf(dt) && std::isinf(t_limit))
     throw SolverError(
-        fmt::format("{}: nothing creeps at t = {:.6g} and no end is given: give a fixed step", name(), time()));
+        fmt::format("{}: nothing creeps at t = {:.6g} and no end is given; give a fixed step", name(), time()));
   return dt;
 }
 
@@ -115,7 +116,7 @@ double EulerScheme::adaptive_step(double t_limit) {
     try {
       proposal_ = first_step(system_, doubling_->norm(), start, work.state, work.rate, counters_.convergence_failures);
     } catch (const RecoverableError& error) {
-      throw SolverError(fmt::format("{}: no step from t = {:.6g}: {}", name(), time(), error.what()));
+      throw SolverError(fmt::format("{}: no step is possible from t = {:.6g}: {}", name(), time(), error.what()));
     }
   }
   return needs_stable_step() ? std::min(proposal_, longest_adaptive_step() * known_stable_step()) : proposal_;
@@ -150,8 +151,10 @@ StepReport EulerScheme::step(double t_limit) {
       }
       ++counters_.rejected_steps;
       factor = StepDoubling::factor(error, order());
-      reason =
-          fmt::format("the local error stays {:.2g} times the tolerance: a jump there should be a breakpoint", error);
+      reason = fmt::format(
+          "the local error stays {:.2g} times the tolerance: if something jumps there, list that time in "
+          "time.breakpoints",
+          error);
     } catch (const RecoverableError& error) {
       ++counters_.convergence_failures;
       reason = error.what();
@@ -165,11 +168,11 @@ StepReport EulerScheme::step(double t_limit) {
 }
 
 void EulerScheme::give_up(double shortest, const std::string& reason) {
-  const char* advice = adaptive() ? "choose a larger tolerance, or take cvode_bdf"
-                                  : "take a smaller step, or an integrator that controls it (cvode_bdf)";
+  const char* advice = adaptive() ? "use a larger tolerance, or cvode_bdf"
+                                  : "use a smaller step, or an integrator that controls its step (cvode_bdf)";
   throw SolverError(
-      fmt::format("{}: no step from t = {:.6g}, not even one of {:.3g}: {}. The stable step is {:.3g}; {}", name(),
-                  time(), shortest, reason, stable_step(), advice));
+      fmt::format("{}: no step is possible from t = {:.6g}, not even one of {:.3g}: {}. The stable step is {:.3g}; {}",
+                  name(), time(), shortest, reason, stable_step(), advice));
 }
 
 void EulerScheme::propose(double wanted, double made, double error, bool repeated) {

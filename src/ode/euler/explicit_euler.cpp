@@ -20,10 +20,10 @@ void ExplicitEuler::advance(const EulerPoint& from, const StepClock::Target& tar
   made_ = target.step;
   for_each_index(from.state.size(), [&](std::size_t i) { to.state[i] = from.state[i] + target.step * from.rate[i]; });
   if (!std::isfinite(max_difference(system_.team(), to.state, from.state)))
-    fail(fmt::format(
-        "explicit_euler: the state has grown beyond all bounds after t = {:.6g}; steps of {:.3g} are unstable there, "
-        "the stable step is {:.3g}. Take step = \"stable\" or \"adaptive\", a smaller step, or cvode_bdf",
-        time(), target.step, stable_step()));
+    fail(
+        fmt::format("explicit_euler: the solution diverges after t = {:.6g}; steps of {:.3g} are unstable there, the "
+                    "stable step is {:.3g}. Use step = \"stable\" or \"adaptive\", a smaller step, or cvode_bdf",
+                    time(), target.step, stable_step()));
 }
 
 void ExplicitEuler::complete(double t, EulerPoint& to) {
@@ -39,7 +39,7 @@ void ExplicitEuler::warn_if_unstable(double t, std::span<const double> y) {
   warned_ = true;
   log::warning(
       "explicit_euler: the step of {:.3g} is longer than the stable one of {:.3g} at t = {:.6g}; the stress will "
-      "oscillate. Take {}, a smaller step, or another integrator",
+      "oscillate. Use {}, a smaller step, or another integrator",
       made_, stable, t, in_stable_steps ? "step_factor = 1 or less" : "step = \"stable\" or \"adaptive\"");
 }
 

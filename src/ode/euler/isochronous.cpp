@@ -55,8 +55,9 @@ void Isochronous::solve(double t) {
   std::vector<double> last_rate(next_.size());
   newton_.run({t, 1.0, evaluate, point_, rate_}, next_, image_, last_rate, watch);
   if (watch.state() != ConvergenceWatch::State::converged)
-    throw RecoverableError(fmt::format("Newton's iterations end with a change of {:.2g} of the creep strain after {}",
-                                       watch.change(), watch.iterations()));
+    throw RecoverableError(
+        fmt::format("Newton's iterations do not converge: change of the creep strain {:.2g} after {} iterations",
+                    watch.change(), watch.iterations()));
 }
 
 StepReport Isochronous::step(double t_limit) {
@@ -70,10 +71,10 @@ StepReport Isochronous::step(double t_limit) {
       ++counters_.convergence_failures;
       const double middle = time_ + 0.25 * (target - time_);
       if (halvings == max_step_halvings || !(middle > time_))
-        throw SolverError(fmt::format(
-            "isochronous: no equilibrium from t = {:.6g} on: {}. Give output times in between, or look for a load that "
-            "the creep strain of so long a time cannot carry",
-            time_, error.what()));
+        throw SolverError(
+            fmt::format("isochronous: no equilibrium found after t = {:.6g}: {}. Add output times in between, or check "
+                        "whether a load is too large for so long a time",
+                        time_, error.what()));
       target = middle;
     }
   }

@@ -127,7 +127,7 @@ void NewtonIteration::line_search(const Equation& equation, std::span<double> y,
       for_each_index(y.size(), [&](std::size_t i) { residual_[i] = image_[i] - y[i]; });
       if (euclidean_norm(team_, residual_) <= (1 - armijo * part) * before) return;
       if (halvings == max_correction_halvings)
-        throw RecoverableError("the residual of the Newton iteration does not fall along its direction");
+        throw RecoverableError("the residual of the Newton iteration does not decrease along its direction");
     } catch (const RecoverableError&) {
       if (halvings == max_correction_halvings) throw;
     }

@@ -85,8 +85,8 @@ const ButcherTable& find_table(const std::vector<ButcherTable>& tables, const st
   const auto found = std::ranges::find(tables, wanted, &ButcherTable::name);
   if (found == tables.end())
     throw ConfigError(
-        fmt::format("table = \"{}\": no table of this kind with an embedded method, without which the step "
-                    "cannot be controlled; there are {}",
+        fmt::format("table = \"{}\": there is no such table with an embedded method, which the control of the step "
+                    "needs; allowed: {}",
                     name, fmt::join(table_names(tables), ", ")));
   return *found;
 }

@@ -177,12 +177,12 @@ std::string SundialsIntegrator::advice(int flag) const {
     case CV_ERR_FAILURE:
       text =
           "the local error stays above the tolerance however small the step. Most often a load or temperature jumps "
-          "there: name that time as a breakpoint; else choose a larger tolerance";
+          "there: list that time in time.breakpoints; otherwise use a larger tolerance";
       break;
     case CV_CONV_FAILURE:
       text =
           "the iterations for the implicit step do not converge however small the step. Tighten the tolerance of the "
-          "contact solver (its noise must stay well below the integrator's), or try another integrator";
+          "contact solver (it must be well below that of the integrator), or try another integrator";
       break;
     case CV_FIRST_RHSFUNC_ERR:
     case CV_RHSFUNC_FAIL:
@@ -193,12 +193,12 @@ std::string SundialsIntegrator::advice(int flag) const {
       text = "the creep rate cannot be evaluated beyond this time however small the step";
       break;
     case CV_TOO_MUCH_ACC:
-      text = "the tolerance is below the rounding error of the state: choose a larger one";
+      text = "the tolerance is below the rounding error of the state: use a larger one";
       break;
     default:
-      text = "the integrator gave up";
+      text = "the integrator failed";
   }
-  return fmt::format("{}: no step from t = {:.6g}: {}.{}", name_, time_, text, callbacks_.details());
+  return fmt::format("{}: no step is possible from t = {:.6g}: {}.{}", name_, time_, text, callbacks_.details());
 }
 
 }  // namespace creepcontact::ode
