@@ -89,7 +89,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   try {
     return read_content(path);
   } catch (const Hdf5Error& error) {
-    throw ConfigError(fmt::format("the checkpoint '{}' lacks a part: {}", path.string(), error.what()));
+    throw ConfigError(fmt::format("the checkpoint '{}' is incomplete: {}", path.string(), error.what()));
   }
 }
 
@@ -97,7 +97,8 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
   const std::filesystem::path previous = previous_checkpoint(path);
   if (!path_exists(path) && !path_exists(previous))
     throw ConfigError(
-        fmt::format("there is no checkpoint '{}' to go on from; run without --resume to begin", path.string()));
+        fmt::format("there is no checkpoint '{}' to continue from; run without --resume to start from the beginning",
+                    path.string()));
   std::string damage;
   try {
     return read_checkpoint(path);
@@ -106,7 +107,7 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
   }
   try {
     Checkpoint checkpoint = read_checkpoint(previous);
-    log::warning("{}; the run goes on from the previous one, of t = {:.6g}", damage, checkpoint.time);
+    log::warning("{}; the run continues from the previous one, at t = {:.6g}", damage, checkpoint.time);
     std::error_code error;
     std::filesystem::rename(previous, path, error);
     if (error)

@@ -49,7 +49,7 @@ bool cut(const std::filesystem::path& path, const std::string& header, double la
   std::ifstream stream(path, std::ios::binary);
   const std::string text = stream ? std::string(std::istreambuf_iterator<char>(stream), {}) : "";
   if (text.empty()) {
-    log::warning("'{}' of the interrupted run is missing or empty; its rows up to {:.6g} are lost", path.string(),
+    log::warning("'{}' of the interrupted run is missing or empty; its rows up to t = {:.6g} are lost", path.string(),
                  last_time);
     return false;
   }

@@ -140,8 +140,8 @@ void FieldWriter::write_collection() const {
 void FieldWriter::read_collection(double last_time) {
   const std::filesystem::path path = list_path();
   if (!path_exists(path)) {
-    log::warning("'{}' of the interrupted run is missing; its fields up to {:.6g} are in no list", path.string(),
-                 last_time);
+    log::warning("'{}' of the interrupted run is missing; its fields up to t = {:.6g} will not be listed",
+                 path.string(), last_time);
     while (path_exists(directory_ / file_name(first_))) ++first_;  // they are not written over
     return;
   }
@@ -149,7 +149,7 @@ void FieldWriter::read_collection(double last_time) {
   const pugi::xml_parse_result parsed = document.load_file(path.c_str());
   const pugi::xml_node collection = document.child("VTKFile").child("Collection");
   if (!parsed || !collection) {
-    throw ConfigError(fmt::format("'{}' is not a list of fields: {}; remove it to start it again", path.string(),
+    throw ConfigError(fmt::format("'{}' is not a list of fields: {}; remove it to start a new one", path.string(),
                                   parsed ? "no collection in it" : parsed.description()));
   }
   for (const pugi::xml_node& node : collection.children("DataSet")) {

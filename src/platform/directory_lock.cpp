@@ -15,10 +15,10 @@ DirectoryLock::DirectoryLock(const std::filesystem::path& directory)
     : file_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   ::close(file_);
-  throw ConfigError(fmt::format(
-      "output directory {}: another creepcontact writes there; wait for its end, or choose another directory "
-      "with --output",
-      directory.string()));
+  throw ConfigError(
+      fmt::format("output directory {}: another creepcontact is writing there; wait until it has finished, or choose "
+                  "another directory with --output",
+                  directory.string()));
 }
 
 DirectoryLock::~DirectoryLock() {

@@ -43,7 +43,7 @@ void consider_limit(Room& room, int resource, const char* name, const char* line
     return;
   const auto bytes = static_cast<double>(limit.rlim_cur);
   keep_smaller(room, bytes - kilobyte * *taken,
-               fmt::format("the limit of the {} is {}, of which {} are taken", name, memory_text(bytes),
+               fmt::format("the limit of the {} is {}, of which {} are in use", name, memory_text(bytes),
                            memory_text(kilobyte * *taken)));
 }
 
@@ -56,7 +56,7 @@ void consider_group(Room& room, const std::filesystem::path& mount, std::filesys
     if (bytes && taken && *bytes < no_limit) {
       const double file_cache = number_in(directory / "memory.stat", reclaimable).value_or(0);
       keep_smaller(room, *bytes - (*taken - file_cache),
-                   fmt::format("the control group '{}' has a limit of {}, of which {} are taken", group.string(),
+                   fmt::format("the control group '{}' has a limit of {}, of which {} are in use", group.string(),
                                memory_text(*bytes), memory_text(*taken - file_cache)));
     }
     if (!group.has_relative_path()) return;

@@ -25,7 +25,7 @@ std::string content(const platform::Pipe& pipe) {
 
 std::string without_blank_ends(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \n"), end = text.find_last_not_of(" \n");
-  return begin == std::string::npos ? "it says nothing" : text.substr(begin, end - begin + 1);
+  return begin == std::string::npos ? "it gave no message" : text.substr(begin, end - begin + 1);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ std::string why_no_curves(const RunTables& run) {
   const std::string path = (run.directory / "history.csv").string();
   const io::CsvTable& history = run.history;
   if (history.names.size() < 2)
-    return fmt::format("'{}' has no probes; name some in [[probes]] of the configuration", path);
+    return fmt::format("'{}' has no probes; add some in [[probes]] of the configuration", path);
   if (history.rows() < 2)
-    return fmt::format("'{}' has {} row{}; a curve takes at least two output times", path, history.rows(),
+    return fmt::format("'{}' has {} row{}; a curve needs at least two output times", path, history.rows(),
                        history.rows() == 1 ? "" : "s");
   return "";
 }
@@ -85,7 +85,7 @@ Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading
   Figure figure{heading.title, time_axis(heading, log_time), {}};
   figure.panels.push_back({length, {curve("step", "step length", Style::steps)}});
   figure.panels.push_back({whole("order"), {curve("order", "order", Style::steps)}});
-  figure.panels.push_back({whole("in a step"), {solves}});
+  figure.panels.push_back({whole("per step"), {solves}});
   if (any(iterations)) figure.panels.back().series.push_back(iterations);
   if (any(contacts)) figure.panels.push_back({whole("multipliers"), {contacts}});
   return figure;
@@ -95,7 +95,7 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) 
   const std::string missing = why_no_curves(run);
   if (!missing.empty()) {
     if (run.steps.rows() < 2 || !options.probes.empty()) throw ConfigError(missing);
-    log::warning("{}; the time steps alone are drawn", missing);
+    log::warning("{}; only the time steps are plotted", missing);
     run.history = run.steps;  // for its times
   }
   if (!options.probes.empty())

@@ -12,10 +12,10 @@ namespace {
 
 io::CsvTable read_history(const std::filesystem::path& run) {
   if (!path_is_directory(run))
-    throw ConfigError(fmt::format("no directory '{}'; plot takes the output directory of a run", run.string()));
+    throw ConfigError(fmt::format("no directory '{}'; plot needs the output directory of a run", run.string()));
   const std::filesystem::path path = run / "history.csv";
   if (!path_exists(path))
-    throw ConfigError(fmt::format("no history.csv in '{}'; plot takes the output directory of a run", run.string()));
+    throw ConfigError(fmt::format("no history.csv in '{}'; plot needs the output directory of a run", run.string()));
   return io::read_csv_table(path, io::UnendedRow::is_left_out);
 }
 
@@ -29,7 +29,7 @@ io::SummaryHeading heading_of(const std::filesystem::path& run) {
   try {
     return io::read_summary_heading(run / "summary.json");
   } catch (const ConfigError& error) {
-    log::warning("{}: no title and no units in the pictures", error.what());
+    log::warning("{}: the pictures have no title and no units", error.what());
     return {};
   }
 }

@@ -69,11 +69,11 @@ std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const 
     const contact::ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
     const std::optional<int> width = elements_across(grid, force);
     if (!width || *width >= enough) continue;
-    lines.push_back(fmt::format(
-        "contact '{}': at the end the contact zone is about {} element{} wide at its narrowest (elements of the slave "
-        "surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: {} elements are the least, "
-        "eight are better",
-        pair.name, *width, *width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough));
+    lines.push_back(
+        fmt::format("contact '{}': at the end the contact zone is about {} element{} wide at its narrowest (elements "
+                    "of the slave surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: at "
+                    "least {} elements are needed, eight are better",
+                    pair.name, *width, *width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough));
   }
   return lines;
 }

@@ -44,8 +44,8 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
       if (!(strain > small_strain)) continue;
       const Vector3& x = bodies[b].discretization().point_coordinates()[p];
       log::warning(
-          "body '{}': the creep strain has reached {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory is that "
-          "of small strain. Look at the units of the creep constants of material '{}', or end the run before",
+          "body '{}': the creep strain has reached {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory assumes "
+          "small strain. Check the units of the creep constants of material '{}', or end the run earlier",
           bodies[b].name(), strain, x.x(), x.y(), x.z(), time, bodies[b].material().name);
       warned_of_strain_ = true;
       break;

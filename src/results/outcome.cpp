@@ -81,9 +81,8 @@ void Outcome::warn_of_open_contacts() const {
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (is_tied(pair) || forces_[p].largest > 0) continue;
-    log::warning(
-        "contact '{}' was open at every output time and has carried nothing (a negative gap is an interference)",
-        pair.name);
+    log::warning("contact '{}' was open at every output time and carried no load (a negative gap is an interference)",
+                 pair.name);
   }
 }
 

@@ -62,13 +62,13 @@ void check(const config::Config& config, std::ostream& report) {
   }
   const contact::RigidBodyModes& rigid_body_modes = model.assembly.rigid_body_modes();
   if (rigid_body_modes.held().cols() > 0)
-    text += fmt::format("held by contact alone: {} motions\n", rigid_body_modes.held().cols());
+    text += fmt::format("rigid-body motions held by contact only: {}\n", rigid_body_modes.held().cols());
   for (const std::string& motion : rigid_body_modes.describe_unconstrained())
-    text += fmt::format("held by nothing, must not be loaded: {}\n", motion);
+    text += fmt::format("not held by supports or contact, must not be loaded: {}\n", motion);
   if (const auto range = model::temperature_range(config, model))
     text += range->low == range->high ? fmt::format("temperature: {:.6g} everywhere\n", range->low)
                                       : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
-  text += fmt::format("state of the differential equation: {} numbers\n", layout.size());
+  text += fmt::format("unknowns of the time integration: {}\n", layout.size());
   if (contact_bytes > 1e6 * config.contact_solver.dense_limit_mb) contact_bytes = 0;
   const MemoryNeed need = memory_need(config, model, contact_bytes, [&](std::size_t b) {
     return static_cast<double>(mechanics::estimate_factor_bytes(model.bodies()[b]));

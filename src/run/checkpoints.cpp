@@ -29,7 +29,7 @@ io::Checkpoint Checkpoints::read(std::size_t state_size) const {
   }
   if (!changes.empty() || checkpoint.state.size() != state_size)
     throw ConfigError(
-        fmt::format("{}: the checkpoint is of another model than '{}': {}; give the configuration it was written "
+        fmt::format("{}: the checkpoint belongs to another model than '{}': {}; use the configuration it was written "
                     "with, or run without --resume",
                     path_.string(), config_.file.string(), fmt::join(changes, "; ")));
   return checkpoint;
@@ -65,8 +65,8 @@ void Checkpoints::write(const io::Checkpoint& checkpoint) {
 void restore(const io::Checkpoint& checkpoint, const config::Config& config, ode::Integrator& integrator) {
   if (checkpoint.integrator != config.time.integrator) {
     log::info(
-        "time.integrator was '{}' up to t = {:.6g}; '{}' begins there: not to the last digit what either would "
-        "have computed alone",
+        "time.integrator was '{}' up to t = {:.6g}; '{}' continues from there; results may differ in the last digits "
+        "from those of either integrator alone",
         checkpoint.integrator, checkpoint.time, config.time.integrator);
     integrator.initialize(checkpoint.time, checkpoint.state);
     return;

@@ -102,7 +102,7 @@ std::vector<std::string> differences(const std::string& before, const std::strin
   for (const Entry& entry : old) {
     const Entry* const other = find(current, entry);
     if (!other)
-      result.push_back(fmt::format("{} was {} and is gone", entry.item, shortened(entry.value)));
+      result.push_back(fmt::format("{} was {} and is now missing", entry.item, shortened(entry.value)));
     else if (other->value != entry.value)
       result.push_back(
           fmt::format("{} was {} and is now {}", entry.item, shortened(entry.value), shortened(other->value)));

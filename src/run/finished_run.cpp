@@ -17,8 +17,8 @@ std::string nothing_left(const config::Config& config, const model::Model& model
   if (summary->status == Status::ruptured)
     return fmt::format("nothing is left to do: the run ended by rupture at t = {:.6g}", summary->time_reached);
   if (reached < config.time.end) return {};
-  return fmt::format("nothing is left to do: the run is complete up to t = {:.6g}; a later time.end prolongs it",
-                     reached);
+  return fmt::format(
+      "nothing is left to do: the run is complete up to t = {:.6g}; to continue it, set a later time.end", reached);
 }
 
 }  // namespace creepcontact::run

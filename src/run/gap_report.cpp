@@ -65,11 +65,11 @@ std::optional<std::string> gap_warning(const model::Model& model, const contact:
   if (tied)
     return fmt::format(
         "contact '{}': {} the surfaces {} in the mesh, more than a thousandth of body '{}' ({:.4g}), but they are tied "
-        "as if they touched; close the distance in the geometry if it is not meant",
+        "as if they touched; if this is not intended, correct the geometry",
         pair.name, where, in_mesh, smaller.name(), size_of(smaller));
   return fmt::format(
       "contact '{}': {} the surfaces {} in the mesh, but the gap given there is {:.4g}; they differ by more than a "
-      "thousandth of body '{}' ({:.4g}). The given gap counts; gap = \"geometric\" takes that of the mesh",
+      "thousandth of body '{}' ({:.4g}). The given gap is used; gap = \"geometric\" uses that of the mesh",
       pair.name, where, in_mesh, worst_given, smaller.name(), size_of(smaller));
 }
 

@@ -60,8 +60,8 @@ std::string memory_shortage(const MemoryNeed& need) {
     if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
     cures.emplace_back("allow the program more memory");
     return fmt::format(
-        "the model needs about {} of memory more (factors {}, contact matrices {}, integration points and nodes {}, "
-        "state and integrator {}{}), and {} are left: {}; {}",
+        "the model needs about {} more memory (factors {}, contact matrices {}, integration points and nodes {}, state "
+        "and integrator {}{}), but only {} are left: {}; {}",
         platform::memory_text(more), platform::memory_text(need.factors), platform::memory_text(need.contact),
         platform::memory_text(need.points), platform::memory_text(need.state), also, platform::memory_text(room.bytes),
         room.reason, fmt::join(cures, ", or "));

@@ -82,7 +82,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (path_is_directory(directory))
     lock.emplace(directory);
   else if (path_exists(directory))
-    throw ConfigError(fmt::format("output directory {}: is a file; choose another with --output", directory.string()));
+    throw ConfigError(
+        fmt::format("output directory {}: is a file; choose another directory with --output", directory.string()));
   std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
   if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
   const model::Model model = model::build_model(config);
@@ -113,7 +114,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (!solver.interface().is_dense())
     log::info("contact: matrix-free, its matrices would take {:.0f} MB", solver.interface().dense_bytes() / 1e6);
   for (const std::string& motion : model.assembly.rigid_body_modes().describe_unconstrained())
-    log::info("held by nothing, must not be loaded: {}", motion);
+    log::info("not held by supports or contact, must not be loaded: {}", motion);
   creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
                             config.time.tolerance, watch);
 
@@ -157,7 +158,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
       result = {platform::interrupted_status,
-                fmt::format("interrupted at t = {:.6g}; go on with --resume", loop.time())};
+                fmt::format("interrupted at t = {:.6g}; continue with --resume", loop.time())};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {
@@ -171,7 +172,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
                   work_line(summary, loop.step_statistics(), config.time.tolerance, loop.method());
   if (loop.step_statistics().empty()) return result;
   result.details = work_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
-  if (loop.resumed()) result.details += "  (lengths, orders and errors of steps, and the time: since the resume)\n";
+  if (loop.resumed())
+    result.details += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
   result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
   return result;
 }

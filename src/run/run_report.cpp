@@ -94,10 +94,9 @@ std::string work_table(const io::Summary& summary, const StepStatistics& steps, 
     line("contact",
          fmt::format("{:.1f} iterations per solve", share(summary.schwarz_iterations, summary.contact_solves)));
   if (steps.largest_error() > 0)
-    line("accuracy",
-         fmt::format("stress to {:.0e} requested; estimated errors of the steps: {:.2f} of what that allows "
-                     "on average, {:.2f} at most",
-                     tolerance, steps.mean_error(), steps.largest_error()));
+    line("accuracy", fmt::format("requested for the stress: {:.0e}; estimated errors of the steps: {:.2f} of this on "
+                                 "average, {:.2f} at most",
+                                 tolerance, steps.mean_error(), steps.largest_error()));
   const auto& wall = summary.wall_seconds;
   const double rest = wall.total - wall.factorize - wall.solve - wall.material - wall.contact - wall.output;
   const auto percent = [&](double seconds) { return 100 * seconds / wall.total; };
@@ -121,8 +120,8 @@ std::vector<std::string> advice(const io::Summary& summary, const StepStatistics
                     summary.convergence_failures, summary.steps, where(summary, diagnosis)));
   if (share(summary.rejected_steps, summary.steps) > many_rejections)
     lines.push_back(
-        fmt::format("{} steps were rejected and {} accepted.{} If loads jump or turn at times that no table "
-                    "shows, name these in time.breakpoints",
+        fmt::format("{} steps were rejected and {} accepted.{} If loads jump or change their slope at times that no "
+                    "table shows, list these times in time.breakpoints",
                     summary.rejected_steps, summary.steps, where(summary, diagnosis)));
   const double iterations = share(summary.schwarz_iterations, summary.contact_solves);
   if (iterations > many_iterations)

@@ -10,10 +10,10 @@ std::vector<std::string> settings_warnings(const config::Config& config) {
   const bool iterates = config.contact_solver.method == settings::ContactMethod::schwarz;
   if (config.contacts.empty() || !iterates || !controls_errors || config.contact_solver.tolerance <= time.tolerance)
     return {};
-  return {fmt::format(
-      "contact_solver.tolerance = {:g} is looser than time.tolerance = {:g}: the errors will be those of contact, and "
-      "steps that they disturb are made again; a tenth of time.tolerance is as good as exact",
-      config.contact_solver.tolerance, time.tolerance)};
+  return {
+      fmt::format("contact_solver.tolerance = {:g} is looser than time.tolerance = {:g}: the errors of contact will "
+                  "dominate, and steps that they disturb are repeated; set it to a tenth of time.tolerance",
+                  config.contact_solver.tolerance, time.tolerance)};
 }
 
 }  // namespace creepcontact::run

@@ -34,16 +34,15 @@ void claim(const fs::path& directory, const config::Study& study) {
     std::ifstream stream(file, std::ios::binary);
     if (std::string(std::istreambuf_iterator<char>(stream), {}) == study.normalized) return;
     throw ConfigError(
-        fmt::format("output directory {} holds another study, or {} as it was before a change (its text is in {}); "
-                    "choose another directory with --output, or remove this one",
+        fmt::format("output directory {} belongs to another study, or to {} before a change (its former text is in "
+                    "{}); choose another directory with --output, or remove this one",
                     directory.string(), study.file.string(), file.string()));
   }
   // Runs are made in directories that are emptied before.
   if (path_exists(directory / "runs"))
-    throw ConfigError(
-        fmt::format("output directory {} holds '{}', which no study has made; choose another directory "
-                    "with --output",
-                    directory.string(), (directory / "runs").string()));
+    throw ConfigError(fmt::format(
+        "output directory {} contains '{}', which was not written by a study; choose another directory with --output",
+        directory.string(), (directory / "runs").string()));
   platform::replace_file(file, study.normalized);
 }
 
@@ -90,7 +89,7 @@ StudyResult result_of(const std::vector<StudyRow>& rows, const platform::Interru
   const std::string results =
       fmt::format("{} of {} runs succeeded; results in {}", succeeded, rows.size(), directory.string());
   if (interrupt.requested())
-    return {platform::interrupted_status, fmt::format("interrupted: {}; the same command goes on", results)};
+    return {platform::interrupted_status, fmt::format("interrupted: {}; run the same command to continue", results)};
   if (succeeded > 0) return {0, results};
   const auto told = std::find_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.message.empty(); });
   return {4, fmt::format("{}{}", results, told != rows.end() ? "; the first one: " + told->message : "")};
@@ -136,7 +135,7 @@ StudyResult run_study(const config::Study& study, const config::Vocabulary& voca
       if (reference->succeeded())
         comparison.take_reference(execution.directory_of(run), reference->status == "ruptured");
       else if (!interrupt.requested())
-        throw SolverError(fmt::format("the reference {}: {}; what it printed is in {}", reference->status,
+        throw SolverError(fmt::format("the reference {}: {}; its output is in {}", reference->status,
                                       reference->message, (execution.directory_of(run) / "run.log").string()));
     }
     rows = execution.run(runs);

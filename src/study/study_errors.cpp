@@ -70,7 +70,7 @@ ReferenceHistory::Error ReferenceHistory::error(const io::CsvTable& history, con
   }
   if (compared == 0) return {not_known, "ended before the reference's output times"};
   if (scale == 0)
-    return {not_known, fmt::format("the reference of '{}' is zero, to which no error is relative", quantity)};
+    return {not_known, fmt::format("the reference of '{}' is zero, so there is no relative error", quantity)};
   return {largest / scale, {}};
 }
 

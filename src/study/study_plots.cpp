@@ -116,7 +116,7 @@ std::vector<std::filesystem::path> plot_study(const config::Study& study, const 
   Pictures pictures(study, series(study, runs), rows, directory);
   for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
     const std::string& quantity = study.compare.quantities[q].name;
-    const std::string column = "error_" + quantity, label = fmt::format("error of {}, relative", quantity);
+    const std::string column = "error_" + quantity, label = fmt::format("relative error of {}", quantity);
     const auto errors = [&](const StudySeries& curve) { return curve.errors(rows, q); };
     pictures.over_settings(column, label, errors, true);
     for (const char* count : {"elastic_solves", "wall_seconds"}) pictures.over_count(column, label, errors, count);

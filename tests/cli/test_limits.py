@@ -47,9 +47,9 @@ class MemoryLimits(ProcessTest):
             if "make the mesh coarser" in done.stderr:
                 break
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertRegex(done.stderr, r"error: cube.geo: the model needs about \d+ MB of memory more \(factors \d+ MB, "
-                                      r"contact matrices 0 MB, .*reserved for one thread 134 MB\), and \d+ MB are left: "
-                                      r"the limit of the address space \(ulimit -v\) is \d+ MB, of which \d+ MB are taken; "
+        self.assertRegex(done.stderr, r"error: cube.geo: the model needs about \d+ MB more memory \(factors \d+ MB, "
+                                      r"contact matrices 0 MB, .*reserved for one thread 134 MB\), but only \d+ MB are left: "
+                                      r"the limit of the address space \(ulimit -v\) is \d+ MB, of which \d+ MB are in use; "
                                       r"make the mesh coarser, or allow the program more memory\n")
         self.assertFalse(self.output.exists())
         warned = self.limited(resource.RLIMIT_AS, size, "check", "cube.toml")

@@ -115,11 +115,11 @@ class StudyMistakes(StudyTest):
     def test_another_study_in_the_directory(self):
         single = 'base = "cube.toml"\n[[runs]]\nset = { time.step = 0.2 }\n'
         self.assertEqual(self.study(single).returncode, 0)
-        self.expect_error(self.study(single.replace("0.2", "0.3")), 2, "results/study holds another study", "--output")
+        self.expect_error(self.study(single.replace("0.2", "0.3")), 2, "output directory results/study ", "--output")
 
     def test_runs_of_somebody_else_in_the_directory(self):
         (self.directory / "runs").mkdir()
-        self.expect_error(self.study(STUDY, "--output", "."), 2, "which no study has made", "--output")
+        self.expect_error(self.study(STUDY, "--output", "."), 2, "'./runs'", "--output")
 
     def test_references_that_cannot_be_read(self):
         text = STUDY + '[reference]\ncsv = "known.csv"\n' + COMPARE

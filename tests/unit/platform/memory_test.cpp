@@ -75,7 +75,7 @@ TEST(AddressSpace, IsBoundedByLimitsOfTheProcess) {
           std::_Exit(room.bytes > 2.0e9 && room.bytes < 3e9 ? 0 : 1);
         },
         testing::ExitedWithCode(0),
-        "^the limit of the .* \\(ulimit -[vd]\\) is 3000 MB, of which [0-9]+ MB are taken$");
+        "^the limit of the .* \\(ulimit -[vd]\\) is 3000 MB, of which [0-9]+ MB are in use$");
 }
 
 }  // namespace

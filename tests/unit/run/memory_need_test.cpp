@@ -40,8 +40,7 @@ TEST(Memory, AModelBeyondAllMachinesIsRefusedWithNumbers) {
     });
   };
   const std::string message = message_of<ModelError>(refused);
-  EXPECT_TRUE(contains(message, "blocks.geo: the model needs about 1000000000.0 GB of memory more (factors "))
-      << message;
+  EXPECT_TRUE(contains(message, "blocks.geo: the model needs about 1000000000.0 GB more memory (factors ")) << message;
   EXPECT_TRUE(contains(message, "contact matrices 1000000000.0 GB")) << message;
   EXPECT_TRUE(contains(message, "; make the mesh coarser, or allow the program more memory")) << message;
 }

@@ -46,7 +46,7 @@ TEST(ResumeFinished, ACompletedRunIsLeftAsItIs) {
     const std::filesystem::path out = blocks / integrator;
     ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
     EXPECT_GT(SummaryFile(out / "summary.json").number(contact + "final_normal_force"), 0);
-    expect_left_alone(config, out, "the run is complete up to t = 4; a later time.end prolongs it");
+    expect_left_alone(config, out, "the run is complete up to t = 4; to continue it, set a later time.end");
     expect_left_alone(blocks.config(pressure_probe, {"time.end=3"}), out, "the run is complete up to t = 4");
   }
 }
@@ -106,7 +106,7 @@ TEST(ResumeFinished, AnotherModelIsRefused) {
   ASSERT_EQ(run(blocks.config(pressure_probe), {.output = out.string()}).exit_status, 0);
   const config::Config other = blocks.config(pressure_probe, {"materials.soft.young_modulus=101"});
   const auto resume = [&] { run(other, {.output = out.string(), .resume = true}); };
-  EXPECT_TRUE(contains(message_of<ConfigError>(resume), "the checkpoint is of another model"));
+  EXPECT_TRUE(contains(message_of<ConfigError>(resume), "the checkpoint belongs to another model"));
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
       {"supports.3.displacement.z=-0.03", "supports[3].displacement.z was -0.025 and is now -0.03"},
       {"loads.0.pressure={t=[0,1],values=[0.01,0.02]}",
        "loads[0].pressure was 0.01 and is now { t = [0, 1], values = [0.01, 0.02] }"},
-      {"loads=[]", "loads[0].pressure was 0.01 and is gone"},
+      {"loads=[]", "loads[0].pressure was 0.01 and is now missing"},
       {"temperature.value='20+2*t'", R"(temperature.value was "20+t" and is now "20+2*t")"},
       {"contacts.0.gap=0.01", "contacts[0].gap was 0 and is now 0.01"},
       {"contacts.0.slave=upper_bottom", R"(contacts[0].slave was "lower_top" and is now "upper_bottom")"},
@@ -150,7 +150,7 @@ TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
   for (const auto& [change, text] : changes) {
     const config::Config config = blocks.config(pressure_probe + loads, {change});
     const std::string message = message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true}); });
-    EXPECT_TRUE(contains(message, (out / "checkpoint.h5").string() + ": the checkpoint is of another model"))
+    EXPECT_TRUE(contains(message, (out / "checkpoint.h5").string() + ": the checkpoint belongs to another model"))
         << change << ": " << message;
     EXPECT_TRUE(contains(message, text)) << change << ": " << message;
   }
@@ -261,7 +261,7 @@ TEST(ResumeMistakes, DamagedCheckpoints) {
   EXPECT_EQ(run(config, {.output = out.string(), .resume = true}).exit_status, 0);
   const std::string warning = testing::internal::GetCapturedStderr();
   EXPECT_TRUE(contains(warning, "damaged")) << warning;
-  EXPECT_TRUE(contains(warning, "the run goes on from the previous one")) << warning;
+  EXPECT_TRUE(contains(warning, "from the previous one")) << warning;
   for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
     EXPECT_EQ(read_text(out / file), read_text(whole / file)) << file;
 }
@@ -279,7 +279,7 @@ TEST(ResumeMistakes, OtherProbes) {
   interrupted_run(blocks.config(pressure_probe), out, 1);
   const std::string message =
       message_of<ConfigError>([&] { run(blocks.config(), {.output = out.string(), .resume = true}); });
-  EXPECT_TRUE(contains(message, R"(probes[0].name was "pressure" and is gone)")) << message;
+  EXPECT_TRUE(contains(message, R"(probes[0].name was "pressure" and is now missing)")) << message;
 }
 
 volatile std::sig_atomic_t signals_of_the_caller = 0;

@@ -184,7 +184,7 @@ TEST_F(StudyTables, PicturesOfErrorsAndCounts) {
             (std::vector<std::string>{"error_q_over_time_step.svg", "error_q_over_elastic_solves.svg",
                                       "error_q_over_wall_seconds.svg", "schwarz_iterations_over_time_step.svg"}));
   const std::string steps = io::test::read_text(directory / "error_q_over_time_step.gp");
-  EXPECT_TRUE(io::test::contains(steps, "set logscale x") && io::test::contains(steps, "'error of q, relative'"))
+  EXPECT_TRUE(io::test::contains(steps, "set logscale x") && io::test::contains(steps, "'relative error of q'"))
       << steps;
   EXPECT_TRUE(io::test::contains(steps, "title 'u'") && io::test::contains(steps, "title 'v'")) << steps;
   EXPECT_FALSE(io::test::contains(steps, "'beta = 0.5, w'")) << steps;
