@@ -175,7 +175,7 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "creep laws that act together: their rates are added")
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
-                      "time to rupture at constant stress, from which the fraction of creep life used up is computed"),
+                      "time to rupture at constant stress, for the fraction of life used up"),
   });
   return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
     material.location = item.location;

@@ -34,9 +34,7 @@ TEST(ConfigBounds, OutputTimes) {
 
 TEST(ConfigBounds, PeriodsThatRepeatPoints) {
   const std::string table = minimal + "[[loads]]\non = \"a\"\npressure = { t = [0, 1e-300], values = [1, 2], period = ";
-  expect_found(table + "1e-300 }\n",
-               "cases/block.toml:14:57: loads[0].pressure.period: 2 points repeat 1e+302 times up to time.end = 100; "
-               "allowed: 1000000 points in all");
+  expect_found(table + "1e-300 }\n", "cases/block.toml:14:57: loads[0].pressure.period: 2 points repeat 1e+302 times");
   expect_found(table + "1e-3 }\n", "loads[0].pressure.period: 2 points repeat 1e+06 times",
                {"time.end=1e6", "loads.0.pressure.period=1"});
   EXPECT_NO_THROW(parse_text(table + "1e-3 }\n"));
