@@ -77,8 +77,9 @@ std::vector<Exponents> monomials(CellType type) {
 }
 
 PolynomialElement::PolynomialElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces,
-                                     QuadratureRule rule)
-    : ReferenceElement(type, std::move(nodes), std::move(faces), std::move(rule)), monomials_(fem::monomials(type)) {
+                                     QuadratureRule rule, QuadratureRule bulk_rule)
+    : ReferenceElement(type, std::move(nodes), std::move(faces), std::move(rule), std::move(bulk_rule)),
+      monomials_(fem::monomials(type)) {
   const Index n = monomials_.size();
   if (n != this->nodes().rows() || n > max_nodes) throw std::logic_error("monomials and nodes differ in number");
   Eigen::MatrixXd vandermonde(n, n);  // (k, j): monomial k at node j

@@ -20,7 +20,8 @@ std::vector<Exponents> monomials(CellType type);
 class PolynomialElement final : public ReferenceElement {
  public:
   /// @throws std::logic_error if the monomials do not interpolate at the nodes
-  PolynomialElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces, QuadratureRule rule);
+  PolynomialElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces, QuadratureRule rule,
+                    QuadratureRule bulk_rule);
 
   void shape(const Vector3& xi, Eigen::Ref<Eigen::VectorXd> shape) const override;
   void gradient(const Vector3& xi, Eigen::Ref<Eigen::MatrixX3d> gradient) const override;

@@ -12,7 +12,7 @@ namespace {
 
 /// Volumes: the points that carry the creep state. Curves and surfaces: exact for N_i N_j times the element's own
 /// (curved, polynomial) normal vector.
-QuadratureRule stiffness_rule(CellType type) {
+QuadratureRule load_rule(CellType type) {
   switch (type) {
     case CellType::line2:
       return gauss_line(2);
@@ -46,6 +46,22 @@ QuadratureRule stiffness_rule(CellType type) {
   throw std::invalid_argument("no quadrature for a point");
 }
 
+/// The points that carry the creep state.
+QuadratureRule bulk_rule(CellType type) {
+  switch (type) {
+    case CellType::tri3:
+      return triangle(1);
+    case CellType::tri6:
+      return triangle(4);
+    case CellType::quad8:
+      return gauss_quadrilateral(2);
+    case CellType::quad9:
+      return gauss_quadrilateral(3);
+    default:
+      return load_rule(type);
+  }
+}
+
 using Table = std::vector<std::unique_ptr<const ReferenceElement>>;  // null: a point
 
 Table make_table() {
@@ -54,7 +70,7 @@ Table make_table() {
     table.push_back(type == CellType::point1
                         ? nullptr
                         : std::make_unique<PolynomialElement>(type, reference_nodes(type), mesh::cell_faces(type),
-                                                              stiffness_rule(type)));
+                                                              load_rule(type), bulk_rule(type)));
   return table;
 }
 

@@ -71,7 +71,7 @@ void FieldMesh::append(const mesh::Mesh& body) {
   const auto first = static_cast<std::int64_t>(points.size());
   points.insert(points.end(), body.nodes.begin(), body.nodes.end());
   for (const mesh::CellBlock& block : body.blocks) {
-    if (mesh::dimension(block.type) != 3) continue;
+    if (!body.is_bulk(block.type)) continue;
     blocks.push_back(block);
     for (std::int64_t& node : blocks.back().connectivity) node += first;
   }

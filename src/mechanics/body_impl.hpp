@@ -2,6 +2,7 @@
 /// What a body consists of.
 
 #include "creepcontact/mechanics/body.hpp"
+#include "section_supports.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -13,7 +14,7 @@ struct Body::Impl {
         material(std::move(material_in)),
         supports(std::move(supports_in)),
         discretization(mesh),
-        constraints(mesh.nodes, supports),
+        constraints(mesh.nodes, with_section_supports(mesh, supports)),
         parts(mesh_parts(mesh)),
         free_motions(mechanics::free_motions(mesh, parts, constraints)),
         fixing_dofs(determinate_fixing_dofs(free_motions, constraints)),

@@ -4,6 +4,7 @@
 /// With the gradient g of the bubble at a point, less its mean over the element (which is zero but for quadrature: so
 /// the patch test is exact with any rule), and its projection v = sum of m_j l_j on the linear functions l,
 ///   P B_b a = sym(g a) + 1/3 (v . a - g . a) I.
+/// In axisymmetric sections g is the gradient as it is, for the hoop strain N/x a_x has a mean too.
 
 #include <Eigen/LU>
 
@@ -37,7 +38,11 @@ struct LaneModuli {
   Lanes<P> lambda, twice_mu;
 };
 
-template <int P>
+/// How strain follows from displacements. Sections: unknowns and gradients in the plane z = 0 alone; zz is the hoop
+/// strain u_x/x of axisymmetric ones, and zero in plane strain.
+enum class Kinematics { solid, plane, axisymmetric };
+
+template <int P, Kinematics kinematics>
 class BubbleTerms {
  public:
   using Values = Eigen::Map<const Lanes<P>>;
@@ -45,8 +50,10 @@ class BubbleTerms {
   using Geometry = Eigen::Map<const Eigen::Array<double, P, 10>>;
 
   /// @param geometry, derivatives  as ElementBlock has them @param linear  its linear_functions()
-  BubbleTerms(const Bubble& bubble, const Geometry& geometry, const Vectors& linear, const Vectors& derivatives)
-      : bubble_(bubble), weight_(geometry.col(9).data()), linear_(linear) {
+  /// @param hoop  N/x at the points; zero but in axisymmetric sections
+  BubbleTerms(const Bubble& bubble, const Geometry& geometry, const Vectors& linear, const Vectors& derivatives,
+              const Lanes<P>& hoop)
+      : bubble_(bubble), weight_(geometry.col(9).data()), linear_(linear), hoop_(hoop) {
     for (Index i = 0; i < 3; ++i)
       gradient_.col(i) = geometry.col(i) * derivatives.col(0) + geometry.col(3 + i) * derivatives.col(1) +
                          geometry.col(6 + i) * derivatives.col(2) - bubble.mean_gradient[i];
@@ -54,6 +61,7 @@ class BubbleTerms {
 
   /// strain += P B_b a, a in equilibrium with the stress H strain and the force on the bubble.
   void add_strain(const LaneModuli<P>& moduli, const Vector3& force, LaneTensors<P>& strain) const {
+    if constexpr (kinematics == Kinematics::axisymmetric) return add_strain_by_matrices(moduli, force, strain);
     constexpr double half_sqrt2 = tensor::sqrt2 / 2;
     const Matrix3 flexibility = stiffness(moduli).inverse();  // first, for it does not wait for the sums
     const Lanes<P> bulk = weight_ * moduli.bulk(), twice_mu = weight_ * moduli.twice_mu;
@@ -81,10 +89,30 @@ class BubbleTerms {
       residual += weight_[p] * (matrix.transpose() * tensor::view(initial_stress, p) -
                                 stress.transpose() * strain.row(p).matrix().transpose());
     }
-    add_strain(stiffness.inverse() * residual, strain);
+    add_matrices(stiffness.inverse() * residual, strain);
   }
 
  private:
+  using StrainMatrix = Eigen::Matrix<double, 6, 3>;
+
+  void add_matrices(const Vector3& a, LaneTensors<P>& strain) const {
+    if constexpr (kinematics != Kinematics::axisymmetric) return add_strain(a, strain);
+    for (Index p = 0; p < P; ++p) strain.row(p) += (strain_matrix(p) * a).transpose().array();
+  }
+
+  void add_strain_by_matrices(const LaneModuli<P>& moduli, const Vector3& force, LaneTensors<P>& strain) const {
+    Matrix3 stiffness = Matrix3::Zero();
+    Vector3 residual = force;
+    for (Index p = 0; p < P; ++p) {
+      const StrainMatrix matrix = strain_matrix(p);
+      StrainMatrix stress = moduli.twice_mu[p] * matrix;
+      stress.template topRows<3>().rowwise() += moduli.lambda[p] * matrix.template topRows<3>().colwise().sum();
+      stiffness += weight_[p] * matrix.transpose() * stress;
+      residual -= weight_[p] * stress.transpose() * strain.row(p).matrix().transpose();
+    }
+    add_matrices(stiffness.inverse() * residual, strain);
+  }
+
   Matrix3 stiffness(const LaneModuli<P>& moduli) const {
     const Matrix3& m = bubble_.moments;
     if (moduli.uniform) return moduli.twice_mu[0] / 2 * bubble_.shear + moduli.bulk()[0] * (m.transpose() * m);
@@ -126,14 +154,17 @@ class BubbleTerms {
     const double xy = half_sqrt2 * x, yy = half_sqrt2 * y, zy = half_sqrt2 * z;
     Eigen::Matrix<double, 6, 3> result;
     result << x, 0, 0, 0, y, 0, 0, 0, z, yy, xy, 0, 0, zy, yy, zy, 0, xy;
-    const Eigen::RowVector3d mean = (linear_.row(p).matrix() * bubble_.moments - gradient_.row(p).matrix()) / 3;
-    result.topRows<3>().rowwise() += mean;
+    result(2, 0) += hoop_[p];
+    Eigen::RowVector3d mean = linear_.row(p).matrix() * bubble_.moments - gradient_.row(p).matrix();
+    mean[0] -= hoop_[p];
+    result.template topRows<3>().rowwise() += (mean + bubble_.mean_divergence.transpose()) / 3;
     return result;
   }
 
   const Bubble& bubble_;
   Values weight_;
   Vectors linear_;
+  Lanes<P> hoop_;
   Eigen::Array<double, P, 3> gradient_;
 };
 

@@ -22,8 +22,9 @@ std::span<double> work_space(std::size_t n) {
 Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.size()), nodes_(mesh.nodes) {
   std::vector<std::int64_t> node_of_entry;
   for (const mesh::CellBlock& cells : mesh.blocks) {
-    if (mesh::dimension(cells.type) != 3 || cells.connectivity.empty()) continue;
-    blocks_.push_back(ElementBlock::make(cells, mesh.nodes, {n_elements_, n_points_, node_of_entry.size(), n_inner_}));
+    if (!mesh.is_bulk(cells.type) || cells.connectivity.empty()) continue;
+    blocks_.push_back(
+        ElementBlock::make(cells, mesh.nodes, mesh.section, {n_elements_, n_points_, node_of_entry.size(), n_inner_}));
     const ElementBlock& block = *blocks_.back();
     node_of_entry.insert(node_of_entry.end(), cells.connectivity.begin(), cells.connectivity.end());
     n_elements_ += block.n_elements();
@@ -35,7 +36,9 @@ Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.siz
       for (std::size_t p = 0; p < block.n_points(); ++p) coordinates_.push_back(block.point(e, p, mesh.nodes));
     }
   }
-  if (blocks_.empty()) throw ModelError("the mesh has no volume elements");
+  if (blocks_.empty())
+    throw ModelError(mesh.section.dimension() == 3 ? "the mesh has no volume elements"
+                                                   : "the mesh has no surface elements");
   n_entries_ = node_of_entry.size();
   entries_ = std::make_shared<NodeEntries>(n_nodes_, node_of_entry);
   if (std::ranges::any_of(blocks_, [](const auto& block) { return LinearReconstruction::serves(block->type()); }))

@@ -20,8 +20,10 @@ using mesh::CellType;
 
 CellType linear_type(CellType type) {
   switch (mesh::n_corners(type)) {
+    case 3:
+      return CellType::tri3;
     case 4:
-      return CellType::tet4;
+      return mesh::dimension(type) == 2 ? CellType::quad4 : CellType::tet4;
     case 6:
       return CellType::wedge6;
     default:
@@ -30,7 +32,7 @@ CellType linear_type(CellType type) {
 }
 
 Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
-  const Eigen::MatrixX3d& points = reference.rule().points;
+  const Eigen::MatrixX3d& points = reference.bulk_rule().points;
   const bool complete = points.rows() >= reference.n_nodes();
   const auto& basis = fem::reference_element(complete ? reference.type() : linear_type(reference.type()));
   const auto values_at = [&](const Eigen::MatrixX3d& positions) {
@@ -47,35 +49,59 @@ Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
          linalg::least_squares(values_at(points), Eigen::MatrixXd::Identity(points.rows(), points.rows()));
 }
 
+template <Kinematics kinematics>
+std::unique_ptr<const ElementBlock> make_section(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
+                                                 const mesh::Section& section, BlockStart start) {
+  switch (cells.type) {
+    case CellType::tri3:
+      return std::make_unique<ElementLoops<3, 1, Projection::none, false, kinematics>>(cells, nodes, section, start);
+    case CellType::tri6:
+      return std::make_unique<ElementLoops<6, 6, Projection::linear, true, kinematics>>(cells, nodes, section, start);
+    case CellType::quad4:
+      return std::make_unique<ElementLoops<4, 4, Projection::constant, false, kinematics>>(cells, nodes, section,
+                                                                                           start);
+    case CellType::quad8:
+      return std::make_unique<ElementLoops<8, 4, Projection::linear, false, kinematics>>(cells, nodes, section, start);
+    case CellType::quad9:
+      return std::make_unique<ElementLoops<9, 9, Projection::linear, false, kinematics>>(cells, nodes, section, start);
+    default:
+      throw ModelError(fmt::format("cells of type {} are not surface elements", mesh::name(cells.type)));
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
-                                                       BlockStart start) {
+                                                       const mesh::Section& section, BlockStart start) {
+  if (section.is_axisymmetric()) return make_section<Kinematics::axisymmetric>(cells, nodes, section, start);
+  if (section.dimension() == 2) return make_section<Kinematics::plane>(cells, nodes, section, start);
   switch (cells.type) {
     case CellType::tet4:
-      return std::make_unique<ElementLoops<4, 1, Projection::none, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<4, 1, Projection::none, false>>(cells, nodes, section, start);
     case CellType::tet10:
-      return std::make_unique<ElementLoops<10, 8, Projection::linear, true>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<10, 8, Projection::linear, true>>(cells, nodes, section, start);
     case CellType::hex8:
-      return std::make_unique<ElementLoops<8, 8, Projection::constant, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<8, 8, Projection::constant, false>>(cells, nodes, section, start);
     case CellType::hex20:
-      return std::make_unique<ElementLoops<20, 8, Projection::linear, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<20, 8, Projection::linear, false>>(cells, nodes, section, start);
     case CellType::hex27:
-      return std::make_unique<ElementLoops<27, 27, Projection::linear, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<27, 27, Projection::linear, false>>(cells, nodes, section, start);
     case CellType::wedge6:
-      return std::make_unique<ElementLoops<6, 6, Projection::constant, false>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<6, 6, Projection::constant, false>>(cells, nodes, section, start);
     case CellType::wedge15:
-      return std::make_unique<ElementLoops<15, 12, Projection::linear, true>>(cells, nodes, start);
+      return std::make_unique<ElementLoops<15, 12, Projection::linear, true>>(cells, nodes, section, start);
     default:
       throw ModelError(fmt::format("cells of type {} are not volume elements", mesh::name(cells.type)));
   }
 }
 
-ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
+ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
+                           const mesh::Section& section, BlockStart start)
     : reference_(fem::reference_element(cells.type)),
+      section_(section),
       start_(start),
       n_nodes_(reference_.n_nodes()),
-      n_points_(reference_.rule().size()),
+      n_points_(reference_.bulk_rule().size()),
       connectivity_(cells.connectivity),
       extrapolation_(extrapolation_matrix(reference_)) {
   tabulate();
@@ -89,7 +115,7 @@ void ElementBlock::tabulate() {
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
   for (std::size_t p = 0; p < n_points_; ++p) {
-    const Vector3 xi = reference_.rule().points.row(p).transpose();
+    const Vector3 xi = reference_.bulk_rule().points.row(p).transpose();
     reference_.shape(xi, shape_.col(p));
     reference_.gradient(xi, gradient);
     for (std::size_t a = 0; a < n_nodes_; ++a)
@@ -97,9 +123,11 @@ void ElementBlock::tabulate() {
     if (!has_bubble()) continue;
     const Vector3 bubble = fem::bubble_gradient(type(), xi), from_middle = xi - middle;
     bubble_derivatives_.row(p) = bubble.transpose();
-    // Integral of N = - integral of xi . grad N / 3. By quadrature, only this balances the stress whose divergence the
-    // force is.
-    bubble_values_.push_back(-from_middle.dot(bubble) / 3);
+    bubble_values_.push_back(fem::bubble_value(type(), xi));
+    // Integral of N = - integral of xi . grad N / dimension. By quadrature, only this balances the stress whose
+    // divergence the force is.
+    bubble_shares_.push_back(section_.is_axisymmetric() ? bubble_values_.back()
+                                                        : -from_middle.dot(bubble) / section_.dimension());
   }
 }
 
@@ -114,6 +142,7 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
         const Eigen::Map<const Vector3> derivative(&derivatives_[(p * n_nodes_ + a) * 3]);
         jacobian += nodes[cell[a]] * derivative.transpose();
       }
+      if (section_.dimension() == 2) jacobian(2, 2) = 1;
       const double determinant = jacobian.determinant();
       if (!(determinant > 0)) {
         const Vector3 x = point(e, p, nodes);
@@ -125,7 +154,9 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       const Matrix3 inverse = jacobian.inverse();
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t j = 0; j < 3; ++j) geometry[(3 * k + j) * n_points_ + p] = inverse(k, j);
-      geometry[9 * n_points_ + p] = determinant * reference_.rule().weights[p];
+      const Vector3 position = point(e, p, nodes);
+      geometry[9 * n_points_ + p] = determinant * reference_.bulk_rule().weights[p] * section_.depth(position);
+      if (section_.is_axisymmetric()) inverse_radius_.push_back(1 / position.x());
     }
   }
   if (reference_.volumetric_strain() == Projection::linear) find_linear_functions(nodes);
@@ -160,7 +191,7 @@ void ElementBlock::find_linear_functions(const std::vector<Vector3>& nodes) {
     for (std::size_t p = 0; p < n_points_; ++p) positions.row(p) = point(e, p, nodes);
     positions.rowwise() -= (weight.transpose() * positions / weight.sum()).eval();
     // Gram and Schmidt, twice: flat elements too.
-    for (Index j = 0; j < 3; ++j) {
+    for (Index j = 0; j < section_.dimension(); ++j) {
       for (int pass = 0; pass < 2; ++pass)
         for (Index k = 0; k < j; ++k)
           positions.col(j) -= positions.col(k).cwiseProduct(weight).dot(positions.col(j)) * positions.col(k);
@@ -177,9 +208,17 @@ void ElementBlock::measure_bubbles() {
       gradients.row(row) = bubble_derivatives_.row(row) * inverse_jacobian(e, p);
     }
     const auto weight = weights(e);
+    const Eigen::Map<const Eigen::MatrixX3d> linear(linear_functions(e), weight.size(), 3);
+    if (section_.is_axisymmetric()) {
+      Eigen::MatrixX3d divergence = gradients;
+      for (std::size_t p = 0; p < n_points_; ++p)
+        divergence(static_cast<Index>(p), 0) += bubble_values_[p] * inverse_radius(e)[p];
+      bubbles_.push_back({Vector3::Zero(), linear.transpose() * weight.asDiagonal() * divergence, Matrix3::Zero(),
+                          divergence.transpose() * weight / weight.sum()});
+      continue;
+    }
     const Vector3 mean = gradients.transpose() * weight / weight.sum();
     gradients.rowwise() -= mean.transpose();
-    const Eigen::Map<const Eigen::MatrixX3d> linear(linear_functions(e), weight.size(), 3);
     const Matrix3 squares = gradients.transpose() * weight.asDiagonal() * gradients;
     bubbles_.push_back({mean, linear.transpose() * weight.asDiagonal() * gradients,
                         squares / 3 + squares.trace() * Matrix3::Identity()});
@@ -230,7 +269,7 @@ void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<
     for (std::size_t p = 0; p < n_points_; ++p) {
       const Vector3 force = weights(e)[p] * force_density[start_.point + e * n_points_ + p];
       forces += force * shape_.col(p).transpose();
-      if (has_bubble()) Vector3::Map(&inner_forces[3 * (start_.inner + e)]) += bubble_values_[p] * force;
+      if (has_bubble()) Vector3::Map(&inner_forces[3 * (start_.inner + e)]) += bubble_shares_[p] * force;
     }
   }
 }

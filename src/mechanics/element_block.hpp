@@ -20,6 +20,9 @@ struct Bubble {
   Vector3 mean_gradient;
   Matrix3 moments;  ///< sum of w l_j g_i at (j, i), with the linear functions l_j: the projection of g_i is their sum
   Matrix3 shear;    ///< sum of w (g g^T / 3 + g . g I): stiffness of the deviator for a shear modulus of 1
+  /// Axisymmetric sections, where g is the gradient as it is, and the divergence has the hoop strain too: its mean for
+  /// unit displacements. Else zero.
+  Vector3 mean_divergence = Vector3::Zero();
 };
 
 /// Where the block starts in the numbering of the body.
@@ -35,7 +38,7 @@ class ElementBlock {
  public:
   /// @throws ModelError if an element is inverted
   static std::unique_ptr<const ElementBlock> make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
-                                                  BlockStart start);
+                                                  const mesh::Section& section, BlockStart start);
   virtual ~ElementBlock() = default;
 
   mesh::CellType type() const { return reference_.type(); }
@@ -82,7 +85,8 @@ class ElementBlock {
   Eigen::MatrixXd element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const;
 
  protected:
-  ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start);
+  ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, const mesh::Section& section,
+               BlockStart start);
 
   const fem::ReferenceElement& reference() const { return reference_; }
   /// Reference derivatives, n_points x n_nodes x 3.
@@ -95,6 +99,12 @@ class ElementBlock {
   /// Share of the volumetric strain of an element that stays as it is, the rest being projected; see
   /// ReferenceElement::projects_distorted_elements_only(). Precondition: fits_mean_stress()
   double unprojected_part(std::size_t e) const { return unprojected_part_[e]; }
+  /// Shape functions, n_nodes x n_points.
+  const Eigen::MatrixXd& shape() const { return shape_; }
+  /// 1/x at the points of an element. Precondition: an axisymmetric section
+  const double* inverse_radius(std::size_t e) const { return inverse_radius_.data() + n_points_ * e; }
+  /// The bubble at the points, n_points; empty without one.
+  const double* bubble_values() const { return bubble_values_.data(); }
   /// Reference derivatives of the bubble, n_points x 3; empty without one.
   const Eigen::MatrixX3d& bubble_derivatives() const { return bubble_derivatives_; }
   const Bubble& bubble(std::size_t e) const { return bubbles_[e]; }
@@ -107,8 +117,10 @@ class ElementBlock {
   /// Gradients of the shape functions at the points of an element, one column per point, three numbers per node; those
   /// of the bubble, less their mean, come last.
   Eigen::MatrixXd gradients(std::size_t e) const;
+  /// Strain zz of unit displacements at the points, as gradients(): hoop strain in axisymmetric sections, else empty.
+  Eigen::MatrixXd hoop_strains(std::size_t e) const;
   /// Volumetric strain of unit displacements at the points, after the projection: as gradients().
-  Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& gradients) const;
+  Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& divergence) const;
   /// Eliminates the bubble from a stiffness.
   Eigen::MatrixXd condensed(const Eigen::MatrixXd& stiffness) const;
   void tabulate();
@@ -118,16 +130,19 @@ class ElementBlock {
   void measure_bubbles();
 
   const fem::ReferenceElement& reference_;
+  mesh::Section section_;
   BlockStart start_;
   std::size_t n_nodes_, n_points_;
   std::vector<std::int64_t> connectivity_;
   std::vector<double> geometry_;
+  std::vector<double> inverse_radius_;
   std::vector<double> linear_functions_;
   std::vector<double> unprojected_part_;
   std::vector<Bubble> bubbles_;
   std::vector<double> derivatives_;
   Eigen::MatrixX3d bubble_derivatives_;
-  std::vector<double> bubble_values_;  // at the points, for integrals of body forces
+  std::vector<double> bubble_values_;  // at the points
+  std::vector<double> bubble_shares_;  // the same for integrals of body forces
   Eigen::MatrixXd shape_;              // n_nodes x n_points
   Eigen::MatrixXd extrapolation_;
 };

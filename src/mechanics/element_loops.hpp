@@ -18,14 +18,19 @@
 
 namespace creepcontact::mechanics {
 
-template <int n_nodes_v, int n_points_v, fem::Projection volumetric, bool with_bubble>
+template <int n_nodes_v, int n_points_v, fem::Projection volumetric, bool with_bubble,
+          Kinematics kinematics = Kinematics::solid>
 class ElementLoops final : public ElementBlock {
  public:
-  ElementLoops(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, BlockStart start)
-      : ElementBlock(cells, nodes, start) {
+  ElementLoops(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes, const mesh::Section& section,
+               BlockStart start)
+      : ElementBlock(cells, nodes, section, start) {
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t p = 0; p < P; ++p) table_[(3 * a + k) * P + p] = derivatives()[(p * N + a) * 3 + k];
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t p = 0; p < P; ++p)
+        shape_table_[a * P + p] = shape()(static_cast<Index>(a), static_cast<Index>(p));
   }
 
   void stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,
@@ -91,10 +96,11 @@ class ElementLoops final : public ElementBlock {
 
  private:
   static constexpr std::size_t N = n_nodes_v, P = n_points_v;
+  static constexpr std::size_t D = kinematics == Kinematics::solid ? 3 : 2;  // dimensions of the gradients
   using Values = Lanes<n_points_v>;
   using Tensors = LaneTensors<n_points_v>;
   using ConstValues = Eigen::Map<const Values>;
-  using Terms = BubbleTerms<n_points_v>;
+  using Terms = BubbleTerms<n_points_v, kinematics>;
   using Points = Eigen::Array<double, 6, n_points_v>;  // tensors at the points as callers see them
 
   template <typename Work>
@@ -115,12 +121,13 @@ class ElementLoops final : public ElementBlock {
     return ConstValues(geometry(e) + (3 * k + j) * P);
   }
   ConstValues weight(std::size_t e) const { return ConstValues(geometry(e) + 9 * P); }
+  ConstValues shape_at_points(std::size_t a) const { return ConstValues(&shape_table_[a * P]); }
   /// dN_a/dxi_k at the points.
   ConstValues derivative(std::size_t a, std::size_t k) const { return ConstValues(&table_[(3 * a + k) * P]); }
 
   /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
   void project_trace(std::size_t e, Tensors& values) const {
-    project_trace(e, values, n_nodes_v == 20 ? unprojected_part(e) : 0.0);
+    project_trace(e, values, n_nodes_v == 20 || (n_nodes_v == 8 && D == 2) ? unprojected_part(e) : 0.0);
   }
 
   /// @param kept  share of the trace that stays as it is
@@ -130,7 +137,7 @@ class ElementLoops final : public ElementBlock {
     const Values trace = values.col(0) + values.col(1) + values.col(2), weighted = weight(e) * trace;
     Values shift = weighted.sum() / weight(e).sum() - trace;
     if constexpr (volumetric == fem::Projection::linear) {
-      for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t j = 0; j < D; ++j) {
         const ConstValues linear(linear_functions(e) + j * P);
         shift += (linear * weighted).sum() * linear;
       }
@@ -143,25 +150,41 @@ class ElementLoops final : public ElementBlock {
   Tensors element_strain(std::size_t e, const double* u) const {
     constexpr double half_sqrt2 = tensor::sqrt2 / 2;
     const std::int64_t* cell = connectivity().data() + e * N;
-    std::array<std::array<double, N>, 3> nodal;
+    std::array<std::array<double, N>, D> nodal;
     for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < 3; ++i) nodal[i][a] = u[3 * cell[a] + static_cast<std::int64_t>(i)];
-    std::array<std::array<Values, 3>, 3> gradient;  // du_i/dx_j
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::array<Values, 3> by_xi;
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < D; ++i) nodal[i][a] = u[3 * cell[a] + static_cast<std::int64_t>(i)];
+    std::array<std::array<Values, D>, D> gradient;  // du_i/dx_j
+    for (std::size_t i = 0; i < D; ++i) {
+      std::array<Values, D> by_xi;
+      for (std::size_t k = 0; k < D; ++k) {
         Values sum = Values::Zero();
         for (std::size_t a = 0; a < N; ++a) sum += nodal[i][a] * derivative(a, k);
         by_xi[k] = sum;
       }
-      for (std::size_t j = 0; j < 3; ++j)
-        gradient[i][j] = inverse(e, 0, j) * by_xi[0] + inverse(e, 1, j) * by_xi[1] + inverse(e, 2, j) * by_xi[2];
+      for (std::size_t j = 0; j < D; ++j) {
+        if constexpr (D == 3)
+          gradient[i][j] = inverse(e, 0, j) * by_xi[0] + inverse(e, 1, j) * by_xi[1] + inverse(e, 2, j) * by_xi[2];
+        else
+          gradient[i][j] = inverse(e, 0, j) * by_xi[0] + inverse(e, 1, j) * by_xi[1];
+      }
     }
     Tensors strain;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      strain.col(i) = gradient[i][i];
-      strain.col(3 + i) = half_sqrt2 * (gradient[i][j] + gradient[j][i]);
+    if constexpr (D == 3) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        strain.col(i) = gradient[i][i];
+        strain.col(3 + i) = half_sqrt2 * (gradient[i][j] + gradient[j][i]);
+      }
+    } else {
+      strain.setZero();
+      strain.col(0) = gradient[0][0];
+      strain.col(1) = gradient[1][1];
+      strain.col(3) = half_sqrt2 * (gradient[0][1] + gradient[1][0]);
+    }
+    if constexpr (kinematics == Kinematics::axisymmetric) {
+      Values radial = Values::Zero();
+      for (std::size_t a = 0; a < N; ++a) radial += nodal[0][a] * shape_at_points(a);
+      strain.col(2) = radial * ConstValues(inverse_radius(e));
     }
     return strain;
   }
@@ -194,15 +217,30 @@ class ElementLoops final : public ElementBlock {
     constexpr std::array<std::array<Index, 3>, 3> column{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
     project_trace(e, stress);
     for (Index i = 0; i < 6; ++i) stress.col(i) *= (i < 3 ? 1 : half_sqrt2) * weight(e);
-    std::array<std::array<Values, 3>, 3> flux;  // weight * component i of stress . grad xi_k
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        flux[i][k] = inverse(e, k, 0) * stress.col(column[i][0]) + inverse(e, k, 1) * stress.col(column[i][1]) +
-                     inverse(e, k, 2) * stress.col(column[i][2]);
+    std::array<std::array<Values, D>, D> flux;  // weight * component i of stress . grad xi_k
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t k = 0; k < D; ++k) {
+        const auto first = stress.col(column[i][0]), second = stress.col(column[i][1]);
+        if constexpr (D == 3)
+          flux[i][k] =
+              inverse(e, k, 0) * first + inverse(e, k, 1) * second + inverse(e, k, 2) * stress.col(column[i][2]);
+        else
+          flux[i][k] = inverse(e, k, 0) * first + inverse(e, k, 1) * second;
+      }
+    [[maybe_unused]] Values hoop;
+    if constexpr (kinematics == Kinematics::axisymmetric) hoop = stress.col(2) * ConstValues(inverse_radius(e));
     double* out = element_forces + 3 * (start().entry + e * N);
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < 3; ++i)
-        *out++ = (derivative(a, 0) * flux[i][0] + derivative(a, 1) * flux[i][1] + derivative(a, 2) * flux[i][2]).sum();
+    for (std::size_t a = 0; a < N; ++a) {
+      for (std::size_t i = 0; i < D; ++i) {
+        if constexpr (D == 3)
+          *out++ =
+              (derivative(a, 0) * flux[i][0] + derivative(a, 1) * flux[i][1] + derivative(a, 2) * flux[i][2]).sum();
+        else
+          *out++ = (derivative(a, 0) * flux[i][0] + derivative(a, 1) * flux[i][1]).sum();
+      }
+      if constexpr (kinematics == Kinematics::axisymmetric) *(out - 2) += (shape_at_points(a) * hoop).sum();
+      if constexpr (D == 2) *out++ = 0;
+    }
   }
 
   /// strain += P B_b a with the a that balances D strain - initial stress.
@@ -215,11 +253,15 @@ class ElementLoops final : public ElementBlock {
   }
 
   Terms bubble_terms(std::size_t e) const {
+    Values hoop = Values::Zero();
+    if constexpr (kinematics == Kinematics::axisymmetric)
+      hoop = ConstValues(bubble_values()) * ConstValues(inverse_radius(e));
     return {bubble(e), typename Terms::Geometry(geometry(e)), typename Terms::Vectors(linear_functions(e)),
-            typename Terms::Vectors(bubble_derivatives().data())};
+            typename Terms::Vectors(bubble_derivatives().data()), hoop};
   }
 
   std::array<double, P * N * 3> table_{};
+  std::array<double, P * N> shape_table_{};
 };
 
 }  // namespace creepcontact::mechanics

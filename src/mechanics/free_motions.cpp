@@ -67,9 +67,11 @@ std::vector<FreeMotion> motions_of_hinged_parts(const mesh::Mesh& mesh, const Co
     for (const std::int64_t node : parts[p]) {
       const auto [found, is_new] = first_part.emplace(node, p);
       const Eigen::Matrix<double, 3, 6> own = motion_at(node);
-      for (int k = 0; k < (is_new ? constraints.n_held(node) : 3); ++k) {
+      const std::vector<Vector3> directions =
+          is_new ? resisted_directions(mesh, constraints, node)
+                 : std::vector<Vector3>{Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+      for (const Vector3& direction : directions) {
         Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n_unknowns);
-        const Vector3 direction = is_new ? Vector3(constraints.frame(node).col(k)) : Vector3(Vector3::Unit(k));
         row.segment<6>(6 * p) = direction.transpose() * own;
         if (!is_new) row.segment<6>(6 * found->second) -= direction.transpose() * own;
         rows.push_back(std::move(row));
@@ -130,7 +132,7 @@ std::vector<FreeMotion> free_motions(const mesh::Mesh& mesh, const MeshParts& pa
         motions.push_back(std::move(motion));
       continue;
     }
-    for (const RigidMotion& rigid : free_rigid_motions(mesh.nodes, constraints, cluster.front())) {
+    for (const RigidMotion& rigid : free_rigid_motions(mesh, constraints, cluster.front())) {
       FreeMotion motion = motion_of_nodes(mesh, cluster.front(), rigid);
       if (pieces.size() > 1) {
         const Vector3 x = centre_of(mesh, cluster.front());

@@ -18,7 +18,7 @@ std::vector<FaceOfElement> all_faces(const mesh::Mesh& mesh) {
   std::vector<FaceOfElement> faces;
   std::size_t element = 0;
   for (const mesh::CellBlock& block : mesh.blocks) {
-    if (mesh::dimension(block.type) != 3) continue;
+    if (!mesh.is_bulk(block.type)) continue;
     for (std::size_t c = 0; c < block.size(); ++c, ++element)
       for (const mesh::LocalFace& local : mesh::cell_faces(block.type)) {
         FaceOfElement face{.element = element};
@@ -58,7 +58,7 @@ MeshParts mesh_parts(const mesh::Mesh& mesh) {
   MeshParts parts;
   std::size_t element = 0;
   for (const mesh::CellBlock& block : mesh.blocks) {
-    if (mesh::dimension(block.type) != 3) continue;
+    if (!mesh.is_bulk(block.type)) continue;
     for (std::size_t c = 0; c < block.size(); ++c, ++element) {
       std::size_t& part = part_of_root[sets.find(element)];
       if (part == n_elements) {

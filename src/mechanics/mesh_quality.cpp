@@ -11,7 +11,7 @@ namespace creepcontact::mechanics {
 std::vector<Vector3> folded_elements(const mesh::Mesh& mesh) {
   std::vector<Vector3> centres;
   for (const mesh::CellBlock& block : mesh.blocks) {
-    if (mesh::dimension(block.type) != 3 || mesh::order(block.type) < 2) continue;
+    if (!mesh.is_bulk(block.type) || mesh::order(block.type) < 2) continue;
     const fem::ReferenceElement& element = fem::reference_element(block.type);
     std::vector<Eigen::MatrixX3d> gradients(mesh::n_corners(block.type));
     for (std::size_t i = 0; i < gradients.size(); ++i) {

@@ -63,9 +63,17 @@ std::string along(const Vector3& direction) {
 
 }  // namespace
 
-std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
+std::vector<Vector3> resisted_directions(const mesh::Mesh& mesh, const Constraints& constraints, std::int64_t node) {
+  std::vector<Vector3> directions;
+  const Matrix3 frame = constraints.frame(node);
+  for (int k = 0; k < constraints.n_held(node); ++k) directions.emplace_back(frame.col(k));
+  if (mesh.section.is_axisymmetric()) directions.emplace_back(Vector3::UnitX());
+  return directions;
+}
+
+std::vector<RigidMotion> free_rigid_motions(const mesh::Mesh& mesh, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset) {
-  const auto position = [&](std::int64_t node) { return nodes[node]; };
+  const auto position = [&](std::int64_t node) { return mesh.nodes[node]; };
   Vector3 centre = Vector3::Zero();
   for (const std::int64_t node : subset) centre += position(node) / static_cast<double>(subset.size());
   double size = 0;
@@ -74,9 +82,7 @@ std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, c
   // q . (t + w x r) = 0 for every held direction q; unknowns t and size * w.
   std::vector<Eigen::Matrix<double, 6, 1>> held;
   for (const std::int64_t node : subset) {
-    const Matrix3 frame = constraints.n_held(node) > 0 ? constraints.frame(node) : Matrix3::Identity();
-    for (int k = 0; k < constraints.n_held(node); ++k) {
-      const Vector3 q = frame.col(k);
+    for (const Vector3& q : resisted_directions(mesh, constraints, node)) {
       held.emplace_back();
       held.back() << q, (position(node) - centre).cross(q) / size;
     }

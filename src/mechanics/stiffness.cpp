@@ -23,11 +23,22 @@ Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
   return result;
 }
 
-Eigen::MatrixXd ElementBlock::volumetric_gradients(std::size_t e, const Eigen::MatrixXd& gradients) const {
+Eigen::MatrixXd ElementBlock::hoop_strains(std::size_t e) const {
+  if (!section_.is_axisymmetric()) return {};
+  const Index n = n_nodes_, inner = has_bubble() ? 3 : 0;
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * n + inner, n_points_);
+  for (std::size_t p = 0; p < n_points_; ++p) {
+    for (Index a = 0; a < n; ++a) result(3 * a, p) = shape_(a, p) * inverse_radius(e)[p];
+    if (has_bubble()) result(3 * n, p) = bubble_values_[p] * inverse_radius(e)[p];
+  }
+  return result;
+}
+
+Eigen::MatrixXd ElementBlock::volumetric_gradients(std::size_t e, const Eigen::MatrixXd& divergence) const {
   const Eigen::MatrixXd basis = this->basis(e);
   const double kept = fits_mean_stress() ? unprojected_part(e) : basis.cols() == 0 ? 1.0 : 0.0;
-  Eigen::MatrixXd result = kept * gradients;
-  if (kept < 1) result += (1 - kept) * (gradients * weights(e).asDiagonal() * basis) * basis.transpose();
+  Eigen::MatrixXd result = kept * divergence;
+  if (kept < 1) result += (1 - kept) * (divergence * weights(e).asDiagonal() * basis) * basis.transpose();
   return result;
 }
 
@@ -41,7 +52,9 @@ Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const 
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
   const Index n_p = n_points_;
-  const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
+  const Eigen::MatrixXd gradients = this->gradients(e), hoop = hoop_strains(e);
+  const Eigen::MatrixXd divergence = hoop.size() > 0 ? gradients + hoop : gradients;
+  const Eigen::MatrixXd volumetric = volumetric_gradients(e, divergence);
   const auto weight = weights(e);
   Eigen::VectorXd mu(n_p), bulk(n_p);
   for (Index p = 0; p < n_p; ++p) {
@@ -50,7 +63,12 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
     bulk[p] = weight[p] * (h.lambda + 2.0 / 3.0 * h.mu);
   }
   const Eigen::MatrixXd shear = gradients * mu.asDiagonal() * gradients.transpose();
-  Eigen::MatrixXd stiffness = volumetric * bulk.asDiagonal() * volumetric.transpose() - 2.0 / 3.0 * shear;
+  Eigen::MatrixXd stiffness = volumetric * bulk.asDiagonal() * volumetric.transpose();
+  if (hoop.size() == 0)
+    stiffness -= 2.0 / 3.0 * shear;
+  else
+    stiffness += 2 * hoop * mu.asDiagonal() * hoop.transpose() -
+                 2.0 / 3.0 * divergence * mu.asDiagonal() * divergence.transpose();
   for (Index b = 0; b < gradients.rows(); b += 3) {
     for (Index a = 0; a < gradients.rows(); a += 3) {
       const auto from = shear.block<3, 3>(a, b);
@@ -63,7 +81,9 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
   const Index n_p = n_points_;
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-  const Eigen::MatrixXd gradients = this->gradients(e), volumetric = volumetric_gradients(e, gradients);
+  const Eigen::MatrixXd gradients = this->gradients(e), hoop = hoop_strains(e);
+  const Eigen::MatrixXd divergence = hoop.size() > 0 ? gradients + hoop : gradients;
+  const Eigen::MatrixXd volumetric = volumetric_gradients(e, divergence);
   const auto weight = weights(e);
   const Index n_dofs = gradients.rows();
   // B of all points on top of each other: strain in Mandel order, one column per unknown.
@@ -78,8 +98,9 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const M
       block(4, 1) = block(5, 0) = shear.z();
     }
   }
+  for (Index p = 0; p < n_p && hoop.size() > 0; ++p) strain.row(6 * p + 2) += hoop.col(p).transpose();
   for (Index p = 0; p < n_p; ++p)
-    strain.middleRows<3>(6 * p).rowwise() += (volumetric.col(p) - gradients.col(p)).transpose() / 3;
+    strain.middleRows<3>(6 * p).rowwise() += (volumetric.col(p) - divergence.col(p)).transpose() / 3;
   Eigen::MatrixXd stress(6 * n_p, n_dofs);
   for (Index p = 0; p < n_p; ++p)
     stress.middleRows<6>(6 * p).noalias() =

@@ -28,7 +28,7 @@ Face global_face(const LocalFace& local, std::span<const std::int64_t> cell) {
 }  // namespace
 
 std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
-  const Group& group = mesh.group(surface, 2);
+  const Group& group = mesh.group(surface, mesh.section.dimension() - 1);
   std::unordered_map<FaceKey, std::size_t, FaceKeyHash> index;  // position of the surface cell in the result
   index.reserve(group.cells.size());
   std::vector<CellRef> wanted;
@@ -39,8 +39,9 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
 
   std::vector<Face> faces(wanted.size());
   for (const CellBlock& block : mesh.blocks) {
+    if (!mesh.is_bulk(block.type)) continue;
     const auto& locals = cell_faces(block.type);
-    for (std::size_t c = 0; c < block.size() && !locals.empty(); ++c) {
+    for (std::size_t c = 0; c < block.size(); ++c) {
       const auto cell = block.cell(c);
       for (const LocalFace& local : locals) {
         const auto found = index.find(face_key(local.type, [&](int i) { return cell[local.nodes[i]]; }));
@@ -48,9 +49,8 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
         Face& face = faces[found->second];
         if (!face.nodes.empty()) {
           throw ModelError(
-              fmt::format("surface '{}' lies inside the body, between two of its cells, at {}; it has to "
-                          "be on the boundary",
-                          surface, position(mesh, face.nodes)));
+              fmt::format("{} '{}' lies inside the body, between two of its cells, at {}; it has to be on the boundary",
+                          mesh.section.dimension() == 3 ? "surface" : "curve", surface, position(mesh, face.nodes)));
         }
         face = global_face(local, cell);
       }
@@ -60,20 +60,22 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
     if (!faces[i].nodes.empty()) continue;
     const CellBlock& block = mesh.blocks[wanted[i].block];
     const auto cell = block.cell(wanted[i].cell);
-    throw ModelError(fmt::format("surface '{}': the {} at {} is not a face of any volume cell", surface,
-                                 name(block.type), position(mesh, cell)));
+    throw ModelError(fmt::format("{} '{}': the {} at {} is not {} cell",
+                                 mesh.section.dimension() == 3 ? "surface" : "curve", surface, name(block.type),
+                                 position(mesh, cell),
+                                 mesh.section.dimension() == 3 ? "a face of any volume" : "an edge of any surface"));
   }
   return faces;
 }
 
 std::size_t n_orphan_faces(const Mesh& mesh, const std::string& surface) {
   std::unordered_set<FaceKey, FaceKeyHash> orphans;
-  for (const CellRef& ref : mesh.group(surface, 2).cells) {
+  for (const CellRef& ref : mesh.group(surface, mesh.section.dimension() - 1).cells) {
     const CellBlock& block = mesh.blocks[ref.block];
     orphans.insert(face_key(block.type, block.cell(ref.cell)));
   }
   for (const CellBlock& block : mesh.blocks)
-    for (std::size_t c = 0; c < block.size() && !orphans.empty(); ++c)
+    for (std::size_t c = 0; c < block.size() && mesh.is_bulk(block.type) && !orphans.empty(); ++c)
       for (const LocalFace& local : cell_faces(block.type))
         orphans.erase(face_key(local.type, [&](int i) { return block.cell(c)[local.nodes[i]]; }));
   return orphans.size();

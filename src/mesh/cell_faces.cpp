@@ -32,6 +32,11 @@ CellType face_type(CellType cell, std::size_t corners) {
 
 std::vector<LocalFace> make_faces(CellType type) {
   std::vector<LocalFace> faces;
+  if (dimension(type) == 2)
+    for (const auto& [a, b] : cell_edges(type)) {
+      faces.push_back({order(type) == 1 ? CellType::line2 : CellType::line3, {a, b}});
+      if (order(type) == 2) faces.back().nodes.push_back(mid_edge_node(type, a, b));
+    }
   if (dimension(type) < 3) return faces;
   for (const std::vector<int>& corners : face_corners(n_corners(type))) {
     LocalFace face{face_type(type, corners.size()), corners};

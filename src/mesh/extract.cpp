@@ -17,8 +17,10 @@ Marks body_cells(const Mesh& parent, const std::vector<std::string>& regions) {
   Marks marks;
   for (const CellBlock& block : parent.blocks) marks.emplace_back(block.size(), char{0});
   for (const std::string& region : regions) {
-    const Group& group = parent.group(region, 3);
-    if (group.cells.empty()) throw ModelError(fmt::format("physical volume '{}' has no cells", region));
+    const Group& group = parent.group(region, parent.section.dimension());
+    if (group.cells.empty())
+      throw ModelError(
+          fmt::format("physical {} '{}' has no cells", parent.section.dimension() == 3 ? "volume" : "surface", region));
     for (const CellRef& ref : group.cells) marks[ref.block][ref.cell] = 1;
   }
   return marks;
@@ -39,7 +41,7 @@ std::vector<char> nodes_of(const Mesh& parent, const Marks& marks) {
 void mark_lower(const Mesh& parent, const std::vector<char>& used, Marks& marks) {
   for (std::size_t b = 0; b < parent.blocks.size(); ++b) {
     const CellBlock& block = parent.blocks[b];
-    if (dimension(block.type) == 3) continue;
+    if (dimension(block.type) >= parent.section.dimension()) continue;
     for (std::size_t c = 0; c < block.size(); ++c) {
       const auto cell = block.cell(c);
       marks[b][c] = std::all_of(cell.begin(), cell.end(), [&](std::int64_t n) { return used[n] != 0; });
@@ -54,7 +56,7 @@ void unmark_foreign_faces(const Mesh& parent, Marks& marks) {
   std::unordered_map<FaceKey, char, FaceKeyHash> sides;
   for (std::size_t b = 0; b < parent.blocks.size(); ++b) {
     const CellBlock& block = parent.blocks[b];
-    if (dimension(block.type) != 2) continue;
+    if (dimension(block.type) != parent.section.dimension() - 1) continue;
     for (std::size_t c = 0; c < block.size(); ++c)
       if (marks[b][c]) sides.emplace(face_key(block.type, block.cell(c)), char{0});
   }
@@ -69,7 +71,7 @@ void unmark_foreign_faces(const Mesh& parent, Marks& marks) {
   }
   for (std::size_t b = 0; b < parent.blocks.size(); ++b) {
     const CellBlock& block = parent.blocks[b];
-    if (dimension(block.type) != 2) continue;
+    if (dimension(block.type) != parent.section.dimension() - 1) continue;
     for (std::size_t c = 0; c < block.size(); ++c)
       if (marks[b][c]) marks[b][c] = sides.at(face_key(block.type, block.cell(c))) != foreign;
   }
@@ -86,6 +88,7 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions) {
   unmark_foreign_faces(parent, marks);
 
   BodyMesh body;
+  body.mesh.section = parent.section;
   std::vector<std::int64_t> number(parent.nodes.size(), -1);
   for (std::size_t i = 0; i < parent.nodes.size(); ++i) {
     if (!used[i]) continue;

@@ -12,8 +12,10 @@ namespace creepcontact::mesh {
 namespace {
 
 /// By a triangle fan; warped faces need no better.
+/// Of an edge the length.
 double polygon_area(const Mesh& mesh, const Face& face) {
   const auto at = [&](int i) { return mesh.nodes[face.nodes[i]]; };
+  if (n_corners(face.type) == 2) return (at(1) - at(0)).norm();
   Vector3 area = Vector3::Zero();
   for (int i = 1; i + 1 < n_corners(face.type); ++i) area += 0.5 * (at(i) - at(0)).cross(at(i + 1) - at(0));
   return area.norm();
@@ -24,7 +26,7 @@ template <class Visit>
 void for_each_shared_face(const Mesh& mesh, const std::vector<std::int64_t>& index, Visit visit) {
   Face face;
   for (const CellBlock& block : mesh.blocks)
-    for (std::size_t c = 0; c < block.size(); ++c)
+    for (std::size_t c = 0; c < block.size() && mesh.is_bulk(block.type); ++c)
       for (const LocalFace& local : cell_faces(block.type)) {
         face.type = local.type;
         face.nodes.clear();

@@ -14,7 +14,7 @@ namespace {
 std::vector<mesh::CellBlock> locking_blocks(const mesh::Mesh& mesh) {
   std::vector<mesh::CellBlock> result;
   for (const mesh::CellBlock& block : mesh.blocks)
-    if (mesh::dimension(block.type) == 3 && fem::reference_element(block.type).locks() && block.size() > 0)
+    if (mesh.is_bulk(block.type) && fem::reference_element(block.type).locks() && block.size() > 0)
       result.push_back(block);
   return result;
 }

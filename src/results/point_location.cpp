@@ -38,7 +38,7 @@ std::vector<Eigen::AlignedBox3d> boxes_in_reach(const mesh::Mesh& mesh) {
   constexpr double rounding = 1.01;
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const mesh::CellBlock& block : mesh.blocks) {
-    if (mesh::dimension(block.type) != 3) continue;
+    if (!mesh.is_bulk(block.type)) continue;
     for (std::size_t cell = 0; cell < block.size(); ++cell) {
       const Eigen::AlignedBox3d box = box_of(mesh, block.cell(cell));
       const Vector3 margin = Vector3::Constant(rounding * reach * box.diagonal().norm());
@@ -92,7 +92,7 @@ std::optional<PointLocation> PointLocator::locate(const Vector3& at) const {
   std::size_t first = 0;  // element of the block
   auto element = near.begin();
   for (const mesh::CellBlock& block : mesh_.blocks) {
-    if (mesh::dimension(block.type) != 3) continue;
+    if (!mesh_.is_bulk(block.type)) continue;
     for (; element != near.end() && *element < first + block.size(); ++element) {
       auto found = locate_in(mesh_, block, *element - first, at);
       if (!found || (best && found->distance >= best->distance)) continue;

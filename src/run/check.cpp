@@ -18,7 +18,7 @@ namespace {
 std::string element_names(const mesh::Mesh& mesh) {
   std::string text;
   for (const mesh::CellBlock& block : mesh.blocks)
-    if (mesh::dimension(block.type) == 3 && block.size() > 0)
+    if (mesh.is_bulk(block.type) && block.size() > 0)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", block.size(), mesh::name(block.type));
   return text;
 }

@@ -33,22 +33,26 @@ class ReferenceElement {
   int n_nodes() const { return mesh::n_nodes(type_); }
   /// Reference coordinates of the nodes, n_nodes x 3 (unused coordinates zero).
   const Eigen::MatrixX3d& nodes() const { return nodes_; }
-  /// Faces of volume cells; empty for other cells.
+  /// Faces of volume cells, edges of surface cells; empty for other cells.
   const std::vector<Face>& faces() const { return faces_; }
   /// Quadrature for stiffness, stress and creep state. Points: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6,
-  /// wedge15 12. Surfaces: exact for a pressure that varies like the shape functions, also on curved faces.
+  /// wedge15 12; in sections tri3 1, tri6 6, quad4 4, quad8 4, quad9 9. Precondition: a volume or surface type.
+  const QuadratureRule& bulk_rule() const { return bulk_rule_; }
+  /// Quadrature for loads on curves and surfaces: exact for a pressure that varies like the shape functions, also on
+  /// curved faces. Volumes: as bulk_rule().
   const QuadratureRule& rule() const { return rule_; }
   /// Projection of the volumetric strain in stiffness and stress, against locking in incompressible deformation such as
   /// creep: constant in hex8 and wedge6 (B-bar), linear in quadratic elements. Precondition: a volume element.
   Projection volumetric_strain() const {
     if (mesh::order(type_) == 2) return Projection::linear;
-    return type_ == CellType::tet4 ? Projection::none : Projection::constant;
+    return type_ == CellType::tet4 || type_ == CellType::tri3 ? Projection::none : Projection::constant;
   }
   /// True if elements close to a parallelepiped are not projected: in such hex20 the reduced integration avoids locking
   /// by itself, and they resist hourglass modes better without projection.
-  bool projects_distorted_elements_only() const { return type_ == CellType::hex20; }
-  /// True for linear tetrahedra and wedges: with any projection they are too stiff in incompressible deformation.
-  bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6; }
+  bool projects_distorted_elements_only() const { return type_ == CellType::hex20 || type_ == CellType::quad8; }
+  /// True for linear tetrahedra, wedges and triangles: with any projection they are too stiff in incompressible
+  /// deformation.
+  bool locks() const { return type_ == CellType::tet4 || type_ == CellType::wedge6 || type_ == CellType::tri3; }
 
   /// Shape functions at xi. @param shape  size n_nodes
   virtual void shape(const Vector3& xi, Eigen::Ref<Eigen::VectorXd> shape) const = 0;
@@ -56,14 +60,19 @@ class ReferenceElement {
   virtual void gradient(const Vector3& xi, Eigen::Ref<Eigen::MatrixX3d> gradient) const = 0;
 
  protected:
-  ReferenceElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces, QuadratureRule rule)
-      : type_(type), nodes_(std::move(nodes)), faces_(std::move(faces)), rule_(std::move(rule)) {}
+  ReferenceElement(CellType type, Eigen::MatrixX3d nodes, std::vector<Face> faces, QuadratureRule rule,
+                   QuadratureRule bulk_rule)
+      : type_(type),
+        nodes_(std::move(nodes)),
+        faces_(std::move(faces)),
+        rule_(std::move(rule)),
+        bulk_rule_(std::move(bulk_rule)) {}
 
  private:
   CellType type_;
   Eigen::MatrixX3d nodes_;
   std::vector<Face> faces_;
-  QuadratureRule rule_;
+  QuadratureRule rule_, bulk_rule_;
 };
 
 /// For every mesh::CellType except point1. Cost: none after the first call.

@@ -27,8 +27,12 @@ struct RigidMotion {
 
 /// Basis of the free rigid-body motions; empty if the supports hold the body. Consists of translations and rotations
 /// about coordinate directions if such a basis exists.
+/// In axisymmetric sections the hoop strain resists all motions across the axis.
 /// @param subset  nodes that move together
-std::vector<RigidMotion> free_rigid_motions(const std::vector<Vector3>& nodes, const Constraints& constraints,
+std::vector<RigidMotion> free_rigid_motions(const mesh::Mesh& mesh, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset);
+/// Directions in which something resists the rigid-body modes at a node: those held, and the radius of axisymmetric
+/// sections.
+std::vector<Vector3> resisted_directions(const mesh::Mesh& mesh, const Constraints& constraints, std::int64_t node);
 
 }  // namespace creepcontact::mechanics

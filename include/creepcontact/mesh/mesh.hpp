@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/tensor.hpp"
 #include "creepcontact/mesh/cell_type.hpp"
+#include "creepcontact/mesh/section.hpp"
 
 namespace creepcontact::mesh {
 
@@ -41,13 +42,18 @@ struct Mesh {
   std::vector<Vector3> nodes;
   std::vector<CellBlock> blocks;
   std::map<std::string, Group> groups;  // by name
+  Section section = {};
+
+  /// True for the cells that carry material: volumes, or surfaces in sections.
+  bool is_bulk(CellType type) const { return dimension(type) == section.dimension(); }
 
   /// @throws ModelError listing the existing groups and suggesting the nearest name, if there is no such group
   /// @param dimension  -1: any
   const Group& group(const std::string& name, int dimension = -1) const;
 };
 
-/// A face of a volume cell; by the right-hand rule its nodes give the outward normal of the cell.
+/// A face of a cell that carries material; by the right-hand rule its nodes give the outward normal of the cell. In
+/// sections an edge, with the cell on its left.
 struct Face {
   CellType type{};
   std::vector<std::int64_t> nodes;
@@ -60,10 +66,10 @@ struct BodyMesh {
   Mesh mesh;
   std::vector<std::int64_t> parent_node;
 };
-/// @throws ModelError if a region is missing, empty or not of dimension 3
+/// @throws ModelError if a region is missing, empty or not of the dimension of the section
 BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions);
 
-/// Faces of the volume cells of this mesh that lie on a surface group, oriented outward.
+/// Faces of the cells of this mesh that lie on a surface group (in sections: a curve), oriented outward.
 /// @throws ModelError if a surface cell is not a face of any volume cell, or lies between two volume cells
 std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface);
 

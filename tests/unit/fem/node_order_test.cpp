@@ -58,8 +58,20 @@ TEST_P(NodeOrder, IsThatOfGmsh) {
 
 TEST_P(NodeOrder, FacesLieOnTheBoundaryAndLookOutward) {
   const ReferenceElement& element = reference_element(GetParam());
-  if (element.dimension() < 3) {
+  if (element.dimension() < 2) {
     EXPECT_TRUE(element.faces().empty());
+    return;
+  }
+  if (element.dimension() == 2) {
+    double area = 0;  // of the triangles from the origin to the corners of the edges, which go round the cell
+    for (const auto& edge : element.faces()) {
+      const Vector3 a = element.nodes().row(edge.nodes[0]), b = element.nodes().row(edge.nodes[1]);
+      area += 0.5 * a.cross(b).z();
+      const Vector3 middle =
+          edge.nodes.size() > 2 ? Vector3(element.nodes().row(edge.nodes[2])) : Vector3(0.5 * (a + b));
+      EXPECT_LT((middle - 0.5 * (a + b)).norm(), 1e-15);
+    }
+    EXPECT_NEAR(area, element.rule().weights.sum(), 1e-14);
     return;
   }
   const Vector3 centre = element.nodes().topRows(mesh::n_corners(GetParam())).colwise().mean();

@@ -29,8 +29,10 @@ std::vector<std::int64_t> all_nodes(const std::vector<Vector3>& nodes) {
 
 std::vector<std::string> free_motions(const std::vector<Vector3>& nodes, const std::vector<Support>& supports) {
   const Constraints constraints(nodes, supports);
+  mesh::Mesh mesh;
+  mesh.nodes = nodes;
   std::vector<std::string> words;
-  for (const auto& motion : free_rigid_motions(nodes, constraints, all_nodes(nodes))) {
+  for (const auto& motion : free_rigid_motions(mesh, constraints, all_nodes(nodes))) {
     words.push_back(motion.describe());
     for (const Support& s : supports) {
       for (std::size_t i = 0; i < s.nodes.size(); ++i) {

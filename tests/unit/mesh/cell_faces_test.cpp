@@ -87,7 +87,9 @@ TEST(CellFaces, TypesFollowTheCell) {
   EXPECT_EQ(cell_faces(CellType::tet10)[0].type, CellType::tri6);
   EXPECT_EQ(cell_faces(CellType::wedge6)[1].type, CellType::tri3);
   EXPECT_EQ(cell_faces(CellType::wedge15)[2].type, CellType::quad8);
-  EXPECT_TRUE(cell_faces(CellType::quad9).empty());
+  EXPECT_EQ(cell_faces(CellType::quad9)[3].type, CellType::line3);
+  EXPECT_EQ(cell_faces(CellType::tri3)[0].type, CellType::line2);
+  EXPECT_TRUE(cell_faces(CellType::line3).empty());
   EXPECT_TRUE(cell_edges(CellType::point1).empty());
 }
 
