@@ -65,6 +65,7 @@ std::string along(const Vector3& direction) {
 
 std::vector<Vector3> resisted_directions(const mesh::Mesh& mesh, const Constraints& constraints, std::int64_t node) {
   std::vector<Vector3> directions;
+  directions.reserve(4);
   const Matrix3 frame = constraints.frame(node);
   for (int k = 0; k < constraints.n_held(node); ++k) directions.emplace_back(frame.col(k));
   if (mesh.section.is_axisymmetric()) directions.emplace_back(Vector3::UnitX());

@@ -53,7 +53,7 @@ class Sections : public testing::TestWithParam<std::tuple<CellType, Analysis>> {
   mesh::Mesh mesh = section_mesh(std::get<0>(GetParam()), {4, 3}, {width, height}, {inner, 0.3},
                                  {std::get<1>(GetParam()), thickness}, distortion());
   Discretization body{mesh};
-  std::vector<Moduli> uniform{material::lame(100, 0.3)};
+  std::vector<Moduli> uniform_moduli{material::lame(100, 0.3)};
 };
 
 TEST_P(Sections, WeightsFillTheVolume) {
@@ -69,8 +69,8 @@ TEST_P(Sections, UniformStrainIsExactAndInEquilibrium) {
       mesh, [&](const Vector3& x) { return Vector3(c * x.x() + shear * x.y(), d * x.y() - shear / 3 * x.x(), 0); });
   Tensor6 strain = Tensor6::Zero();
   strain << c, d, is_axisymmetric() ? c : 0, tensor::sqrt2 / 2 * (shear - shear / 3), 0, 0;
-  const Tensor6 expected = material::stress(uniform[0], strain);
-  const std::vector<double> found = stress(u, {uniform});
+  const Tensor6 expected = material::stress(uniform_moduli[0], strain);
+  const std::vector<double> found = stress(u, {uniform_moduli});
   for (const Tensor6& at_point : as_tensors(found)) EXPECT_LT((at_point - expected).norm(), 1e-12 * expected.norm());
 
   std::vector<double> forces(3 * mesh.nodes.size(), 0.0);
