@@ -1,5 +1,5 @@
 #pragma once
-/// Expressions compiled by muParser, which keeps the values of the variables: one parser a thread.
+/// Expressions compiled by muParser, which keeps the values of the variables: one parser per thread.
 
 #include <muParser.h>
 

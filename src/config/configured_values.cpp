@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "item.hpp"
 #include "toml_text.hpp"
@@ -15,9 +14,7 @@ namespace {
 std::string canonical_leaf(const toml::node& node) {
   if (const auto* text = node.as_string()) return '"' + text->get() + '"';
   if (node.is_number()) return fmt::format("{}", node.value<double>().value());
-  std::ostringstream stream;
-  node.visit([&](const auto& one) { stream << one; });
-  return stream.str();
+  return printed(node);
 }
 
 /// Keys below a key have entries of their own; the schema has them right after it.

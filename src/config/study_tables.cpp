@@ -3,7 +3,6 @@
 #include "study_tables.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 #include "table.hpp"
@@ -20,9 +19,7 @@ std::string number_text(double number) {
 
 std::string leaf_text(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number_text(number->get());
-  std::ostringstream stream;
-  node.visit([&](const auto& one) { stream << one; });
-  return stream.str();
+  return printed(node);
 }
 
 StudyValue study_value(const Item& item) {

@@ -1,5 +1,6 @@
 #include "toml_text.hpp"
 
+#include <sstream>
 #include <vector>
 
 namespace creepcontact::config {
@@ -9,6 +10,12 @@ std::string path_part(std::string_view key) {
                                            key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
                                                                  "0123456789_-.[]") != std::string_view::npos);
   return needs_marks ? '"' + std::string(key) + '"' : std::string(key);
+}
+
+std::string printed(const toml::node& leaf) {
+  std::ostringstream stream;
+  leaf.visit([&](const auto& one) { stream << one; });
+  return stream.str();
 }
 
 // Without recursion: dotted keys nest thousands of levels.

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <optional>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/msh_content.hpp"
+#include "creepcontact/mesh/group_kind.hpp"
 #include "msh_elements.hpp"
 #include "msh_nodes.hpp"
 
@@ -16,11 +16,6 @@ namespace {
 
 using mesh::CellType;
 using Key = MshContent::Key;
-
-constexpr std::array kinds{"point", "curve", "surface", "volume"};
-const char* kind(int dimension) {
-  return kinds.at(dimension);
-}
 
 struct PhysicalGroup {
   std::string name;
@@ -43,7 +38,7 @@ std::vector<PhysicalGroup> physical_groups(const MshContent& content, const std:
     if (!is_new) {
       throw ModelError(
           fmt::format("{}: a physical {} and a physical {} are both called '{}'; give them different names", file,
-                      kind(known->second), kind(key.dimension), group.name));
+                      mesh::group_kind(known->second), mesh::group_kind(key.dimension), group.name));
     }
     result.push_back(std::move(group));
   }
@@ -55,10 +50,11 @@ std::vector<PhysicalGroup> physical_groups(const MshContent& content, const std:
       "; Gmsh puts pyramids between hexahedra (of recombined or transfinite surfaces) and tetrahedra: mesh the whole "
       "volume with hexahedra or wedges (Transfinite Volume, or Extrude with Layers and Recombine), or leave out "
       "Recombine on its surfaces so that all cells become tetrahedra";
-  throw ModelError(fmt::format(
-      "{}: physical {} '{}' has cells of the kind '{}', which are not supported; `creepcontact list "
-      "elements` names those that are{}",
-      file, kind(group.dimension), group.name, element.name(), element.family == "Pyramid" ? pyramids : ""));
+  throw ModelError(
+      fmt::format("{}: physical {} '{}' has cells of the kind '{}', which are not supported; `creepcontact list "
+                  "elements` names those that are{}",
+                  file, mesh::group_kind(group.dimension), group.name, element.name(),
+                  element.family == "Pyramid" ? pyramids : ""));
 }
 
 /// The cells of one type in all groups: row by row, as the file has them.
@@ -169,7 +165,8 @@ mesh::Mesh import_msh(const MshContent& content, const std::string& file) {
       refs.insert(refs.end(), cells.begin(), cells.end());
     }
     if (refs.empty()) {
-      log::warning("{}: physical {} '{}' has no cells and is left out", file, kind(group.dimension), group.name);
+      log::warning("{}: physical {} '{}' has no cells and is left out", file, mesh::group_kind(group.dimension),
+                   group.name);
       continue;
     }
     const auto position = [](const mesh::CellRef& ref) { return std::pair(ref.block, ref.cell); };

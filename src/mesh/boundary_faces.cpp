@@ -5,6 +5,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
+#include "creepcontact/mesh/group_kind.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 #include "face_key.hpp"
 
@@ -50,7 +51,7 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
         if (!face.nodes.empty()) {
           throw ModelError(
               fmt::format("{} '{}' lies inside the body, between two of its cells, at {}; it has to be on the boundary",
-                          mesh.section.dimension() == 3 ? "surface" : "curve", surface, position(mesh, face.nodes)));
+                          group_kind(group.dimension), surface, position(mesh, face.nodes)));
         }
         face = global_face(local, cell);
       }
@@ -60,9 +61,8 @@ std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface) {
     if (!faces[i].nodes.empty()) continue;
     const CellBlock& block = mesh.blocks[wanted[i].block];
     const auto cell = block.cell(wanted[i].cell);
-    throw ModelError(fmt::format("{} '{}': the {} at {} is not {} cell",
-                                 mesh.section.dimension() == 3 ? "surface" : "curve", surface, name(block.type),
-                                 position(mesh, cell),
+    throw ModelError(fmt::format("{} '{}': the {} at {} is not {} cell", group_kind(group.dimension), surface,
+                                 name(block.type), position(mesh, cell),
                                  mesh.section.dimension() == 3 ? "a face of any volume" : "an edge of any surface"));
   }
   return faces;

@@ -5,6 +5,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
+#include "creepcontact/mesh/group_kind.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 #include "face_key.hpp"
 
@@ -19,8 +20,7 @@ Marks body_cells(const Mesh& parent, const std::vector<std::string>& regions) {
   for (const std::string& region : regions) {
     const Group& group = parent.group(region, parent.section.dimension());
     if (group.cells.empty())
-      throw ModelError(
-          fmt::format("physical {} '{}' has no cells", parent.section.dimension() == 3 ? "volume" : "surface", region));
+      throw ModelError(fmt::format("physical {} '{}' has no cells", group_kind(group.dimension), region));
     for (const CellRef& ref : group.cells) marks[ref.block][ref.cell] = 1;
   }
   return marks;

@@ -1,19 +1,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/mesh/group_kind.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::mesh {
 namespace {
 
-constexpr std::array kinds{"point", "curve", "surface", "volume"};
-
 const char* kind(int dimension) {
-  return dimension < 0 ? "group" : kinds[dimension];
+  return dimension < 0 ? "group" : group_kind(dimension);
 }
 
 }  // namespace

@@ -18,8 +18,11 @@ constexpr std::size_t number(PointField field) {
 }
 
 std::size_t state_width() {
-  std::size_t width = 0;
-  for (const material::StateVariable* variable : material::state_variables()) width += variable->width();
+  static const std::size_t width = [] {
+    std::size_t sum = 0;
+    for (const material::StateVariable* variable : material::state_variables()) sum += variable->width();
+    return sum;
+  }();
   return width;
 }
 

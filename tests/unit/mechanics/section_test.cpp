@@ -4,20 +4,16 @@
 #include <Eigen/Dense>
 #include <numbers>
 #include <numeric>
-#include <random>
 
 #include "creepcontact/mechanics/body.hpp"
 #include "creepcontact/mechanics/loads.hpp"
+#include "element_loops.hpp"
 #include "support/mechanics/sections.hpp"
-#include "support/mechanics/solve.hpp"
 
 namespace creepcontact::test {
 namespace section_tests {
 namespace {
 
-using mechanics::Discretization;
-using mechanics::ElasticState;
-using mechanics::Moduli;
 using mesh::CellType;
 using settings::Analysis;
 
@@ -26,12 +22,9 @@ constexpr double inner = 2, width = 1, height = 1.5, thickness = 0.7;
 class Sections : public testing::TestWithParam<std::tuple<CellType, Analysis>> {
  protected:
   bool is_axisymmetric() const { return std::get<1>(GetParam()) == Analysis::axisymmetric; }
-  std::vector<double> noise(std::size_t n, int seed, bool in_plane = false) const {
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    std::vector<double> values(n);
-    for (double& value : values) value = uniform(generator);
-    for (std::size_t i = 2; in_plane && i < n; i += 3) values[i] = 0;
+  std::vector<double> in_plane_noise(unsigned seed) const {
+    std::vector<double> values = noise(3 * mesh.nodes.size(), seed);
+    for (std::size_t i = 2; i < values.size(); i += 3) values[i] = 0;
     return values;
   }
   std::vector<Moduli> varied_moduli() const {
@@ -85,7 +78,7 @@ TEST_P(Sections, UniformStrainIsExactAndInEquilibrium) {
 }
 
 TEST_P(Sections, InternalForceDoesTheWorkOfTheStress) {
-  const std::vector<double> u = noise(3 * mesh.nodes.size(), 1, true), v = noise(3 * mesh.nodes.size(), 2, true);
+  const std::vector<double> u = in_plane_noise(1), v = in_plane_noise(2);
   const std::vector<Moduli> moduli = varied_moduli();
   const std::vector<double> of_u = stress(u, {moduli}), of_v = stress(v, {moduli});
   std::vector<double> forces(u.size(), 0.0);
@@ -94,11 +87,11 @@ TEST_P(Sections, InternalForceDoesTheWorkOfTheStress) {
   for (std::size_t p = 0; p < body.n_points(); ++p)
     work += body.weights()[p] *
             material::elastic_strain(moduli[p], Tensor6::Map(&of_u[6 * p])).dot(Tensor6::Map(&of_v[6 * p]));
-  EXPECT_NEAR(std::inner_product(forces.begin(), forces.end(), u.begin(), 0.0), work, 1e-11 * std::abs(work) + 1e-9);
+  EXPECT_NEAR(dot(forces, u), work, 1e-11 * std::abs(work) + 1e-9);
 }
 
 TEST_P(Sections, StiffnessTimesDisplacementIsTheInternalForce) {
-  const std::vector<double> u = noise(3 * mesh.nodes.size(), 3, true);
+  const std::vector<double> u = in_plane_noise(3);
   const std::vector<Moduli> moduli = varied_moduli();
   std::vector<Matrix6> matrices;
   for (const Moduli& h : moduli) {

@@ -3,38 +3,19 @@
 
 #include <cmath>
 
+#include "support/run/probing.hpp"
 #include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
 namespace state_variables_tests {
 namespace {
 
-const std::string probes = R"(
-[[probes]]
-name = "hardening"
-quantity = "hardening_strain"
-body = "lower"
-[[probes]]
-name = "equivalent"
-quantity = "creep_strain_equivalent"
-body = "lower"
-[[probes]]
-name = "kelvin"
-quantity = "kelvin_strain_zz"
-body = "upper"
-[[probes]]
-name = "creep"
-quantity = "creep_strain_zz"
-body = "upper"
-[[probes]]
-name = "kelvin_there"
-quantity = "kelvin_strain_zz"
-at = [1, 0.5, 0.5]
-[[probes]]
-name = "kelvin_of_norton"
-quantity = "kelvin_strain_zz"
-body = "lower"
-)";
+const std::vector<ProbeTable> probes{{"hardening", "hardening_strain", "body = 'lower'"},
+                                     {"equivalent", "creep_strain_equivalent", "body = 'lower'"},
+                                     {"kelvin", "kelvin_strain_zz", "body = 'upper'"},
+                                     {"creep", "creep_strain_zz", "body = 'upper'"},
+                                     {"kelvin_there", "kelvin_strain_zz", "at = [1, 0.5, 0.5]"},
+                                     {"kelvin_of_norton", "kelvin_strain_zz", "body = 'lower'"}};
 
 const std::vector<std::string> laws{"materials.soft.creep=[{law='strain_hardening', A=1e-4, n=2, m=0.5}]",
                                     "materials.hard.creep=[{law='kelvin_voigt', compliance=1e-3, time=1}, "
@@ -43,7 +24,8 @@ const std::vector<std::string> laws{"materials.soft.creep=[{law='strain_hardenin
 
 TEST(StateVariables, AreQuantitiesOfProbes) {
   const Case blocks;
-  ASSERT_EQ(run(blocks.config(probes, laws), {.output = (blocks / "out").string()}).exit_status, 0);
+  ASSERT_EQ(
+      run(blocks.parse(probe_tables(probes) + case_text, laws), {.output = (blocks / "out").string()}).exit_status, 0);
   const Table history(blocks / "out/history.csv");
   EXPECT_EQ(history.at("kelvin", 0), 0);
   for (const double t : {1.0, 4.0}) {
