@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "section_checks.hpp"
+
 namespace creepcontact::config {
 namespace {
 
@@ -44,8 +46,8 @@ void check_regions(const std::vector<Body>& bodies, Diagnostics& errors) {
     for (const Reference& region : body.region) {
       const auto [found, is_new] = owner.emplace(region.name, body.name);
       if (is_new) continue;
-      errors.add(region.location, fmt::format("volume '{}' already belongs to body '{}'", region.name, found->second),
-                 "each volume in one body only");
+      errors.add(region.location, fmt::format("region '{}' already belongs to body '{}'", region.name, found->second),
+                 "each region in one body only");
     }
   }
 }
@@ -114,6 +116,7 @@ void check_pairs(const std::vector<Contact>& contacts, Diagnostics& errors) {
 }  // namespace
 
 void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
+  check_sections(config, root, errors);
   const std::vector<std::string> bodies = names_of(config.bodies);
   const std::vector<std::string> materials = names_of(config.materials);
   for (const Body& body : config.bodies) check_name(body.material, "material", materials, errors);

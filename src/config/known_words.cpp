@@ -13,11 +13,16 @@ namespace {
 
 constexpr std::array words{
     // the whole file
-    KnownWord{"", "analysis axisymmetric plane_strain plane_stress",
-              "not in this version, which computes solids in three dimensions; for an axisymmetric part use a sector "
-              "of 5 degrees or less, for plane strain a slice one element thick"},
-    KnownWord{"", "generalized_plane_strain generalised_plane_strain",
-              "not in this version; for plane strain use a slice one element thick between two supports"},
+    KnownWord{"", "axisymmetric plane_strain plane_stress dimension model_type",
+              "sections are chosen by 'analysis', as in analysis = \"axisymmetric\""},
+    KnownWord{"", "generalised_plane_strain", "the table is 'generalized_plane_strain', with a z"},
+    KnownWord{"analysis=", "axisymmetry axi axisym cax cax8 2d_axisymmetric",
+              "sections through the axis of a ring are \"axisymmetric\": 'analysis' = \"axisymmetric\""},
+    KnownWord{"analysis=", "cpe cpe8 2d", "plane sections are 'analysis' = \"plane_strain\" or \"plane_stress\""},
+    KnownWord{"analysis=", "cps cps8", "plane stress is 'analysis' = \"plane_stress\""},
+    KnownWord{"analysis=", "generalised_plane_strain cpeg", "the word is 'generalized_plane_strain', with a z"},
+    KnownWord{"analysis=", "3d three_dimensional full",
+              "models in three dimensions are 'analysis' = \"solid\", which need not be given"},
     KnownWord{"", "cyclic cyclic_symmetry",
               "not in this version; if the part and its loads have planes of symmetry, cut the part there and use "
               "'supports' with displacement = { normal = 0 } on both cuts"},
@@ -35,7 +40,6 @@ constexpr std::array words{
     KnownWord{"", "interactions interfaces ties", "pairs of surfaces are entries of 'contacts'"},
     KnownWord{"", "results history", "what is written is chosen in 'output' and 'probes'"},
 
-    KnownWord{"mesh", "thickness", "not in this version, which computes solids in three dimensions"},
     KnownWord{"mesh", "element_order degree", "the order of the elements is 'order'"},
     KnownWord{"mesh", "size h element_size lc",
               "element sizes are constants of the .geo file; set them by 'parameters'"},
@@ -168,8 +172,7 @@ constexpr std::array words{
               "the equivalent creep strain is 'creep_strain_equivalent'"},
     KnownWord{"probes[].quantity=", "s1 max_principal maximum_principal",
               "the largest principal stress is 'principal_1'"},
-    KnownWord{"probes[].quantity=", "contact_shear slip contact_status axial_strain axial_force section_force",
-              "not in this version"},
+    KnownWord{"probes[].quantity=", "contact_shear slip contact_status section_force", "not in this version"},
 };
 
 std::string lower_case(std::string_view text) {

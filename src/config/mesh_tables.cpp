@@ -63,6 +63,9 @@ Value<Mesh> mesh_table() {
                   "`.geo` only: memory limit of meshing in MB")
           .changeable()
           .in("MB"),
+      field<Mesh>("thickness", &Mesh::thickness, number(greater(0)),
+                  "thickness of plane sections: results such as forces and areas are those of this thickness")
+          .in("length"),
       field<Mesh>("share_nodes", &Mesh::share_nodes, shared,
                   "what to do about nodes that several bodies share outside any contact: report an error, or tie the "
                   "bodies there, node to node"),
@@ -85,10 +88,14 @@ Value<Mesh> mesh_table() {
 Value<Body> body_table() {
   const auto keys = table<Body>({
       field<Body>("region", &Body::region, one_or_more("a physical volume"),
-                  "volume or volumes of the body; a volume may belong to one body only", Presence::required)
+                  "volume or volumes of the body, in sections physical surfaces; each may belong to one body only",
+                  Presence::required)
           .changeable(),
       field<Body>("material", &Body::material, reference("the name of a material"), "one of `[materials]`",
                   Presence::required),
+      field<Body>("thickness", &Body::thickness, number(greater(0)), "plane stress only: thickness of this body")
+          .in("length")
+          .otherwise("`mesh.thickness`"),
   });
   return converted<Body>(keys, [](Body body, const Item& item, Context&) -> std::optional<Body> {
     body.location = item.location;

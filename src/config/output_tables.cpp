@@ -68,6 +68,13 @@ void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Co
     context.errors.add(item.child("quantity").location, fmt::format("'{}' at a point or in a body", quantity.name),
                        fmt::format("'{}' on a surface: 'on'", quantity.name));
   }
+  if (quantity.body_only && (item.has("at") || item.has("on"))) {
+    context.errors.add(item.child("quantity").location, fmt::format("'{}' at a point or over a group", quantity.name),
+                       fmt::format("'{}' of a body: 'body' alone", quantity.name));
+  }
+  if (quantity.body_only && item.has("reduce"))
+    context.errors.add(item.child("reduce").location, fmt::format("'{}' is one value per body", quantity.name),
+                       "without 'reduce'");
   if (!quantity.sum_only) return;
   if (item.has("reduce") && probe.reduce != Reduce::sum) {
     context.errors.add(item.child("reduce").location, describe(*item.child("reduce").node),
@@ -109,7 +116,7 @@ Value<Probe> probe_table(const Vocabulary& vocabulary) {
       field<Probe>(
           "axis", &Probe::axis, triple(number()),
           "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "
-          "length"),
+          "length; in an axisymmetric model always y"),
       field<Probe>("origin", &Probe::origin, triple(number()), "a point of that axis").in("length"),
   });
   return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {

@@ -6,6 +6,7 @@
 #include "creepcontact/base/error.hpp"
 #include "cross_checks.hpp"
 #include "overrides.hpp"
+#include "section_checks.hpp"
 #include "tables.hpp"
 #include "toml_document.hpp"
 
@@ -34,6 +35,7 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
   const Value<Config> table = config_table(vocabulary);
   Config config = table.read(root, context).value();
+  set_section_defaults(root, config);
   cross_check(config, root, context.errors);
   context.errors.throw_if_any();
   config.file = file;

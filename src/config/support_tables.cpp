@@ -1,4 +1,4 @@
-/// [[supports]] and [temperature]
+/// [[supports]], [generalized_plane_strain] and [temperature]
 
 #include "table.hpp"
 #include "tables.hpp"
@@ -27,7 +27,7 @@ Value<Displacement> displacement_table() {
       field<Displacement>("y", component(1), value, "displacement along y").in("length"),
       field<Displacement>("z", component(2), value, "displacement along z").in("length"),
       field<Displacement>("normal", &Displacement::normal, value,
-                          "displacement along the outward normal; surfaces only")
+                          "displacement along the outward normal; surfaces only, in sections curves")
           .in("length"),
   }));
   return converted<Displacement>(
@@ -59,6 +59,21 @@ Value<Support> support_table() {
     found.normal = std::move(found.prescribed.normal);
     found.location = item.location;
     return Support(std::move(found));
+  });
+}
+
+Value<GeneralizedPlaneStrain> generalized_plane_strain_table() {
+  using Table = GeneralizedPlaneStrain;
+  const auto keys = table<Table>({
+      field<Table>("strain", &Table::strain, function({"t"}), "prescribed axial strain, or ..."),
+      field<Table>("force", &Table::force, function({"t"}),
+                   "... axial force on the cross-sections of all bodies together; the strain follows from it")
+          .in("force"),
+  });
+  return converted<Table>(keys, [](Table found, const Item& item, Context& context) -> std::optional<Table> {
+    if (item.has("strain") && item.has("force"))
+      context.errors.add(item.location, "both 'strain' and 'force'", "one of them; the other one follows");
+    return found;
   });
 }
 

@@ -15,6 +15,7 @@ Value<Rupture> rupture_table(const Vocabulary& vocabulary);
 Value<Support> support_table();
 Value<Load> load_table();
 Value<Temperature> temperature_table();
+Value<GeneralizedPlaneStrain> generalized_plane_strain_table();
 Value<Contact> contact_table();
 Value<ContactSolver> contact_solver_table();
 Value<Time> time_table(const Vocabulary& vocabulary);

@@ -69,7 +69,8 @@ std::vector<std::string> words(const std::string& text) {
 
 void FieldMesh::append(const mesh::Mesh& body) {
   const auto first = static_cast<std::int64_t>(points.size());
-  points.insert(points.end(), body.nodes.begin(), body.nodes.end());
+  const auto end_of_cells = body.nodes.begin() + static_cast<std::ptrdiff_t>(body.n_cell_nodes());
+  points.insert(points.end(), body.nodes.begin(), end_of_cells);
   for (const mesh::CellBlock& block : body.blocks) {
     if (!body.is_bulk(block.type)) continue;
     blocks.push_back(block);

@@ -44,12 +44,13 @@ mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& option
   check_parameters(file, options, scan);
   if (!options.trusted) refuse_reaching_out(scan);
   const MesherRequest request{.file = file,
+                              .dimension = options.section.dimension(),
                               .order = options.order,
                               .parameters = options.parameters,
                               .memory_limit_mb = options.memory_limit_mb,
                               .trusted = options.trusted,
                               .needs_confinement = !scan.computed_files.empty()};
-  return read_msh(run_mesher(request, options.time_limit), file.string());
+  return read_msh(run_mesher(request, options.time_limit), file.string(), options.section);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& optio
   if (const std::string reason = why_unreadable(file); !reason.empty())
     throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);
-  return is_geo ? mesh_geo(file, options) : read_msh(file_text<ModelError>(file), file.string());
+  return is_geo ? mesh_geo(file, options) : read_msh(file_text<ModelError>(file), file.string(), options.section);
 }
 
 }  // namespace creepcontact::io

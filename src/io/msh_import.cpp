@@ -10,6 +10,7 @@
 #include "creepcontact/mesh/group_kind.hpp"
 #include "msh_elements.hpp"
 #include "msh_nodes.hpp"
+#include "plane_mesh.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -119,10 +120,18 @@ std::map<CellType, Cells> collect(const MshContent& content, const std::vector<P
   return all;
 }
 
-[[noreturn]] void refuse_without_bodies(const MshContent& content, const std::string& file) {
+[[noreturn]] void refuse_without_bodies(const MshContent& content, const mesh::Section& section,
+                                        const std::string& file) {
   int dimension = -1;
   for (const MshContent::Elements& elements : content.elements) {
     if (!elements.tags.empty()) dimension = std::max(dimension, elements.entity.dimension);
+  }
+  if (section.dimension() == 2) {
+    throw ModelError(
+        fmt::format("{}: the mesh has no physical surface with cells in it; with analysis = \"{}\" bodies are physical "
+                    "surfaces: name them by `Physical Surface(\"name\") = {{...}};`{}",
+                    file, settings::name_of(section.analysis),
+                    dimension == 3 ? ". The mesh has volumes: for those, leave 'analysis' out" : ""));
   }
   if (dimension == 3) {
     throw ModelError(
@@ -132,9 +141,11 @@ std::map<CellType, Cells> collect(const MshContent& content, const std::vector<P
   }
   if (dimension == 2) {
     throw ModelError(fmt::format(
-        "{}: the mesh has only surface cells, and bodies are physical volumes; make volumes of the surfaces "
-        "(`Extrude`, or `Surface Loop` and `Volume`), name them by `Physical Volume(\"name\") = {{...}};`, "
-        "and mesh in three dimensions (gmsh -3)",
+        "{}: the mesh has only surface cells. If it is a section, say of what: analysis = \"axisymmetric\", "
+        "\"plane_strain\", \"generalized_plane_strain\" or \"plane_stress\" at the top of the configuration. For a "
+        "solid, "
+        "make volumes of the surfaces (`Extrude`, or `Surface Loop` and `Volume`), name them by `Physical "
+        "Volume(\"name\") = {{...}};`, and mesh in three dimensions (gmsh -3)",
         file));
   }
   throw ModelError(
@@ -145,18 +156,19 @@ std::map<CellType, Cells> collect(const MshContent& content, const std::vector<P
 
 }  // namespace
 
-mesh::Mesh import_msh(const MshContent& content, const std::string& file) {
+mesh::Mesh import_msh(const MshContent& content, const std::string& file, const mesh::Section& section) {
   const std::vector<PhysicalGroup> groups = physical_groups(content, file);
   MshNodes nodes(content, file);
   const std::map<CellType, Cells> all = collect(content, groups, nodes, file);
 
   mesh::Mesh result;
+  result.section = section;
   std::map<Key, std::vector<mesh::CellRef>> cells_of;
   for (const auto& [type, cells] : all)
     result.blocks.push_back(number_cells(type, cells, result.blocks.size(), cells_of));
   result.nodes = nodes.take_used(result.blocks);
 
-  bool has_volume = false;
+  bool has_bulk = false;
   for (const PhysicalGroup& group : groups) {
     mesh::Group filled{group.name, group.dimension, {}};
     auto& refs = filled.cells;
@@ -174,10 +186,11 @@ mesh::Mesh import_msh(const MshContent& content, const std::string& file) {
     refs.erase(
         std::unique(refs.begin(), refs.end(), [&](const auto& a, const auto& b) { return position(a) == position(b); }),
         refs.end());
-    has_volume |= group.dimension == 3;
+    has_bulk |= group.dimension == section.dimension();
     result.groups.emplace(group.name, std::move(filled));
   }
-  if (!has_volume) refuse_without_bodies(content, file);
+  if (!has_bulk) refuse_without_bodies(content, section, file);
+  if (section.dimension() == 2) check_plane_mesh(result, file);
   return result;
 }
 

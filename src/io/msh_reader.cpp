@@ -150,8 +150,8 @@ MshContent read_msh_content(std::string_view bytes, const std::string& name) {
   return Reader(bytes, name).read();
 }
 
-mesh::Mesh read_msh(std::string_view bytes, const std::string& name) {
-  return import_msh(read_msh_content(bytes, name), name);
+mesh::Mesh read_msh(std::string_view bytes, const std::string& name, const mesh::Section& section) {
+  return import_msh(read_msh_content(bytes, name), name, section);
 }
 
 }  // namespace creepcontact::io

@@ -18,6 +18,6 @@ MshContent read_msh_content(std::string_view bytes, const std::string& name);
 
 /// The cells of the physical groups with their nodes, as read_mesh describes them.
 /// @throws ModelError  also if the content makes no model: see import_msh
-mesh::Mesh read_msh(std::string_view bytes, const std::string& name);
+mesh::Mesh read_msh(std::string_view bytes, const std::string& name, const mesh::Section& section = {});
 
 }  // namespace creepcontact::io

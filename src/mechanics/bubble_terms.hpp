@@ -39,8 +39,9 @@ struct LaneModuli {
 };
 
 /// How strain follows from displacements. Sections: unknowns and gradients in the plane z = 0 alone; zz is the hoop
-/// strain u_x/x of axisymmetric ones, and zero in plane strain.
-enum class Kinematics { solid, plane, axisymmetric };
+/// strain u_x/x of axisymmetric ones, zero in plane strain, the displacement of the axial node in generalised plane
+/// strain, and in plane stress the strain at which the stress zz vanishes.
+enum class Kinematics { solid, plane, axisymmetric, generalized, plane_stress };
 
 template <int P, Kinematics kinematics>
 class BubbleTerms {

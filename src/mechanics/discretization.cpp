@@ -26,7 +26,7 @@ Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.siz
     blocks_.push_back(
         ElementBlock::make(cells, mesh.nodes, mesh.section, {n_elements_, n_points_, node_of_entry.size(), n_inner_}));
     const ElementBlock& block = *blocks_.back();
-    node_of_entry.insert(node_of_entry.end(), cells.connectivity.begin(), cells.connectivity.end());
+    node_of_entry.insert(node_of_entry.end(), block.connectivity().begin(), block.connectivity().end());
     n_elements_ += block.n_elements();
     n_points_ += block.n_elements() * block.n_points();
     n_inner_ += block.n_inner();
@@ -75,7 +75,7 @@ std::size_t Discretization::element_of_entry(std::size_t entry) const {
   const auto after = std::upper_bound(blocks_.begin(), blocks_.end(), entry,
                                       [](std::size_t i, const auto& block) { return i < block->start().entry; });
   const ElementBlock& block = **(after - 1);
-  return block.start().element + (entry - block.start().entry) / block.n_nodes();
+  return block.start().element + (entry - block.start().entry) / block.n_coupled();
 }
 
 std::size_t Discretization::first_point(std::size_t element) const {
@@ -87,6 +87,11 @@ std::size_t Discretization::first_point(std::size_t element) const {
 std::span<const std::int64_t> Discretization::element_nodes(std::size_t element) const {
   const ElementBlock& block = block_of(element);
   return block.nodes(element - block.start().element);
+}
+
+std::span<const std::int64_t> Discretization::coupled_nodes(std::size_t element) const {
+  const ElementBlock& block = block_of(element);
+  return block.coupled_nodes(element - block.start().element);
 }
 
 mesh::CellType Discretization::element_type(std::size_t element) const {

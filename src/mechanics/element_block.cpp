@@ -49,32 +49,11 @@ Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
          linalg::least_squares(values_at(points), Eigen::MatrixXd::Identity(points.rows(), points.rows()));
 }
 
-template <Kinematics kinematics>
-std::unique_ptr<const ElementBlock> make_section(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
-                                                 const mesh::Section& section, BlockStart start) {
-  switch (cells.type) {
-    case CellType::tri3:
-      return std::make_unique<ElementLoops<3, 1, Projection::none, false, kinematics>>(cells, nodes, section, start);
-    case CellType::tri6:
-      return std::make_unique<ElementLoops<6, 6, Projection::linear, true, kinematics>>(cells, nodes, section, start);
-    case CellType::quad4:
-      return std::make_unique<ElementLoops<4, 4, Projection::constant, false, kinematics>>(cells, nodes, section,
-                                                                                           start);
-    case CellType::quad8:
-      return std::make_unique<ElementLoops<8, 4, Projection::linear, false, kinematics>>(cells, nodes, section, start);
-    case CellType::quad9:
-      return std::make_unique<ElementLoops<9, 9, Projection::linear, false, kinematics>>(cells, nodes, section, start);
-    default:
-      throw ModelError(fmt::format("cells of type {} are not surface elements", mesh::name(cells.type)));
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
                                                        const mesh::Section& section, BlockStart start) {
-  if (section.is_axisymmetric()) return make_section<Kinematics::axisymmetric>(cells, nodes, section, start);
-  if (section.dimension() == 2) return make_section<Kinematics::plane>(cells, nodes, section, start);
+  if (section.dimension() == 2) return make_of_section(cells, nodes, section, start);
   switch (cells.type) {
     case CellType::tet4:
       return std::make_unique<ElementLoops<4, 1, Projection::none, false>>(cells, nodes, section, start);
@@ -95,14 +74,32 @@ std::unique_ptr<const ElementBlock> ElementBlock::make(const mesh::CellBlock& ce
   }
 }
 
+namespace {
+
+/// The nodes of every cell, and in generalised plane strain the last node of all.
+std::vector<std::int64_t> coupled_connectivity(const mesh::CellBlock& cells, std::size_t n_nodes,
+                                               const mesh::Section& section) {
+  if (!section.has_axial_node()) return cells.connectivity;
+  std::vector<std::int64_t> result;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const auto cell = cells.cell(c);
+    result.insert(result.end(), cell.begin(), cell.end());
+    result.push_back(static_cast<std::int64_t>(n_nodes) - 1);
+  }
+  return result;
+}
+
+}  // namespace
+
 ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
                            const mesh::Section& section, BlockStart start)
     : reference_(fem::reference_element(cells.type)),
       section_(section),
       start_(start),
       n_nodes_(reference_.n_nodes()),
+      n_coupled_(n_nodes_ + (section.has_axial_node() ? 1 : 0)),
       n_points_(reference_.bulk_rule().size()),
-      connectivity_(cells.connectivity),
+      connectivity_(coupled_connectivity(cells, nodes.size(), section)),
       extrapolation_(extrapolation_matrix(reference_)) {
   tabulate();
   measure(nodes);
@@ -111,7 +108,7 @@ ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vecto
 void ElementBlock::tabulate() {
   shape_.resize(n_nodes_, n_points_);
   derivatives_.resize(n_points_ * n_nodes_ * 3);
-  if (fem::has_bubble(type())) bubble_derivatives_.resize(n_points_, 3);
+  if (fem::has_bubble(type()) && !has_plane_stress()) bubble_derivatives_.resize(n_points_, 3);
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
   for (std::size_t p = 0; p < n_points_; ++p) {
@@ -159,7 +156,7 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       if (section_.is_axisymmetric()) inverse_radius_.push_back(1 / position.x());
     }
   }
-  if (reference_.volumetric_strain() == Projection::linear) find_linear_functions(nodes);
+  if (projection() == Projection::linear) find_linear_functions(nodes);
   if (has_bubble()) measure_bubbles();
   if (fits_mean_stress()) measure_distortion();
 }
@@ -226,7 +223,7 @@ void ElementBlock::measure_bubbles() {
 }
 
 Eigen::MatrixXd ElementBlock::basis(std::size_t e) const {
-  const Projection projection = reference_.volumetric_strain();
+  const Projection projection = this->projection();
   const Index n_p = n_points_;
   if (projection == Projection::none) return Eigen::MatrixXd(n_p, 0);
   const double constant = 1 / std::sqrt(weights(e).sum());
@@ -237,8 +234,12 @@ Eigen::MatrixXd ElementBlock::basis(std::size_t e) const {
   return basis;
 }
 
+Projection ElementBlock::projection() const {
+  return has_plane_stress() ? Projection::none : reference_.volumetric_strain();
+}
+
 bool ElementBlock::fits_mean_stress() const {
-  return reference_.projects_distorted_elements_only();
+  return reference_.projects_distorted_elements_only() && !has_plane_stress();
 }
 
 Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
@@ -264,11 +265,11 @@ Vector3 ElementBlock::point(std::size_t e, std::size_t p, const std::vector<Vect
 void ElementBlock::body_force(std::span<const Vector3> force_density, std::span<double> element_forces,
                               std::span<double> inner_forces) const {
   for (std::size_t e = 0; e < n_elements(); ++e) {
-    Eigen::Map<Eigen::Matrix3Xd> forces(&element_forces[3 * (start_.entry + e * n_nodes_)], 3, n_nodes_);
+    Eigen::Map<Eigen::Matrix3Xd> forces(&element_forces[3 * (start_.entry + e * n_coupled_)], 3, n_coupled_);
     forces.setZero();
     for (std::size_t p = 0; p < n_points_; ++p) {
       const Vector3 force = weights(e)[p] * force_density[start_.point + e * n_points_ + p];
-      forces += force * shape_.col(p).transpose();
+      forces.leftCols(shape_.rows()) += force * shape_.col(p).transpose();
       if (has_bubble()) Vector3::Map(&inner_forces[3 * (start_.inner + e)]) += bubble_shares_[p] * force;
     }
   }

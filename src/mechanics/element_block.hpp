@@ -39,15 +39,25 @@ class ElementBlock {
   /// @throws ModelError if an element is inverted
   static std::unique_ptr<const ElementBlock> make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
                                                   const mesh::Section& section, BlockStart start);
+  /// The same for the surface cells of a section.
+  static std::unique_ptr<const ElementBlock> make_of_section(const mesh::CellBlock& cells,
+                                                             const std::vector<Vector3>& nodes,
+                                                             const mesh::Section& section, BlockStart start);
   virtual ~ElementBlock() = default;
 
   mesh::CellType type() const { return reference_.type(); }
-  std::size_t n_elements() const { return connectivity_.size() / n_nodes_; }
+  std::size_t n_elements() const { return connectivity_.size() / n_coupled_; }
   std::size_t n_nodes() const { return n_nodes_; }
+  /// Nodes on which the stress in an element depends: its own, and in generalised plane strain the axial node.
+  std::size_t n_coupled() const { return n_coupled_; }
   std::size_t n_points() const { return n_points_; }  ///< per element
   std::size_t n_inner() const { return has_bubble() ? n_elements() : 0; }
   const BlockStart& start() const { return start_; }
-  std::span<const std::int64_t> nodes(std::size_t e) const { return {connectivity_.data() + e * n_nodes_, n_nodes_}; }
+  std::span<const std::int64_t> nodes(std::size_t e) const { return coupled_nodes(e).first(n_nodes_); }
+  std::span<const std::int64_t> coupled_nodes(std::size_t e) const {
+    return {connectivity_.data() + e * n_coupled_, n_coupled_};
+  }
+  /// The coupled nodes of all elements.
   const std::vector<std::int64_t>& connectivity() const { return connectivity_; }
   /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
   /// corners, or onto all shape functions where there are as many points.
@@ -80,7 +90,7 @@ class ElementBlock {
   /// @param inner_forces  += those on the bubbles, 3 per inner displacement of the body
   void body_force(std::span<const Vector3> force_density, std::span<double> element_forces,
                   std::span<double> inner_forces) const;
-  /// 3 n_nodes square, node by node.
+  /// 3 n_coupled square, node by node.
   Eigen::MatrixXd element_stiffness(std::size_t e, const ElasticState& elastic) const;
   Eigen::MatrixXd element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const;
 
@@ -117,8 +127,14 @@ class ElementBlock {
   /// Gradients of the shape functions at the points of an element, one column per point, three numbers per node; those
   /// of the bubble, less their mean, come last.
   Eigen::MatrixXd gradients(std::size_t e) const;
-  /// Strain zz of unit displacements at the points, as gradients(): hoop strain in axisymmetric sections, else empty.
-  Eigen::MatrixXd hoop_strains(std::size_t e) const;
+  /// Strain zz of unit displacements at the points where these are not gradients, as gradients(): hoop strain in
+  /// axisymmetric sections, axial strain in generalised plane strain, else empty.
+  Eigen::MatrixXd zz_strains(std::size_t e) const;
+  bool has_plane_stress() const { return section_.analysis == settings::Analysis::plane_stress; }
+  /// Moduli for strains in the plane; in plane stress those with the strain zz eliminated.
+  Matrix6 in_section(const Matrix6& moduli) const;
+  /// Of the volumetric strain; none in plane stress, where nothing locks.
+  fem::Projection projection() const;
   /// Volumetric strain of unit displacements at the points, after the projection: as gradients().
   Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& divergence) const;
   /// Eliminates the bubble from a stiffness.
@@ -132,7 +148,7 @@ class ElementBlock {
   const fem::ReferenceElement& reference_;
   mesh::Section section_;
   BlockStart start_;
-  std::size_t n_nodes_, n_points_;
+  std::size_t n_nodes_, n_coupled_, n_points_;
   std::vector<std::int64_t> connectivity_;
   std::vector<double> geometry_;
   std::vector<double> inverse_radius_;

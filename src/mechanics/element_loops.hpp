@@ -74,6 +74,14 @@ class ElementLoops final : public ElementBlock {
       Tensors values = element_strain(e, u.data());
       project_trace(e, values);
       add_bubble_strain(e, moduli, initial_stress, values);
+      if constexpr (kinematics == Kinematics::plane_stress)
+        for (std::size_t p = 0; p < P; ++p) {
+          const Index row = p;
+          const auto zz = moduli[first_point(e) + p].row(2);
+          values(row, 2) = 0;
+          const double known = zz.dot(values.row(row).matrix());
+          values(row, 2) = (initial_stress[6 * (first_point(e) + p) + 2] - known) / zz[2];
+        }
       write(values, strain, e);
     });
   }
@@ -90,13 +98,20 @@ class ElementLoops final : public ElementBlock {
           stress.row(row) -= (moduli[first_point(e) + p] * strain.row(row).matrix().transpose()).transpose().array();
         }
       }
+      if constexpr (kinematics == Kinematics::plane_stress)
+        for (std::size_t p = 0; p < P; ++p) {
+          const Index row = p;
+          const auto zz = moduli[first_point(e) + p].row(2);
+          stress.row(row) -= stress(row, 2) / zz[2] * zz.array();
+        }
       element_force(e, stress, element_forces.data());
     });
   }
 
  private:
   static constexpr std::size_t N = n_nodes_v, P = n_points_v;
-  static constexpr std::size_t D = kinematics == Kinematics::solid ? 3 : 2;  // dimensions of the gradients
+  static constexpr std::size_t S = N + (kinematics == Kinematics::generalized ? 1 : 0);  // with the axial node
+  static constexpr std::size_t D = kinematics == Kinematics::solid ? 3 : 2;              // dimensions of the gradients
   using Values = Lanes<n_points_v>;
   using Tensors = LaneTensors<n_points_v>;
   using ConstValues = Eigen::Map<const Values>;
@@ -127,6 +142,7 @@ class ElementLoops final : public ElementBlock {
 
   /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
   void project_trace(std::size_t e, Tensors& values) const {
+    if constexpr (volumetric == fem::Projection::none) return;
     project_trace(e, values, n_nodes_v == 20 || (n_nodes_v == 8 && D == 2) ? unprojected_part(e) : 0.0);
   }
 
@@ -149,7 +165,7 @@ class ElementLoops final : public ElementBlock {
   /// B u without projection.
   Tensors element_strain(std::size_t e, const double* u) const {
     constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-    const std::int64_t* cell = connectivity().data() + e * N;
+    const std::int64_t* cell = connectivity().data() + e * S;
     std::array<std::array<double, N>, D> nodal;
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t i = 0; i < D; ++i) nodal[i][a] = u[3 * cell[a] + static_cast<std::int64_t>(i)];
@@ -186,6 +202,7 @@ class ElementLoops final : public ElementBlock {
       for (std::size_t a = 0; a < N; ++a) radial += nodal[0][a] * shape_at_points(a);
       strain.col(2) = radial * ConstValues(inverse_radius(e));
     }
+    if constexpr (kinematics == Kinematics::generalized) strain.col(2) = u[3 * cell[N] + 2];
     return strain;
   }
 
@@ -207,6 +224,8 @@ class ElementLoops final : public ElementBlock {
       if (!elastic.inner_force.empty()) force = Vector3::Map(&elastic.inner_force[3 * (start().inner + e)]);
       bubble_terms(e).add_strain(moduli, force, values);
     }
+    if constexpr (kinematics == Kinematics::plane_stress)
+      values.col(2) = -moduli.lambda / (moduli.lambda + moduli.twice_mu) * (values.col(0) + values.col(1));
     const Values spherical = moduli.lambda * (values.col(0) + values.col(1) + values.col(2));
     for (Index i = 0; i < 6; ++i) values.col(i) *= moduli.twice_mu;
     for (Index i = 0; i < 3; ++i) values.col(i) += spherical;
@@ -229,7 +248,7 @@ class ElementLoops final : public ElementBlock {
       }
     [[maybe_unused]] Values hoop;
     if constexpr (kinematics == Kinematics::axisymmetric) hoop = stress.col(2) * ConstValues(inverse_radius(e));
-    double* out = element_forces + 3 * (start().entry + e * N);
+    double* out = element_forces + 3 * (start().entry + e * S);
     for (std::size_t a = 0; a < N; ++a) {
       for (std::size_t i = 0; i < D; ++i) {
         if constexpr (D == 3)
@@ -240,6 +259,11 @@ class ElementLoops final : public ElementBlock {
       }
       if constexpr (kinematics == Kinematics::axisymmetric) *(out - 2) += (shape_at_points(a) * hoop).sum();
       if constexpr (D == 2) *out++ = 0;
+    }
+    if constexpr (kinematics == Kinematics::generalized) {
+      *out++ = 0;
+      *out++ = 0;
+      *out = stress.col(2).sum();
     }
   }
 

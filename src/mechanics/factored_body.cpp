@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
@@ -14,10 +15,11 @@
 namespace creepcontact::mechanics {
 namespace {
 
-bool has_hex20(const mesh::Mesh& mesh) {
-  return std::ranges::any_of(mesh.blocks, [](const mesh::CellBlock& block) {
-    return block.type == mesh::CellType::hex20 && block.size() > 0;
-  });
+/// A type of the body's elements that may need stiffness against hourglass modes.
+std::optional<mesh::CellType> type_with_hourglass_modes(const mesh::Mesh& mesh) {
+  for (const mesh::CellBlock& block : mesh.blocks)
+    if (mesh.is_bulk(block.type) && block.size() > 0 && has_hourglass_modes(block.type)) return block.type;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ void FactoredBody::factorize(const BodyConditions& at) {
   try {
     solver_->factorize(usable ? analyzed : stiffness(at));
   } catch (const linalg::SingularMatrix& error) {
-    if (factored_ || !has_hex20(body_->mesh())) report_singular(error);
+    if (factored_ || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
     stabilize(at);
   }
   moduli_ = at.moduli;
@@ -55,9 +57,9 @@ void FactoredBody::stabilize(const BodyConditions& at) {
     report_singular(error);
   }
   log::warning(
-      "body '{}': hex20 elements form single rows, where their reduced integration allows hourglass modes; a millionth "
+      "body '{}': {} elements form single rows, where their reduced integration allows hourglass modes; a millionth "
       "of their stiffness is added against these modes",
-      body_->name());
+      body_->name(), mesh::name(*type_with_hourglass_modes(body_->mesh())));
 }
 
 linalg::SparseMatrix FactoredBody::stiffness(const BodyConditions& at) const {

@@ -17,10 +17,12 @@ Eigen::Matrix3Xd face_coordinates(const mesh::Mesh& mesh, const mesh::Face& face
   return x;
 }
 
+/// Of an edge of a section per unit of depth.
 Vector3 area_vector(const fem::ReferenceElement& reference, const Eigen::Matrix3Xd& x, const Vector3& xi) {
   Eigen::MatrixX3d gradient(reference.n_nodes(), 3);
   reference.gradient(xi, gradient);
-  const Matrix3 tangents = x * gradient;
+  Matrix3 tangents = x * gradient;
+  if (reference.dimension() == 1) tangents.col(1) = Vector3::UnitZ();
   return tangents.col(0).cross(tangents.col(1));
 }
 

@@ -11,7 +11,7 @@ namespace creepcontact::mechanics {
 
 Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
   const Index n = n_nodes_, inner = has_bubble() ? 3 : 0;
-  Eigen::MatrixXd result(3 * n + inner, n_points_);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * n_coupled_ + inner, n_points_);
   for (std::size_t p = 0; p < n_points_; ++p) {
     const Matrix3 inverse = inverse_jacobian(e, p);
     const Eigen::Map<const Eigen::Matrix3Xd> table(&derivatives_[p * n_nodes_ * 3], 3, n);
@@ -23,10 +23,14 @@ Eigen::MatrixXd ElementBlock::gradients(std::size_t e) const {
   return result;
 }
 
-Eigen::MatrixXd ElementBlock::hoop_strains(std::size_t e) const {
-  if (!section_.is_axisymmetric()) return {};
+Eigen::MatrixXd ElementBlock::zz_strains(std::size_t e) const {
+  if (!section_.is_axisymmetric() && !section_.has_axial_node()) return {};
   const Index n = n_nodes_, inner = has_bubble() ? 3 : 0;
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * n + inner, n_points_);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * n_coupled_ + inner, n_points_);
+  if (section_.has_axial_node()) {
+    result.row(3 * n + 2).setOnes();
+    return result;
+  }
   for (std::size_t p = 0; p < n_points_; ++p) {
     for (Index a = 0; a < n; ++a) result(3 * a, p) = shape_(a, p) * inverse_radius(e)[p];
     if (has_bubble()) result(3 * n, p) = bubble_values_[p] * inverse_radius(e)[p];
@@ -52,23 +56,24 @@ Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const 
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
   const Index n_p = n_points_;
-  const Eigen::MatrixXd gradients = this->gradients(e), hoop = hoop_strains(e);
-  const Eigen::MatrixXd divergence = hoop.size() > 0 ? gradients + hoop : gradients;
+  const Eigen::MatrixXd gradients = this->gradients(e), zz = zz_strains(e);
+  const Eigen::MatrixXd divergence = zz.size() > 0 ? gradients + zz : gradients;
   const Eigen::MatrixXd volumetric = volumetric_gradients(e, divergence);
   const auto weight = weights(e);
   Eigen::VectorXd mu(n_p), bulk(n_p);
   for (Index p = 0; p < n_p; ++p) {
     const Moduli& h = elastic.at(start_.point + e * n_points_ + p);
     mu[p] = weight[p] * h.mu;
-    bulk[p] = weight[p] * (h.lambda + 2.0 / 3.0 * h.mu);
+    const double lambda = has_plane_stress() ? 2 * h.mu * h.lambda / (h.lambda + 2 * h.mu) : h.lambda;
+    bulk[p] = weight[p] * (lambda + 2.0 / 3.0 * h.mu);
   }
   const Eigen::MatrixXd shear = gradients * mu.asDiagonal() * gradients.transpose();
   Eigen::MatrixXd stiffness = volumetric * bulk.asDiagonal() * volumetric.transpose();
-  if (hoop.size() == 0)
+  if (zz.size() == 0)
     stiffness -= 2.0 / 3.0 * shear;
   else
-    stiffness += 2 * hoop * mu.asDiagonal() * hoop.transpose() -
-                 2.0 / 3.0 * divergence * mu.asDiagonal() * divergence.transpose();
+    stiffness +=
+        2 * zz * mu.asDiagonal() * zz.transpose() - 2.0 / 3.0 * divergence * mu.asDiagonal() * divergence.transpose();
   for (Index b = 0; b < gradients.rows(); b += 3) {
     for (Index a = 0; a < gradients.rows(); a += 3) {
       const auto from = shear.block<3, 3>(a, b);
@@ -78,11 +83,16 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticStat
   return condensed(stiffness);
 }
 
+Matrix6 ElementBlock::in_section(const Matrix6& moduli) const {
+  if (!has_plane_stress()) return moduli;
+  return moduli - moduli.col(2) * moduli.row(2) / moduli(2, 2);
+}
+
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const Matrix6> moduli) const {
   const Index n_p = n_points_;
   constexpr double half_sqrt2 = tensor::sqrt2 / 2;
-  const Eigen::MatrixXd gradients = this->gradients(e), hoop = hoop_strains(e);
-  const Eigen::MatrixXd divergence = hoop.size() > 0 ? gradients + hoop : gradients;
+  const Eigen::MatrixXd gradients = this->gradients(e), zz = zz_strains(e);
+  const Eigen::MatrixXd divergence = zz.size() > 0 ? gradients + zz : gradients;
   const Eigen::MatrixXd volumetric = volumetric_gradients(e, divergence);
   const auto weight = weights(e);
   const Index n_dofs = gradients.rows();
@@ -98,13 +108,13 @@ Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, std::span<const M
       block(4, 1) = block(5, 0) = shear.z();
     }
   }
-  for (Index p = 0; p < n_p && hoop.size() > 0; ++p) strain.row(6 * p + 2) += hoop.col(p).transpose();
+  for (Index p = 0; p < n_p && zz.size() > 0; ++p) strain.row(6 * p + 2) += zz.col(p).transpose();
   for (Index p = 0; p < n_p; ++p)
     strain.middleRows<3>(6 * p).rowwise() += (volumetric.col(p) - divergence.col(p)).transpose() / 3;
   Eigen::MatrixXd stress(6 * n_p, n_dofs);
   for (Index p = 0; p < n_p; ++p)
     stress.middleRows<6>(6 * p).noalias() =
-        (weight[p] * moduli[start_.point + e * n_points_ + p]) * strain.middleRows<6>(6 * p);
+        (weight[p] * in_section(moduli[start_.point + e * n_points_ + p])) * strain.middleRows<6>(6 * p);
   return condensed(strain.transpose() * stress);
 }
 
@@ -164,7 +174,7 @@ linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
   for (std::size_t node = 0; node < n_nodes_; ++node) {
     auto& list = neighbours[node];
     for (const std::size_t entry : entries_->of(node))
-      for (const std::int64_t other : element_nodes(element_of_entry(entry)))
+      for (const std::int64_t other : coupled_nodes(element_of_entry(entry)))
         if (other >= static_cast<std::int64_t>(node)) list.push_back(other);
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -184,7 +194,7 @@ linalg::SparseMatrix Discretization::assemble(const Moduli& moduli) const {
 #pragma omp parallel for schedule(static) if (n_owners > 1)
       for (int owner = 0; owner < n_owners; ++owner)
         for (std::size_t i = 0; i < count; ++i)
-          scatter(elements[i], block->nodes(first + i), neighbours, owner, n_owners, matrix);
+          scatter(elements[i], block->coupled_nodes(first + i), neighbours, owner, n_owners, matrix);
     }
   }
   return matrix;

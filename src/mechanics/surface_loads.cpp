@@ -122,6 +122,12 @@ std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, const std::vector<me
   return std::make_unique<SumOfLoads>(std::move(parts));
 }
 
+std::unique_ptr<Load> axial_load(const mesh::Mesh& mesh, Function force) {
+  const Vector3 per_unit_strain = mesh.section.thickness * Vector3::UnitZ();
+  return std::make_unique<SeparableLoad>(std::make_unique<NodalForce>(mesh, mesh.axial_node, per_unit_strain),
+                                         std::move(force));
+}
+
 std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std::array<Function, 3> force) {
   std::vector<std::unique_ptr<Load>> parts;
   parts.reserve(3);

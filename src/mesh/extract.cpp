@@ -97,6 +97,13 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions) {
     body.mesh.nodes.push_back(parent.nodes[i]);
   }
 
+  if (parent.section.has_axial_node()) {
+    Vector3 centre = Vector3::Zero();
+    for (const Vector3& x : body.mesh.nodes) centre += x / static_cast<double>(body.mesh.nodes.size());
+    body.mesh.axial_node = static_cast<std::int64_t>(body.mesh.nodes.size());
+    body.mesh.nodes.push_back(centre);
+  }
+
   std::vector<std::size_t> new_block(parent.blocks.size(), none);
   std::vector<std::vector<std::size_t>> new_cell(parent.blocks.size());
   for (std::size_t b = 0; b < parent.blocks.size(); ++b) {

@@ -97,7 +97,7 @@ int mesh(const MesherRequest& request) {
   stop_reading();
   if (gmsh_has_failed()) return status::gmsh_failed;
   set_order(request.order);  // the file may have had its own idea
-  gmsh::model::mesh::generate(3);
+  gmsh::model::mesh::generate(request.dimension);
   if (gmsh_has_failed()) return status::gmsh_failed;
   send(io::write_msh(gmsh_content()));
   return status::done;

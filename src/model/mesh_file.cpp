@@ -44,7 +44,7 @@ std::string instead_of(const fs::path& file) {
 
 }  // namespace
 
-mesh::Mesh read_mesh(const config::Mesh& mesh) {
+mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis) {
   std::error_code failure;
   const fs::file_status status = fs::status(mesh.file, failure);
   const std::string position = mesh.location.prefix();
@@ -58,7 +58,8 @@ mesh::Mesh read_mesh(const config::Mesh& mesh) {
                                    .parameters = mesh.parameters,
                                    .time_limit = mesh.time_limit,
                                    .memory_limit_mb = mesh.memory_limit_mb,
-                                   .trusted = mesh.trust_geometry});
+                                   .trusted = mesh.trust_geometry,
+                                   .section = {analysis, mesh.thickness}});
 }
 
 }  // namespace creepcontact::model

@@ -13,6 +13,7 @@ namespace {
 
 std::vector<mesh::CellBlock> locking_blocks(const mesh::Mesh& mesh) {
   std::vector<mesh::CellBlock> result;
+  if (mesh.section.analysis == settings::Analysis::plane_stress) return result;  // the third direction is free
   for (const mesh::CellBlock& block : mesh.blocks)
     if (mesh.is_bulk(block.type) && fem::reference_element(block.type).locks() && block.size() > 0)
       result.push_back(block);
@@ -65,8 +66,9 @@ void refuse_locking(const std::string& body, const mesh::Mesh& mesh) {
   for (const mesh::CellBlock& block : locking_blocks(mesh))
     throw ModelError(fmt::format(
         "body '{}' has {} {} elements, which are too stiff under creep (volumetric locking); use quadratic elements "
-        "(mesh.order = 2, or 'gmsh -order 2') or hexahedra, or accept wrong stresses with mesh.allow_locking = true",
-        body, block.size(), mesh::name(block.type)));
+        "(mesh.order = 2, or 'gmsh -order 2') or {}, or accept wrong stresses with mesh.allow_locking = true",
+        body, block.size(), mesh::name(block.type),
+        mesh.section.dimension() == 3 ? "hexahedra" : "quadrilaterals (Recombine Surface)"));
 }
 
 }  // namespace creepcontact::model

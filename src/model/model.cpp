@@ -50,7 +50,7 @@ creep::SolverOptions solver_options(const config::Config& config, const Bodies& 
 }
 
 Model build_model(const config::Config& config) {
-  const mesh::Mesh whole = read_mesh(config.mesh);
+  const mesh::Mesh whole = read_mesh(config.mesh, config.analysis);
 
   ErrorCollector errors;
   std::vector<mesh::BodyMesh> cut(config.bodies.size());
@@ -59,6 +59,7 @@ Model build_model(const config::Config& config) {
       std::vector<std::string> regions;
       for (const config::Reference& region : config.bodies[b].region) regions.push_back(region.name);
       cut[b] = mesh::extract(whole, regions);
+      cut[b].mesh.section.thickness = config.bodies[b].thickness.value_or(config.mesh.thickness);
       if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, cut[b].mesh);
     });
   errors.raise();  // what follows looks for groups on the bodies
@@ -73,6 +74,7 @@ Model build_model(const config::Config& config) {
         for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
     });
 
+  prescribe_axial_strain(config, meshes, supports);
   check_groups(config, whole, meshes, errors);
   std::optional<SharedNodes> shared;
   try {
@@ -103,6 +105,7 @@ Model build_model(const config::Config& config) {
     errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, {})); });
   errors.raise();
   append_ties(config, shared.value(), bodies, pairs);
+  share_axial_strain(config, bodies, pairs);
 
   creep::SolverOptions options = solver_options(config, bodies);
   std::vector<double> times = breakpoints(config, bodies, temperature);

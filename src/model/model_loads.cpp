@@ -20,7 +20,7 @@ struct LoadAdder {
   Bodies& bodies;
 
   std::vector<std::size_t> surface_bodies() const {
-    return bodies_on(config, whole, meshes, load.on.name, load.body, 2);
+    return bodies_on(config, whole, meshes, load.on.name, load.body, whole.section.dimension() - 1);
   }
   mechanics::Body& body() const { return bodies[body_index(config, load.body.name)]; }
 
@@ -51,7 +51,7 @@ struct LoadAdder {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const auto& nodes = bodies[b].mesh().nodes;
       const bool wanted = !load.body.given() || body_index(config, load.body.name) == b;
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (std::size_t i = 0; i < bodies[b].mesh().n_cell_nodes(); ++i) {
         box.extend(nodes[i]);
         if (!wanted || (nodes[i] - at).norm() >= distance) continue;
         distance = (nodes[i] - at).norm();

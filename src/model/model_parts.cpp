@@ -7,6 +7,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "creepcontact/mesh/group_kind.hpp"
 #include "shared_nodes.hpp"
 
 namespace creepcontact::model {
@@ -71,12 +72,12 @@ namespace {
 /// behind.
 void require_no_orphans(const mesh::Mesh& whole, const std::string& surface) {
   const auto found = whole.groups.find(surface);
-  if (found == whole.groups.end() || found->second.dimension != 2) return;
+  if (found == whole.groups.end() || found->second.dimension != whole.section.dimension() - 1) return;
   if (const std::size_t n = mesh::n_orphan_faces(whole, surface))
     throw ModelError(
-        fmt::format("{} of the {} faces of surface '{}' belong to no volume element; the mesher may have merged nodes "
+        fmt::format("{} of the {} cells of {} '{}' belong to no element of a body; the mesher may have merged nodes "
                     "of bodies that touch: mesh the bodies a small distance apart and set the gap of the contact",
-                    n, found->second.cells.size(), surface));
+                    n, found->second.cells.size(), mesh::group_kind(found->second.dimension), surface));
 }
 
 }  // namespace
@@ -88,13 +89,13 @@ void check_groups(const config::Config& config, const mesh::Mesh& whole, const B
   for (const config::Load& load : config.loads)
     if (load.on.given())
       errors.collect(load.on.location, [&] {
-        bodies_on(config, whole, meshes, load.on.name, load.body, 2);
+        bodies_on(config, whole, meshes, load.on.name, load.body, whole.section.dimension() - 1);
         require_no_orphans(whole, load.on.name);
       });
   for (const config::Contact& contact : config.contacts)
     for (const config::Reference& surface : contact.between)
       errors.collect(surface.location, [&] {
-        bodies_on(config, whole, meshes, surface.name, {}, 2);
+        bodies_on(config, whole, meshes, surface.name, {}, whole.section.dimension() - 1);
         require_no_orphans(whole, surface.name);
       });
 }
@@ -106,8 +107,10 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
     if (const auto& value = support.displacement[k])
       result.push_back({support.on.name, nodes, {Vector3(Vector3::Unit(k))}, *value});
   if (support.normal) {
-    if (body.group(support.on.name).dimension != 2)
-      throw ModelError(fmt::format("group '{}' is not a surface: it has no normal; give x, y or z", support.on.name));
+    const int boundary = body.section.dimension() - 1;
+    if (body.group(support.on.name).dimension != boundary)
+      throw ModelError(fmt::format("group '{}' is not a {}: it has no normal; give x{}", support.on.name,
+                                   mesh::group_kind(boundary), boundary == 2 ? ", y or z" : " or y"));
     const std::vector<mesh::Face> faces = mesh::boundary_faces(body, support.on.name);
     result.push_back({support.on.name, nodes, mechanics::nodal_normals(body, faces, nodes), *support.normal});
   }

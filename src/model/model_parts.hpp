@@ -14,7 +14,7 @@
 namespace creepcontact::model {
 
 /// Reads or makes the mesh. @throws ModelError, with the place in the configuration if there is no such file
-mesh::Mesh read_mesh(const config::Mesh& mesh);
+mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis);
 
 material::Material make_material(const config::Material& material);
 
@@ -36,6 +36,13 @@ void refuse_locking(const std::string& body, const mesh::Mesh& mesh);
 
 /// Conditions that one [[supports]] entry puts on a body.
 std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body);
+
+/// Generalised plane strain: supports that give the axial strain, if it is prescribed. Otherwise nothing.
+void prescribe_axial_strain(const config::Config& config, const BodyMeshes& meshes,
+                            std::vector<std::vector<mechanics::Support>>& supports);
+/// Generalised plane strain with an unknown axial strain: the axial force as a load, and ties that make the strain the
+/// same in all bodies. Otherwise nothing.
+void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs);
 
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Bodies& bodies);

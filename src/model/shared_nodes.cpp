@@ -111,7 +111,7 @@ void SharedNodes::link_faces() {
 void SharedNodes::cover(const config::Contact& contact, const config::Config& config, const mesh::Mesh& whole,
                         const BodyMeshes& meshes) {
   const auto owners = [&](std::size_t side) {
-    return bodies_on(config, whole, meshes, contact.between[side].name, {}, 2);
+    return bodies_on(config, whole, meshes, contact.between[side].name, {}, whole.section.dimension() - 1);
   };
   const std::array<std::size_t, 2> sides = contact_bodies(contact, config, {owners(0), owners(1)});
   std::array<std::set<std::int64_t>, 2> surface;

@@ -110,7 +110,7 @@ std::vector<io::FieldData> ContactSurfaces::on_bodies(const creep::Equilibrium& 
   std::size_t count = 0;
   for (const mechanics::Body& body : assembly_.bodies()) {
     first_node.push_back(count);
-    count += body.mesh().nodes.size();
+    count += body.mesh().n_cell_nodes();
   }
   io::FieldData pressure{"contact_pressure", 1, std::vector<double>(count)}, gap{"gap", 1, std::vector<double>(count)};
   std::vector<bool> known(count);

@@ -1,6 +1,7 @@
 #include "field_arrays.hpp"
 
 #include "creepcontact/results/quantities.hpp"
+#include "probe_quantity.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -8,7 +9,8 @@ namespace {
 /// Those that the field files have, each with its array; the name of the array is a member of OutputVariable.
 class Arrays {
  public:
-  Arrays(std::string OutputVariable::*name, const Snapshot& snapshot) {
+  Arrays(std::string OutputVariable::*name, const Snapshot& snapshot)
+      : is_axisymmetric_(snapshot.assembly().bodies().front().mesh().section.is_axisymmetric()) {
     for (const OutputVariable& variable : output_variables()) {
       if ((variable.*name).empty() || (variable.state_variable && !snapshot.has(*variable.state_variable))) continue;
       variables_.push_back(&variable);
@@ -26,7 +28,11 @@ class Arrays {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
       std::vector<double>& values = arrays_[i].values;
       values.resize(values.size() + variables_[i]->n_components());
-      variables_[i]->evaluate(sample, values.data() + values.size() - variables_[i]->n_components());
+      double* const into = values.data() + values.size() - variables_[i]->n_components();
+      if (variables_[i]->cylindrical && is_axisymmetric_)
+        variables_[i]->evaluate(turned(sample, axes_about_y_, Vector3::Zero()), into);
+      else
+        variables_[i]->evaluate(sample, into);
     }
     arrays_.back().values.push_back(static_cast<double>(body));
   }
@@ -34,6 +40,8 @@ class Arrays {
   std::vector<io::FieldData> take() { return std::move(arrays_); }
 
  private:
+  bool is_axisymmetric_;  // then cylindrical components are those about y
+  const Matrix3 axes_about_y_ = cylindrical_axes(Vector3::UnitY());
   std::vector<const OutputVariable*> variables_;
   std::vector<io::FieldData> arrays_;  // of the variables, then the number of the body
 };

@@ -108,6 +108,7 @@ class VolumeProbe final : public Probe {
 };
 
 /// Share of every node in the area of the faces, so that sums over nodes are area integrals of the interpolated field.
+/// Of edges in sections the area over the depth.
 std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
   std::map<std::size_t, double> areas;
   for (const mesh::Face& face : faces) {
@@ -119,12 +120,14 @@ std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, 
       const Vector3 xi = rule.points.row(q).transpose();
       element.shape(xi, shape);
       element.gradient(xi, gradient);
-      Vector3 tangent1 = Vector3::Zero(), tangent2 = Vector3::Zero();
+      Vector3 position = Vector3::Zero(), tangent1 = Vector3::Zero(), tangent2 = Vector3::Zero();
       for (int i = 0; i < element.n_nodes(); ++i) {
         const Vector3& x = mesh.nodes[face.nodes[i]];
+        position += shape[i] * x;
         tangent1 += gradient(i, 0) * x;
         tangent2 += gradient(i, 1) * x;
       }
+      if (element.dimension() == 1) tangent2 = mesh.section.depth(position) * Vector3::UnitZ();
       const double weight = rule.weights[q] * tangent1.cross(tangent2).norm();
       for (int i = 0; i < element.n_nodes(); ++i) areas[face.nodes[i]] += weight * shape[i];
     }
@@ -180,7 +183,7 @@ std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Mode
   for (const std::size_t b : probe_bodies(probe, model)) {
     const mesh::Mesh& mesh = model.bodies()[b].mesh();
     NodesProbe::Part part{b, {}};
-    if (mesh.group(probe.on.name).dimension == 2)
+    if (mesh.group(probe.on.name).dimension == mesh.section.dimension() - 1)
       part.nodes = nodal_areas(mesh, mesh::boundary_faces(mesh, probe.on.name));
     else
       for (const std::int64_t node : mesh::group_nodes(mesh, probe.on.name)) part.nodes.emplace_back(node, 1.0);

@@ -63,6 +63,7 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   Matrix3 jacobian = Matrix3::Zero();
   const auto nodes = discretization.element_nodes(element);
   for (int i = 0; i < reference.n_nodes(); ++i) jacobian += mesh.nodes[nodes[i]] * gradient.row(i);
+  if (mesh.section.dimension() == 2) jacobian(2, 2) = 1;
   return jacobian;
 }
 

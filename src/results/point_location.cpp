@@ -19,7 +19,8 @@ Vector3 clamp(const Vector3& xi, mesh::CellType type) {
     if (sum > 1) p.head(dimension) /= sum;
     return p;
   };
-  if (mesh::n_corners(type) == 4) return into_simplex(xi, 3);
+  if (mesh::n_corners(type) == 3) return into_simplex(xi, 2);
+  if (mesh::n_corners(type) == 4 && mesh::dimension(type) == 3) return into_simplex(xi, 3);
   if (mesh::n_corners(type) == 6) {
     Vector3 p = into_simplex(xi, 2);
     p[2] = std::clamp(p[2], -1.0, 1.0);
@@ -66,7 +67,8 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
     element.shape(xi, shape);
     element.gradient(xi, gradient);
     const Vector3 residual = at - x.transpose() * shape;
-    const Matrix3 jacobian = x.transpose() * gradient;
+    Matrix3 jacobian = x.transpose() * gradient;
+    if (element.dimension() == 2) jacobian(2, 2) = 1;
     const Vector3 next = clamp(xi + jacobian.inverse() * residual, block.type);
     const bool done = (next - xi).norm() < 1e-13;
     xi = next;

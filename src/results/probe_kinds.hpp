@@ -23,6 +23,9 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Mo
 /// Reactions on a group.
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model);
 
+/// Axial strain or force of a body. @throws ModelError unless the model is in generalised plane strain
+std::unique_ptr<Probe> axial_probe(const config::Probe& probe, const model::Model& model);
+
 /// Weighted values to one number. Where processes share a model, each adds its own values.
 class Reduction {
  public:

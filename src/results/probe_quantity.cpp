@@ -13,22 +13,29 @@ Vector3 vector(const std::array<double, 3>& from) {
 
 }  // namespace
 
-ProbeQuantity::ProbeQuantity(const config::Probe& probe)
-    : quantity_(quantity(probe.quantity)), origin_(vector(probe.origin)) {
-  const Vector3 axis = vector(probe.axis).normalized();
-  Vector3 across = Vector3::UnitX() - axis.x() * axis;
-  if (across.norm() < along_x) across = Vector3::UnitY() - axis.y() * axis;
-  axes_.row(0) = across.normalized().transpose();
-  axes_.row(2) = axis.transpose();
-  axes_.row(1) = axis.cross(across.normalized()).transpose();
+Matrix3 cylindrical_axes(const Vector3& axis) {
+  const Vector3 unit = axis.normalized();
+  Vector3 across = Vector3::UnitX() - unit.x() * unit;
+  if (across.norm() < along_x) across = Vector3::UnitY() - unit.y() * unit;
+  Matrix3 axes;
+  axes.row(0) = across.normalized().transpose();
+  axes.row(1) = unit.cross(across.normalized()).transpose();
+  axes.row(2) = unit.transpose();
+  return axes;
 }
 
+Sample turned(const Sample& sample, const Matrix3& axes, const Vector3& origin) {
+  Sample result = sample;
+  result.position = axes * (sample.position - origin);
+  result.stress = tensor::from_matrix(axes * tensor::to_matrix(sample.stress) * axes.transpose());
+  return result;
+}
+
+ProbeQuantity::ProbeQuantity(const config::Probe& probe)
+    : quantity_(quantity(probe.quantity)), axes_(cylindrical_axes(vector(probe.axis))), origin_(vector(probe.origin)) {}
+
 double ProbeQuantity::operator()(const Sample& sample) const {
-  if (!variable().cylindrical) return quantity_.value(sample);
-  Sample turned = sample;
-  turned.position = axes_ * (sample.position - origin_);
-  turned.stress = tensor::from_matrix(axes_ * tensor::to_matrix(sample.stress) * axes_.transpose());
-  return quantity_.value(turned);
+  return quantity_.value(variable().cylindrical ? turned(sample, axes_, origin_) : sample);
 }
 
 }  // namespace creepcontact::results

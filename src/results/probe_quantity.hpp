@@ -6,6 +6,11 @@
 
 namespace creepcontact::results {
 
+/// Rows: two directions across an axis, the first as near to x as may be; the axis.
+Matrix3 cylindrical_axes(const Vector3& axis);
+/// The sample as an observer with these axes sees it, so that its cylindrical components are those about the third.
+Sample turned(const Sample& sample, const Matrix3& axes, const Vector3& origin);
+
 /// Cylindrical components are those about the probe's axis.
 class ProbeQuantity {
  public:
@@ -15,8 +20,7 @@ class ProbeQuantity {
 
  private:
   const Quantity& quantity_;
-  Matrix3 axes_ =
-      Matrix3::Identity();  // rows: two directions across the axis, the first as near to x as may be; the axis
+  Matrix3 axes_;
   Vector3 origin_ = Vector3::Zero();
 };
 

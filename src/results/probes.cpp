@@ -39,7 +39,7 @@ std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::M
     std::string names;
     for (const mechanics::Body& body : model.bodies())
       for (const auto& [name, group] : body.mesh().groups)
-        if (group.dimension < 3 && names.find("'" + name + "'") == std::string::npos)
+        if (group.dimension < body.mesh().section.dimension() && names.find("'" + name + "'") == std::string::npos)
           names += (names.empty() ? "'" : ", '") + name + "'";
     throw ModelError(fmt::format("no body has a group '{}'; there are {}", probe.on.name, names));
   }
@@ -59,8 +59,11 @@ std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, co
   for (const config::Probe& probe : config.probes)
     errors.collect(probe.location, [&] {
       using Location = OutputVariable::Location;
-      const Location location = quantity(probe.quantity).variable->location;
-      if (location == Location::reaction)
+      const OutputVariable& variable = *quantity(probe.quantity).variable;
+      const Location location = variable.location;
+      if (variable.is_axial())
+        result.push_back(axial_probe(probe, model));
+      else if (location == Location::reaction)
         result.push_back(reaction_probe(probe, model));
       else if (location != Location::field)
         result.push_back(contact_probe(probe, model));

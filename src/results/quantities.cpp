@@ -178,6 +178,18 @@ std::vector<OutputVariable> make_variables() {
                  .label = "reaction",
                  .dimension = "force",
                  .location = Location::reaction});
+  all.push_back({.name = "axial_strain",
+                 .components = {},
+                 .description = "axial strain in generalised plane strain, the same in all bodies",
+                 .label = "axial strain",
+                 .dimension = "",
+                 .location = Location::axial_strain});
+  all.push_back({.name = "axial_force",
+                 .components = {},
+                 .description = "axial force on the cross-section of a body in generalised plane strain",
+                 .label = "axial force",
+                 .dimension = "force",
+                 .location = Location::axial_force});
   return all;
 }
 

@@ -39,8 +39,8 @@ std::vector<double> row(const std::vector<double>& rows, std::size_t number) {
 }
 
 std::vector<double> to_nodes(const mechanics::Discretization& discretization, const std::vector<double>& at_points,
-                             bool is_tensor, std::size_t n_nodes) {
-  std::vector<double> at_nodes((is_tensor ? 6 : 1) * n_nodes, 0.0);
+                             bool is_tensor) {
+  std::vector<double> at_nodes((is_tensor ? 6 : 1) * discretization.n_nodes(), 0.0);
   if (is_tensor)
     discretization.tensors_to_nodes(at_points, at_nodes);
   else
@@ -72,15 +72,15 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);
   for (const PointField field : point_fields)
-    nodes_[number(field)] = to_nodes(discretization, at_points(field), is_tensor(field), n_nodes());
+    nodes_[number(field)] = to_nodes(discretization, at_points(field), is_tensor(field));
   if (variables.empty()) return;
   state_at_points_.assign(state_width() * n_points(), 0.0);
-  state_at_nodes_.assign(state_width() * n_nodes(), 0.0);
+  state_at_nodes_.assign(state_width() * discretization.n_nodes(), 0.0);
   std::size_t first = 0;
   auto known = variables.begin();
   for (const material::StateVariable* variable : material::state_variables()) {
     if (known != variables.end() && known->variable == variable) {
-      std::vector<double> at_nodes = to_nodes(discretization, known->values, variable->is_tensor, n_nodes());
+      std::vector<double> at_nodes = to_nodes(discretization, known->values, variable->is_tensor);
       if (!variable->is_tensor)
         for (double& value : at_nodes) value = std::clamp(value, variable->minimum, variable->maximum);
       insert(known->values, variable->width(), first, state_at_points_);

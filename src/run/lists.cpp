@@ -104,6 +104,7 @@ Table quantity_table() {
     table.rows.push_back({quantity.name,
                           variable.location == Location::field      ? "point, group, body"
                           : variable.location == Location::reaction ? "supported group"
+                          : variable.is_axial()                     ? "body"
                                                                     : "contact surface",
                           variable.dimension.empty() ? "-" : variable.dimension, variable.description});
   }

@@ -65,7 +65,8 @@ config::Vocabulary vocabulary() {
     const Location location = quantity.variable->location;
     config::Quantity entry;
     entry.name = quantity.name;
-    entry.surface_only = location != Location::field;
+    entry.surface_only = location != Location::field && !quantity.variable->is_axial();
+    entry.body_only = quantity.variable->is_axial();
     entry.sum_only =
         location == Location::contact_area || location == Location::contact_force || location == Location::reaction;
     entry.cylindrical = quantity.variable->cylindrical;

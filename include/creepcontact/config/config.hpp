@@ -13,6 +13,7 @@
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/location.hpp"
+#include "creepcontact/settings/analysis.hpp"
 #include "creepcontact/settings/contact_settings.hpp"
 #include "creepcontact/settings/integrator_options.hpp"
 
@@ -34,14 +35,16 @@ struct Mesh {
   int memory_limit_mb = 8192;                ///< .geo only: bound on the memory for meshing [MB]
   bool trust_geometry = false;               ///< .geo only: may run programs and write files; set on the command line
   SharedNodes share_nodes = SharedNodes::error;
-  Location location;  ///< of `file`
+  double thickness = 1;  ///< of plane sections
+  Location location;     ///< of `file`
 };
 
 /// [bodies.<name>]
 struct Body {
   std::string name;
-  std::vector<Reference> region;  ///< physical volumes, at least one
-  Reference material;             ///< a name in Config::materials
+  std::vector<Reference> region;    ///< physical volumes, in sections physical surfaces; at least one
+  Reference material;               ///< a name in Config::materials
+  std::optional<double> thickness;  ///< plane stress: default Mesh::thickness
   Location location;
 };
 
@@ -207,9 +210,15 @@ struct Probe {
   std::optional<std::array<double, 3>> at;  ///< ... a point, or ...
   Reference body;                           ///< ... a whole body; with `on` or `at`: restricts it to this body
   Reduce reduce = Reduce::mean;             ///< over a surface or body; `sum` for areas, forces and reactions
-  std::array<double, 3> axis{0, 0, 1};      ///< axis of cylindrical components ...
+  std::array<double, 3> axis{0, 0, 1};      ///< axis of cylindrical components (axisymmetric: y) ...
   std::array<double, 3> origin{};           ///< ... and a point on it
   Location location;
+};
+
+/// [generalized_plane_strain]
+struct GeneralizedPlaneStrain {
+  std::optional<Function> strain;  ///< of t: the axial strain of all bodies; if not given it follows from ...
+  Function force = 0.0;            ///< ... the axial force on all bodies together, of t
 };
 
 /// A configuration that has been read and checked.
@@ -217,11 +226,13 @@ struct Config {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
   std::string units;
+  settings::Analysis analysis = settings::Analysis::solid;
   Mesh mesh;
   std::vector<Body> bodies;  ///< at least one; in the order of the file, like the materials
   std::vector<Material> materials;
   std::vector<Support> supports;
   std::vector<Load> loads;
+  GeneralizedPlaneStrain generalized_plane_strain;
   std::optional<Temperature> temperature;
   std::vector<Contact> contacts;
   ContactSolver contact_solver;

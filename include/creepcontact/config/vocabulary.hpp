@@ -49,6 +49,7 @@ struct Law {
 struct Quantity {
   std::string name;
   bool surface_only = false;  ///< not defined at a point or over a body
+  bool body_only = false;     ///< one value per body, in generalised plane strain
   bool sum_only = false;      ///< area, force: only reduce = "sum" is meaningful
   bool cylindrical = false;   ///< component about an axis that the probe may give
 };

@@ -13,6 +13,7 @@ namespace creepcontact::io {
 /// Arguments of the mesher.
 struct MesherRequest {
   std::filesystem::path file;
+  int dimension = 3;  ///< of the cells that carry material
   int order = 1;
   std::map<std::string, double> parameters;
   int memory_limit_mb = 0;         ///< [MB]; 0: no bound

@@ -37,10 +37,11 @@ struct MshContent {
 
 /// Makes a mesh of the cells of the physical groups and their nodes, see read_mesh.
 /// @param file  name for messages
-/// @throws ModelError if there is no physical volume with cells (the message tells surface meshes from volumes without
-/// a physical group). Also for cells of an unsupported type in a physical group, a name of several groups, a cell with
-/// a node that does not exist, or a node with two positions.
-/// Cost: O(n log n) for n cells.
-mesh::Mesh import_msh(const MshContent& content, const std::string& file);
+/// @param section  what the mesh represents: bodies are physical volumes, in sections physical surfaces
+/// @throws ModelError if there is no physical volume (surface) with cells; the message tells whether an analysis is
+/// missing, or a physical group. Of a section also if it is not in the plane z = 0, or has cells at negative radii.
+/// Also for cells of an unsupported type in a physical group, a name of several groups, a cell with a node that does
+/// not exist, or a node with two positions. Cost: O(n log n) for n cells.
+mesh::Mesh import_msh(const MshContent& content, const std::string& file, const mesh::Section& section = {});
 
 }  // namespace creepcontact::io

@@ -115,6 +115,7 @@ class Discretization {
   Eigen::MatrixXd reconstructed(const ElementBlock& block, std::size_t e, std::span<const double> means,
                                 const Eigen::Ref<const Rows>& at_points) const;
   const ElementBlock& block_of(std::size_t element) const;
+  std::span<const std::int64_t> coupled_nodes(std::size_t element) const;
   /// Entries (element, local node) are numbered block by block, element by element.
   std::size_t element_of_entry(std::size_t entry) const;
   template <typename Moduli>

@@ -26,6 +26,8 @@ std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, const std::vector<me
 /// Force per area in fixed directions. @param traction  x, y, z components, functions of x, y, z, t
 std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
                                     std::array<Function, 3> traction);
+/// Axial force on the cross-section of a body in generalised plane strain. @param force  of t
+std::unique_ptr<Load> axial_load(const mesh::Mesh& mesh, Function force);
 /// Force at a node. @param force  three functions of t (x, y, z are those of the node)
 std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std::array<Function, 3> force);
 /// Force per volume. @param body  must outlive the load @param force_density  three functions of x, y, z, t

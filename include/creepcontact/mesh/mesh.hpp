@@ -43,7 +43,12 @@ struct Mesh {
   std::vector<CellBlock> blocks;
   std::map<std::string, Group> groups;  // by name
   Section section = {};
+  /// Of a body in generalised plane strain: the last node, which no cell has. Its displacement along z is the axial
+  /// strain times a unit length. Otherwise -1.
+  std::int64_t axial_node = -1;
 
+  /// Without the axial node.
+  std::size_t n_cell_nodes() const { return nodes.size() - (axial_node < 0 ? 0 : 1); }
   /// True for the cells that carry material: volumes, or surfaces in sections.
   bool is_bulk(CellType type) const { return dimension(type) == section.dimension(); }
 
@@ -60,8 +65,9 @@ struct Face {
 };
 
 /// The cells of some volume groups as a separate mesh.
-/// Nodes are renumbered from 0; parent_node[i] is the number in the parent. Volume blocks contain only the cells of
-/// this body. Groups of lower dimension keep the cells whose nodes all belong to the body.
+/// Nodes are renumbered from 0; parent_node[i] is the number in the parent (an axial node has none, and is added).
+/// Volume blocks contain only the cells of this body. Groups of lower dimension keep the cells whose nodes all belong
+/// to the body.
 struct BodyMesh {
   Mesh mesh;
   std::vector<std::int64_t> parent_node;

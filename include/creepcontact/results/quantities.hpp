@@ -17,7 +17,9 @@ struct OutputVariable {
     contact_gap,
     contact_area,   ///< of a contact surface
     contact_force,  ///< vector, of a contact surface
-    reaction        ///< vector, of a supported group
+    reaction,       ///< vector, of a supported group
+    axial_strain,   ///< of a body in generalised plane strain
+    axial_force     ///< the same
   };
   std::string name;
   std::vector<std::string> components;  ///< suffixes of their names; empty: a scalar
@@ -33,6 +35,8 @@ struct OutputVariable {
   /// In the field files only if a material has this variable; null: always.
   const material::StateVariable* state_variable = nullptr;
 
+  /// One value per body, in generalised plane strain.
+  bool is_axial() const { return location == Location::axial_strain || location == Location::axial_force; }
   std::size_t n_components() const { return components.empty() ? 1 : components.size(); }
 };
 

@@ -51,7 +51,7 @@ void ContactArea::add_inside(const ContactGrid::Facet& facet, const Eigen::Vecto
   Corner centre;
   for (std::size_t i = 0; i < facet.n_corners; ++i) {
     const int row = facet.rows[i];
-    corners[i] = {grid_.position(row), level[row], {}};
+    corners[i] = {facet.positions[i], level[row], {}};
     corners[i].hats[i] = 1;
     const double share = 1.0 / static_cast<double>(facet.n_corners);
     centre.position += share * corners[i].position;

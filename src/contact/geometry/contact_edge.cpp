@@ -1,9 +1,9 @@
 #include "creepcontact/contact/geometry/contact_edge.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/facet.hpp"
@@ -174,7 +174,9 @@ void ContactEdge::continue_inwards(std::vector<std::pair<int, Vector3>> known, E
 }
 
 double ContactEdge::far_distance() const {
-  return std::sqrt(std::accumulate(coupling_.area.begin(), coupling_.area.end(), 0.0));
+  Eigen::AlignedBox3d box;
+  for (const Vector3& position : grid_.positions) box.extend(position);
+  return box.diagonal().norm();
 }
 
 Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {

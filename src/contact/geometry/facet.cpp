@@ -28,9 +28,20 @@ Eigen::Matrix<double, 9, 1> products(const Vector3& a, const Vector3& b) {
   return result;
 }
 
-Facet::Coordinates coordinates(const mesh::Mesh& mesh, const mesh::Face& face) {
+/// The face itself, or the strip of an edge: a quadrilateral whose nodes occur on both layers, and in between.
+mesh::Face quadrilateral(const mesh::Face& face) {
+  const auto& n = face.nodes;
+  if (face.type == mesh::CellType::line2) return {mesh::CellType::quad4, {n[0], n[1], n[1], n[0]}};
+  if (face.type == mesh::CellType::line3)
+    return {mesh::CellType::quad9, {n[0], n[1], n[1], n[0], n[2], n[1], n[2], n[0], n[2]}};
+  return face;
+}
+
+/// @param face  as quadrilateral() returns it
+Facet::Coordinates coordinates(const mesh::Mesh& mesh, const mesh::Face& face, double strip_depth) {
   Facet::Coordinates x(static_cast<int>(face.nodes.size()), 3);
   for (std::size_t i = 0; i < face.nodes.size(); ++i) x.row(i) = mesh.nodes[face.nodes[i]].transpose();
+  if (mesh.section.dimension() == 2) x.col(2) += strip_depth / 2 * fem::reference_element(face.type).nodes().col(1);
   return x;
 }
 
@@ -45,8 +56,11 @@ Plane Plane::through(const Vector3& origin, const Vector3& normal) {
   return plane;
 }
 
-Facet::Facet(const mesh::Mesh& mesh, const mesh::Face& face) : Facet(face.type, coordinates(mesh, face)) {
-  nodes_ = face.nodes;
+Facet::Facet(const mesh::Mesh& mesh, const mesh::Face& face, double strip_depth)
+    : Facet(quadrilateral(face).type, coordinates(mesh, quadrilateral(face), strip_depth)) {
+  nodes_ = quadrilateral(face).nodes;
+  section_ = mesh.section;
+  if (section_.dimension() == 2) strip_depth_ = strip_depth;
 }
 
 Facet::Facet(mesh::CellType type, Coordinates x)
@@ -112,7 +126,10 @@ Polygon Facet::outline(const Plane& plane) const {
 double Facet::surface_area() const {
   const fem::QuadratureRule& rule = element_->rule();
   double sum = 0;
-  for (int q = 0; q < rule.size(); ++q) sum += rule.weights[q] * area_vector(rule.points.row(q).transpose()).norm();
+  for (int q = 0; q < rule.size(); ++q) {
+    const Vector3 xi = rule.points.row(q).transpose();
+    sum += rule.weights[q] * area_vector(xi).norm() * area_ratio(position(xi));
+  }
   return sum;
 }
 
@@ -153,11 +170,22 @@ bool Facet::meet_line(const Vector3& origin, const Vector3& direction, Vector3& 
   return unproject(Plane::through(origin, direction), Eigen::Vector2d::Zero(), xi);
 }
 
-std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
+double strip_depth(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
+  if (mesh.section.dimension() == 3) return 0;
+  double length = 0;
+  for (const mesh::Face& face : faces) length += (mesh.nodes[face.nodes[1]] - mesh.nodes[face.nodes[0]]).norm();
+  return length / static_cast<double>(faces.size());
+}
+
+std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, double strip_depth) {
   std::vector<Facet> facets;
   facets.reserve(faces.size());
-  for (const mesh::Face& face : faces) facets.emplace_back(mesh, face);
+  for (const mesh::Face& face : faces) facets.emplace_back(mesh, face, strip_depth);
   return facets;
+}
+
+std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
+  return make_facets(mesh, faces, strip_depth(mesh, faces));
 }
 
 }  // namespace creepcontact::contact

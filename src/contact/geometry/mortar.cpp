@@ -33,7 +33,7 @@ class Assembler {
             std::span<const mechanics::RigidMotion> sliding)
       : type_(type),
         slave_facets_(make_facets(*slave.mesh, slave.faces)),
-        master_facets_(make_facets(*master.mesh, master.faces)),
+        master_facets_(make_facets(*master.mesh, master.faces, strip_depth(*slave.mesh, slave.faces))),
         normals_(surface_normals(slave_facets_, *slave.constraints)),
         segmentation_(slave_facets_, master_facets_),
         geometry_(slave_facets_, normals_, master_facets_, surface_normals(master_facets_, *master.constraints),
@@ -61,13 +61,13 @@ class Assembler {
     for (int q = 0; q < rule.size(); ++q) {
       const Vector3 xi = rule.points.row(q).transpose();
       const HatVector hats = hat_values(facet, xi);
-      for (int i = 0; i < facet.n_corners(); ++i)
-        full_[multiplier(f, i)] += rule.weights[q] * facet.area_vector(xi).norm() * hats[i];
+      const double area = rule.weights[q] * facet.area_vector(xi).norm() * facet.area_ratio(facet.position(xi));
+      for (int i = 0; i < facet.n_corners(); ++i) full_[multiplier(f, i)] += area * hats[i];
     }
   }
 
   void add_facet(std::size_t f, const std::vector<Segment>& segments);
-  void add_gap(std::span<const int> rows, const HatVector& weighted, const ContactPoint& point);
+  void add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point);
   HatMatrix dual_transformation(std::size_t f, const std::vector<Segment>& segments) const;
 
   static HatVector hat_values(const Facet& facet, const Vector3& xi) {
@@ -147,16 +147,17 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
       const HatVector weighted = point.weight * (dual * hat_values(facet, point.slave_xi));
       on_slave.add(point.slave_xi, weighted, point.normal);
       on_master.add(point.master_xi, weighted, point.normal);
-      add_gap(rows, weighted, point);
+      add_gap(f, weighted, point);
     }
     on_master.emit(rows, master_);
   }
   on_slave.emit(rows, slave_);
 }
 
-void Assembler::add_gap(std::span<const int> rows, const HatVector& weighted, const ContactPoint& point) {
+void Assembler::add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point) {
+  const std::span<const int> rows = normals_.multiplier_of_corner[f];
   const auto column = static_cast<int>(gap_points_.size());
-  gap_points_.push_back(point.on_slave);
+  gap_points_.push_back(slave_facets_[f].in_section(point.on_slave));
   gap_distances_.push_back(point.gap);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double weight = weighted[i];

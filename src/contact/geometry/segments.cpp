@@ -151,7 +151,7 @@ void Segmentation::integrate(const Facet& slave, const Plane& plane, const Facet
         continue;
       const double cosine = slave.area_vector(point.slave_xi).normalized().dot(plane.normal);
       if (cosine < edge_on_cosine) continue;
-      point.weight = rule.weights[q] * twice_area / cosine;
+      point.weight = rule.weights[q] * twice_area / cosine * slave.area_ratio(slave.position(point.slave_xi));
       points.push_back(point);
     }
   }

@@ -83,6 +83,10 @@ mesh::Mesh section_mesh(CellType type, std::array<int, 2> divisions, const Eigen
   mesh.blocks.push_back(std::move(cells));
   mesh.blocks.push_back(std::move(edges));
   for (auto& [name, refs] : sides) mesh.groups[name] = {name, 1, std::move(refs)};
+  if (section.has_axial_node()) {
+    mesh.axial_node = static_cast<std::int64_t>(mesh.nodes.size());
+    mesh.nodes.emplace_back(origin.x() + lengths.x() / 2, origin.y() + lengths.y() / 2, 0);
+  }
   return mesh;
 }
 

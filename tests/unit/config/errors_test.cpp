@@ -158,7 +158,7 @@ TEST(ConfigMistakes, Bodies) {
       "--set bodies.block.material=stel: bodies.block.material: unknown material 'stel'; did you mean 'steel'?",
       {"bodies.block.material=stel"});
   expect_mistake(minimal + "[bodies.second]\nregion = [\"b\", \"all\"]\nmaterial = \"steel\"\n",
-                 "cases/block.toml:13:16: bodies.second.region[1]: volume 'all' already belongs to body 'block'");
+                 "cases/block.toml:13:16: bodies.second.region[1]: region 'all' already belongs to body 'block'");
 }
 
 TEST(ConfigMistakes, Mesh) {

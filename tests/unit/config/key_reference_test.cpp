@@ -33,8 +33,8 @@ TEST(KeySections, TablesAsInTheFile) {
   Lines titles;
   for (const KeySection& section : sections()) titles.push_back(section.title);
   EXPECT_EQ(titles, (Lines{"", "[mesh]", "[bodies.<name>]", "[materials.<name>]", "[[materials.<name>.creep]]",
-                           "[materials.<name>.rupture]", "[[supports]]", "[[loads]]", "[temperature]", "[[contacts]]",
-                           "[contact_solver]", "[time]", "[output]", "[[probes]]"}));
+                           "[materials.<name>.rupture]", "[[supports]]", "[[loads]]", "[generalized_plane_strain]",
+                           "[temperature]", "[[contacts]]", "[contact_solver]", "[time]", "[output]", "[[probes]]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {
@@ -82,7 +82,8 @@ TEST(KeySelection, PathWithAllBelowIt) {
 TEST(KeySelection, OneTable) {
   EXPECT_EQ(selected("[output]"),
             (Lines{"output.directory", "output.fields", "output.unit_names", "output.checkpoint_seconds"}));
-  EXPECT_EQ(selected("[bodies.shaft]"), (Lines{"bodies.<name>.region", "bodies.<name>.material"}));
+  EXPECT_EQ(selected("[bodies.shaft]"),
+            (Lines{"bodies.<name>.region", "bodies.<name>.material", "bodies.<name>.thickness"}));
   const Lines material = selected("[materials.<name>]");
   EXPECT_NE(std::find(material.begin(), material.end(), "materials.<name>.rupture"), material.end());
   EXPECT_EQ(std::find(material.begin(), material.end(), "materials.<name>.rupture.alpha"), material.end());

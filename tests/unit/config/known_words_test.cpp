@@ -18,9 +18,7 @@ TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
                  "cases/block.toml:14:1: contacts[0].friction: not in this version: contact is without friction");
   expect_mistake(contact + "preload = { force = 1 }\n",
                  "cases/block.toml:14:1: contacts[0].preload: not in this version; a negative 'gap'");
-  expect_mistake("analysis = \"axisymmetric\"\n" + minimal,
-                 "cases/block.toml:1:1: analysis: not in this version, which");
-  for (const char* table : {"[[cyclic]]", "[[rigid]]", "[[events]]", "[generalized_plane_strain]"}) {
+  for (const char* table : {"[[cyclic]]", "[[rigid]]", "[[events]]"}) {
     const std::vector<std::string> lines = mistakes(minimal + table + "\nx = 1\n");
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_NE(lines[0].find(": not in this version"), std::string::npos) << lines[0];

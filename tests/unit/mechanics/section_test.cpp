@@ -1,4 +1,5 @@
 /// Element loops and stiffness of plane and axisymmetric sections, for every element type.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -21,10 +22,17 @@ constexpr double inner = 2, width = 1, height = 1.5, thickness = 0.7;
 
 class Sections : public testing::TestWithParam<std::tuple<CellType, Analysis>> {
  protected:
-  bool is_axisymmetric() const { return std::get<1>(GetParam()) == Analysis::axisymmetric; }
+  Analysis analysis() const { return std::get<1>(GetParam()); }
+  bool is_axisymmetric() const { return analysis() == Analysis::axisymmetric; }
+  /// Sets what the section holds to zero.
+  template <typename Values>
+  void clear_held(Values& values) const {
+    for (std::size_t node = 0; node < mesh.n_cell_nodes(); ++node) values[3 * node + 2] = 0;
+    if (mesh.axial_node >= 0) values[3 * mesh.axial_node] = values[3 * mesh.axial_node + 1] = 0;
+  }
   std::vector<double> in_plane_noise(unsigned seed) const {
     std::vector<double> values = noise(3 * mesh.nodes.size(), seed);
-    for (std::size_t i = 2; i < values.size(); i += 3) values[i] = 0;
+    clear_held(values);
     return values;
   }
   std::vector<Moduli> varied_moduli() const {
@@ -44,7 +52,7 @@ class Sections : public testing::TestWithParam<std::tuple<CellType, Analysis>> {
   double distortion() const { return is_axisymmetric() && std::get<0>(GetParam()) == CellType::quad8 ? 0 : 0.2; }
 
   mesh::Mesh mesh = section_mesh(std::get<0>(GetParam()), {4, 3}, {width, height}, {inner, 0.3},
-                                 {std::get<1>(GetParam()), thickness}, distortion());
+                                 {analysis(), thickness}, distortion());
   Discretization body{mesh};
   std::vector<Moduli> uniform_moduli{material::lame(100, 0.3)};
 };
@@ -57,18 +65,25 @@ TEST_P(Sections, WeightsFillTheVolume) {
 
 TEST_P(Sections, UniformStrainIsExactAndInEquilibrium) {
   // In axisymmetry u_x = c x alone is uniform.
-  const double c = 2e-3, d = -1e-3, shear = is_axisymmetric() ? 0 : 3e-3;
-  const std::vector<double> u = nodal_field(
-      mesh, [&](const Vector3& x) { return Vector3(c * x.x() + shear * x.y(), d * x.y() - shear / 3 * x.x(), 0); });
+  const double c = 2e-3, d = -1e-3, axial = 4e-3, shear = is_axisymmetric() ? 0 : 3e-3;
+  std::vector<double> u = nodal_field(
+      mesh, [&](const Vector3& x) { return Vector3(c * x.x() + shear * x.y(), d * x.y() - shear / 3 * x.x(), axial); });
+  clear_held(u);
+  double zz = 0;
+  if (is_axisymmetric()) zz = c;
+  if (analysis() == Analysis::generalized_plane_strain) zz = axial;
+  if (analysis() == Analysis::plane_stress) zz = -0.3 / 0.7 * (c + d);
   Tensor6 strain = Tensor6::Zero();
-  strain << c, d, is_axisymmetric() ? c : 0, tensor::sqrt2 / 2 * (shear - shear / 3), 0, 0;
+  strain << c, d, zz, tensor::sqrt2 / 2 * (shear - shear / 3), 0, 0;
   const Tensor6 expected = material::stress(uniform_moduli[0], strain);
   const std::vector<double> found = stress(u, {uniform_moduli});
   for (const Tensor6& at_point : as_tensors(found)) EXPECT_LT((at_point - expected).norm(), 1e-12 * expected.norm());
 
   std::vector<double> forces(3 * mesh.nodes.size(), 0.0);
   body.add_internal_force(found, forces);
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+  if (mesh.axial_node >= 0)
+    EXPECT_NEAR(forces[3 * mesh.axial_node + 2], expected[2] * width * height * thickness, 1e-12 * largest(forces));
+  for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
     const Vector3& x = mesh.nodes[i];
     const bool inside =
         x.x() > inner + 1e-9 && x.x() < inner + width - 1e-9 && x.y() > 0.3 + 1e-9 && x.y() < 0.3 + height - 1e-9;
@@ -105,7 +120,7 @@ TEST_P(Sections, StiffnessTimesDisplacementIsTheInternalForce) {
       displacement(u.data(), std::ssize(u));
   for (const linalg::SparseMatrix& lower : {body.stiffness(ElasticState{moduli}), body.stiffness(matrices)}) {
     Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * displacement;
-    for (Eigen::Index i = 2; i < product.size(); i += 3) product[i] = 0;
+    clear_held(product);
     EXPECT_LT((product - force).norm(), 1e-12 * force.norm());
   }
 }
@@ -123,13 +138,41 @@ TEST_P(Sections, InitialStrainForceIsThatOfItsStress) {
   for (std::size_t i = 0; i < forces.size(); ++i) EXPECT_NEAR(forces[i], expected[i], 1e-11 * largest(expected));
 }
 
+/// The tangent loops with isotropic moduli D and the initial stress D creep are those of elasticity with creep strain.
+TEST_P(Sections, TangentLoopsWithIsotropicModuliAreElastic) {
+  const std::vector<double> u = in_plane_noise(4);
+  std::vector<double> creep = noise(6 * body.n_points(), 5);
+  for (std::size_t p = 0; p < body.n_points(); ++p)
+    tensor::writable(creep, p) = tensor::deviator(Tensor6::Map(&creep[6 * p])).eval();
+  const std::vector<Moduli> moduli = varied_moduli();
+  std::vector<Matrix6> matrices(moduli.size());
+  std::vector<double> initial(creep.size()), strain(creep.size()), expected(creep.size());
+  for (std::size_t p = 0; p < moduli.size(); ++p) {
+    for (Eigen::Index k = 0; k < 6; ++k) matrices[p].col(k) = material::stress(moduli[p], Tensor6::Unit(k));
+    tensor::writable(initial, p) = matrices[p] * Tensor6::Map(&creep[6 * p]);
+  }
+  body.stress(u, {moduli}, {creep, 6}, expected);
+  body.tangent_strain(u, matrices, initial, strain);
+  for (std::size_t p = 0; p < moduli.size(); ++p) {
+    const Tensor6 found = matrices[p] * Tensor6::Map(&strain[6 * p]) - Tensor6::Map(&initial[6 * p]);
+    EXPECT_LT((found - Tensor6::Map(&expected[6 * p])).norm(), 1e-11 * found.norm());
+  }
+  std::vector<double> force(u.size(), 0.0), expected_force(u.size(), 0.0);
+  body.add_initial_strain_force({moduli}, {creep, 6}, expected_force);
+  body.add_initial_stress_force(matrices, initial, force);
+  clear_held(force);
+  clear_held(expected_force);
+  for (std::size_t i = 0; i < u.size(); ++i) EXPECT_NEAR(force[i], expected_force[i], 1e-11 * largest(expected_force));
+}
+
 INSTANTIATE_TEST_SUITE_P(Types, Sections,
                          testing::Combine(testing::Values(CellType::tri3, CellType::tri6, CellType::quad4,
                                                           CellType::quad8, CellType::quad9),
-                                          testing::Values(Analysis::plane_strain, Analysis::axisymmetric)),
+                                          testing::Values(Analysis::plane_strain, Analysis::axisymmetric,
+                                                          Analysis::plane_stress, Analysis::generalized_plane_strain)),
                          [](const auto& of) {
-                           return std::string(mesh::name(std::get<0>(of.param))) +
-                                  (std::get<1>(of.param) == Analysis::axisymmetric ? "_axisymmetric" : "_plane");
+                           return fmt::format("{}_{}", mesh::name(std::get<0>(of.param)),
+                                              settings::name_of(std::get<1>(of.param)));
                          });
 
 /// Thick cylinder under inner pressure in plane strain, nearly incompressible: as an axisymmetric section, and as a

@@ -11,7 +11,8 @@ namespace creepcontact::contact {
 /// Rows at the corners of facets, and their neighbours.
 struct ContactGrid {
   struct Facet {
-    std::array<int, 4> rows{};  ///< row at each corner
+    std::array<int, 4> rows{};         ///< row at each corner
+    std::array<Vector3, 4> positions;  ///< of the corners; those of a strip (Facet) lie off the plane z = 0
     std::size_t n_corners = 0;
   };
 

@@ -1,5 +1,9 @@
 #pragma once
 /// Geometry of one face of a contact surface: position, normal, projection onto a plane and back.
+///
+/// An edge of a section is a strip: a quadrilateral that extends along z, whose two layers have the same nodes. Sums
+/// over the layers are the one-dimensional shape functions and dual functions of the edge exactly, so curves need no
+/// algorithms of their own.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -29,7 +33,8 @@ class Facet {
  public:
   using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 9, 3>;
 
-  Facet(const mesh::Mesh& mesh, const mesh::Face& face);
+  /// @param strip_depth  [length] of the strip that represents an edge; the same for all facets that meet
+  Facet(const mesh::Mesh& mesh, const mesh::Face& face, double strip_depth);
   /// A face that is not part of a mesh: nodes() is empty. @param x  coordinates, one row per node of `type`
   Facet(mesh::CellType type, Coordinates x);
 
@@ -50,7 +55,13 @@ class Facet {
   const Vector3& centre_xi() const { return centre_xi_; }
   Vector3 centre() const { return position(centre_xi_); }
   Vector3 area_vector_at_centre() const { return area_vector(centre_xi_); }
-  /// Area by the quadrature rule of the element.
+  /// Area of the body's surface over that of the facet: 1, or for a strip the depth of the section over its own.
+  double area_ratio(const Vector3& position) const {
+    return strip_depth_ > 0 ? section_.depth(position) / strip_depth_ : 1;
+  }
+  /// A point of a strip in the plane z = 0 of its section; otherwise the point itself.
+  Vector3 in_section(const Vector3& point) const { return strip_depth_ > 0 ? Vector3(point.x(), point.y(), 0) : point; }
+  /// Area of the body's surface, by the quadrature rule of the element.
   double surface_area() const;
   /// Largest distance between two corners.
   double diameter() const { return diameter_; }
@@ -85,12 +96,18 @@ class Facet {
   Coordinates x_;
   Polynomial polynomial_;
   bool is_affine_ = false;
+  mesh::Section section_ = {};
+  double strip_depth_ = 0;  // 0: no strip
   Vector3 centre_xi_;
   double diameter_ = 0;
   Eigen::AlignedBox3d box_;
 };
 
-/// One per face, in their order.
+/// A depth for strips that is about as large as their edges are long: the mean length of the edges; 0 for solids.
+double strip_depth(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces);
+
+/// One per face, in their order. @param strip_depth  as the constructor of Facet takes it; by default that of the faces
+std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, double strip_depth);
 std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces);
 
 }  // namespace creepcontact::contact

@@ -1,0 +1,122 @@
+#include "section_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace creepcontact::config {
+namespace {
+
+using settings::Analysis;
+
+constexpr std::array<double, 3> y_axis{0, 1, 0};
+
+/// @param work  called with the item of every entry and the entry itself
+template <class T, class Work>
+void for_each_entry(const Item& root, const std::string& key, T& entries, const Work& work) {
+  const Item list = root.child(key);
+  if (!list.node || !list.node->as_array() || list.node->as_array()->size() != entries.size()) return;
+  for (std::size_t i = 0; i < entries.size(); ++i) work(list.element(i), entries[i]);
+}
+
+class SectionChecks {
+ public:
+  SectionChecks(const Config& config, Diagnostics& errors)
+      : analysis_(config.analysis), name_(settings::name_of(config.analysis)), errors_(errors) {}
+
+  void check_keys(const Config& config, const Item& root) {
+    const bool is_plane = analysis_ != Analysis::solid && analysis_ != Analysis::axisymmetric;
+    const Item thickness = root.child("mesh").child("thickness");
+    if (thickness.node && !is_plane)
+      errors_.add(thickness.location,
+                  analysis_ == Analysis::axisymmetric
+                      ? "an axisymmetric model has no thickness: it is the full circumference"
+                      : "a solid has no thickness",
+                  "in plane analyses only");
+    for (const Body& body : config.bodies)
+      if (body.thickness && analysis_ != Analysis::plane_stress)
+        errors_.add(root.child("bodies").child(body.name).child("thickness").location,
+                    "bodies may differ in thickness in plane stress only",
+                    is_plane ? "mesh.thickness, for all bodies" : "with analysis = \"plane_stress\"");
+    const Item axial = root.child("generalized_plane_strain");
+    if (axial.node && analysis_ != Analysis::generalized_plane_strain)
+      errors_.add(axial.location, fmt::format("has no meaning with analysis = \"{}\"", name_),
+                  "with analysis = \"generalized_plane_strain\"");
+  }
+
+  void check_support(const Item& item, const Support& support) {
+    if (is_solid() || !support.displacement[2]) return;
+    errors_.add(item.child("displacement").child("z").location,
+                fmt::format("analysis = \"{}\" has no displacement along z that a support could hold", name_),
+                "x, y or normal");
+  }
+
+  void check_load(const Item& item, const Load& load) {
+    if (is_solid()) return;
+    if (const auto* traction = std::get_if<Traction>(&load.kind))
+      require_in_plane(item.child("traction"), traction->value[2].is_zero());
+    if (const auto* force = std::get_if<BodyForce>(&load.kind))
+      require_in_plane(item.child("body_force"), force->value[2].is_zero());
+    if (const auto* force = std::get_if<PointForce>(&load.kind)) {
+      require_in_plane(item.child("force"), force->value[2].is_zero());
+      require_in_plane(item.child("at"), force->at[2] == 0);
+    }
+    if (const auto* rotation = std::get_if<Rotation>(&load.kind); rotation && analysis_ == Analysis::axisymmetric)
+      require_axis(item.child("rotation"), rotation->axis, rotation->origin);
+  }
+
+  void check_probe(const Item& item, const Probe& probe) {
+    if (is_solid()) return;
+    if (probe.at) require_in_plane(item.child("at"), (*probe.at)[2] == 0);
+    if (analysis_ == Analysis::axisymmetric) require_axis(item, probe.axis, probe.origin);
+  }
+
+ private:
+  bool is_solid() const { return analysis_ == Analysis::solid; }
+
+  void require_in_plane(const Item& item, bool is_in_plane) {
+    if (is_in_plane) return;
+    errors_.add(item.location, fmt::format("a z other than 0 with analysis = \"{}\"", name_),
+                "[x, y, 0]: a section lies in the plane z = 0");
+  }
+
+  void require_axis(const Item& item, const std::array<double, 3>& axis, const std::array<double, 3>& origin) {
+    if (axis[0] != 0 || axis[1] == 0 || axis[2] != 0)
+      errors_.add(item.child("axis").location,
+                  fmt::format("[{}, {}, {}] is not the axis of the axisymmetric model", axis[0], axis[1], axis[2]),
+                  "[0, 1, 0], or leave it out: the axis is y");
+    if (origin[0] != 0 || origin[2] != 0)
+      errors_.add(item.child("origin").location, "is not on the axis of the axisymmetric model, x = 0",
+                  "[0, y, 0], or leave it out");
+  }
+
+  Analysis analysis_;
+  std::string name_;
+  Diagnostics& errors_;
+};
+
+}  // namespace
+
+void set_section_defaults(const Item& root, Config& config) {
+  if (config.analysis != Analysis::axisymmetric) return;
+  for_each_entry(root, "probes", config.probes, [](const Item& item, Probe& probe) {
+    if (!item.has("axis")) probe.axis = y_axis;
+  });
+  for_each_entry(root, "loads", config.loads, [](const Item& item, Load& load) {
+    if (auto* rotation = std::get_if<Rotation>(&load.kind); rotation && !item.child("rotation").has("axis"))
+      rotation->axis = y_axis;
+  });
+}
+
+void check_sections(const Config& config, const Item& root, Diagnostics& errors) {
+  SectionChecks checks(config, errors);
+  checks.check_keys(config, root);
+  for_each_entry(root, "supports", config.supports,
+                 [&](const Item& item, const Support& support) { checks.check_support(item, support); });
+  for_each_entry(root, "loads", config.loads,
+                 [&](const Item& item, const Load& load) { checks.check_load(item, load); });
+  for_each_entry(root, "probes", config.probes,
+                 [&](const Item& item, const Probe& probe) { checks.check_probe(item, probe); });
+}
+
+}  // namespace creepcontact::config
