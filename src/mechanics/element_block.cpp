@@ -169,6 +169,11 @@ Matrix3 ElementBlock::inverse_jacobian(std::size_t e, std::size_t p) const {
 
 void ElementBlock::measure_distortion() {
   constexpr double least = 0.2, most = 0.3;  // relative change of the inverse Jacobian: no projection, all of it
+  const auto inverse_jacobian = [this](std::size_t e, std::size_t p) {
+    Matrix3 result = this->inverse_jacobian(e, p);
+    if (section_.is_axisymmetric()) result(2, 2) = inverse_radius(e)[p];  // along the circumference
+    return result;
+  };
   for (std::size_t e = 0; e < n_elements(); ++e) {
     Matrix3 mean = Matrix3::Zero();
     for (std::size_t p = 0; p < n_points_; ++p) mean += inverse_jacobian(e, p) / static_cast<double>(n_points_);

@@ -9,6 +9,7 @@
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/results/snapshot.hpp"
 #include "support/mechanics/meshes.hpp"
+#include "support/mechanics/sections.hpp"
 #include "support/mechanics/solve.hpp"
 #include "verification/case.hpp"
 #include "verification/reference/thick_cylinder.hpp"
@@ -41,10 +42,14 @@ struct Errors {
   double at_nodes = 0;        ///< any component at a node
 };
 
+/// A sphere, a cylinder about z, or the axisymmetric section of a cylinder.
+enum class Form { sphere, cylinder, ring };
+
 struct Shape {
   mesh::Mesh mesh;
   std::vector<mechanics::Support> supports;
-  bool round;  ///< a sphere; otherwise a cylinder about z
+  Form form;
+  std::string bore;
 };
 
 /// A wedge of a slice of a cylinder, held in z.
@@ -57,7 +62,7 @@ Shape cylinder_mesh(CellType type, std::array<int, 3> divisions, double distorti
   std::vector<mechanics::Support> supports{
       support(mesh, "y0", Vector3::UnitY()), support(mesh, "y1", {-std::sin(angle), std::cos(angle), 0}),
       support(mesh, "z0", Vector3::UnitZ()), support(mesh, "z1", Vector3::UnitZ())};
-  return {std::move(mesh), std::move(supports), false};
+  return {std::move(mesh), std::move(supports), Form::cylinder, "x0"};
 }
 
 /// The part of a spherical shell within a square pyramid with its tip at the centre.
@@ -74,29 +79,33 @@ Shape sphere_mesh(CellType type, std::array<int, 3> divisions, double distortion
   supports.push_back(support(mesh, "x1", {c, 0, -s}));
   supports.push_back(support(mesh, "y0", {0, c, s}));
   supports.push_back(support(mesh, "y1", {0, c, -s}));
-  return {std::move(mesh), std::move(supports), true};
+  return {std::move(mesh), std::move(supports), Form::sphere, "z0"};
 }
 
-Tensor6 exact_tensor(const Vector3& x, bool round, const Exact& exact) {
-  const Vector3 arm = round ? x : Vector3(x[0], x[1], 0);
+Tensor6 exact_tensor(const Vector3& x, Form form, const Exact& exact) {
+  if (form == Form::ring) {
+    const Vector3 stress = exact(x[0]);
+    return tensor::from_matrix(Vector3(stress[0], stress[2], stress[1]).asDiagonal().toDenseMatrix());
+  }
+  const Vector3 arm = form == Form::sphere ? x : Vector3(x[0], x[1], 0);
   const Vector3 e = arm.normalized(), stress = exact(arm.norm());
   Matrix3 s = stress[1] * Matrix3::Identity() + (stress[0] - stress[1]) * e * e.transpose();
-  if (!round) s(2, 2) = stress[2];
+  if (form == Form::cylinder) s(2, 2) = stress[2];
   return tensor::from_matrix(s);
 }
 
-Errors errors(results::Snapshot& snapshot, const mechanics::Body& body, bool round, const Exact& exact) {
+Errors errors(results::Snapshot& snapshot, const mechanics::Body& body, Form form, const Exact& exact) {
   const results::BodyFields& fields = snapshot.fields(0);
   Errors result;
   double largest = 0;
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i) {
-    const Tensor6 reference = exact_tensor(body.mesh().nodes[i], round, exact);
+    const Tensor6 reference = exact_tensor(body.mesh().nodes[i], form, exact);
     largest = std::max(largest, reference.head<3>().cwiseAbs().maxCoeff());
     result.at_nodes = std::max(result.at_nodes, (fields.at_node(i).stress - reference).cwiseAbs().maxCoeff());
   }
   for (std::size_t p = 0; p < fields.n_points(); ++p) {
     const results::Sample at = fields.at_point(p);
-    const Tensor6 difference = at.stress - exact_tensor(at.position, round, exact);
+    const Tensor6 difference = at.stress - exact_tensor(at.position, form, exact);
     result.mean_at_points = std::max(result.mean_at_points, std::abs(tensor::trace(difference)) / 3);
   }
   result.at_nodes /= largest;
@@ -105,10 +114,10 @@ Errors errors(results::Snapshot& snapshot, const mechanics::Body& body, bool rou
 }
 
 /// At the times when the creep strain at the bore is as given.
-std::vector<Errors> errors_in_creep(const creep::Assembly& assembly, bool round, const Exact& exact,
+std::vector<Errors> errors_in_creep(const creep::Assembly& assembly, Form form, const Exact& exact,
                                     const std::vector<double>& creep_strains) {
   const Vector3 bore = exact(inner);
-  const double q = round ? bore[1] - bore[0] : std::sqrt(3.0) / 2 * (bore[1] - bore[0]);
+  const double q = form == Form::sphere ? bore[1] - bore[0] : std::sqrt(3.0) / 2 * (bore[1] - bore[0]);
   std::vector<double> times{0.0};
   for (const double strain : creep_strains) times.push_back(strain / (A * std::pow(q, n)));
   Stopwatch watch;
@@ -125,7 +134,7 @@ std::vector<Errors> errors_in_creep(const creep::Assembly& assembly, bool round,
     for (; next != times.end() && *next <= integrator->time(); ++next) {
       integrator->interpolate(*next, state);
       results::Snapshot snapshot(system, *next, system.evaluate_output(*next, state));
-      result.push_back(errors(snapshot, assembly.bodies()[0], round, exact));
+      result.push_back(errors(snapshot, assembly.bodies()[0], form, exact));
     }
   }
   return result;
@@ -134,8 +143,7 @@ std::vector<Errors> errors_in_creep(const creep::Assembly& assembly, bool round,
 creep::Assembly assembly_of(const Shape& shape, const material::Material& material) {
   std::vector<mechanics::Body> bodies;
   bodies.emplace_back("wall", shape.mesh, material, shape.supports, std::nullopt);
-  bodies[0].add_load(
-      mechanics::pressure_load(shape.mesh, mesh::boundary_faces(shape.mesh, shape.round ? "z0" : "x0"), pressure));
+  bodies[0].add_load(mechanics::pressure_load(shape.mesh, mesh::boundary_faces(shape.mesh, shape.bore), pressure));
   return {std::move(bodies), {}};
 }
 
@@ -185,13 +193,13 @@ void expect_small(const std::vector<Errors>& all) {
 
 TEST_P(LockingOfElements, CylinderThatCreeps) {
   const Shape shape = cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion);
-  expect_small(errors_in_creep(assembly_of(shape, norton()), shape.round, cylinder, {0.05, 0.1, 1.0}));
+  expect_small(errors_in_creep(assembly_of(shape, norton()), shape.form, cylinder, {0.05, 0.1, 1.0}));
 }
 
 TEST_P(LockingOfElements, SphereThatCreeps) {
   const auto [radial, around, axial] = GetParam().divisions;
   const Shape shape = sphere_mesh(GetParam().type, {around, around, radial}, GetParam().distortion);
-  expect_small(errors_in_creep(assembly_of(shape, norton()), shape.round, sphere, {0.01, 0.1, 1.0}));
+  expect_small(errors_in_creep(assembly_of(shape, norton()), shape.form, sphere, {0.01, 0.1, 1.0}));
 }
 
 /// From equator to pole, 30 degrees wide, meshed by Gmsh.
@@ -240,21 +248,82 @@ TEST(Locking, SphereOfGmshTetrahedraThatCreeps) {
   )",
                                                                              young, A, n, pressure),
                                                                  {}));
-  expect_small(errors_in_creep(model.assembly, true, sphere, {0.01, 0.1, 1.0}));
+  expect_small(errors_in_creep(model.assembly, Form::sphere, sphere, {0.01, 0.1, 1.0}));
 }
 
-TEST_P(LockingOfElements, NearlyIncompressibleCylinder) {
+void expect_nearly_incompressible(const Shape& shape) {
   constexpr double nu = 0.4999;
   constexpr reference::ThickCylinder lame{inner, outer, pressure};
-  const Shape shape = cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion);
   const creep::Assembly assembly = assembly_of(shape, elastic_material(young, nu));
   Stopwatch watch;
   creep::EquilibriumSolver solver(assembly, {}, watch);
   creep::CreepSystem system(solver, {}, 1e-3, watch);
   results::Snapshot snapshot(system, 0, system.evaluate_output(0, {}));
-  expect_small({errors(snapshot, assembly.bodies()[0], false, [&](double r) {
+  expect_small({errors(snapshot, assembly.bodies()[0], shape.form, [&](double r) {
     return Vector3(lame.elastic_sigma_r(r), lame.elastic_sigma_theta(r), lame.elastic_sigma_z(nu));
   })});
+}
+
+TEST_P(LockingOfElements, NearlyIncompressibleCylinder) {
+  expect_nearly_incompressible(cylinder_mesh(GetParam().type, GetParam().divisions, GetParam().distortion));
+}
+
+/// A section of a cylinder: axisymmetric, or a sector in plane strain.
+Shape section_of_cylinder(const Case& of, Form form) {
+  constexpr double angle = std::numbers::pi / 6;
+  const auto [radial, around, axial] = of.divisions;
+  if (form == Form::ring) {
+    mesh::Mesh mesh = section_mesh(of.type, {radial, axial}, {outer - inner, 20}, {inner, 0},
+                                   {settings::Analysis::axisymmetric}, of.distortion);
+    std::vector<mechanics::Support> supports{support(mesh, "y0", Vector3::UnitY()),
+                                             support(mesh, "y1", Vector3::UnitY())};
+    return {std::move(mesh), std::move(supports), form, "x0"};
+  }
+  mesh::Mesh mesh = section_mesh(of.type, {radial, around}, {outer - inner, angle}, {inner, 0},
+                                 {settings::Analysis::plane_strain}, of.distortion);
+  mesh = mapped(mesh, [](const Vector3& x) { return Vector3(x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), 0); });
+  std::vector<mechanics::Support> supports{support(mesh, "y0", Vector3::UnitY()),
+                                           support(mesh, "y1", {-std::sin(angle), std::cos(angle), 0})};
+  return {std::move(mesh), std::move(supports), form, "x0"};
+}
+
+/// From the axis to 30 degrees below the equator: the axis needs no support.
+Shape section_of_sphere(const Case& of) {
+  constexpr double from = std::numbers::pi / 6, angle = std::numbers::pi / 2 - from;
+  const auto [radial, around, axial] = of.divisions;
+  mesh::Mesh mesh = section_mesh(of.type, {radial, 3 * around}, {outer - inner, angle}, {inner, from},
+                                 {settings::Analysis::axisymmetric}, of.distortion);
+  mesh = mapped(mesh, [](const Vector3& x) {
+    const bool on_axis = x[1] > std::numbers::pi / 2 - 1e-12;
+    return Vector3(on_axis ? 0.0 : x[0] * std::cos(x[1]), x[0] * std::sin(x[1]), 0);
+  });
+  std::vector<mechanics::Support> supports{support(mesh, "y0", {-std::sin(from), std::cos(from), 0})};
+  return {std::move(mesh), std::move(supports), Form::sphere, "x0"};
+}
+
+class LockingOfSections : public testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Types, LockingOfSections,
+                         testing::Values(Case{CellType::quad4, {30, 12, 3}, 0}, Case{CellType::quad8, {8, 3, 2}, 0},
+                                         Case{CellType::quad9, {8, 3, 2}, 0}, Case{CellType::tri6, {8, 3, 2}, 0},
+                                         Case{CellType::quad4, {30, 12, 3}, 0.25},
+                                         Case{CellType::quad8, {8, 3, 2}, 0.25}, Case{CellType::quad9, {8, 3, 2}, 0.25},
+                                         Case{CellType::tri6, {8, 3, 2}, 0.25}),
+                         name_of);
+
+TEST_P(LockingOfSections, CylinderThatCreeps) {
+  for (const Form form : {Form::ring, Form::cylinder})
+    expect_small(errors_in_creep(assembly_of(section_of_cylinder(GetParam(), form), norton()), form, cylinder,
+                                 {0.05, 0.1, 1.0}));
+}
+
+TEST_P(LockingOfSections, SphereThatCreeps) {
+  expect_small(
+      errors_in_creep(assembly_of(section_of_sphere(GetParam()), norton()), Form::sphere, sphere, {0.01, 0.1, 1.0}));
+}
+
+TEST_P(LockingOfSections, NearlyIncompressibleCylinder) {
+  for (const Form form : {Form::ring, Form::cylinder})
+    expect_nearly_incompressible(section_of_cylinder(GetParam(), form));
 }
 
 }  // namespace
