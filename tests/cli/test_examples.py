@@ -12,14 +12,15 @@ SHORT = {"time.end": "100", "time.output": "[1, 10]", "output.fields": "false"}
 
 
 class ExampleTest(RunTest):
-    def history(self, name, **parameters):
-        settings = SHORT | {f"mesh.parameters.{key}": str(value) for key, value in parameters.items()}
+    def history(self, name, changes=None, **parameters):
+        settings = SHORT | (changes or {}) | {f"mesh.parameters.{key}": str(value) for key, value in parameters.items()}
         options = [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
         done = subprocess.run([PROGRAM, "run", str(CONFIGS / name), "--output", str(self.output), *options],
                               cwd=self.directory, capture_output=True, text=True, timeout=100)
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = self.table("history.csv")
-        self.assertEqual([row["time"] for row in rows], [0, 1, 10, 100])
+        if not changes:
+            self.assertEqual([row["time"] for row in rows], [0, 1, 10, 100])
         return rows
 
     def expect_close(self, value, reference, relative):
@@ -69,6 +70,20 @@ class BladeRoot(ExampleTest):
             self.expect_close(row["force_1"] + row["force_2"], self.pull(), 1e-6)
             self.assertGreater(min(row["force_1"], row["force_2"]), 1e3)
 
+    def test_section_carries_the_same(self):
+        rows = self.history("blade_root_section.toml", n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2)
+        for row in rows:
+            self.expect_close(row["force_1"] + row["force_2"], self.pull(), 1e-6)
+            self.expect_close(row["pressure_1"], row["force_1"] / (3.5 * 15), 1e-3)
+            self.assertLess(row["axial_strain"], 0)
+
+    def test_section_is_close_to_the_solid(self):
+        sizes = dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2)
+        solid = self.history("blade_root.toml", n_width=1, **sizes)[0]
+        section = self.history("blade_root_section.toml", **sizes)[0]
+        for probe, relative in (("force_1", 0.01), ("groove_mises", 0.02), ("neck_mises", 0.08), ("root_displacement", 0.04)):
+            self.expect_close(section[probe], solid[probe], relative)
+
     @staticmethod
     def pull():
         """Traction on the top of the root and centrifugal force of the root: quarter of a root, parameters of the .geo."""
@@ -87,6 +102,40 @@ class BladeRoot(ExampleTest):
             towards = math.pi if angle == math.pi / 2 else 9 / 8 * math.pi
             moment -= segment * (centre + distance * math.sin(towards))
         return 110 * half_width[-1] * width + 8.2e-9 * 523.6**2 * width * moment
+
+
+class ShrinkFitSection(ExampleTest):
+    PLAIN = dict(web=70, groove=0, shaft=70)
+    RINGS = ({"time.end": "12", "time.output": "[]", "time.breakpoints": "[]"} |
+             {"probes": '[{ name = "p", quantity = "contact_pressure", on = "disc_bore" }, '
+                        '{ name = "force", quantity = "contact_force_x", on = "disc_bore" }, '
+                        '{ name = "stress", quantity = "hydrostatic", body = "disc", reduce = "sum" }]'})
+
+    @staticmethod
+    def lame(rim):
+        return 2.11e5 * 0.1 / (2 * 100) * (1 - (100 / rim)**2)
+
+    def test_plain_disc_has_the_pressure_of_lame(self):
+        cold, warm = self.history("shrink_fit_section.toml", self.RINGS, **self.PLAIN)
+        self.expect_close(cold["p"], self.lame(300), 1e-4)
+        self.expect_close(warm["p"], self.lame(300) * 1.765 / 2.11, 1e-3)
+
+    def test_hub(self):
+        cold, warm = self.history("shrink_fit_section.toml", self.RINGS)
+        self.assertTrue(self.lame(165) < cold["p"] < self.lame(300), cold["p"])
+        self.expect_close(warm["p"], cold["p"] * 1.765 / 2.11, 1e-3)
+        for row in (cold, warm):
+            self.expect_close(row["force"], 2 * math.pi * 100 * 70 * row["p"], 1e-6)
+            self.expect_close(3 * row["stress"], 100 * row["force"], 1e-3)  # the virial of the contact forces
+
+    def test_opens_at_the_second_start_up(self):
+        rows = self.history("shrink_fit_section.toml", {"time.end": "200012", "time.output": "[8, 12, 199990, 200008]",
+                                                        "time.tolerance": "1e-3"})
+        whole = 2 * math.pi * 100 * 70
+        for row, closed in zip(rows, (1, 1, 1, 1, 0.25, 1)):
+            self.assertAlmostEqual(row["contact_area"] / whole, closed, delta=0.02)
+        self.assertGreater(rows[4]["largest_gap"], 1e-3)
+        self.expect_close(rows[3]["fit_pressure"], 36.6, 5e-3)
 
 
 if __name__ == "__main__":
