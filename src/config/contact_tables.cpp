@@ -31,7 +31,7 @@ Value<Gap> gap_value() {
 }
 
 Value<std::array<Reference, 2>> two_surfaces() {
-  const std::string type = "two physical surfaces";
+  const std::string type = "two physical surfaces (in sections curves)";
   Value<std::array<Reference, 2>> value{
       .type = type, .read = {}, .json = [] { return schema_of_list(reference("a physical surface").json(), 2); }};
   value.read = [type](const Item& item, Context& context) -> std::optional<std::array<Reference, 2>> {

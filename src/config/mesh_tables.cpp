@@ -65,7 +65,8 @@ Value<Mesh> mesh_table() {
           .in("MB"),
       field<Mesh>("thickness", &Mesh::thickness, number(greater(0)),
                   "thickness of plane sections: results such as forces and areas are those of this thickness")
-          .in("length"),
+          .in("length")
+          .otherwise("1, in plane sections"),
       field<Mesh>("share_nodes", &Mesh::share_nodes, shared,
                   "what to do about nodes that several bodies share outside any contact: report an error, or tie the "
                   "bodies there, node to node"),
@@ -95,7 +96,7 @@ Value<Body> body_table() {
                   Presence::required),
       field<Body>("thickness", &Body::thickness, number(greater(0)), "plane stress only: thickness of this body")
           .in("length")
-          .otherwise("`mesh.thickness`"),
+          .otherwise("that of the mesh"),
   });
   return converted<Body>(keys, [](Body body, const Item& item, Context&) -> std::optional<Body> {
     body.location = item.location;

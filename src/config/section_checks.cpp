@@ -38,6 +38,10 @@ class SectionChecks {
         errors_.add(root.child("bodies").child(body.name).child("thickness").location,
                     "bodies may differ in thickness in plane stress only",
                     is_plane ? "mesh.thickness, for all bodies" : "with analysis = \"plane_stress\"");
+    const Item revolve = root.child("output").child("revolve");
+    if (revolve.node && analysis_ != Analysis::axisymmetric)
+      errors_.add(revolve.location, fmt::format("a section with analysis = \"{}\" is not revolved", name_),
+                  "with analysis = \"axisymmetric\"");
     const Item axial = root.child("generalized_plane_strain");
     if (axial.node && analysis_ != Analysis::generalized_plane_strain)
       errors_.add(axial.location, fmt::format("has no meaning with analysis = \"{}\"", name_),
@@ -61,8 +65,14 @@ class SectionChecks {
       require_in_plane(item.child("force"), force->value[2].is_zero());
       require_in_plane(item.child("at"), force->at[2] == 0);
     }
-    if (const auto* rotation = std::get_if<Rotation>(&load.kind); rotation && analysis_ == Analysis::axisymmetric)
+    const auto* rotation = std::get_if<Rotation>(&load.kind);
+    if (rotation && analysis_ == Analysis::axisymmetric)
       require_axis(item.child("rotation"), rotation->axis, rotation->origin);
+    else if (rotation && (rotation->axis[0] != 0 || rotation->axis[1] != 0))
+      errors_.add(item.child("rotation").child("axis").location,
+                  fmt::format("[{}, {}, {}] with analysis = \"{}\": the centrifugal force would change along z",
+                              rotation->axis[0], rotation->axis[1], rotation->axis[2], name_),
+                  "[0, 0, 1], or leave it out: the axis is z");
   }
 
   void check_probe(const Item& item, const Probe& probe) {

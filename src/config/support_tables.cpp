@@ -68,7 +68,8 @@ Value<GeneralizedPlaneStrain> generalized_plane_strain_table() {
       field<Table>("strain", &Table::strain, function({"t"}), "prescribed axial strain, or ..."),
       field<Table>("force", &Table::force, function({"t"}),
                    "... axial force on the cross-sections of all bodies together; the strain follows from it")
-          .in("force"),
+          .in("force")
+          .otherwise("no force"),
   });
   return converted<Table>(keys, [](Table found, const Item& item, Context& context) -> std::optional<Table> {
     if (item.has("strain") && item.has("force"))

@@ -83,4 +83,9 @@ const ReferenceElement& reference_element(CellType type) {
   return *element;
 }
 
+const QuadratureRule& bulk_rule(CellType type, const mesh::Section& section) {
+  const bool is_fine = section.is_axisymmetric() && type == CellType::quad8;
+  return reference_element(is_fine ? CellType::quad9 : type).bulk_rule();
+}
+
 }  // namespace creepcontact::fem

@@ -73,7 +73,9 @@ class Scanner {
       pending.pop_back();
       std::error_code ignored;
       if (!visited.insert(std::filesystem::weakly_canonical(file_, ignored)).second) continue;
-      tokens_ = tokens(text_of(file_));
+      const std::string text = text_of(file_);
+      tokens_ = tokens(text);
+      look_at_last_line(1 + static_cast<int>(std::ranges::count(text, '\n')));
       for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) look_at(i, pending);
     }
     return std::move(found_);
@@ -95,6 +97,13 @@ class Scanner {
     } else if (reaches_out(i)) {
       found_.reaching_out.push_back(statement(i));
     }
+  }
+
+  /// @param last  number of the line without an end; nothing is on it if the text ends with a line end
+  void look_at_last_line(int last) {
+    const auto ends =
+        std::ranges::count_if(tokens_, [&](const Token& token) { return token.line == last && token.text == ";"; });
+    if (ends > 1) found_.lost.push_back(statement(tokens_.size() - 1));
   }
 
   /// Whether the word is a statement rather than a name: `Save "a.msh";` but not `Save = 1;`.

@@ -22,6 +22,8 @@ struct GeoScan {
   std::vector<GeoStatement> reaching_out;
   /// Includes and merges of files whose names are computed, which the scan does not follow.
   std::vector<GeoStatement> computed_files;
+  /// The last statements of files whose last line has several and no line end: Gmsh takes the first of them alone.
+  std::vector<GeoStatement> lost;
 };
 
 /// The .geo and the files it includes. Files that cannot be read count as empty (Gmsh itself reports them), as do those

@@ -39,10 +39,20 @@ void refuse_reaching_out(const GeoScan& scan) {
                    "\nThe mesh needs no such statement: remove it, or add --trust-geometry if you trust the file");
 }
 
+/// Rather than a mesh without the groups that the user sees in the file.
+void refuse_lost_statements(const GeoScan& scan) {
+  if (scan.lost.empty()) return;
+  throw ModelError(
+      fmt::format("{}:{}: the last line has several statements and no line end, and Gmsh would take the first of them "
+                  "alone; end the file with a new line",
+                  scan.lost[0].file, scan.lost[0].line));
+}
+
 mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& options) {
   const GeoScan scan = scan_geo(file);
   check_parameters(file, options, scan);
   if (!options.trusted) refuse_reaching_out(scan);
+  refuse_lost_statements(scan);
   const MesherRequest request{.file = file,
                               .dimension = options.section.dimension(),
                               .order = options.order,

@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 const char* const remedy_by_hand =
-    "Or mesh the file with Gmsh yourself (gmsh -3 FILE.geo -format msh41 -o FILE.msh) and name the .msh in mesh.file";
+    "Or mesh the file with Gmsh yourself (gmsh -3, for a section -2, FILE.geo -format msh41 -o FILE.msh) and name the "
+    ".msh in mesh.file";
 
 class Mesher {
  public:

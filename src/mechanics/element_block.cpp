@@ -18,35 +18,30 @@ namespace {
 using fem::Projection;
 using mesh::CellType;
 
-CellType linear_type(CellType type) {
-  switch (mesh::n_corners(type)) {
-    case 3:
-      return CellType::tri3;
-    case 4:
-      return mesh::dimension(type) == 2 ? CellType::quad4 : CellType::tet4;
-    case 6:
-      return CellType::wedge6;
-    default:
-      return CellType::hex8;
+/// Rows: values of the shape functions of `basis` at positions in the reference cell.
+Eigen::MatrixXd shape_values(const fem::ReferenceElement& basis, const Eigen::MatrixX3d& positions) {
+  Eigen::MatrixXd values(positions.rows(), basis.n_nodes());
+  Eigen::VectorXd shape(basis.n_nodes());
+  for (Index i = 0; i < positions.rows(); ++i) {
+    basis.shape(positions.row(i).transpose(), shape);
+    values.row(i) = shape.transpose();
   }
+  return values;
 }
 
-Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference) {
-  const Eigen::MatrixX3d& points = reference.bulk_rule().points;
-  const bool complete = points.rows() >= reference.n_nodes();
-  const auto& basis = fem::reference_element(complete ? reference.type() : linear_type(reference.type()));
-  const auto values_at = [&](const Eigen::MatrixX3d& positions) {
-    Eigen::MatrixXd values(positions.rows(), basis.n_nodes());
-    Eigen::VectorXd shape(basis.n_nodes());
-    for (Index i = 0; i < positions.rows(); ++i) {
-      basis.shape(positions.row(i).transpose(), shape);
-      values.row(i) = shape.transpose();
-    }
-    return values;
-  };
+Eigen::MatrixXd extrapolation_matrix(const fem::ReferenceElement& reference, const fem::QuadratureRule& rule) {
+  const bool complete = rule.points.rows() >= reference.n_nodes();
+  const auto& basis = fem::reference_element(complete ? reference.type() : mesh::linear_type(reference.type()));
   // One point alone (tet4): the solution of least norm is the constant.
-  return values_at(reference.nodes()) *
-         linalg::least_squares(values_at(points), Eigen::MatrixXd::Identity(points.rows(), points.rows()));
+  return shape_values(basis, reference.nodes()) *
+         linalg::least_squares(shape_values(basis, rule.points),
+                               Eigen::MatrixXd::Identity(rule.points.rows(), rule.points.rows()));
+}
+
+Eigen::MatrixXd corner_matrix(const fem::ReferenceElement& reference, const fem::QuadratureRule& rule) {
+  const Eigen::MatrixXd linear = shape_values(fem::reference_element(mesh::linear_type(reference.type())), rule.points);
+  const Eigen::MatrixXd roots = rule.weights.cwiseSqrt().asDiagonal();
+  return linalg::least_squares(roots * linear, roots);
 }
 
 }  // namespace
@@ -94,13 +89,14 @@ std::vector<std::int64_t> coupled_connectivity(const mesh::CellBlock& cells, std
 ElementBlock::ElementBlock(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
                            const mesh::Section& section, BlockStart start)
     : reference_(fem::reference_element(cells.type)),
+      rule_(fem::bulk_rule(cells.type, section)),
       section_(section),
       start_(start),
       n_nodes_(reference_.n_nodes()),
       n_coupled_(n_nodes_ + (section.has_axial_node() ? 1 : 0)),
-      n_points_(reference_.bulk_rule().size()),
+      n_points_(rule_.size()),
       connectivity_(coupled_connectivity(cells, nodes.size(), section)),
-      extrapolation_(extrapolation_matrix(reference_)) {
+      extrapolation_(extrapolation_matrix(reference_, rule_)) {
   tabulate();
   measure(nodes);
 }
@@ -112,7 +108,7 @@ void ElementBlock::tabulate() {
   Eigen::MatrixX3d gradient(n_nodes_, 3);
   const Vector3 middle = reference_.nodes().topRows(mesh::n_corners(type())).colwise().mean();
   for (std::size_t p = 0; p < n_points_; ++p) {
-    const Vector3 xi = reference_.bulk_rule().points.row(p).transpose();
+    const Vector3 xi = rule_.points.row(p).transpose();
     reference_.shape(xi, shape_.col(p));
     reference_.gradient(xi, gradient);
     for (std::size_t a = 0; a < n_nodes_; ++a)
@@ -144,15 +140,16 @@ void ElementBlock::measure(const std::vector<Vector3>& nodes) {
       if (!(determinant > 0)) {
         const Vector3 x = point(e, p, nodes);
         throw ModelError(
-            fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) is inverted or has no volume: "
+            fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) is inverted or has no {}: "
                         "Jacobian {:.3g}; correct the mesh there",
-                        start_.element + e, mesh::name(type()), x[0], x[1], x[2], determinant));
+                        start_.element + e, mesh::name(type()), x[0], x[1], x[2],
+                        section_.dimension() == 3 ? "volume" : "area", determinant));
       }
       const Matrix3 inverse = jacobian.inverse();
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t j = 0; j < 3; ++j) geometry[(3 * k + j) * n_points_ + p] = inverse(k, j);
       const Vector3 position = point(e, p, nodes);
-      geometry[9 * n_points_ + p] = determinant * reference_.bulk_rule().weights[p] * section_.depth(position);
+      geometry[9 * n_points_ + p] = determinant * rule_.weights[p] * section_.depth(position);
       if (section_.is_axisymmetric()) inverse_radius_.push_back(1 / position.x());
     }
   }
@@ -169,11 +166,6 @@ Matrix3 ElementBlock::inverse_jacobian(std::size_t e, std::size_t p) const {
 
 void ElementBlock::measure_distortion() {
   constexpr double least = 0.2, most = 0.3;  // relative change of the inverse Jacobian: no projection, all of it
-  const auto inverse_jacobian = [this](std::size_t e, std::size_t p) {
-    Matrix3 result = this->inverse_jacobian(e, p);
-    if (section_.is_axisymmetric()) result(2, 2) = inverse_radius(e)[p];  // along the circumference
-    return result;
-  };
   for (std::size_t e = 0; e < n_elements(); ++e) {
     Matrix3 mean = Matrix3::Zero();
     for (std::size_t p = 0; p < n_points_; ++p) mean += inverse_jacobian(e, p) / static_cast<double>(n_points_);
@@ -244,7 +236,12 @@ Projection ElementBlock::projection() const {
 }
 
 bool ElementBlock::fits_mean_stress() const {
-  return reference_.projects_distorted_elements_only() && !has_plane_stress();
+  const bool is_reduced = rule_.size() < reference_.n_nodes();
+  return is_reduced && reference_.projects_distorted_elements_only() && !has_plane_stress();
+}
+
+Eigen::MatrixXd ElementBlock::to_corners() const {
+  return corner_matrix(reference_, rule_);
 }
 
 Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {

@@ -62,11 +62,15 @@ class ElementBlock {
   /// Point values to node values within an element, n_nodes x n_points: least squares onto the linear functions of the
   /// corners, or onto all shape functions where there are as many points.
   const Eigen::MatrixXd& extrapolation() const { return extrapolation_; }
+  /// Point values to values at the corners, n_corners x n_points: least squares onto the linear functions, with the
+  /// weights of the rule.
+  Eigen::MatrixXd to_corners() const;
   /// Values of the mean stress at the points to the nodes, n_nodes x n_points: the fit by linear functions, evaluated
   /// at the nodes. @param nodes  coordinates of all nodes of the body. Precondition: a quadratic element
   Eigen::MatrixXd mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
   /// True if the mean stress is projected where it is evaluated, but not in the stiffness of all elements.
   bool fits_mean_stress() const;
+  bool has_plane_stress() const { return section_.analysis == settings::Analysis::plane_stress; }
   /// Replaces the mean stress by its projection in such elements. @param stress  that of the body, n_points x 6
   virtual void fit_mean_stress(std::span<double> stress) const = 0;
   /// Volumes that belong to the points of an element.
@@ -130,7 +134,6 @@ class ElementBlock {
   /// Strain zz of unit displacements at the points where these are not gradients, as gradients(): hoop strain in
   /// axisymmetric sections, axial strain in generalised plane strain, else empty.
   Eigen::MatrixXd zz_strains(std::size_t e) const;
-  bool has_plane_stress() const { return section_.analysis == settings::Analysis::plane_stress; }
   /// Moduli for strains in the plane; in plane stress those with the strain zz eliminated.
   Matrix6 in_section(const Matrix6& moduli) const;
   /// Of the volumetric strain; none in plane stress, where nothing locks.
@@ -146,6 +149,7 @@ class ElementBlock {
   void measure_bubbles();
 
   const fem::ReferenceElement& reference_;
+  const fem::QuadratureRule& rule_;
   mesh::Section section_;
   BlockStart start_;
   std::size_t n_nodes_, n_coupled_, n_points_;

@@ -143,7 +143,7 @@ class ElementLoops final : public ElementBlock {
   /// Replaces the trace (of strain, of stress) at the points by its projection, as far as the element is projected.
   void project_trace(std::size_t e, Tensors& values) const {
     if constexpr (volumetric == fem::Projection::none) return;
-    project_trace(e, values, n_nodes_v == 20 || (n_nodes_v == 8 && D == 2) ? unprojected_part(e) : 0.0);
+    project_trace(e, values, n_nodes_v == 20 || (n_nodes_v == 8 && n_points_v == 4) ? unprojected_part(e) : 0.0);
   }
 
   /// @param kept  share of the trace that stays as it is

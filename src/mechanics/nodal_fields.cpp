@@ -58,6 +58,7 @@ void Discretization::tensors_to_nodes(std::span<const double> point_values, std:
     const auto at_points = rows_of(block, e, point_values, 6);
     if (mesh::order(block.type()) == 1) return reconstructed(block, e, means, at_points);
     Rows at_nodes = block.extrapolation() * at_points;
+    if (block.has_plane_stress()) return at_nodes;
     Eigen::VectorXd trace;
     if (LinearReconstruction::serves(block.type()))
       trace = reconstructed(block, e, means, at_points).leftCols<3>().rowwise().sum();
@@ -87,11 +88,21 @@ Eigen::MatrixXd Discretization::reconstructed(const ElementBlock& block, std::si
   return values;
 }
 
+Eigen::MatrixXd Discretization::to_corners(std::size_t element) const {
+  return block_of(element).to_corners();
+}
+
+bool Discretization::has_plane_stress() const {
+  return blocks_.front()->has_plane_stress();
+}
+
 bool Discretization::fits_mean_stress() const {
+  if (has_plane_stress()) return false;
   return reconstruction_ || std::ranges::any_of(blocks_, [](const auto& block) { return block->fits_mean_stress(); });
 }
 
 void Discretization::fit_mean_stress(std::span<double> stress) const {
+  if (has_plane_stress()) return;  // the stress zz must remain zero
   for (const auto& block : blocks_) block->fit_mean_stress(stress);
   if (!reconstruction_) return;
   std::vector<double> traces(n_points_), at_nodes(n_nodes_);

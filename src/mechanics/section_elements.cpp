@@ -47,6 +47,9 @@ std::unique_ptr<const ElementBlock> ElementBlock::make_of_section(const mesh::Ce
     case CellType::quad4:
       return make_element<4, 4, Projection::constant, false>(cells, nodes, section, start);
     case CellType::quad8:
+      if (section.is_axisymmetric())  // see fem::bulk_rule()
+        return std::make_unique<ElementLoops<8, 9, Projection::linear, false, Kinematics::axisymmetric>>(
+            cells, nodes, section, start);
       return make_element<8, 4, Projection::linear, false>(cells, nodes, section, start);
     case CellType::quad9:
       return make_element<9, 9, Projection::linear, false>(cells, nodes, section, start);

@@ -66,6 +66,19 @@ int n_corners(CellType type) {
 int order(CellType type) {
   return of(type).order;
 }
+CellType linear_type(CellType type) {
+  switch (n_corners(type)) {
+    case 3:
+      return CellType::tri3;
+    case 4:
+      return dimension(type) == 2 ? CellType::quad4 : CellType::tet4;
+    case 6:
+      return CellType::wedge6;
+    default:
+      return CellType::hex8;
+  }
+}
+
 std::string_view name(CellType type) {
   return of(type).name;
 }

@@ -20,7 +20,7 @@ std::vector<mesh::CellBlock> locking_blocks(const mesh::Mesh& mesh) {
   return result;
 }
 
-constexpr double almost_incompressible = 0.4999;
+constexpr double almost_incompressible = 0.4999, rounding_of_ratio = 1e-9;
 
 /// Of all integration points at t = 0.
 double largest_poisson_ratio(const mechanics::Body& body) {
@@ -48,7 +48,9 @@ std::vector<std::string> mesh_warnings(const mechanics::Body& body) {
         "body '{}': {} quadratic elements are folded at a corner, the first around ({:.6g}, {:.6g}, {:.6g}); "
         "the stress there is wrong: refine the mesh, or let Gmsh straighten it (Mesh.HighOrderOptimize = 2)",
         body.name(), folded.size(), folded[0][0], folded[0][1], folded[0][2]));
-  if (const double ratio = largest_poisson_ratio(body); ratio > almost_incompressible)
+  const bool is_plane_stress = body.mesh().section.analysis == settings::Analysis::plane_stress;
+  if (const double ratio = largest_poisson_ratio(body);
+      ratio > almost_incompressible + rounding_of_ratio && !is_plane_stress)
     warnings.push_back(
         fmt::format("body '{}': Poisson's ratio is {:.8g}; above {:g} the mean stress loses digits to rounding; {:g} "
                     "is close enough to incompressible for any purpose",

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
@@ -10,6 +11,13 @@ namespace creepcontact::model {
 namespace {
 
 constexpr double nearest_node_tolerance = 1e-6;  // of the model size
+constexpr double on_axis = 1e-9;                 // of the largest radius
+
+bool lies_on_axis(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes) {
+  double largest = 0;
+  for (const Vector3& x : mesh.nodes) largest = std::max(largest, x.x());
+  return std::ranges::all_of(nodes, [&](std::int64_t node) { return mesh.nodes[node].x() <= on_axis * largest; });
+}
 
 /// Adds one [[loads]] entry to the bodies it acts on, by kind.
 struct LoadAdder {
@@ -20,6 +28,9 @@ struct LoadAdder {
   Bodies& bodies;
 
   std::vector<std::size_t> surface_bodies() const {
+    if (whole.section.is_axisymmetric() && lies_on_axis(whole, mesh::group_nodes(whole, load.on.name)))
+      throw ModelError(
+          fmt::format("curve '{}' lies on the axis, where it has no area to load; remove the load", load.on.name));
     return bodies_on(config, whole, meshes, load.on.name, load.body, whole.section.dimension() - 1);
   }
   mechanics::Body& body() const { return bodies[body_index(config, load.body.name)]; }
@@ -66,6 +77,12 @@ struct LoadAdder {
           fmt::format("no mesh node at ({}, {}, {}): the nearest is ({}, {}, {}) on body '{}', {:.3g} away; give its "
                       "coordinates, or a larger tolerance",
                       at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest_body].name(), distance));
+    const mesh::Mesh& mesh = bodies[nearest_body].mesh();
+    if (mesh.section.is_axisymmetric() && !force.value[0].is_zero() &&
+        lies_on_axis(mesh, {static_cast<std::int64_t>(nearest_node)}))
+      throw ModelError(fmt::format(
+          "a radial force at ({:.6g}, {:.6g}, 0) on the axis: a ring of no radius carries none; give a force along y",
+          x.x(), x.y()));
     bodies[nearest_body].add_load(mechanics::point_load(bodies[nearest_body].mesh(), nearest_node, force.value));
   }
 };

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/reference_element.hpp"
@@ -26,12 +27,39 @@ struct SamplePlace {
   std::vector<std::pair<std::size_t, double>> points;  // with their shares, which add up to 1
 };
 
-/// The places where elements are most accurate: integration points of quadratic ones, the middle of linear ones (their
-/// stress varies wrongly within an element).
-void add_samples(const mechanics::Discretization& discretization, std::size_t element,
+/// The points where quadrilaterals and hexahedra with more points than nodes are most accurate: those of reduced
+/// integration.
+const fem::QuadratureRule& accurate_points(mesh::CellType type) {
+  const bool is_plane = mesh::dimension(type) == 2;
+  return fem::reference_element(is_plane ? mesh::CellType::quad8 : mesh::CellType::hex20).bulk_rule();
+}
+
+/// The places where elements are most accurate: integration points of quadratic ones, in fully integrated
+/// quadrilaterals and hexahedra the points of reduced integration, the middle of linear ones (their stress varies
+/// wrongly within an element).
+void add_samples(const mechanics::Discretization& discretization, const mesh::Mesh& mesh, std::size_t element,
                  std::vector<SamplePlace>& samples) {
-  const bool linear = mesh::order(discretization.element_type(element)) == 1;
+  const mesh::CellType type = discretization.element_type(element);
+  const bool linear = mesh::order(type) == 1;
   const std::size_t first = discretization.first_point(element), last = discretization.first_point(element + 1);
+  const fem::ReferenceElement& reference = fem::reference_element(type);
+  if (!linear && mesh::n_corners(type) != 3 && std::cmp_greater_equal(last - first, reference.n_nodes())) {
+    const Eigen::MatrixXd to_corners = discretization.to_corners(element);
+    const fem::ReferenceElement& corners = fem::reference_element(mesh::linear_type(type));
+    Eigen::VectorXd shape(reference.n_nodes()), linear_shape(corners.n_nodes());
+    const auto nodes = discretization.element_nodes(element);
+    const fem::QuadratureRule& rule = accurate_points(type);
+    for (Index k = 0; k < rule.points.rows(); ++k) {
+      const Vector3 xi = rule.points.row(k).transpose();
+      reference.shape(xi, shape);
+      corners.shape(xi, linear_shape);
+      SamplePlace& place = samples.emplace_back();
+      for (Index a = 0; a < shape.size(); ++a) place.position += shape[a] * mesh.nodes[nodes[a]];
+      const Eigen::RowVectorXd shares = linear_shape.transpose() * to_corners;
+      for (std::size_t p = first; p < last; ++p) place.points.emplace_back(p, shares[static_cast<Index>(p - first)]);
+    }
+    return;
+  }
   double volume = 0;
   for (std::size_t p = first; p < last; ++p) volume += discretization.weights()[p];
   for (std::size_t p = first; p < last; ++p) {
@@ -43,14 +71,15 @@ void add_samples(const mechanics::Discretization& discretization, std::size_t el
 }
 
 /// Those of the element and of every element that shares a node with it.
-std::vector<SamplePlace> samples_around(const mechanics::Discretization& discretization, std::size_t element) {
+std::vector<SamplePlace> samples_around(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
+                                        std::size_t element) {
   const auto own = discretization.element_nodes(element);
   const std::set<std::int64_t> nodes(own.begin(), own.end());
   std::vector<SamplePlace> samples;
   for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
     const auto others = discretization.element_nodes(e);
     if (std::any_of(others.begin(), others.end(), [&](std::int64_t node) { return nodes.contains(node); }))
-      add_samples(discretization, e, samples);
+      add_samples(discretization, mesh, e, samples);
   }
   return samples;
 }
@@ -92,7 +121,7 @@ Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
 
 std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretization& discretization,
                                                       const mesh::Mesh& mesh, std::size_t element, const Vector3& at) {
-  const std::vector<SamplePlace> samples = samples_around(discretization, element);
+  const std::vector<SamplePlace> samples = samples_around(discretization, mesh, element);
   const Matrix3 to_reference = jacobian_at_centre(discretization, mesh, element).inverse();
 
   // Value at the place = first coefficient c0 of the fit, with the place as origin: c = (W M)^+ W f.

@@ -5,6 +5,7 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/results/quantities.hpp"
 #include "field_arrays.hpp"
+#include "revolved_section.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -38,9 +39,15 @@ Results::Results(const config::Config& config, const std::filesystem::path& dire
   }
   mesh.texts.push_back(std::move(body_names));
   fields_ = std::make_unique<io::FieldWriter>(directory, "fields", mesh, config.units, continuation);
+  if (config.output.revolve > 0) {
+    section_ = std::make_unique<RevolvedSection>(mesh, config.output.revolve);
+    revolved_ = std::make_unique<io::FieldWriter>(directory, "revolved", section_->mesh(), config.units, continuation);
+  }
   if (!surfaces_.empty())
     contact_ = std::make_unique<io::FieldWriter>(directory, "contact", surfaces_.mesh(), config.units, continuation);
 }
+
+Results::~Results() = default;
 
 void Results::output(Snapshot& snapshot) {
   values_.clear();
@@ -53,7 +60,9 @@ void Results::output(Snapshot& snapshot) {
     contact_->write(snapshot.time(), named(surfaces_.point_arrays(snapshot.equilibrium())),
                     named(surfaces_.cell_arrays()));
   }
-  fields_->write(snapshot.time(), named(std::move(at_points)), named(cell_arrays(snapshot)));
+  const std::vector<io::FieldData> points = named(std::move(at_points)), cells = named(cell_arrays(snapshot));
+  fields_->write(snapshot.time(), points, cells);
+  if (revolved_) revolved_->write(snapshot.time(), section_->at_points(points), section_->at_cells(cells));
 }
 
 std::vector<io::FieldData> Results::named(std::vector<io::FieldData> arrays) const {

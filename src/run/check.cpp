@@ -44,7 +44,7 @@ void check(const config::Config& config, std::ostream& report) {
   double contact_bytes = 0;
   for (const mechanics::Body& body : model.bodies()) {
     text += fmt::format("body '{}': {}, {} nodes, {} unknowns, {} integration points, material '{}'{}\n", body.name(),
-                        element_names(body.mesh()), body.mesh().nodes.size(), body.constraints().n_free(),
+                        element_names(body.mesh()), body.mesh().n_cell_nodes(), body.constraints().n_free(),
                         body.discretization().n_points(), body.material().name,
                         body.material().creeps() ? "" : " (elastic)");
     for (const std::string& warning : model::mesh_warnings(body)) text += "  warning: " + warning + "\n";
@@ -56,7 +56,8 @@ void check(const config::Config& config, std::ostream& report) {
   for (std::size_t p = 0; p < model.pairs().size(); ++p) {
     const contact::Pair& pair = model.pairs()[p];
     const auto n = static_cast<double>(pair.coupling.n_rows());
-    text += pair.ties_nodes() ? fmt::format("{}: tied, {} multipliers\n", pair.name, pair.coupling.nodes.size())
+    text += pair.ties_nodes() ? fmt::format("{}: tied, {} multiplier{}\n", pair.name, pair.coupling.nodes.size(),
+                                            pair.coupling.nodes.size() == 1 ? "" : "s")
                               : contact_text(pair, config.contacts[p], model);
     contact_bytes += 8 * n * n * 12;
   }

@@ -76,23 +76,34 @@ Table laws() {
   return table;
 }
 
-Table elements() {
+std::string integration_points(mesh::CellType type) {
+  const int n = fem::reference_element(type).bulk_rule().size();
+  const int in_rings = fem::bulk_rule(type, {settings::Analysis::axisymmetric}).size();
+  std::string text = fmt::format("{} integration point{}", n, n == 1 ? "" : "s");
+  if (in_rings != n) text += fmt::format(" ({} in axisymmetric models)", in_rings);
+  return text;
+}
+
+std::string remark(mesh::CellType type) {
   using mesh::CellType;
-  Table table{{"element", "what"}, {}};
-  for (const CellType type : mesh::volume_cell_types()) {
-    const fem::ReferenceElement& element = fem::reference_element(type);
-    const std::size_t points = element.rule().size();
-    std::string remark =
-        fmt::format("{} nodes, {} integration point{}", element.n_nodes(), points, points == 1 ? "" : "s");
-    if (element.locks())
-      remark += fmt::format("; locks under creep: use {}, or set mesh.allow_locking = true",
-                            type == CellType::tet4 ? "tet10" : "wedge15");
-    else
-      remark += fmt::format("; mean stress {} in the element{}",
+  const fem::ReferenceElement& element = fem::reference_element(type);
+  std::string text = fmt::format("{}{} nodes, {}", mesh::dimension(type) == 2 ? "sections: " : "", element.n_nodes(),
+                                 integration_points(type));
+  if (element.locks()) {
+    const char* const instead = type == CellType::tet4 ? "tet10" : type == CellType::tri3 ? "tri6" : "wedge15";
+    return text + fmt::format("; locks under creep: use {}, or set mesh.allow_locking = true", instead);
+  }
+  return text + fmt::format("; mean stress {} in the element{}",
                             element.volumetric_strain() == fem::Projection::linear ? "linear" : "constant",
                             fem::has_bubble(type) ? ", one inner displacement" : "");
-    table.rows.push_back({std::string(mesh::name(type)), remark});
-  }
+}
+
+Table elements() {
+  Table table{{"element", "what"}, {}};
+  for (const mesh::CellType type : mesh::volume_cell_types())
+    table.rows.push_back({std::string(mesh::name(type)), remark(type)});
+  for (const mesh::CellType type : mesh::cell_types())
+    if (mesh::dimension(type) == 2) table.rows.push_back({std::string(mesh::name(type)), remark(type)});
   return table;
 }
 

@@ -85,8 +85,8 @@ class Completion(CompletionTest):
 
     def test_keys_know_the_names_in_the_configuration(self):
         self.assertEqual(self.complete("run case.toml --set bodies."),
-                         ["bodies.ring.material=", "bodies.ring.region=", "bodies.shaft.material=",
-                          "bodies.shaft.region="])
+                         ["bodies.ring.material=", "bodies.ring.region=", "bodies.ring.thickness=",
+                          "bodies.shaft.material=", "bodies.shaft.region=", "bodies.shaft.thickness="])
         self.assertEqual(self.complete("run case.toml --set materials.steel.creep.1.n"), ["materials.steel.creep.1.n="])
         self.assertEqual(self.complete("run case.toml --set contacts.0.ga"), ["contacts.0.gap="])
         self.assertEqual(self.complete("run case.toml --set materials.steel.y"), ["materials.steel.young_modulus="])

@@ -4,6 +4,9 @@
 
 #include <numbers>
 
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/model/model.hpp"
+#include "support/says.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
@@ -122,6 +125,26 @@ TEST(SectionOfCylinder, OpenEndsAndPrescribedStrain) {
   EXPECT_RELATIVE(pulled.at("strain", 1), 4e-4, 1e-12);
   EXPECT_NEAR(pulled.at("axial150", 0), 200e3 * 2e-4 + cylinder.elastic_sigma_z(0.3), 0.05);
   EXPECT_NEAR(pulled.at("theta150", 1), cylinder.elastic_sigma_theta(150), 0.2);
+}
+
+// The node of the axial strain is none of the body's: neither in means over it nor in field files.
+TEST(GeneralizedPlaneStrain, AxialNodeIsInNoField) {
+  const test::CaseDirectory directory(test::regions_geo({{"plate", {0, 2, 3}, {0, 1, 2}}}));
+  config::Config config = directory.config(
+      test::section_of("generalized_plane_strain") + test::body("plate", 100, 0.3) + test::support("plate_x0", "x") +
+          test::support("plate_y0", "y") + "[generalized_plane_strain]\nforce = 10\n[time]\nend = 1\n" +
+          test::probe("mean", "displacement_x", "body = \"plate\"") +
+          test::probe("out", "displacement_z", "body = \"plate\"\nreduce = \"max\"") +
+          test::probe("strain", "axial_strain", "body = \"plate\""),
+      {});
+  const auto results = directory.path() / "results";
+  const run::RunResult result = run::run(config, {.output = results.string()});
+  ASSERT_EQ(result.exit_status, 0) << result.message;
+  EXPECT_TRUE(std::filesystem::exists(results / "fields.pvd"));
+  const test::Table history(results / "history.csv");
+  EXPECT_RELATIVE(history.at("strain", 0), 10.0 / 2 / 100, 1e-9);
+  EXPECT_RELATIVE(history.at("mean", 0), -0.3 * 0.05, 1e-9);  // half of the width of 2
+  EXPECT_EQ(history.at("out", 0), 0);
 }
 
 // Steady state of a hollow sphere under internal pressure; the section reaches the axis.
@@ -328,6 +351,50 @@ TEST(SectionAgainstSlice, CreepingBlocksInPlaneStrain) {
     for (const char* probe : {"force", "q", "area"})
       EXPECT_RELATIVE(section.history.at(probe, t), solid.history.at(probe, t), 1e-4) << probe << t;
   EXPECT_RELATIVE(section.history.at("force", 0), solid.history.at("force", 0), 1e-8);
+}
+
+// Plates of different thickness: the contact has the smaller one, and the pressure is that on it.
+TEST(PlaneStress, ContactOfPlatesOfDifferentThickness) {
+  for (const char* slave : {"auto", "upper_y0", "lower_y1"}) {
+    std::string toml = test::section_of("plane_stress") + test::body("lower", 1e5, 0.3) + test::body("upper", 1e5, 0.3);
+    toml.insert(toml.find("region = \"upper\""), "thickness = 5\n");
+    toml.insert(toml.find("region = \"lower\""), "thickness = 2\n");
+    const Outcome outcome = test::run_case(
+        toml + test::support("lower_y0", "y") + test::support("lower_x0", "x") + test::support("upper_x0", "x") +
+            test::contact_table("lower_y1", "upper_y0", fmt::format("slave = \"{}\"", slave)) +
+            pressure_on("upper_y1", 40) + "[time]\nend = 1\n" +
+            test::probe("p", "contact_pressure", "on = \"upper_y0\"") +
+            test::probe("area", "contact_area", "on = \"upper_y0\"") +
+            test::probe("held", "reaction_y", "on = \"lower_y0\"") +
+            test::probe("stress", "stress_yy", "body = \"lower\""),
+        test::regions_geo({{"lower", {0, 10, 4}, {-3, 0, 2}}, {"upper", {0, 10, 5}, {0, 3, 2}}}));
+    EXPECT_RELATIVE(outcome.history.at("held", 0), 40 * 10 * 5, 1e-9);
+    EXPECT_RELATIVE(outcome.history.at("area", 0), 20, 1e-9) << slave;
+    EXPECT_RELATIVE(outcome.history.at("p", 0), 100, 1e-9) << slave;
+    EXPECT_RELATIVE(outcome.history.at("stress", 0), -100, 1e-9);
+  }
+}
+
+std::string error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// A load on the axis has no area to act on.
+TEST(SectionForces, LoadsOnTheAxisAreRefused) {
+  const test::CaseDirectory directory(test::regions_geo({{"shaft", {0, 3, 3}, {0, 1, 2}}}));
+  const std::string common = test::section_of("axisymmetric") + test::body("shaft", 1e5, 0.3) +
+                             test::support("shaft_y0", "y") + "[time]\nend = 1\n";
+  for (const char* load : {"on = \"shaft_x0\"\npressure = 3\n", "at = [0, 1, 0]\nforce = [1, 0, 0]\n"}) {
+    const std::string message =
+        error_of([&] { model::build_model(directory.config(common + "[[loads]]\n" + load, {})); });
+    EXPECT_TRUE(test::says(message, {"loads[0]", "axis"}));
+  }
+  EXPECT_NO_THROW(model::build_model(directory.config(common + "[[loads]]\nat = [0, 1, 0]\nforce = [0, -1, 0]\n", {})));
 }
 
 // A stepped ring pressed together by its own weight and a ring force: reactions of the full circumference.

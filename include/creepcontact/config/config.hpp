@@ -192,6 +192,7 @@ struct Output {
   /// Relative to the working directory; default: results/<stem> next to the configuration.
   std::filesystem::path directory;
   bool fields = true;              ///< write fields.pvd, contact.pvd and their .vtu files
+  int revolve = 0;                 ///< axisymmetric: segments of the solid in revolved.pvd; 0: none
   bool unit_names = true;          ///< their arrays carry the unit in their names
   double checkpoint_seconds = 30;  ///< wall time between checkpoints [s]; 0: after every step
 };

@@ -7,6 +7,7 @@
 #include "creepcontact/fem/quadrature.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
 #include "creepcontact/mesh/cell_type.hpp"
+#include "creepcontact/mesh/section.hpp"
 
 namespace creepcontact::fem {
 
@@ -77,5 +78,10 @@ class ReferenceElement {
 
 /// For every mesh::CellType except point1. Cost: none after the first call.
 const ReferenceElement& reference_element(CellType type);
+
+/// Quadrature of the elements of a mesh: ReferenceElement::bulk_rule(), but 3 x 3 points for quad8 in axisymmetric
+/// sections: 2 x 2 points do not integrate the radius times the Jacobian of curved edges, and miss a uniform stress by
+/// an error of first order. Precondition: a volume or surface type
+const QuadratureRule& bulk_rule(CellType type, const mesh::Section& section);
 
 }  // namespace creepcontact::fem

@@ -83,6 +83,11 @@ class Discretization {
   /// @param forces  3 (n_nodes + n_inner): those on the inner displacements come last, as ElasticState takes them
   void add_body_force(std::span<const Vector3> force_density, std::span<double> forces) const;
 
+  /// Values at the corners of an element from those at its points, n_corners x n_points: of the linear function that is
+  /// nearest to them in the sense of least squares weighted as the quadrature. With three points per direction the
+  /// error of quadratic elements drops out, whose leading part is orthogonal to linear functions.
+  Eigen::MatrixXd to_corners(std::size_t element) const;
+
   /// True if fit_mean_stress() has an effect: the body has linear, hex20 or tet10 elements.
   bool fits_mean_stress() const;
   /// Smooths the mean stress at the points. In hex20 it is replaced by its fit by a linear function per element; in
@@ -114,6 +119,7 @@ class Discretization {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::MatrixXd reconstructed(const ElementBlock& block, std::size_t e, std::span<const double> means,
                                 const Eigen::Ref<const Rows>& at_points) const;
+  bool has_plane_stress() const;
   const ElementBlock& block_of(std::size_t element) const;
   std::span<const std::int64_t> coupled_nodes(std::size_t element) const;
   /// Entries (element, local node) are numbered block by block, element by element.

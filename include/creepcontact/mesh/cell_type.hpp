@@ -35,6 +35,8 @@ int n_nodes(CellType type);
 int n_corners(CellType type);
 /// 1: linear, 2: quadratic.
 int order(CellType type);
+/// The linear type of the same shape. Precondition: a volume or surface type
+CellType linear_type(CellType type);
 /// As in the enumeration: "hex20".
 std::string_view name(CellType type);
 

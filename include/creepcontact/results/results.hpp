@@ -16,6 +16,8 @@
 
 namespace creepcontact::results {
 
+class RevolvedSection;  // pictures of axisymmetric models (implementation)
+
 /// Writer of history.csv, steps.csv and the field files.
 class Results {
  public:
@@ -24,6 +26,7 @@ class Results {
   /// @throws ConfigError if a file cannot be opened or, when resuming, does not fit
   Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
           std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation);
+  ~Results();
 
   /// Writes a row of history.csv, and the field files of bodies and contact surfaces. @throws Error if the disk is full
   void output(Snapshot& snapshot);
@@ -43,7 +46,8 @@ class Results {
   std::unique_ptr<io::HistoryWriter> history_;
   std::unique_ptr<io::StepWriter> steps_;
   ContactSurfaces surfaces_;
-  std::unique_ptr<io::FieldWriter> fields_, contact_;
+  std::unique_ptr<RevolvedSection> section_;
+  std::unique_ptr<io::FieldWriter> fields_, contact_, revolved_;
   std::map<std::string, std::string> names_with_units_;  // by the name without
 };
 

@@ -38,7 +38,7 @@ class BodyFields {
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
              mechanics::CreepStrainView creep, const std::vector<PointState>& variables);
 
-  std::size_t n_nodes() const { return body_.mesh().nodes.size(); }
+  std::size_t n_nodes() const { return body_.mesh().n_cell_nodes(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
   Sample at_node(std::size_t node) const;
   /// The displacement is a nodal field and not available here: it is zero.

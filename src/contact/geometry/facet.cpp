@@ -56,11 +56,10 @@ Plane Plane::through(const Vector3& origin, const Vector3& normal) {
   return plane;
 }
 
-Facet::Facet(const mesh::Mesh& mesh, const mesh::Face& face, double strip_depth)
-    : Facet(quadrilateral(face).type, coordinates(mesh, quadrilateral(face), strip_depth)) {
+Facet::Facet(const mesh::Mesh& mesh, const mesh::Face& face, const Strip& strip)
+    : Facet(quadrilateral(face).type, coordinates(mesh, quadrilateral(face), strip.depth)) {
   nodes_ = quadrilateral(face).nodes;
-  section_ = mesh.section;
-  if (section_.dimension() == 2) strip_depth_ = strip_depth;
+  strip_ = strip;
 }
 
 Facet::Facet(mesh::CellType type, Coordinates x)
@@ -170,22 +169,22 @@ bool Facet::meet_line(const Vector3& origin, const Vector3& direction, Vector3& 
   return unproject(Plane::through(origin, direction), Eigen::Vector2d::Zero(), xi);
 }
 
-double strip_depth(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
-  if (mesh.section.dimension() == 3) return 0;
+Strip strip_of(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
+  if (mesh.section.dimension() == 3) return {};
   double length = 0;
   for (const mesh::Face& face : faces) length += (mesh.nodes[face.nodes[1]] - mesh.nodes[face.nodes[0]]).norm();
-  return length / static_cast<double>(faces.size());
+  return {length / static_cast<double>(faces.size()), mesh.section};
 }
 
-std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, double strip_depth) {
+std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, const Strip& strip) {
   std::vector<Facet> facets;
   facets.reserve(faces.size());
-  for (const mesh::Face& face : faces) facets.emplace_back(mesh, face, strip_depth);
+  for (const mesh::Face& face : faces) facets.emplace_back(mesh, face, strip);
   return facets;
 }
 
 std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
-  return make_facets(mesh, faces, strip_depth(mesh, faces));
+  return make_facets(mesh, faces, strip_of(mesh, faces));
 }
 
 }  // namespace creepcontact::contact

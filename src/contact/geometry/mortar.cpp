@@ -27,13 +27,20 @@ struct FacetSums {
   HatVector integral;  // integral hat_i over the covered part
 };
 
+/// Plates of different thickness touch over the smaller one.
+Strip common_strip(const Surface& slave, const Surface& master) {
+  Strip strip = strip_of(*slave.mesh, slave.faces);
+  strip.section.thickness = std::min(strip.section.thickness, master.mesh->section.thickness);
+  return strip;
+}
+
 class Assembler {
  public:
   Assembler(const Surface& slave, const Surface& master, ContactType type,
             std::span<const mechanics::RigidMotion> sliding)
       : type_(type),
-        slave_facets_(make_facets(*slave.mesh, slave.faces)),
-        master_facets_(make_facets(*master.mesh, master.faces, strip_depth(*slave.mesh, slave.faces))),
+        slave_facets_(make_facets(*slave.mesh, slave.faces, common_strip(slave, master))),
+        master_facets_(make_facets(*master.mesh, master.faces, common_strip(slave, master))),
         normals_(surface_normals(slave_facets_, *slave.constraints)),
         segmentation_(slave_facets_, master_facets_),
         geometry_(slave_facets_, normals_, master_facets_, surface_normals(master_facets_, *master.constraints),

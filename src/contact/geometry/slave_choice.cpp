@@ -33,7 +33,7 @@ Facing facing(const std::vector<Facet>& facets, const std::vector<Facet>& others
 /// could only act through the other one.
 bool is_held(const Surface& surface) {
   for (const mesh::Face& face : surface.faces) {
-    const Facet facet(*surface.mesh, face, strip_depth(*surface.mesh, {face}));
+    const Facet facet(*surface.mesh, face, strip_of(*surface.mesh, {face}));
     for (int i = 0; i < facet.n_nodes(); ++i) {
       const std::int64_t node = facet.nodes()[i];
       const Matrix3 frame = surface.constraints->frame(node);
@@ -52,9 +52,9 @@ bool first_is_better_slave(const Surface& first, const Surface& second) {
   constexpr double clearly_softer = 10.0;
   constexpr double sticks_out = 0.5;
   if (const bool first_held = is_held(first); first_held != is_held(second)) return !first_held;
-  const double depth = strip_depth(*first.mesh, first.faces);
-  const std::vector<Facet> a = make_facets(*first.mesh, first.faces, depth);
-  const std::vector<Facet> b = make_facets(*second.mesh, second.faces, depth);
+  const Strip strip = strip_of(*first.mesh, first.faces);
+  const std::vector<Facet> a = make_facets(*first.mesh, first.faces, strip);
+  const std::vector<Facet> b = make_facets(*second.mesh, second.faces, strip);
   const Facing of_first = facing(a, b), of_second = facing(b, a);
   // Facets that stick out far over the other surface are too coarse to show where it presses.
   if (of_first.covered < sticks_out * of_second.covered) return false;

@@ -170,8 +170,9 @@ TEST(ConfigMistakes, Mesh) {
 TEST(ConfigMistakes, Contacts) {
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\nslave = \"c\"\n",
                  "cases/block.toml:14:9: contacts[0].slave: unknown surface 'c'; allowed: auto, a, b");
-  expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\"]\n",
-                 "cases/block.toml:13:11: contacts[0].between: a list of 1; allowed: two physical surfaces");
+  expect_mistake(
+      minimal + "[[contacts]]\nbetween = [\"a\"]\n",
+      "cases/block.toml:13:11: contacts[0].between: a list of 1; allowed: two physical surfaces (in sections curves)");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"a\"]\n",
                  "cases/block.toml:13:11: contacts[0].between: 'a' ");
   expect_mistake(minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n[[contacts]]\nbetween = [\"a\", \"b\"]\n",

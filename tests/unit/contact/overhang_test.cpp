@@ -82,7 +82,7 @@ class Overhang : public testing::TestWithParam<OverhangCase> {
 Eigen::VectorXd pressure_forces(const mesh::Mesh& mesh, const char* group) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(3 * mesh.nodes.size());
   for (const mesh::Face& face : mesh::boundary_faces(mesh, group)) {
-    const contact::Facet facet(mesh, face, 0);
+    const contact::Facet facet(mesh, face, {});
     const fem::QuadratureRule rule = facet.n_corners() == 3 ? fem::triangle(8) : fem::gauss_quadrilateral(5);
     contact::ShapeValues shape(facet.n_nodes());
     for (int q = 0; q < rule.size(); ++q) {

@@ -28,13 +28,22 @@ struct Plane {
   Eigen::Vector2d project_direction(const Vector3& d) const { return {axis1.dot(d), axis2.dot(d)}; }
 };
 
+/// How edges of a section become strips.
+struct Strip {
+  double depth = 0;            ///< [length] of the strips; 0: the faces are those of a solid
+  mesh::Section section = {};  ///< whose depth integrals over the strips have
+};
+
+/// Strips about as deep as the edges are long. @param mesh  that the faces belong to
+Strip strip_of(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces);
+
 /// A face with the coordinates of its nodes. Its normal points out of its body. Immutable.
 class Facet {
  public:
   using Coordinates = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 9, 3>;
 
-  /// @param strip_depth  [length] of the strip that represents an edge; the same for all facets that meet
-  Facet(const mesh::Mesh& mesh, const mesh::Face& face, double strip_depth);
+  /// @param strip  the same for all facets that meet
+  Facet(const mesh::Mesh& mesh, const mesh::Face& face, const Strip& strip);
   /// A face that is not part of a mesh: nodes() is empty. @param x  coordinates, one row per node of `type`
   Facet(mesh::CellType type, Coordinates x);
 
@@ -57,10 +66,10 @@ class Facet {
   Vector3 area_vector_at_centre() const { return area_vector(centre_xi_); }
   /// Area of the body's surface over that of the facet: 1, or for a strip the depth of the section over its own.
   double area_ratio(const Vector3& position) const {
-    return strip_depth_ > 0 ? section_.depth(position) / strip_depth_ : 1;
+    return strip_.depth > 0 ? strip_.section.depth(position) / strip_.depth : 1;
   }
   /// A point of a strip in the plane z = 0 of its section; otherwise the point itself.
-  Vector3 in_section(const Vector3& point) const { return strip_depth_ > 0 ? Vector3(point.x(), point.y(), 0) : point; }
+  Vector3 in_section(const Vector3& point) const { return strip_.depth > 0 ? Vector3(point.x(), point.y(), 0) : point; }
   /// Area of the body's surface, by the quadrature rule of the element.
   double surface_area() const;
   /// Largest distance between two corners.
@@ -96,18 +105,14 @@ class Facet {
   Coordinates x_;
   Polynomial polynomial_;
   bool is_affine_ = false;
-  mesh::Section section_ = {};
-  double strip_depth_ = 0;  // 0: no strip
+  Strip strip_ = {};
   Vector3 centre_xi_;
   double diameter_ = 0;
   Eigen::AlignedBox3d box_;
 };
 
-/// A depth for strips that is about as large as their edges are long: the mean length of the edges; 0 for solids.
-double strip_depth(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces);
-
-/// One per face, in their order. @param strip_depth  as the constructor of Facet takes it; by default that of the faces
-std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, double strip_depth);
+/// One per face, in their order. @param strip  as the constructor of Facet takes it; by default that of the faces
+std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, const Strip& strip);
 std::vector<Facet> make_facets(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces);
 
 }  // namespace creepcontact::contact
