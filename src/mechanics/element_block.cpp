@@ -8,6 +8,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
+#include "creepcontact/fem/tangents.hpp"
 #include "creepcontact/linalg/dense.hpp"
 #include "element_loops.hpp"
 
@@ -126,23 +127,22 @@ void ElementBlock::tabulate() {
 
 void ElementBlock::measure(const std::vector<Vector3>& nodes) {
   geometry_.resize(10 * n_elements() * n_points_);
+  std::vector<Eigen::MatrixX3d> gradients(n_points_, Eigen::MatrixX3d(n_nodes_, 3));
+  for (std::size_t p = 0; p < n_points_; ++p)
+    reference_.gradient(rule_.points.row(static_cast<Index>(p)).transpose(), gradients[p]);
+  Eigen::Matrix3Xd x(3, n_nodes_);
   for (std::size_t e = 0; e < n_elements(); ++e) {
-    const auto cell = this->nodes(e);
+    for (std::size_t a = 0; a < n_nodes_; ++a) x.col(static_cast<Index>(a)) = nodes[this->nodes(e)[a]];
     double* geometry = &geometry_[10 * n_points_ * e];
     for (std::size_t p = 0; p < n_points_; ++p) {
-      Matrix3 jacobian = Matrix3::Zero();  // d x_i / d xi_k
-      for (std::size_t a = 0; a < n_nodes_; ++a) {
-        const Eigen::Map<const Vector3> derivative(&derivatives_[(p * n_nodes_ + a) * 3]);
-        jacobian += nodes[cell[a]] * derivative.transpose();
-      }
-      if (section_.dimension() == 2) jacobian(2, 2) = 1;
+      const Matrix3 jacobian = fem::jacobian(reference_, x, gradients[p]);
       const double determinant = jacobian.determinant();
       if (!(determinant > 0)) {
-        const Vector3 x = point(e, p, nodes);
+        const Vector3 at = point(e, p, nodes);
         throw ModelError(
             fmt::format("element {} ({}) at ({:.6g}, {:.6g}, {:.6g}) is inverted or has no {}: "
                         "Jacobian {:.3g}; correct the mesh there",
-                        start_.element + e, mesh::name(type()), x[0], x[1], x[2],
+                        start_.element + e, mesh::name(type()), at[0], at[1], at[2],
                         section_.dimension() == 3 ? "volume" : "area", determinant));
       }
       const Matrix3 inverse = jacobian.inverse();

@@ -4,19 +4,9 @@
 #include <algorithm>
 
 #include "creepcontact/base/index.hpp"
-#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/fem/tangents.hpp"
 
 namespace creepcontact::mechanics {
-
-namespace {
-
-Matrix3 jacobian(const mesh::Mesh& mesh, const Eigen::Matrix3Xd& x, const Eigen::MatrixX3d& gradient) {
-  Matrix3 result = x * gradient;
-  if (mesh.section.dimension() == 2) result(2, 2) = 1;
-  return result;
-}
-
-}  // namespace
 
 std::vector<Vector3> folded_elements(const mesh::Mesh& mesh) {
   std::vector<Vector3> centres;
@@ -32,7 +22,7 @@ std::vector<Vector3> folded_elements(const mesh::Mesh& mesh) {
     for (std::size_t c = 0; c < block.size(); ++c) {
       for (Index a = 0; a < x.cols(); ++a) x.col(a) = mesh.nodes[block.cell(c)[a]];
       if (std::any_of(gradients.begin(), gradients.end(),
-                      [&](const auto& gradient) { return jacobian(mesh, x, gradient).determinant() <= 0; }))
+                      [&](const auto& gradient) { return fem::jacobian(element, x, gradient).determinant() <= 0; }))
         centres.emplace_back(x.rowwise().mean());
     }
   }

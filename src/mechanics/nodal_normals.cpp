@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/fem/tangents.hpp"
 #include "creepcontact/mechanics/loads.hpp"
 
 namespace creepcontact::mechanics {
@@ -17,13 +17,10 @@ Eigen::Matrix3Xd face_coordinates(const mesh::Mesh& mesh, const mesh::Face& face
   return x;
 }
 
-/// Of an edge of a section per unit of depth.
 Vector3 area_vector(const fem::ReferenceElement& reference, const Eigen::Matrix3Xd& x, const Vector3& xi) {
   Eigen::MatrixX3d gradient(reference.n_nodes(), 3);
   reference.gradient(xi, gradient);
-  Matrix3 tangents = x * gradient;
-  if (reference.dimension() == 1) tangents.col(1) = Vector3::UnitZ();
-  return tangents.col(0).cross(tangents.col(1));
+  return fem::area_vector(reference, x, gradient);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "creepcontact/base/index.hpp"
-#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/fem/tangents.hpp"
 #include "separable_load.hpp"
 
 namespace creepcontact::mechanics {
@@ -73,9 +73,8 @@ class SurfaceIntegral final : public SpatialIntegral {
     const FaceTable& table = tables_.at(face.type);
     for (std::size_t p = 0; p < table.shapes.size(); ++p) {
       const Vector3 position = x * table.shapes[p];
-      Matrix3 tangents = x * table.gradients[p];
-      if (mesh.section.dimension() == 2) tangents.col(1) = mesh.section.depth(position) * Vector3::UnitZ();
-      const Vector3 area = table.weights[p] * tangents.col(0).cross(tangents.col(1));
+      const Vector3 area = table.weights[p] * mesh.section.depth(position) *
+                           fem::area_vector(fem::reference_element(face.type), x, table.gradients[p]);
       const Vector3 field = direction.isZero() ? Vector3(-area) : Vector3(area.norm() * direction);
       points_.push_back({position, field, &table.shapes[p], first_node});
     }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/fem/tangents.hpp"
 #include "local_fit.hpp"
 #include "point_location.hpp"
 #include "probe_kinds.hpp"
@@ -116,19 +116,14 @@ std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, 
     const fem::QuadratureRule& rule = element.rule();
     Eigen::VectorXd shape(element.n_nodes());
     Eigen::MatrixX3d gradient(element.n_nodes(), 3);
+    Eigen::Matrix3Xd x(3, element.n_nodes());
+    for (int i = 0; i < element.n_nodes(); ++i) x.col(i) = mesh.nodes[face.nodes[i]];
     for (int q = 0; q < rule.size(); ++q) {
       const Vector3 xi = rule.points.row(q).transpose();
       element.shape(xi, shape);
       element.gradient(xi, gradient);
-      Vector3 position = Vector3::Zero(), tangent1 = Vector3::Zero(), tangent2 = Vector3::Zero();
-      for (int i = 0; i < element.n_nodes(); ++i) {
-        const Vector3& x = mesh.nodes[face.nodes[i]];
-        position += shape[i] * x;
-        tangent1 += gradient(i, 0) * x;
-        tangent2 += gradient(i, 1) * x;
-      }
-      if (element.dimension() == 1) tangent2 = mesh.section.depth(position) * Vector3::UnitZ();
-      const double weight = rule.weights[q] * tangent1.cross(tangent2).norm();
+      const double weight =
+          rule.weights[q] * mesh.section.depth(x * shape) * fem::area_vector(element, x, gradient).norm();
       for (int i = 0; i < element.n_nodes(); ++i) areas[face.nodes[i]] += weight * shape[i];
     }
   }

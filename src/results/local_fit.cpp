@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "creepcontact/base/index.hpp"
-#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/fem/tangents.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -89,11 +89,10 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   const fem::ReferenceElement& reference = fem::reference_element(discretization.element_type(element));
   Eigen::MatrixX3d gradient(reference.n_nodes(), 3);
   reference.gradient(reference.nodes().colwise().mean().transpose(), gradient);
-  Matrix3 jacobian = Matrix3::Zero();
   const auto nodes = discretization.element_nodes(element);
-  for (int i = 0; i < reference.n_nodes(); ++i) jacobian += mesh.nodes[nodes[i]] * gradient.row(i);
-  if (mesh.section.dimension() == 2) jacobian(2, 2) = 1;
-  return jacobian;
+  Eigen::Matrix3Xd x(3, reference.n_nodes());
+  for (int i = 0; i < reference.n_nodes(); ++i) x.col(i) = mesh.nodes[nodes[i]];
+  return fem::jacobian(reference, x, gradient);
 }
 
 /// Row of the pseudo-inverse that gives the coefficient of the first column. Columns are taken in their order, each

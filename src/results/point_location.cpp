@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/fem/tangents.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -60,16 +60,15 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
 
   const int n = element.n_nodes();
   Eigen::VectorXd shape(n);
-  Eigen::MatrixX3d gradient(n, 3), x(n, 3);
-  for (int i = 0; i < n; ++i) x.row(i) = mesh.nodes[nodes[i]].transpose();
+  Eigen::MatrixX3d gradient(n, 3);
+  Eigen::Matrix3Xd x(3, n);
+  for (int i = 0; i < n; ++i) x.col(i) = mesh.nodes[nodes[i]];
   Vector3 xi = element.nodes().colwise().mean().transpose();
   for (int iteration = 0; iteration < 30; ++iteration) {
     element.shape(xi, shape);
     element.gradient(xi, gradient);
-    const Vector3 residual = at - x.transpose() * shape;
-    Matrix3 jacobian = x.transpose() * gradient;
-    if (element.dimension() == 2) jacobian(2, 2) = 1;
-    const Vector3 next = clamp(xi + jacobian.inverse() * residual, block.type);
+    const Vector3 residual = at - x * shape;
+    const Vector3 next = clamp(xi + fem::jacobian(element, x, gradient).inverse() * residual, block.type);
     const bool done = (next - xi).norm() < 1e-13;
     xi = next;
     if (done) break;
@@ -79,7 +78,7 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
   result.nodes.assign(nodes.begin(), nodes.end());
   result.weights.assign(shape.begin(), shape.end());
   result.position = at;
-  result.distance = (at - x.transpose() * shape).norm();
+  result.distance = (at - x * shape).norm();
   if (result.distance > reach * size) return std::nullopt;
   return result;
 }
