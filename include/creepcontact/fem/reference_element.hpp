@@ -37,7 +37,8 @@ class ReferenceElement {
   /// Faces of volume cells, edges of surface cells; empty for other cells.
   const std::vector<Face>& faces() const { return faces_; }
   /// Quadrature for stiffness, stress and creep state. Points: tet4 1, tet10 8, hex8 8, hex20 8, hex27 27, wedge6 6,
-  /// wedge15 12; in sections tri3 1, tri6 6, quad4 4, quad8 4, quad9 9. Precondition: a volume or surface type.
+  /// wedge15 12; in sections tri3 1, tri6 6, quad4 4, quad8 4 (but see fem::bulk_rule()), quad9 9. Precondition: a
+  /// volume or surface type.
   const QuadratureRule& bulk_rule() const { return bulk_rule_; }
   /// Quadrature for loads on curves and surfaces: exact for a pressure that varies like the shape functions, also on
   /// curved faces. Volumes: as bulk_rule().
