@@ -127,6 +127,35 @@ class FitMeshStudy(unittest.TestCase):
             self.assertLess(float(row[column]), bound, f"element {element}, order {mesh_order}, {column}")
 
 
+class SectionMeshStudy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.rows = run_study("mesh/fast_sections.toml")
+
+    def of(self, element, mesh_order, analysis="axisymmetric"):
+        return select(self.rows, analysis=analysis, mesh__parameters__element=element, mesh__order=mesh_order)
+
+    def test_order_of_the_pressure(self):
+        for element, mesh_order, expected, delta in ((0, 1, 2, 0.1), (0, 2, 4, 0.2), (1, 2, 4, 0.3)):
+            coarse, fine = self.of(element, mesh_order)
+            observed = -order(coarse, fine, "mesh.parameters.n", "error_fit_pressure")
+            self.assertAlmostEqual(observed, expected, delta=delta, msg=f"element {element}, order {mesh_order}")
+
+    def test_pressure(self):
+        for element, mesh_order, analysis, bound in ((0, 1, "axisymmetric", 2e-4), (0, 2, "axisymmetric", 1e-7),
+                                                     (1, 1, "axisymmetric", 2e-4), (1, 2, "axisymmetric", 1e-7),
+                                                     (0, 2, "plane_strain", 4e-8)):
+            fine = self.of(element, mesh_order, analysis)[-1]
+            self.assertLess(float(fine["error_fit_pressure"]), bound, f"element {element}, order {mesh_order}, {analysis}")
+
+    def test_stress(self):
+        for element, mesh_order, column, bound in ((0, 1, "error_hoop_at_edge", 2e-3), (0, 1, "error_hoop_bore", 4e-3),
+                                                   (0, 2, "error_hoop_at_edge", 1e-5), (0, 2, "error_hoop_bore", 1e-4),
+                                                   (1, 2, "error_hoop_at_edge", 1e-4), (1, 2, "error_hoop_bore", 2e-4)):
+            _, fine = self.of(element, mesh_order)
+            self.assertLess(float(fine[column]), bound, f"element {element}, order {mesh_order}, {column}")
+
+
 class CreepingFitMeshStudy(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
