@@ -14,6 +14,8 @@ namespace {
 /// Of a monomial's part that others do not represent. Far less than that comes of the curvature of the elements alone
 /// (a single layer of them around a pipe) and would magnify what little the field differs from the fit.
 constexpr double rank_threshold = 3e-2;
+/// Of the constant's: smaller monomials are rounding, in directions in which the places do not differ.
+constexpr double no_extent = 1e-6;
 
 Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
   Eigen::Matrix<double, 1, 10> row;
@@ -105,7 +107,7 @@ Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
     const auto before = basis.leftCols(rank);
     Eigen::VectorXd rest = matrix.col(k) - before * (before.transpose() * matrix.col(k));
     rest -= before * (before.transpose() * rest);  // twice is enough for orthogonality
-    if (rest.norm() <= rank_threshold * matrix.col(k).norm()) continue;
+    if (rest.norm() <= std::max(rank_threshold * matrix.col(k).norm(), no_extent * matrix.col(0).norm())) continue;
     upper.col(rank).head(rank) = before.transpose() * matrix.col(k);
     upper(rank, rank) = rest.norm();
     basis.col(rank++) = rest.normalized();

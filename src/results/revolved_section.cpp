@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -40,6 +41,7 @@ std::vector<Origin> origins(CellType type) {
   const CellType solid = revolved(type);
   const int n = mesh::n_corners(type);
   std::vector<Origin> result;
+  result.reserve(mesh::n_nodes(solid));
   for (int corner = 0; corner < 2 * n; ++corner) result.push_back({corner % n, corner < n ? 0 : 2});
   if (mesh::order(type) == 1) return result;
   const auto& edges = mesh::cell_edges(type);
@@ -122,20 +124,24 @@ io::FieldData RevolvedSection::repeated(const io::FieldData& section, const std:
   return result;
 }
 
-std::vector<io::FieldData> RevolvedSection::at_points(const std::vector<io::FieldData>& section) const {
-  std::vector<double> layers;
-  for (int layer = 0; layer < n_layers(); ++layer) layers.push_back(layer);
+std::vector<io::FieldData> RevolvedSection::repeated(const std::vector<io::FieldData>& section,
+                                                     const std::vector<double>& layers) const {
   std::vector<io::FieldData> result;
+  result.reserve(section.size());
   for (const io::FieldData& field : section) result.push_back(repeated(field, layers));
   return result;
 }
 
+std::vector<io::FieldData> RevolvedSection::at_points(const std::vector<io::FieldData>& section) const {
+  std::vector<double> layers(n_layers());
+  std::iota(layers.begin(), layers.end(), 0.0);
+  return repeated(section, layers);
+}
+
 std::vector<io::FieldData> RevolvedSection::at_cells(const std::vector<io::FieldData>& section) const {
-  std::vector<double> layers;
-  for (int segment = 0; segment < segments_; ++segment) layers.push_back(2 * segment + 1);
-  std::vector<io::FieldData> result;
-  for (const io::FieldData& field : section) result.push_back(repeated(field, layers));
-  return result;
+  std::vector<double> layers(segments_);
+  for (int segment = 0; segment < segments_; ++segment) layers[segment] = 2 * segment + 1;
+  return repeated(section, layers);
 }
 
 }  // namespace creepcontact::results

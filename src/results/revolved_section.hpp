@@ -21,7 +21,10 @@ class RevolvedSection {
  private:
   int n_layers() const { return 2 * segments_; }
   Matrix3 turn(double layer) const;
+  /// @param layers  directions, in half segments from the plane of the section
   io::FieldData repeated(const io::FieldData& section, const std::vector<double>& layers) const;
+  std::vector<io::FieldData> repeated(const std::vector<io::FieldData>& section,
+                                      const std::vector<double>& layers) const;
 
   io::FieldMesh section_;
   int segments_;

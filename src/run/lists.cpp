@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/material/law_reference.hpp"
@@ -77,8 +78,8 @@ Table laws() {
 }
 
 std::string integration_points(mesh::CellType type) {
-  const int n = fem::reference_element(type).bulk_rule().size();
-  const int in_rings = fem::bulk_rule(type, {settings::Analysis::axisymmetric}).size();
+  const Index n = fem::reference_element(type).bulk_rule().size();
+  const Index in_rings = fem::bulk_rule(type, {settings::Analysis::axisymmetric}).size();
   std::string text = fmt::format("{} integration point{}", n, n == 1 ? "" : "s");
   if (in_rings != n) text += fmt::format(" ({} in axisymmetric models)", in_rings);
   return text;

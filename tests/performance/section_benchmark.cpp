@@ -1,6 +1,6 @@
-/// Axisymmetric sections. `evaluation`: one rate of the shrink fit against its floor, a pass through the factors and the
-/// two element loops, measured in the same run. `fit`: the processor time from the assembly to 1e6 h, without meshing and
-/// output, over that of the solid (configs/shrink_fit.toml).
+/// Axisymmetric sections. `evaluation`: one rate of the shrink fit against its floor, a pass through the factors and
+/// the two element loops, measured in the same run. `fit`: the processor time from the assembly to 1e6 h, without
+/// meshing and output, over that of the solid (configs/shrink_fit.toml).
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <omp.h>
@@ -81,8 +81,8 @@ double integrate(const config::Config& config, const model::Model& model) {
   creep::EquilibriumSolver solver(model.assembly, model.solver, watch);
   creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
                             config.time.tolerance, watch);
-  const auto integrator = ode::make_integrator(
-      config.time.integrator, system, {.tolerance = config.time.tolerance, .end_time = config.time.end});
+  const auto integrator = ode::make_integrator(config.time.integrator, system,
+                                               {.tolerance = config.time.tolerance, .end_time = config.time.end});
   integrator->initialize(0, std::vector<double>(system.size()));
   while (integrator->time() < config.time.end) integrator->step(config.time.end);
   return processor_seconds() - start;

@@ -318,6 +318,43 @@ INSTANTIATE_TEST_SUITE_P(Cases, SectionFit,
                                          FitCase{"plane_stress", reference::Plane::stress, 2}),
                          [](const auto& of) { return fmt::format("{}_order{}", of.param.analysis, of.param.order); });
 
+/// Compound cylinder, its rings bonded, under internal pressure: Lame in each ring, the radial displacement continuous.
+struct BondedRings {
+  static constexpr double a = 40, c = 60, b = 120, pressure = 100, stiff = 2e5, soft = 5e4, nu = 0.3;
+  static double compliance(double modulus, double inner, double outer, double r, bool outside) {
+    const double k = (1 + nu) / modulus / (outer * outer - inner * inner);
+    const double own = outside ? outer * outer : inner * inner, other = outside ? inner * inner : outer * outer;
+    return k * (own * (1 - 2 * nu) * r + own * other / r);
+  }
+  static double interface_pressure() {
+    const double opened = compliance(stiff, a, c, c, false) * pressure;
+    return opened / (compliance(stiff, a, c, c, true) + compliance(soft, c, b, c, false));
+  }
+};
+
+TEST(BondedSections, CurvedInterfaceThatDoesNotMatch) {
+  using B = BondedRings;
+  const double exact = B::interface_pressure();
+  std::vector<double> errors;
+  for (const int n : {1, 2}) {
+    const Outcome outcome = test::run_case(
+        test::section_of("plane_strain") + test::body("inner", B::stiff, B::nu) + test::body("outer", B::soft, B::nu) +
+            symmetry("inner") + symmetry("outer") + test::contact_table("inner_x1", "outer_x0", "type = \"tied\"") +
+            pressure_on("inner_x0", B::pressure) + "[time]\nend = 1\n" +
+            test::probe("min", "contact_pressure", "on = \"inner_x1\"\nreduce = \"min\"") +
+            test::probe("max", "contact_pressure", "on = \"inner_x1\"\nreduce = \"max\"") +
+            test::probe("force", "contact_force_x", "on = \"outer_x0\"") +
+            test::probe("r", "stress_r", "at = [43.30127, 25, 0]"),
+        test::regions_geo(
+            {quarter_ring("inner", B::a, B::c, 4 * n, 5 * n), quarter_ring("outer", B::c, B::b, 6 * n, 7 * n)}));
+    EXPECT_RELATIVE(outcome.history.at("force", 0), exact * B::c, 4e-4 / (n * n * n));
+    errors.push_back(std::max(std::abs(outcome.history.at("min", 0) / exact - 1),
+                              std::abs(outcome.history.at("max", 0) / exact - 1)));
+  }
+  EXPECT_LT(errors[1], 2e-5);
+  EXPECT_LT(errors[1], errors[0] / 4);
+}
+
 // One layer of hex20 between held faces has the equations of quad8 in plane strain: the same results to rounding.
 TEST(SectionAgainstSlice, CreepingBlocksInPlaneStrain) {
   const std::string common = test::body("block", 1, 0.3, 0.05, 3) + test::body("foot", 2, 0.3, 0.02, 3) +

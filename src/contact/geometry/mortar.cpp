@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -26,6 +27,10 @@ struct FacetSums {
   HatMatrix mass;      // integral hat_i hat_j over the covered part
   HatVector integral;  // integral hat_i over the covered part
 };
+
+/// Directions of the rows of the multipliers at the corners of a facet, at one point: the normal there (unilateral), or
+/// three per corner (tied).
+using Directions = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 12>;
 
 /// Plates of different thickness touch over the smaller one.
 Strip common_strip(const Surface& slave, const Surface& master) {
@@ -74,6 +79,8 @@ class Assembler {
   }
 
   void add_facet(std::size_t f, const std::vector<Segment>& segments);
+  int rows_per_multiplier() const { return type_ == ContactType::tied ? 3 : 1; }
+  Directions directions(std::size_t f, const ContactPoint& point) const;
   void add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point);
   HatMatrix dual_transformation(std::size_t f, const std::vector<Segment>& segments) const;
 
@@ -90,7 +97,7 @@ class Assembler {
   Segmentation segmentation_;
   ContactGeometry geometry_;
   std::vector<double> covered_, full_;  // area of each multiplier: the covered part, and all
-  // Rows are multipliers; columns node components along the normal (unilateral), or nodes (tied).
+  // Rows are multipliers (tied: three each), columns the components of the nodes.
   Triplets slave_, master_, gap_;
   std::vector<Vector3> gap_points_;
   std::vector<double> gap_distances_;
@@ -112,53 +119,77 @@ HatMatrix Assembler::dual_transformation(std::size_t f, const std::vector<Segmen
   return HatMatrix(sums.mass.ldlt().solve(HatMatrix(sums.integral.asDiagonal()))).transpose();
 }
 
-/// Integral of hats times shape functions (times the normal) over one segment.
+/// Integral of hats times shape functions times directions over one segment.
 class Products {
  public:
-  Products(const Facet& side, double sign, ContactType type, int n_hats)
-      : side_(side), sign_(sign), width_(type == ContactType::tied ? 1 : 3), shape_(side.n_nodes()) {
-    sums_.setZero(n_hats, Index{width_} * side.n_nodes());
+  Products(const Facet& side, double sign, int n_rows) : side_(side), sign_(sign), shape_(side.n_nodes()) {
+    sums_.setZero(n_rows, Index{3} * side.n_nodes());
   }
 
-  void add(const Vector3& xi, const HatVector& weighted_hats, const Vector3& normal) {
+  /// @param directions  one per row @param weights  of the rows
+  void add(const Vector3& xi, const Directions& directions, const Eigen::Ref<const Eigen::VectorXd>& weights) {
     side_.element().shape(xi, shape_);
-    for (int j = 0; j < side_.n_nodes(); ++j)
-      for (int a = 0; a < width_; ++a)
-        sums_.col(width_ * j + a) += (sign_ * shape_[j] * (width_ == 1 ? 1.0 : normal[a])) * weighted_hats;
+    const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 12, 3> weighted =
+        sign_ * weights.asDiagonal() * directions.transpose();
+    for (int j = 0; j < side_.n_nodes(); ++j) sums_.middleCols<3>(Index{3} * j) += shape_[j] * weighted;
   }
 
-  void emit(std::span<const int> rows, Triplets& triplets) const {
+  /// @param rows  of the corners @param width  rows per corner
+  void emit(std::span<const int> rows, int width, Triplets& triplets) const {
     for (int i = 0; i < sums_.rows(); ++i)
       for (int j = 0; j < side_.n_nodes(); ++j)
-        for (int a = 0; a < width_; ++a)
-          triplets.emplace_back(rows[i], width_ * static_cast<int>(side_.nodes()[j]) + a, sums_(i, width_ * j + a));
+        for (int a = 0; a < 3; ++a)
+          if (const double value = sums_(i, Index{3} * j + a); value != 0)
+            triplets.emplace_back(width * rows[i / width] + i % width, 3 * static_cast<int>(side_.nodes()[j]) + a,
+                                  value);
   }
 
  private:
   const Facet& side_;
   double sign_;
-  int width_;
   ShapeValues shape_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 27> sums_;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 27> sums_;
 };
+
+/// The rotation that takes one unit vector to another one by the shortest way; exactly none where they are the same.
+Matrix3 rotation(const Vector3& from, const Vector3& to) {
+  constexpr double same = 1e-12;
+  if ((to - from).norm() < same) return Matrix3::Identity();
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
 
 void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   const Facet& facet = slave_facets_[f];
   const std::span<const int> rows = normals_.multiplier_of_corner[f];
   const HatMatrix dual = dual_transformation(f, segments);
-  Products on_slave(facet, -1.0, type_, facet.n_corners());
+  const int width = rows_per_multiplier(), n_rows = width * facet.n_corners();
+  Products on_slave(facet, -1.0, n_rows);
   for (const Segment& segment : segments) {
     const Facet& master = master_facets_[segment.master];
-    Products on_master(master, 1.0, type_, facet.n_corners());
+    Products on_master(master, 1.0, n_rows);
     for (const ContactPoint& point : geometry_.points(f, segment)) {
       const HatVector weighted = point.weight * (dual * hat_values(facet, point.slave_xi));
-      on_slave.add(point.slave_xi, weighted, point.normal);
-      on_master.add(point.master_xi, weighted, point.normal);
+      Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 12, 1> weights(n_rows);
+      for (int i = 0; i < n_rows; ++i) weights[i] = weighted[i / width];
+      const Directions directions = this->directions(f, point);
+      on_slave.add(point.slave_xi, directions, weights);
+      on_master.add(point.master_xi, directions, weights);
       add_gap(f, weighted, point);
     }
-    on_master.emit(rows, master_);
+    on_master.emit(rows, width, master_);
   }
-  on_slave.emit(rows, slave_);
+  on_slave.emit(rows, width, slave_);
+}
+
+/// A tied multiplier turns with the normal on its way from its node: a pressure that is constant along a curved surface
+/// is then transmitted as exactly as on a flat one.
+Directions Assembler::directions(std::size_t f, const ContactPoint& point) const {
+  const int n = slave_facets_[f].n_corners();
+  if (type_ != ContactType::tied) return point.normal.replicate(1, n);
+  Directions result(3, 3 * n);
+  for (int i = 0; i < n; ++i)
+    result.middleCols<3>(Index{3} * i) = rotation(normals_.multipliers[multiplier(f, i)].normal, point.normal);
+  return result;
 }
 
 void Assembler::add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point) {
@@ -228,13 +259,15 @@ RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
   return matrix;
 }
 
-/// One row per multiplier and one column per node -> three rows per multiplier (x, y, z), three columns per node.
-RowMatrix by_component(const RowMatrix& plain) {
+/// Each row of a matrix as `width` rows and each column as `width` columns.
+RowMatrix repeated(const RowMatrix& plain, int width) {
+  if (width == 1) return plain;
   Triplets entries;
   for (int r = 0; r < plain.outerSize(); ++r)
     for (RowMatrix::InnerIterator it(plain, r); it; ++it)
-      for (int a = 0; a < 3; ++a) entries.emplace_back(3 * r + a, 3 * static_cast<int>(it.col()) + a, it.value());
-  return sparse(3 * plain.rows(), 3 * plain.cols(), entries);
+      for (int a = 0; a < width; ++a)
+        entries.emplace_back(width * r + a, width * static_cast<int>(it.col()) + a, it.value());
+  return sparse(width * plain.rows(), width * plain.cols(), entries);
 }
 
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
@@ -260,15 +293,12 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
   result.gap_points = gap_points_;
   result.gap_distances = gap_distances_;
   result.gap_weights = gather * sparse(n, gap_points_.size(), gap_);
-  const int width = type_ == ContactType::tied ? 1 : 3;
-  result.slave_rows = gather * sparse(n, width * n_slave, slave_);
-  result.master_rows = gather * sparse(n, width * n_master, master_);
-  result.geometric_gap = gather * geometric_;
-  if (type_ == ContactType::tied) {
-    result.slave_rows = by_component(result.slave_rows);
-    result.master_rows = by_component(result.master_rows);
-    result.geometric_gap = Eigen::VectorXd::Zero(result.slave_rows.rows());
-  }
+  const int width = rows_per_multiplier();
+  const RowMatrix gather_rows = repeated(gather, width);
+  result.slave_rows = gather_rows * sparse(width * n, 3 * n_slave, slave_);
+  result.master_rows = gather_rows * sparse(width * n, 3 * n_master, master_);
+  result.geometric_gap = type_ == ContactType::tied ? Eigen::VectorXd(Eigen::VectorXd::Zero(result.slave_rows.rows()))
+                                                    : Eigen::VectorXd(gather * geometric_);
   return result;
 }
 

@@ -76,5 +76,19 @@ TEST(LocalFitOfOneLayer, LinearFieldsOfQuadraticElements) {
     }
 }
 
+TEST(LocalFitOfOneLayer, PlacesThatDoNotDifferAcrossItTellNothingOfThatDirection) {
+  // The middles of linear elements lie in one plane but for rounding, and so does the place.
+  const mesh::Mesh mesh = creepcontact::test::mapped(
+      box_mesh(mesh::CellType::hex8, {8, 5, 1}, {60, 0.5, 2.1}),
+      [](const Vector3& x) { return Vector3((60 + x.x()) * std::cos(x.y()), (60 + x.x()) * std::sin(x.y()), x.z()); });
+  const mechanics::Discretization discretization(mesh);
+  for (const double angle : {0.21, 0.24, 0.27}) {
+    const Vector3 at(71 * std::cos(angle), 71 * std::sin(angle), 1.05);
+    double weights = 0;
+    for (const auto& [point, weight] : local_fit(discretization, mesh, 17, at)) weights += std::abs(weight);
+    EXPECT_LT(weights, 4) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace creepcontact::results::test

@@ -30,7 +30,8 @@ struct Surface {
 
 /// gap = initial gap + slave_rows u_s + master_rows u_m   (weighted, [length^3]; >= 0 where the surfaces are apart).
 ///
-/// Row i belongs to multiplier node i (unilateral); rows 3i..3i+2 to its x, y, z (tied; for node_ties see there). The
+/// Row i belongs to multiplier node i (unilateral); rows 3i..3i+2 to its x, y, z (tied; for node_ties see there). Along
+/// a curved surface these three turn with the normal, so that a constant pressure is transmitted as on a flat one. The
 /// multiplier lambda_i is the contact pressure [force/area] at its node, and rows^T lambda are the nodal forces: equal
 /// and opposite on the two bodies.
 /// Source: Wohlmuth (2000) dual multipliers; Puso and Laursen (2004) segments; Cichosz and Bischoff (2011) partly
