@@ -42,6 +42,8 @@ class SectionChecks {
     if (revolve.node && analysis_ != Analysis::axisymmetric)
       errors_.add(revolve.location, fmt::format("a section with analysis = \"{}\" is not revolved", name_),
                   "with analysis = \"axisymmetric\"");
+    if (revolve.node && !config.output.fields)
+      errors_.add(revolve.location, "no field files are written ('fields' = false)", "with 'fields' = true");
     const Item axial = root.child("generalized_plane_strain");
     if (axial.node && analysis_ != Analysis::generalized_plane_strain)
       errors_.add(axial.location, fmt::format("has no meaning with analysis = \"{}\"", name_),
@@ -68,7 +70,8 @@ class SectionChecks {
     const auto* rotation = std::get_if<Rotation>(&load.kind);
     if (rotation && analysis_ == Analysis::axisymmetric)
       require_axis(item.child("rotation"), rotation->axis, rotation->origin);
-    else if (rotation && (rotation->axis[0] != 0 || rotation->axis[1] != 0))
+    else if (rotation && is_triple(item.child("rotation").child("axis")) &&
+             (rotation->axis[0] != 0 || rotation->axis[1] != 0))
       errors_.add(item.child("rotation").child("axis").location,
                   fmt::format("[{}, {}, {}] with analysis = \"{}\": the centrifugal force would change along z",
                               rotation->axis[0], rotation->axis[1], rotation->axis[2], name_),
@@ -90,7 +93,13 @@ class SectionChecks {
                 "[x, y, 0]: a section lies in the plane z = 0");
   }
 
+  /// False for what is wrong already, and reported.
+  static bool is_triple(const Item& item) {
+    return !item.node || (item.node->as_array() && item.node->as_array()->size() == 3);
+  }
+
   void require_axis(const Item& item, const std::array<double, 3>& axis, const std::array<double, 3>& origin) {
+    if (!is_triple(item.child("axis")) || !is_triple(item.child("origin"))) return;
     if (axis[0] != 0 || axis[1] == 0 || axis[2] != 0)
       errors_.add(item.child("axis").location,
                   fmt::format("[{}, {}, {}] is not the axis of the axisymmetric model", axis[0], axis[1], axis[2]),

@@ -37,7 +37,8 @@ void turn(std::span<std::int64_t> cell, std::size_t n_corners) {
 void check_plane_mesh(mesh::Mesh& mesh, const std::string& file) {
   Eigen::AlignedBox3d box;
   for (const Vector3& x : mesh.nodes) box.extend(x);
-  const double small = rounding * box.diagonal().norm();
+  const double size = box.diagonal().norm(), small = rounding * size;
+  if (size > 0) mesh.section.axial_length = size;
   const std::string_view analysis = settings::name_of(mesh.section.analysis);
   for (Vector3& x : mesh.nodes) {
     if (std::abs(x.z()) > small)

@@ -117,6 +117,7 @@ class ElementBlock {
   const Eigen::MatrixXd& shape() const { return shape_; }
   /// 1/x at the points of an element. Precondition: an axisymmetric section
   const double* inverse_radius(std::size_t e) const { return inverse_radius_.data() + n_points_ * e; }
+  double axial_length() const { return section_.axial_length; }
   /// The bubble at the points, n_points; empty without one.
   const double* bubble_values() const { return bubble_values_.data(); }
   /// Reference derivatives of the bubble, n_points x 3; empty without one.

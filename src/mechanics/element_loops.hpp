@@ -202,7 +202,7 @@ class ElementLoops final : public ElementBlock {
       for (std::size_t a = 0; a < N; ++a) radial += nodal[0][a] * shape_at_points(a);
       strain.col(2) = radial * ConstValues(inverse_radius(e));
     }
-    if constexpr (kinematics == Kinematics::generalized) strain.col(2) = u[3 * cell[N] + 2];
+    if constexpr (kinematics == Kinematics::generalized) strain.col(2) = u[3 * cell[N] + 2] / axial_length();
     return strain;
   }
 
@@ -263,7 +263,7 @@ class ElementLoops final : public ElementBlock {
     if constexpr (kinematics == Kinematics::generalized) {
       *out++ = 0;
       *out++ = 0;
-      *out = stress.col(2).sum();
+      *out = stress.col(2).sum() / axial_length();
     }
   }
 

@@ -28,7 +28,7 @@ Eigen::MatrixXd ElementBlock::zz_strains(std::size_t e) const {
   const Index n = n_nodes_, inner = has_bubble() ? 3 : 0;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * n_coupled_ + inner, n_points_);
   if (section_.has_axial_node()) {
-    result.row(3 * n + 2).setOnes();
+    result.row(3 * n + 2).setConstant(1 / section_.axial_length);
     return result;
   }
   for (std::size_t p = 0; p < n_points_; ++p) {

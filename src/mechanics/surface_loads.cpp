@@ -122,8 +122,8 @@ std::unique_ptr<Load> traction_load(const mesh::Mesh& mesh, const std::vector<me
 }
 
 std::unique_ptr<Load> axial_load(const mesh::Mesh& mesh, Function force) {
-  const Vector3 per_unit_strain = mesh.section.thickness * Vector3::UnitZ();
-  return std::make_unique<SeparableLoad>(std::make_unique<NodalForce>(mesh, mesh.axial_node, per_unit_strain),
+  const Vector3 per_displacement = mesh.section.thickness / mesh.section.axial_length * Vector3::UnitZ();
+  return std::make_unique<SeparableLoad>(std::make_unique<NodalForce>(mesh, mesh.axial_node, per_displacement),
                                          std::move(force));
 }
 

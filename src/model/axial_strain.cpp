@@ -24,11 +24,16 @@ double cross_section(const mechanics::Body& body) {
 void prescribe_axial_strain(const config::Config& config, const BodyMeshes& meshes,
                             std::vector<std::vector<mechanics::Support>>& supports) {
   if (config.analysis != settings::Analysis::generalized_plane_strain || is_unknown(config)) return;
-  for (std::size_t b = 0; b < meshes.size(); ++b)
-    supports[b].push_back({.on = "axial strain",
-                           .nodes = {meshes[b].axial_node},
-                           .directions = {Vector3::UnitZ()},
-                           .value = *config.generalized_plane_strain.strain});
+  const Function& strain = *config.generalized_plane_strain.strain;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const double length = meshes[b].section.axial_length;
+    supports[b].push_back(
+        {.on = "axial strain",
+         .nodes = {meshes[b].axial_node},
+         .directions = {Vector3::UnitZ()},
+         .value = Function::composed(fmt::format("({}) * {}", strain.text(), length), {strain},
+                                     [length](const std::vector<double>& values) { return length * values[0]; })});
+  }
 }
 
 void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs) {

@@ -86,7 +86,8 @@ Model build_model(const config::Config& config) {
 
   std::optional<mechanics::TemperatureField> temperature;
   if (config.temperature)
-    errors.collect(config.temperature->location, [&] { temperature = temperature_field(*config.temperature); });
+    errors.collect(config.temperature->location,
+                   [&] { temperature = temperature_field(*config.temperature, whole.section); });
   errors.raise();
   Bodies bodies;
   for (std::size_t b = 0; b < meshes.size(); ++b)

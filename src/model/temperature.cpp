@@ -1,16 +1,37 @@
 #include "creepcontact/model/temperature.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/temperature_reader.hpp"
 
 namespace creepcontact::model {
 
-mechanics::TemperatureField temperature_field(const config::Temperature& temperature) {
+namespace {
+
+/// Points of a solid, or with y and z exchanged, would give temperatures of other places without a word.
+void require_plane(const std::vector<Vector3>& points, const std::string& file) {
+  constexpr double small = 1e-6;  // of the largest coordinate
+  double largest = 0;
+  for (const Vector3& x : points) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  for (const Vector3& x : points)
+    if (std::abs(x.z()) > small * largest)
+      throw ModelError(fmt::format(
+          "temperature: '{}' has a point ({:.6g}, {:.6g}, {:.6g}), but the section lies in the plane z = 0; "
+          "give the points of the section, with z = 0",
+          file, x[0], x[1], x[2]));
+}
+
+}  // namespace
+
+mechanics::TemperatureField temperature_field(const config::Temperature& temperature, const mesh::Section& section) {
   if (temperature.file.empty()) return temperature.value;
   io::PointTemperatures read = io::read_temperatures(temperature.file);
+  if (section.dimension() == 2) require_plane(read.points, temperature.file.string());
   return mechanics::TemperatureField(
       mechanics::ScatteredTemperatures{std::move(read.points), std::move(read.times), std::move(read.values)});
 }

@@ -13,7 +13,7 @@ class AxialProbe final : public Probe {
   double value(Snapshot& snapshot) const override {
     const mechanics::Body& body = snapshot.assembly().bodies()[body_];
     const creep::BodyState& state = snapshot.equilibrium().bodies[body_];
-    if (!is_force_) return state.displacement[3 * body.mesh().axial_node + 2];
+    if (!is_force_) return state.displacement[3 * body.mesh().axial_node + 2] / body.mesh().section.axial_length;
     const auto weights = body.discretization().weights();
     double force = 0;
     for (std::size_t p = 0; p < weights.size(); ++p) force += weights[p] * state.stress[6 * p + 2];

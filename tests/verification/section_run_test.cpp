@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <numbers>
 
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/model/model.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
@@ -141,6 +144,39 @@ TEST(HotSection, ModuliFollowTheTemperature) {
                                            test::regions_geo({{"bar", {1, 2, 3}, {0, 1, 4}}}));
     for (const double t : {0.0, 0.5, 1.0})
       EXPECT_RELATIVE(outcome.history.at("yy", t), (2e5 - 1e5 * t) * 1e-3, 1e-8) << analysis;
+  }
+}
+
+// Points of a solid, or with y and z exchanged, are no temperatures of a section.
+TEST(HotSection, TemperaturesOutsideThePlaneAreRefused) {
+  const test::CaseDirectory directory(test::regions_geo({{"bar", {1, 2, 3}, {0, 1, 4}}}));
+  const config::Config config =
+      directory.config(test::section_of("axisymmetric") + test::body("bar", 1e5, 0.3) + test::support("bar_y0", "y") +
+                           "[temperature]\nfile = \"T.csv\"\n[time]\nend = 1\n",
+                       {});
+  for (const char* z : {"0", "0.5"}) {
+    std::ofstream(directory.path() / "T.csv") << "x,y,z,T\n1,0,0,20\n2,0,0,30\n1,1,0,20\n2,1," << z << ",30\n";
+    if (std::string(z) == "0") {
+      EXPECT_NO_THROW(model::build_model(config));
+    } else {
+      EXPECT_THROW(model::build_model(config), ModelError);
+    }
+  }
+}
+
+// The unit of length does not matter to the unknown axial strain.
+TEST(AxialStrain, AnyUnitOfLength) {
+  for (const double unit : {1e-1, 1.0, 1e5}) {
+    const Outcome outcome = test::run_case(
+        test::section_of("generalized_plane_strain") + test::body("lower", 100, 0.3) + test::body("upper", 100, 0.3) +
+            test::support("lower_y0", "y") + test::support("lower_x0", "x") + test::support("upper_x0", "x") +
+            test::contact_table("lower_y1", "upper_y0") +
+            "[[loads]]\non = \"upper_y1\"\npressure = 3\n[time]\nend = 1\n" +
+            test::probe("strain", "axial_strain", "body = \"upper\"") +
+            test::probe("p", "contact_pressure", "on = \"upper_y0\"\nreduce = \"max\""),
+        test::regions_geo({{"lower", {0, unit, 4}, {-unit, 0, 3}}, {"upper", {0, unit, 5}, {0, unit, 3}}}));
+    EXPECT_RELATIVE(outcome.history.at("strain", 0), 0.3 * 3 / 100, 1e-9) << unit;
+    EXPECT_RELATIVE(outcome.history.at("p", 0), 3, 1e-9) << unit;
   }
 }
 

@@ -44,7 +44,7 @@ struct Mesh {
   std::map<std::string, Group> groups;  // by name
   Section section = {};
   /// Of a body in generalised plane strain: the last node, which no cell has. Its displacement along z is the axial
-  /// strain times a unit length. Otherwise -1.
+  /// strain times Section::axial_length. Otherwise -1.
   std::int64_t axial_node = -1;
 
   /// Without the axial node.

@@ -10,7 +10,8 @@ namespace creepcontact::mesh {
 
 struct Section {
   settings::Analysis analysis = settings::Analysis::solid;
-  double thickness = 1;  ///< [length] of plane sections
+  double thickness = 1;     ///< [length] of plane sections
+  double axial_length = 1;  ///< [length] displacement of the axial node (Mesh) per unit of axial strain; of any size
 
   bool is_axisymmetric() const { return analysis == settings::Analysis::axisymmetric; }
   bool has_axial_node() const { return analysis == settings::Analysis::generalized_plane_strain; }

@@ -8,7 +8,8 @@
 namespace creepcontact::model {
 
 /// @throws ModelError if the file of temperatures cannot be used
-mechanics::TemperatureField temperature_field(const config::Temperature& temperature);
+mechanics::TemperatureField temperature_field(const config::Temperature& temperature,
+                                              const mesh::Section& section = {});
 
 /// If integration points lie outside the points of a temperature file: one warning, with the farthest of them.
 void warn_of_positions_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
