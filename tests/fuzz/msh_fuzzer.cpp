@@ -11,6 +11,8 @@ namespace {
 
 void check(const mesh::Mesh& mesh) {
   for (const Vector3& node : mesh.nodes) fuzz::require(node.allFinite(), "nodes have finite places");
+  if (mesh.section.dimension() == 2)
+    for (const Vector3& node : mesh.nodes) fuzz::require(node.z() == 0, "sections are flat");
   const std::int64_t n_nodes = mesh.nodes.size();
   for (const mesh::CellBlock& block : mesh.blocks)
     for (const std::int64_t node : block.connectivity)
@@ -22,12 +24,13 @@ void check(const mesh::Mesh& mesh) {
 
 void cut(const mesh::Mesh& mesh) {
   for (const auto& [region, group] : mesh.groups) {
-    if (group.dimension != 3) continue;
+    if (group.dimension != mesh.section.dimension()) continue;
     const mesh::BodyMesh body = mesh::extract(mesh, {region});
     check(body.mesh);
     for (const auto& part : body.mesh.groups) {
       mesh::group_nodes(body.mesh, part.first);
-      if (part.second.dimension == 2) fuzz::may_refuse([&] { mesh::boundary_faces(body.mesh, part.first); });
+      if (part.second.dimension == mesh.section.dimension() - 1)
+        fuzz::may_refuse([&] { mesh::boundary_faces(body.mesh, part.first); });
     }
   }
 }
@@ -37,10 +40,12 @@ void cut(const mesh::Mesh& mesh) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace creepcontact;
-  fuzz::may_refuse([&] {
-    const mesh::Mesh mesh = io::read_msh(fuzz::text_of(data, size), "fuzz.msh");
-    check(mesh);
-    cut(mesh);
-  });
+  using settings::Analysis;
+  for (const Analysis analysis : {Analysis::solid, Analysis::axisymmetric, Analysis::generalized_plane_strain})
+    fuzz::may_refuse([&] {
+      const mesh::Mesh mesh = io::read_msh(fuzz::text_of(data, size), "fuzz.msh", {analysis});
+      check(mesh);
+      cut(mesh);
+    });
   return 0;
 }
