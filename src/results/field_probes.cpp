@@ -24,7 +24,8 @@ class PointProbe final : public Probe {
     if (rank != assembly.team().rank()) return;
     location_ = std::move(location.value());
     const mechanics::Body& owner = assembly.bodies()[body];
-    points_ = local_fit(owner.discretization(), owner.mesh(), location_.element, location_.position);
+    points_ = local_fit(owner.discretization(), owner.mesh(), elements_at(owner.discretization(), location_),
+                        location_.position);
   }
 
   double value(Snapshot& snapshot) const override {

@@ -1,5 +1,6 @@
 #include "local_fit.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <set>
@@ -72,11 +73,14 @@ void add_samples(const mechanics::Discretization& discretization, const mesh::Me
   }
 }
 
-/// Those of the element and of every element that shares a node with it.
+/// Those of the elements and of every element that shares a node with one of them.
 std::vector<SamplePlace> samples_around(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
-                                        std::size_t element) {
-  const auto own = discretization.element_nodes(element);
-  const std::set<std::int64_t> nodes(own.begin(), own.end());
+                                        std::span<const std::size_t> elements) {
+  std::set<std::int64_t> nodes;
+  for (const std::size_t element : elements) {
+    const auto own = discretization.element_nodes(element);
+    nodes.insert(own.begin(), own.end());
+  }
   std::vector<SamplePlace> samples;
   for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
     const auto others = discretization.element_nodes(e);
@@ -95,6 +99,18 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   Eigen::Matrix3Xd x(3, reference.n_nodes());
   for (int i = 0; i < reference.n_nodes(); ++i) x.col(i) = mesh.nodes[nodes[i]];
   return fem::jacobian(reference, x, gradient);
+}
+
+/// To coordinates in which the elements have the size 1; the mean of their metrics favours none of several.
+Matrix3 to_element_sizes(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
+                         std::span<const std::size_t> elements) {
+  if (elements.size() == 1) return jacobian_at_centre(discretization, mesh, elements[0]).inverse();
+  Matrix3 metric = Matrix3::Zero();
+  for (const std::size_t element : elements) {
+    const Matrix3 inverse = jacobian_at_centre(discretization, mesh, element).inverse();
+    metric += inverse.transpose() * inverse / static_cast<double>(elements.size());
+  }
+  return metric.llt().matrixU();
 }
 
 /// Row of the pseudo-inverse that gives the coefficient of the first column. Columns are taken in their order, each
@@ -121,9 +137,10 @@ Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretization& discretization,
-                                                      const mesh::Mesh& mesh, std::size_t element, const Vector3& at) {
-  const std::vector<SamplePlace> samples = samples_around(discretization, mesh, element);
-  const Matrix3 to_reference = jacobian_at_centre(discretization, mesh, element).inverse();
+                                                      const mesh::Mesh& mesh, std::span<const std::size_t> elements,
+                                                      const Vector3& at) {
+  const std::vector<SamplePlace> samples = samples_around(discretization, mesh, elements);
+  const Matrix3 to_reference = to_element_sizes(discretization, mesh, elements);
 
   // Value at the place = first coefficient c0 of the fit, with the place as origin: c = (W M)^+ W f.
   const Index n = samples.size();
@@ -140,6 +157,20 @@ std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretiz
   for (Index i = 0; i < n; ++i)
     for (const auto& [point, share] : samples[i].points) result.emplace_back(point, share * row[i] * weights[i]);
   return result;
+}
+
+std::vector<std::size_t> elements_at(const mechanics::Discretization& discretization, const PointLocation& place) {
+  constexpr double no_weight = 1e-6;  // of a node that the place is not on
+  std::vector<std::int64_t> on;
+  for (std::size_t i = 0; i < place.nodes.size(); ++i)
+    if (std::abs(place.weights[i]) > no_weight) on.push_back(place.nodes[i]);
+  std::vector<std::size_t> elements;
+  for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
+    const auto nodes = discretization.element_nodes(e);
+    if (std::ranges::all_of(on, [&](std::int64_t node) { return std::ranges::find(nodes, node) != nodes.end(); }))
+      elements.push_back(e);
+  }
+  return elements;
 }
 
 }  // namespace creepcontact::results

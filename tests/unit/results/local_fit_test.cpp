@@ -21,7 +21,7 @@ template <typename Field>
 double fitted(const mechanics::Discretization& discretization, const mesh::Mesh& mesh, std::size_t element,
               const Vector3& at, const Field& field) {
   double value = 0;
-  for (const auto& [point, weight] : local_fit(discretization, mesh, element, at))
+  for (const auto& [point, weight] : local_fit(discretization, mesh, {&element, 1}, at))
     value += weight * field(discretization.point_coordinates()[point]);
   return value;
 }
@@ -82,11 +82,33 @@ TEST(LocalFitOfOneLayer, PlacesThatDoNotDifferAcrossItTellNothingOfThatDirection
       box_mesh(mesh::CellType::hex8, {8, 5, 1}, {60, 0.5, 2.1}),
       [](const Vector3& x) { return Vector3((60 + x.x()) * std::cos(x.y()), (60 + x.x()) * std::sin(x.y()), x.z()); });
   const mechanics::Discretization discretization(mesh);
+  const std::size_t element = 17;
   for (const double angle : {0.21, 0.24, 0.27}) {
     const Vector3 at(71 * std::cos(angle), 71 * std::sin(angle), 1.05);
     double weights = 0;
-    for (const auto& [point, weight] : local_fit(discretization, mesh, 17, at)) weights += std::abs(weight);
+    for (const auto& [point, weight] : local_fit(discretization, mesh, {&element, 1}, at)) weights += std::abs(weight);
     EXPECT_LT(weights, 4) << angle;
+  }
+}
+
+/// At a node the fit does not depend on the element in which the place was found.
+TEST(LocalFitAtANode, IsThatOfAllElementsAround) {
+  for (const mesh::CellType type : {mesh::CellType::tet10, mesh::CellType::hex20, mesh::CellType::wedge15}) {
+    const mesh::Mesh mesh = box_mesh(type, {4, 4, 4}, lengths, Vector3::Zero(), 0.1);
+    const mechanics::Discretization discretization(mesh);
+    const std::int64_t node = mesh.blocks[0].cell(discretization.n_elements() / 2)[0];
+    std::vector<std::vector<std::pair<std::size_t, double>>> fits;
+    for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
+      const auto nodes = discretization.element_nodes(e);
+      const auto found = std::ranges::find(nodes, node);
+      if (found == nodes.end()) continue;
+      PointLocation place{
+          .element = e, .nodes = {nodes.begin(), nodes.end()}, .weights = std::vector<double>(nodes.size())};
+      place.weights[static_cast<std::size_t>(found - nodes.begin())] = 1;
+      fits.push_back(local_fit(discretization, mesh, elements_at(discretization, place), mesh.nodes[node]));
+    }
+    ASSERT_GT(fits.size(), 1u);
+    for (const auto& fit : fits) EXPECT_EQ(fit, fits[0]) << mesh::name(type);
   }
 }
 
