@@ -5,18 +5,17 @@
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/mesh/axis.hpp"
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
 namespace {
 
 constexpr double nearest_node_tolerance = 1e-6;  // of the model size
-constexpr double on_axis = 1e-9;                 // of the largest radius
 
+/// @param nodes  ascending
 bool lies_on_axis(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes) {
-  double largest = 0;
-  for (const Vector3& x : mesh.nodes) largest = std::max(largest, x.x());
-  return std::ranges::all_of(nodes, [&](std::int64_t node) { return mesh.nodes[node].x() <= on_axis * largest; });
+  return std::ranges::includes(mesh::axis_nodes(mesh), nodes);
 }
 
 /// Adds one [[loads]] entry to the bodies it acts on, by kind.

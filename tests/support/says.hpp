@@ -3,11 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace creepcontact::test {
+
+/// What a library error of kind E says, or "nothing was thrown".
+template <typename E>
+std::string message_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const E& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
 
 /// EXPECT_TRUE(says(message, {"case.toml:3:1", "'botom'", "'bottom'"})): all of them, in this order.
 inline testing::AssertionResult says(const std::string& message, std::initializer_list<std::string_view> facts) {

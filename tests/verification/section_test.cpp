@@ -412,15 +412,6 @@ TEST(PlaneStress, ContactOfPlatesOfDifferentThickness) {
   }
 }
 
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 // A load on the axis has no area to act on.
 TEST(SectionForces, LoadsOnTheAxisAreRefused) {
   const test::CaseDirectory directory(test::regions_geo({{"shaft", {0, 3, 3}, {0, 1, 2}}}));
@@ -428,7 +419,7 @@ TEST(SectionForces, LoadsOnTheAxisAreRefused) {
                              test::support("shaft_y0", "y") + "[time]\nend = 1\n";
   for (const char* load : {"on = \"shaft_x0\"\npressure = 3\n", "at = [0, 1, 0]\nforce = [1, 0, 0]\n"}) {
     const std::string message =
-        error_of([&] { model::build_model(directory.config(common + "[[loads]]\n" + load, {})); });
+        test::message_of<ModelError>([&] { model::build_model(directory.config(common + "[[loads]]\n" + load, {})); });
     EXPECT_TRUE(test::says(message, {"loads[0]", "axis"}));
   }
   EXPECT_NO_THROW(model::build_model(directory.config(common + "[[loads]]\nat = [0, 1, 0]\nforce = [0, -1, 0]\n", {})));

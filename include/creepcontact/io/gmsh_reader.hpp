@@ -29,7 +29,7 @@ struct GmshOptions {
 /// dimensions. The result depends only on file and options: one thread, default random seed, blocks ordered by cell
 /// type, cells by tag.
 /// @throws ModelError if the file cannot be read or meshed, with the errors of Gmsh, or with its last output if it
-/// crashed or was ended for time, memory or a forbidden statement. Also as import_msh and require_section.
+/// crashed or was ended for time, memory or a forbidden statement. Also as import_msh.
 /// @throws ConfigError for options that do not fit the file: an order other than 1 or 2, parameters for a .msh, or a
 /// parameter that is not a constant of the .geo (listing the existing ones)
 mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& options = {});

@@ -151,11 +151,12 @@ void ContactEdge::continue_inwards(std::vector<std::pair<int, Vector3>> known, E
     double weight = 0, distance = 0;
     Vector3 outward = Vector3::Zero();
   };
+  const double far = far_distance();
   for (int ring = 0; ring < 2; ++ring) {
     std::map<int, Sum> sums;
     for (const auto& [row, outward] : known)
       for (const int other : grid_.around(row)) {
-        if (distance[other] < far_distance()) continue;
+        if (distance[other] < far) continue;
         const Vector3 inwards = grid_.position(row) - grid_.position(other);
         const double depth = outward.dot(inwards);
         if (!(depth > 0)) continue;

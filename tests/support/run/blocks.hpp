@@ -14,6 +14,7 @@
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/results/snapshot.hpp"
 #include "creepcontact/run/vocabulary.hpp"
+#include "support/says.hpp"
 #include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::run::test {
@@ -21,8 +22,8 @@ namespace creepcontact::run::test {
 using namespace creep;    // NOLINT(google-build-using-namespace): tests of all modules of a run
 using namespace model;    // NOLINT(google-build-using-namespace)
 using namespace results;  // NOLINT(google-build-using-namespace)
+using creepcontact::test::message_of;
 using io::test::contains;
-using io::test::message_of;
 using io::test::read_text;
 
 /// Groups: volumes "lower", "upper"; surfaces "bottom", "top", "symmetry_x|y" (x = 0, y = 0), "side_x|y" (opposite),

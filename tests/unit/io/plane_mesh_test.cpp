@@ -33,7 +33,9 @@ void expect_in_order(const mesh::Mesh& mesh) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vector3 side = at((i + 1) % n) - at(i), next = at((i + 2) % n) - at(i);
     EXPECT_GT(side.x() * next.y() - side.y() * next.x(), 0) << mesh::name(block.type);
-    if (mesh::order(block.type) == 2) EXPECT_EQ(at(n + i), (at(i) + at((i + 1) % n)) / 2) << mesh::name(block.type);
+    if (mesh::order(block.type) == 2) {
+      EXPECT_EQ(at(n + i), (at(i) + at((i + 1) % n)) / 2) << mesh::name(block.type);
+    }
   }
 }
 

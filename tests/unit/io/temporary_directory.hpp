@@ -11,6 +11,7 @@
 #include <string>
 
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::io::test {
 
@@ -46,15 +47,6 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// What a library error of kind E says, or "nothing was thrown".
-template <typename E>
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const E& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+using creepcontact::test::message_of;
 
 }  // namespace creepcontact::io::test

@@ -78,8 +78,9 @@ TEST_P(Sections, UniformStrainIsExactAndInEquilibrium) {
 
   std::vector<double> forces(3 * mesh.nodes.size(), 0.0);
   body.add_internal_force(found, forces);
-  if (mesh.axial_node >= 0)
+  if (mesh.axial_node >= 0) {
     EXPECT_NEAR(forces[3 * mesh.axial_node + 2], expected[2] * width * height * thickness, 1e-12 * largest(forces));
+  }
   for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
     const Vector3& x = mesh.nodes[i];
     const bool inside =

@@ -12,6 +12,9 @@
 namespace creepcontact::mesh {
 namespace {
 
+using creepcontact::test::message_of;
+using creepcontact::test::says;
+
 using Indices = std::vector<std::int64_t>;
 
 // Two unit hexahedra on top of each other, sharing the nodes 4..7; groups "lower", "upper" and their surfaces.
@@ -35,15 +38,6 @@ Mesh two_blocks() {
   return mesh;
 }
 
-std::string message(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -61,18 +55,18 @@ TEST(Mesh, FindsGroups) {
 
 TEST(Mesh, MissingGroupSuggestsTheNearestAndListsThoseOfItsDimension) {
   const Mesh mesh = two_blocks();
-  EXPECT_TRUE(creepcontact::test::says(message([&] { mesh.group("botom", 2); }),
-                                       {"physical surface 'botom'", "'bottom'?", "bottom, ends, interface"}));
-  const std::string far = message([&] { mesh.group("symmetry"); });
+  EXPECT_TRUE(says(message_of<ModelError>([&] { mesh.group("botom", 2); }),
+                   {"physical surface 'botom'", "'bottom'?", "bottom, ends, interface"}));
+  const std::string far = message_of<ModelError>([&] { mesh.group("symmetry"); });
   EXPECT_FALSE(contains(far, "did you mean"));
   EXPECT_TRUE(contains(far, "bottom, edge, ends, interface, lower, upper"));
-  EXPECT_TRUE(creepcontact::test::says(message([&] { Mesh().group("x", 3); }), {"physical volume 'x'", "none"}));
+  EXPECT_TRUE(says(message_of<ModelError>([&] { Mesh().group("x", 3); }), {"physical volume 'x'", "none"}));
 }
 
 TEST(Mesh, GroupOfAnotherDimensionIsNamed) {
   const Mesh mesh = two_blocks();
-  EXPECT_TRUE(creepcontact::test::says(message([&] { mesh.group("bottom", 3); }),
-                                       {"'bottom'", "surface", "volume", "lower, upper"}));
+  EXPECT_TRUE(says(message_of<ModelError>([&] { mesh.group("bottom", 3); }),
+                   {"'bottom'", "surface", "volume", "lower, upper"}));
 }
 
 TEST(Mesh, GroupNodesAreDistinctAndAscending) {
@@ -105,11 +99,12 @@ TEST(Extract, JoinsRegionsWithoutDoublingCells) {
 }
 
 TEST(Extract, MissingOrWrongRegionIsAnError) {
-  EXPECT_TRUE(contains(message([] { extract(two_blocks(), {"uper"}); }), "did you mean 'upper'?"));
-  EXPECT_TRUE(contains(message([] { extract(two_blocks(), {"bottom"}); }), "is a physical surface, not a volume"));
+  EXPECT_TRUE(contains(message_of<ModelError>([] { extract(two_blocks(), {"uper"}); }), "did you mean 'upper'?"));
+  EXPECT_TRUE(contains(message_of<ModelError>([] { extract(two_blocks(), {"bottom"}); }),
+                       "is a physical surface, not a volume"));
   Mesh empty = two_blocks();
   empty.groups["hollow"] = {"hollow", 3, {}};
-  EXPECT_EQ(message([&] { extract(empty, {"hollow"}); }), "physical volume 'hollow' has no cells");
+  EXPECT_EQ(message_of<ModelError>([&] { extract(empty, {"hollow"}); }), "physical volume 'hollow' has no cells");
 }
 
 // A tetrahedron in a bent interface: the neighbour's face (1, 2, 3) has its nodes in the body but is no face of it.
@@ -146,15 +141,16 @@ TEST(BoundaryFaces, FacesOfNoElementAreCounted) {
 }
 
 TEST(BoundaryFaces, SurfaceInsideTheBodyIsAnError) {
-  EXPECT_TRUE(contains(message([] { boundary_faces(two_blocks(), "interface"); }), "lies inside the body"));
+  EXPECT_TRUE(
+      contains(message_of<ModelError>([] { boundary_faces(two_blocks(), "interface"); }), "lies inside the body"));
 }
 
 TEST(BoundaryFaces, SurfaceCellThatIsNoFaceIsAnError) {
   Mesh mesh = two_blocks();
   mesh.blocks[1].connectivity = {0, 1, 6, 7};
   mesh.groups = {{"cut", {"cut", 2, {{1, 0}}}}};
-  EXPECT_TRUE(creepcontact::test::says(message([&] { boundary_faces(mesh, "cut"); }),
-                                       {"'cut'", "quad4", "(0.5, 0.5, 0.5)", "volume"}));
+  EXPECT_TRUE(says(message_of<ModelError>([&] { boundary_faces(mesh, "cut"); }),
+                   {"'cut'", "quad4", "(0.5, 0.5, 0.5)", "volume"}));
 }
 
 // Surface cells of order 1 on quadratic cells: the faces come with the cell's own mid nodes.
