@@ -10,10 +10,12 @@
 namespace creepcontact {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Dimension>, 6> names{{{"time", Dimension::time},
+constexpr std::array<std::pair<std::string_view, Dimension>, 8> names{{{"time", Dimension::time},
                                                                        {"length", Dimension::length},
                                                                        {"area", Dimension::area},
                                                                        {"force", Dimension::force},
+                                                                       {"moment", Dimension::moment},
+                                                                       {"energy", Dimension::energy},
                                                                        {"stress", Dimension::stress},
                                                                        {"temperature", Dimension::temperature}}};
 
@@ -62,6 +64,10 @@ std::string name_of(Dimension dimension) {
 }
 
 std::string unit_of(Dimension dimension, const std::string& units) {
+  if (dimension == Dimension::moment || dimension == Dimension::energy) {
+    const std::string force = unit_of(Dimension::force, units), length = unit_of(Dimension::length, units);
+    return force.empty() || length.empty() ? "" : force + "·" + length;
+  }
   const Words known = known_units(dimension);
   for (const std::string& word : words(units)) {
     if (std::ranges::count(known, word) == 0) continue;

@@ -95,6 +95,9 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
     context.errors.add(item.child("gap").location,
                        "has no effect on a tied contact, which joins the surfaces as they are in the mesh",
                        "no gap, or type = \"unilateral\"");
+  if (keys.type == ContactType::tied && !keys.friction.is_zero())
+    context.errors.add(item.child("friction").location, "has no effect on a tied contact, which never slides",
+                       "no friction, or type = \"unilateral\"");
   if (!keys.between[0].given()) return std::nullopt;  // reported
   const std::string& first = keys.between[0].name;
   const std::string& second = keys.between[1].name;
@@ -121,13 +124,15 @@ Value<Contact> contact_table() {
       field<ContactKeys>("between", &ContactKeys::between, two_surfaces(), "the two surfaces, of two different bodies",
                          Presence::required),
       field<ContactKeys>("type", &ContactKeys::type, type,
-                         "`\"unilateral\"`: may open and slide without friction; `\"tied\"`: does neither"),
+                         "`\"unilateral\"`: may open and slide; `\"tied\"`: does neither"),
       field<ContactKeys>("slave", &ContactKeys::slave_name, slave,
                          "the slave surface: the contact pressures (multipliers) are unknowns at its nodes"),
       field<ContactKeys>("gap", &ContactKeys::initial_gap, gap_value(),
                          "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh; "
                          "unilateral contacts only")
           .in("length"),
+      field<ContactKeys>("friction", &ContactKeys::friction, function({"x", "y", "z", "t", "T"}, at_least(0)),
+                         "coefficient of Coulomb friction; unilateral contacts only"),
   });
   return converted<Contact>(keys, make_contact);
 }
@@ -153,6 +158,11 @@ Value<ContactSolver> contact_solver_table() {
       field<ContactSolver>("max_iterations", &ContactSolver::max_iterations, integer(1, 1'000'000),
                            "largest number of iterations on one active set")
           .changeable(),
+      field<ContactSolver>("friction", &ContactSolver::friction, choice<settings::FrictionMethod>("method"),
+                           "with friction: semismooth Newton method, or Tresca's law iterated by the Schwarz method; "
+                           "sweeps (`acceleration` other than `\"cg\"`) always take the latter"),
+      field<ContactSolver>("initial_substeps", &ContactSolver::initial_substeps, integer(1, 10'000),
+                           "with friction: number of proportional steps in which the loads of t = 0 are applied"),
       field<ContactSolver>("dense_limit_mb", &ContactSolver::dense_limit_mb, number(at_least(0)),
                            "memory [MB] allowed for the matrices of the contact zones; if they need more, contact is "
                            "solved without them, by iterations with the factorised stiffness")

@@ -61,6 +61,9 @@ bool by_temperature(const Rupture& rupture) {
 /// Without [temperature] a material is at its reference temperature, which must then be the user's choice.
 void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
   if (root.has("temperature")) return;
+  for (const Contact& contact : config.contacts)
+    if (contact.friction.depends_on_temperature())
+      errors.add(contact.location, "'friction' depends on T, but no temperature is given", "with [temperature]");
   const auto report = [&](const Location& where) {
     errors.add(where, "depends on T, but no temperature is given", "with [temperature] or a reference_temperature");
   };

@@ -113,8 +113,8 @@ constexpr std::array words{
     KnownWord{"temperature", "t constant uniform", "the temperature is 'value'"},
 
     // contact
-    KnownWord{"contacts[]", "friction mu friction_coefficient coefficient_of_friction",
-              "not in this version: contact is without friction"},
+    KnownWord{"contacts[]", "mu friction_coefficient coefficient_of_friction",
+              "the coefficient of friction is 'friction'"},
     KnownWord{"contacts[]", "preload pretension",
               "not in this version; a negative 'gap' (an interference) presses the surfaces together"},
     KnownWord{"contacts[]", "interference overlap press_fit", "an interference is a negative 'gap'"},
@@ -127,7 +127,8 @@ constexpr std::array words{
     KnownWord{"contacts[].type=", "bonded glued glue tie no_separation", "surfaces that stay together are 'tied'"},
     KnownWord{"contacts[].type=", "frictionless contact standard sliding",
               "contact that may open and slide is 'unilateral'"},
-    KnownWord{"contacts[].type=", "friction frictional rough", "not in this version: contact is without friction"},
+    KnownWord{"contacts[].type=", "friction frictional rough",
+              "contact with friction is 'unilateral', with the coefficient in the key 'friction'"},
     KnownWord{"contact_solver", "maxiter max_iter iterations", "the largest number of iterations is 'max_iterations'"},
     KnownWord{"contact_solver", "penalty stiffness",
               "contact needs no stiffness: remove the key from 'contact_solver'"},

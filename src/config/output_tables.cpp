@@ -57,10 +57,12 @@ void check_axis(const Probe& probe, const Quantity& quantity, const std::vector<
   std::vector<std::string> names;
   for (const Quantity& one : all)
     if (one.cylindrical) names.push_back(one.name);
-  for (const std::string& key : given_keys(item, {"axis", "origin"}))
+  for (const std::string& key : given_keys(item, {"axis", "origin"})) {
+    if (quantity.moment && key == "origin") continue;
     context.errors.add(item.child(key).location,
                        fmt::format("has no meaning for '{}', which is not a cylindrical component", quantity.name),
                        fmt::format("with {}", fmt::join(names, ", ")));
+  }
 }
 
 void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Context& context) {
@@ -120,7 +122,9 @@ Value<Probe> probe_table(const Vocabulary& vocabulary) {
           "axis", &Probe::axis, triple(number()),
           "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "
           "length; in an axisymmetric model always y"),
-      field<Probe>("origin", &Probe::origin, triple(number()), "a point of that axis").in("length"),
+      field<Probe>("origin", &Probe::origin, triple(number()),
+                   "a point of that axis; with `contact_moment_x|y|z` the point that moments refer to")
+          .in("length"),
   });
   return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {
     probe.location = item.location;

@@ -62,12 +62,14 @@ void CondensedInterface::make_operator(Conditions at) {
 CondensedInterface::~CondensedInterface() = default;
 
 void CondensedInterface::make_problem() {
-  for (const Pair& pair : pairs_)
-    for (int r = 0; r < pair.coupling.n_rows(); ++r) {
-      problem_.slave_body.push_back(static_cast<int>(pair.slave_body));
-      problem_.master_body.push_back(static_cast<int>(pair.master_body));
-      problem_.bilateral.push_back(pair.coupling.type == ContactType::tied);
-    }
+  for (const Pair& pair : pairs_) {
+    const AdmissibleSet set = pair.coupling.type == ContactType::tied ? AdmissibleSet::space
+                              : pair.coupling.has_friction()          ? AdmissibleSet::cone
+                                                                      : AdmissibleSet::half_line;
+    const int width = static_cast<int>(pair.coupling.rows_per_node());
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+      problem_.add_node(set, width, static_cast<int>(pair.slave_body), static_cast<int>(pair.master_body));
+  }
   problem_.rigid.setZero(n_rows(), rigid_body_modes_.held().cols());
   problem_.bodies.resize(bodies_.size());
   problem_.rigid_of_body.resize(bodies_.size());
@@ -75,7 +77,8 @@ void CondensedInterface::make_problem() {
 
 void CondensedInterface::make_rows() {
   const auto n_all = static_cast<double>(n_rows());
-  dense_bytes_ = 8 * n_all * n_all;
+  constexpr double factors_of_friction = 2;  // FrictionSystem keeps so many
+  dense_bytes_ = 8 * n_all * n_all * (1 + (problem_.has_friction() ? factors_of_friction : 0));
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const mechanics::Body& body = bodies_[b];
     BodyRows rows;
@@ -86,7 +89,7 @@ void CondensedInterface::make_rows() {
     // Components that are rounding would make unknowns of the whole surface's nodes trailing ones.
     const double least = rows.reduced.nonZeros() > 0 ? no_component * rows.reduced.coeffs().cwiseAbs().maxCoeff() : 0.0;
     rows.reduced.prune([&](auto, auto column, double value) { return std::abs(value) > least && !is_pin[column]; });
-    for (const int row : rows.rows) rows.is_slaves.push_back(problem_.slave_body[row] == static_cast<int>(b));
+    for (const int row : rows.rows) rows.is_slaves.push_back(problem_.node(row).slave_body == static_cast<int>(b));
     sides_[b].trailing = contact_unknowns(rows.reduced);
     const auto n = static_cast<double>(rows.rows.size()), n_trailing = static_cast<double>(sides_[b].trailing.size());
     dense_bytes_ += 8 * (n_trailing * (n + 1.5 * n_trailing) + n * n);  // G, L22 in the factor and copied, F_b
@@ -102,8 +105,8 @@ void CondensedInterface::make_rows() {
 
 void CondensedInterface::condense(std::size_t b) {
   Side& side = sides_[b];
-  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver());
-  problem_.bodies[b].matrix = side.condensed.flexibility();
+  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver(), problem_.has_friction());
+  problem_.bodies[b].matrix = side.condensed.take_flexibility();
 }
 
 void CondensedInterface::sum_flexibilities() {
@@ -130,13 +133,17 @@ std::int64_t CondensedInterface::n_products() const {
 }
 
 InterfaceLoad CondensedInterface::no_load() const {
-  return {Eigen::VectorXd::Zero(n_rows()), Eigen::VectorXd::Zero(rigid_body_modes_.size()),
-          Eigen::VectorXd::Zero(rigid_body_modes_.size()), 0.0};
+  return {Eigen::VectorXd::Zero(n_rows()),
+          Eigen::VectorXd::Zero(rigid_body_modes_.size()),
+          Eigen::VectorXd::Zero(rigid_body_modes_.size()),
+          {},
+          0.0};
 }
 
 InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
   InterfaceLoad load = no_load();
   load.time = t;
+  load.friction = friction(t);
   for (const Pair& pair : pairs_) {
     auto gap = load.gap.segment(pair.first_row, pair.coupling.n_rows());
     gap = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
@@ -157,6 +164,32 @@ InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
   return load;
 }
 
+Friction CondensedInterface::friction(double t) const {
+  Friction result;
+  if (!problem_.has_friction()) return result;
+  result.coefficient.setZero(std::ssize(problem_.nodes));
+  for (const Pair& pair : pairs_)
+    if (pair.coupling.has_friction()) try {
+        result.coefficient.segment(pair.first_node, std::ssize(pair.coupling.nodes)) = pair.friction.at(t);
+      } catch (const ModelError& error) {
+        throw ModelError(fmt::format("contact '{}': {}", pair.name, error.what()));
+      }
+  return result;
+}
+
+Eigen::VectorXd CondensedInterface::unloaded_gap() const {
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(n_rows());
+  for (const Pair& pair : pairs_) {
+    if (pair.coupling.type == ContactType::tied) continue;
+    auto own = gap.segment(pair.first_row, pair.coupling.n_rows());
+    own = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, 0);
+    const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
+    const double overlap = std::max(0.0, -pair.coupling.first_rows(own).cwiseQuotient(area).minCoeff());
+    own(Eigen::seqN(0, area.size(), pair.coupling.rows_per_node())) += overlap * area;
+  }
+  return gap;
+}
+
 void CondensedInterface::add_resultant(std::size_t body, const mechanics::BodyConditions& at,
                                        InterfaceLoad& load) const {
   const std::size_t n_motions = bodies_[body].free_motions().size();
@@ -172,8 +205,9 @@ void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
     if (pair.coupling.type == ContactType::tied) continue;
     double deepest = 0;
     for (const int row : immovable_)
-      if (const Index r = row - pair.first_row; r >= 0 && r < pair.coupling.n_rows())
-        deepest = std::min(deepest, load.gap[row] / pair.coupling.area[r]);
+      if (const Index r = row - pair.first_row;
+          r >= 0 && r < pair.coupling.n_rows() && r % pair.coupling.rows_per_node() == 0)
+        deepest = std::min(deepest, load.gap[row] / pair.coupling.area[r / pair.coupling.rows_per_node()]);
     if (-deepest <= overlap_of_rounding * std::sqrt(pair.coupling.area.front())) continue;
     overlap_warned_ = true;
     log::warning(
@@ -205,26 +239,35 @@ ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   Eigen::VectorXd resultant = rigid_body_modes_.held().transpose() * load.work;
   const Eigen::VectorXd sum = rigid_body_modes_.held().cwiseAbs().transpose() * load.force;
   resultant = (resultant.array().abs() > force_round_off * sum.array()).select(resultant, 0.0);
-  return {load.gap, resultant};
+  return {load.gap, resultant, load.friction};
 }
 
 void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {
+  const std::string motion = rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion);
+  if (problem_.has_friction())
+    throw SlidingOff(fmt::format(
+        "{}: at t = {:.6g} the loads move the assembly along this motion, and neither contact nor friction "
+        "prevents it (generalised force that remains: {:.4g}); add a support, more friction, or a load that "
+        "presses the bodies together",
+        motion, t, unbalanced.force));
   throw ModelError(
       fmt::format("{}: at t = {:.6g} the loads move the assembly along this motion and no contact prevents it; add a "
                   "support, or a load that presses the bodies together",
-                  rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion), t));
+                  motion, t));
+}
+
+Eigen::VectorXd CondensedInterface::trace(std::size_t body, std::span<const double> y) {
+  const BodyRows& rows = rows_[body];
+  if (rows.rows.empty() || y.empty()) return {};
+  if (!large_) return sides_[body].condensed.gaps(y);
+  std::vector<double> u(y.size());
+  factored_[body].solver().backward(y, u);
+  return rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
 }
 
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
-  const BodyRows& rows = rows_[body];
-  if (rows.rows.empty() || y.empty()) return;
-  if (large_) {
-    std::vector<double> u(y.size());
-    factored_[body].solver().backward(y, u);
-    gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
-    return;
-  }
-  gap(rows.rows) += sides_[body].condensed.gaps(y);
+  const Eigen::VectorXd own = trace(body, y);
+  if (own.size() > 0) gap(rows_[body].rows) += own;
 }
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) {

@@ -65,23 +65,31 @@ RigidBodyModes::RigidBodyModes(Bodies bodies, std::span<const Pair> pairs) : bod
   }
   const Index n = n_motions;
   rates_.setZero(n, n);
+  sliding_rates_ = rates_;
   if (n == 0) return;
   Index n_rows = 0;
-  Eigen::VectorXd scale;  // makes gaps of weighted rows, and of those their part in the mean of the pair
+  std::vector<int> resisting;  // rows, without those of friction
+  Eigen::VectorXd scale;       // makes gaps of weighted rows, and of those their part in the mean of the pair
   for (const Pair& pair : pairs) {
     const Index width = pair.coupling.n_rows() / std::ssize(pair.coupling.nodes);
     double total = 0;
     for (const double area : pair.coupling.area) total += area;
     n_rows += pair.coupling.n_rows();
     scale.conservativeResize(n_rows);
-    for (int r = 0; r < pair.coupling.n_rows(); ++r)
+    for (int r = 0; r < pair.coupling.n_rows(); ++r) {
       scale[pair.first_row + r] = 1 / std::sqrt(pair.coupling.area[r / width] * total);
+      if (!pair.coupling.has_friction() || r % width == 0) resisting.push_back(static_cast<int>(pair.first_row) + r);
+    }
   }
   Eigen::MatrixXd rates(n_rows, n);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     rates.middleCols(first_[b], bodies[b].free_motions().size()) = scale.asDiagonal() * gaps(b, pairs);
-  if (n_rows > 0) rates_.topRows(std::min<Index>(n_rows, n)) = linalg::triangular_factor(rates);
-  unconstrained_ = readable_basis(combinations_below(unconstrained_rate, &held_));
+  if (n_rows > 0) {
+    rates_.topRows(std::min<Index>(n_rows, n)) = linalg::triangular_factor(rates);
+    sliding_rates_.topRows(std::min<Index>(std::ssize(resisting), n)) =
+        linalg::triangular_factor(Eigen::MatrixXd(rates(resisting, Eigen::all)));
+  }
+  unconstrained_ = readable_basis(combinations_below(rates_, unconstrained_rate, &held_));
 }
 
 void RigidBodyModes::require_contact(std::span<const Pair> pairs) const {
@@ -98,11 +106,12 @@ void RigidBodyModes::require_contact(std::span<const Pair> pairs) const {
   if (!unheld.empty()) throw ModelError(unheld);
 }
 
-Eigen::MatrixXd RigidBodyModes::combinations_below(double limit, Eigen::MatrixXd* others) const {
-  const auto [values, vectors] = linalg::right_singular_vectors(rates_);
+Eigen::MatrixXd RigidBodyModes::combinations_below(const Eigen::MatrixXd& rates, double limit,
+                                                   Eigen::MatrixXd* others) {
+  const auto [values, vectors] = linalg::right_singular_vectors(rates);
   const Index above = (values.array() >= limit).count();
   if (others != nullptr) *others = vectors.leftCols(above);
-  return vectors.rightCols(rates_.cols() - above);
+  return vectors.rightCols(rates.cols() - above);
 }
 
 Eigen::MatrixXd RigidBodyModes::gaps(std::size_t body, std::span<const Pair> pairs) const {
@@ -151,8 +160,9 @@ std::vector<std::string> RigidBodyModes::describe_unconstrained() const {
 std::vector<std::vector<RigidMotion>> RigidBodyModes::sliding(std::span<const Pair> pairs) const {
   std::vector<std::vector<RigidMotion>> result(pairs.size());
   if (size() == 0) return result;
-  const Eigen::MatrixXd combinations = combinations_below(sliding_rate, nullptr);
-  if (combinations.cols() == unconstrained_.cols()) return result;  // unconstrained already
+  const Eigen::MatrixXd combinations = combinations_below(sliding_rates_, sliding_rate, nullptr);
+  if (combinations.cols() == combinations_below(sliding_rates_, unconstrained_rate, nullptr).cols())
+    return result;  // unconstrained already
   for (std::size_t p = 0; p < pairs.size(); ++p)
     for (Index j = 0; j < combinations.cols(); ++j) {
       const auto part = [&](std::size_t b) {

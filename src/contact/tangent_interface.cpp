@@ -4,19 +4,20 @@ namespace creepcontact::contact {
 
 TangentInterface::TangentInterface(const CondensedInterface& interface,
                                    std::span<const linalg::StiffnessSolver* const> factors, double elastic_scale)
-    : interface_(interface), condensed_(factors.size()), active_set_(problem_) {
+    : interface_(interface),
+      condensed_(factors.size()),
+      problem_(ContactProblem::with_nodes_of(interface.problem())),
+      active_set_(problem_) {
   const ContactProblem& elastic = interface.problem();
-  problem_.slave_body = elastic.slave_body;
-  problem_.master_body = elastic.master_body;
-  problem_.bilateral = elastic.bilateral;
   problem_.rigid = elastic.rigid;
   problem_.total.setZero(n_rows(), n_rows());
   for (std::size_t b = 0; b < factors.size(); ++b) {
     const std::vector<int>& rows = interface.rows(b).rows;
     if (rows.empty()) continue;
     if (factors[b] != nullptr) {
-      condensed_[b] = CondensedRows(interface.rows(b).reduced, interface.trailing(b), *factors[b]);
-      problem_.total(rows, rows) += condensed_[b].flexibility();
+      condensed_[b] =
+          CondensedRows(interface.rows(b).reduced, interface.trailing(b), *factors[b], elastic.has_friction());
+      problem_.total(rows, rows) += condensed_[b].take_flexibility();
     } else {
       problem_.total(rows, rows) += elastic_scale * elastic.bodies[b].matrix;
     }
@@ -28,8 +29,9 @@ void TangentInterface::add_trace(std::size_t body, std::span<const double> y, Ei
   if (!rows.empty()) gap(rows) += condensed_[body].gaps(y);
 }
 
-ContactState TangentInterface::close(const std::vector<int>& active, const Eigen::VectorXd& gap) {
-  return active_set_.solve(active, {gap, {}}).state;
+ContactState TangentInterface::close(const ContactState& at, const Eigen::VectorXd& gap) {
+  // Factors of elastic flexibilities are of no use here.
+  return active_set_.solve_change({{}, {}, at.active, at.nodes, {}}, gap);
 }
 
 void TangentInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {

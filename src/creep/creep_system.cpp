@@ -15,6 +15,8 @@ namespace {
 constexpr double same_gamma = 1.25;
 /// Of the strain that the tolerance stands for: where hardening begins to count.
 constexpr double min_share = 0.3;
+constexpr double near = 0.1;         // of the tolerance: an evaluation that stands for an accepted point
+constexpr double least_step = 1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
@@ -37,7 +39,9 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       layout_(solver.assembly()),
       scale_(solver.assembly(), survey.stress),
       may_start_singular_(survey.singular_start),
-      history_(solver.new_history()) {
+      tolerance_(tolerance),
+      history_(solver.initial_history()),
+      before_(history_) {
   const std::vector<mechanics::Body>& bodies = solver.assembly().bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (layout_.stride(b) > 0)
@@ -66,8 +70,13 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.time = t;
   into.y.assign(y.begin(), y.end());
   layout_.views(into.y, views_);
+  const History& history = has_friction() && t < history_.friction.time ? before_ : history_;
   try {
-    solver_.solve(t, views_, history_, into.equilibrium);
+    solver_.solve(t, views_, history, into.equilibrium);
+  } catch (const contact::SlidingOff& error) {
+    // A trial state of the integrator may slide off where the solution does not.
+    if (!has_friction() || t - history.friction.time <= least_step * t) throw;
+    throw RecoverableError(error.what());
   } catch (const SolverError& error) {
     throw RecoverableError(error.what());
   }
@@ -168,7 +177,7 @@ void CreepSystem::prepare_tangent(double t, std::span<const double> y, double ga
 }
 
 void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) {
-  tangent_->solve(step_.equilibrium.contact.active, r, z);
+  tangent_->solve(step_.equilibrium.contact, r, z);
 }
 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
@@ -228,7 +237,26 @@ std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
   return times;
 }
 
-void CreepSystem::accept(double /*t*/, std::span<const double> /*y*/) {
+bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation& of) const {
+  if (!of.valid || of.time != t) return false;
+  const std::span<const double> scale = scale_.values();
+  double largest = 0;
+  for (std::size_t i = 0; i < y.size(); ++i) largest = std::max(largest, std::abs(y[i] - of.y[i]) / scale[i]);
+  return team().max(largest) <= near * tolerance_;
+}
+
+double CreepSystem::longest_step() const {
+  const SlipHistory& friction = history_.friction;
+  if (!(friction.turning_error > 0) || !(friction.turning_step > 0)) return std::numeric_limits<double>::infinity();
+  constexpr double safety = 0.9, least = 0.2, most = 3;
+  return friction.turning_step * std::clamp(safety * std::cbrt(tolerance_ / friction.turning_error), least, most);
+}
+
+void CreepSystem::accept(double t, std::span<const double> y) {
+  if (has_friction()) {
+    if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
+    before_ = history_;
+  }
   solver_.accept(step_.equilibrium, history_);
   const auto lap = watch_.lap(Part::material);
   scale_.follow(step_.equilibrium);
@@ -241,6 +269,7 @@ void CreepSystem::save(Memory& memory) const {
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
+  before_ = history_;
   scale_.restore(memory.at("strain_scale"));
 }
 

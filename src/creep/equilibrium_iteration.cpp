@@ -107,9 +107,11 @@ void EquilibriumSolver::solve(double t, CreepStrains creep, const History& histo
     refactorize(into.conditions);
     change = {};
   }
-  if (iterate(creep, history, change, into)) return;
-  refactorize(into.conditions);
-  iterate(creep, history, {}, into);
+  if (!iterate(creep, history, change, into)) {
+    refactorize(into.conditions);
+    iterate(creep, history, {}, into);
+  }
+  if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
 }
 
 bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, const StiffnessChange& stiffness,
@@ -119,6 +121,7 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   const contact::InterfaceLoad given = start(creep, history, stiffness, into);
   contact::ContactState from = history.contact;
   from.multiplier /= stiffness.scale;
+  if (stiffness_changes_) from.image.resize(0);  // of other factors, perhaps
   const double contraction = stiffness.rest / (1 - stiffness.rest);
   double before = std::numeric_limits<double>::infinity();
   while (true) {
@@ -150,6 +153,10 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   }
   for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
     assembly_.team().sum({of_motions->data(), static_cast<std::size_t>(of_motions->size())});
+  if (history.friction.slip.size() > 0) {
+    given.gap -= history.friction.slip;
+    given.friction.direction = history.friction.direction;
+  }
   given.work /= stiffness.scale;
   given.force /= stiffness.scale;
   into.displacements.clear();
@@ -213,9 +220,9 @@ double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const con
       auto y = vector(work_[b].factored);
       if (into.stiffness_scale != 1) y /= into.stiffness_scale;
       if (stiffness_changes_ && !into.displacements[b].factored.empty()) y += vector(into.displacements[b].factored);
-      interface_.add_trace(b, work_[b].factored, load.gap);
     }
   }
+  add_traces(load.gap);
   if (interface_.n_rows() > 0) solve_contact(load, from, into);
   backward(into.contact.multiplier);
   double change = 0;

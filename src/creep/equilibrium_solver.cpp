@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "creepcontact/base/index.hpp"
@@ -21,18 +22,75 @@ std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) 
   return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
 }
 
-/// The contact of fixed_contact_solve(), with one active set.
+using Linearization = std::vector<contact::NodeLinearization>;
+
+std::vector<double> packed(const Linearization& nodes) {
+  std::vector<double> values;
+  for (const contact::NodeLinearization& node : nodes)
+    values.insert(values.end(), {static_cast<double>(node.status), node.friction, node.direction.x(),
+                                 node.direction.y(), node.equation.x(), node.equation.y(), node.flexibility});
+  return values;
+}
+
+Linearization unpacked(const std::vector<double>& values) {
+  constexpr std::size_t width = 7;
+  Linearization nodes;
+  for (std::size_t i = 0; i + width <= values.size(); i += width)
+    nodes.push_back({static_cast<contact::ContactStatus>(static_cast<int>(values[i])),
+                     values[i + 1],
+                     {values[i + 2], values[i + 3]},
+                     {values[i + 4], values[i + 5]},
+                     values[i + 6]});
+  return nodes;
+}
+
+std::vector<double> packed(const Eigen::VectorXd& vector) {
+  return {vector.begin(), vector.end()};
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::VectorXd::Map(values.data(), std::ssize(values));
+}
+
+void save_friction(const History& history, Memory& memory) {
+  const SlipHistory& friction = history.friction;
+  memory["contact.nodes"] = packed(history.contact.nodes);
+  memory["contact.image"] = packed(history.contact.image);
+  memory["contact.factored"] = packed(history.contact.factored);
+  memory["friction.slip"] = packed(friction.slip);
+  memory["friction.direction"] = packed(friction.direction);
+  memory["friction.path"] = packed(friction.path);
+  memory["friction.dissipated"] = friction.dissipated;
+  memory["friction.turning"] = {friction.time, friction.turning_error, friction.turning_step};
+}
+
+void restore_friction(const Memory& memory, History& history) {
+  SlipHistory& friction = history.friction;
+  history.contact.nodes = unpacked(memory.at("contact.nodes"));
+  history.contact.image = vector_of(memory.at("contact.image"));
+  history.contact.factored = unpacked(memory.at("contact.factored"));
+  friction.slip = vector_of(memory.at("friction.slip"));
+  friction.direction = vector_of(memory.at("friction.direction"));
+  friction.path = vector_of(memory.at("friction.path"));
+  friction.dissipated = memory.at("friction.dissipated");
+  const std::vector<double>& turning = memory.at("friction.turning");
+  friction.time = turning.at(0);
+  friction.turning_error = turning.at(1);
+  friction.turning_step = turning.at(2);
+}
+
+/// The contact of fixed_contact_solve(), near one state.
 struct ClosedRows {
   contact::CondensedInterface& interface;
   contact::ActiveSetSystem& active_set;
-  const std::vector<int>& active;
+  const contact::ContactState& at;
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
     interface.add_trace(body, y, gap);
   }
   contact::ContactState close(const Eigen::VectorXd& gap) const {
     // Initial strains are in equilibrium with themselves: no resultants.
-    return active_set.solve(active, {gap, {}}).state;
+    return active_set.solve_change(at, gap);
   }
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
     interface.add_multipliers(body, multiplier, y);
@@ -79,6 +137,11 @@ EquilibriumSolver::~EquilibriumSolver() = default;
 
 std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver() const {
   const contact::ContactProblem& problem = interface_.problem();
+  if (problem.has_friction()) {
+    contact::FrictionOptions options{options_.friction, options_.schwarz};
+    if (problem.large != nullptr) options.schwarz.acceleration = contact::SchwarzOptions::Acceleration::cg;
+    return contact::friction_solver(problem, options);
+  }
   if (problem.large == nullptr)
     return options_.use_schwarz ? contact::schwarz_solver(problem, options_.schwarz)
                                 : contact::active_set_solver(problem);
@@ -94,12 +157,19 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
   return contact::schwarz_solver(problem, options);
 }
 
-void EquilibriumSolver::for_each_factor(const std::function<void(std::size_t)>& pass) const {
-  const auto lap = watch_.lap(Part::solve);
+void EquilibriumSolver::for_each_factor(const std::function<void(std::size_t)>& pass, Part part) const {
+  const auto lap = watch_.lap(part);
   const int n_bodies = static_cast<int>(work_.size());
   // One thread cannot use the whole bandwidth of the memory, which is what a pass costs.
 #pragma omp parallel for schedule(dynamic, 1) if (parallel_passes_)
   for (int b = 0; b < n_bodies; ++b) pass(b);
+}
+
+void EquilibriumSolver::add_traces(Eigen::VectorXd& gap) {
+  std::vector<Eigen::VectorXd> traces(work_.size());
+  for_each_factor([&](std::size_t b) { traces[b] = interface_.trace(b, work_[b].factored); }, Part::contact);
+  for (std::size_t b = 0; b < work_.size(); ++b)
+    if (traces[b].size() > 0) gap(interface_.rows(b).rows) += traces[b];
 }
 
 void EquilibriumSolver::forward() {
@@ -108,10 +178,7 @@ void EquilibriumSolver::forward() {
 }
 
 void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
-  {
-    const auto lap = watch_.lap(Part::contact);
-    for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_multipliers(b, multiplier, work_[b].factored);
-  }
+  for_each_factor([&](std::size_t b) { interface_.add_multipliers(b, multiplier, work_[b].factored); }, Part::contact);
   for_each_factor([&](std::size_t b) { interface_.factored(b).solver().backward(work_[b].factored, work_[b].free); });
 }
 
@@ -133,7 +200,7 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
       sides.push_back({&factored.solver(), work_[b].free});
     }
   }
-  ClosedRows rows{interface_, active_set_, at.contact.active};
+  ClosedRows rows{interface_, active_set_, at.contact};
   const contact::ContactState change = fixed_contact_solve(
       sides, interface_.n_rows(), [&](const auto& pass) { for_each_factor(pass); }, rows, watch_);
   const auto lap = watch_.lap(Part::material);
@@ -154,7 +221,107 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
 History EquilibriumSolver::new_history() const {
   History history;
   history.set_changes.assign(assembly_.pairs().size(), 0);
+  if (interface_.problem().has_friction()) {
+    SlipHistory& friction = history.friction;
+    friction.slip.setZero(interface_.n_rows());
+    friction.direction.setZero(interface_.n_rows());
+    friction.path.setZero(std::ssize(interface_.problem().nodes));
+    friction.dissipated.assign(assembly_.pairs().size(), 0.0);
+  }
   return history;
+}
+
+History EquilibriumSolver::initial_history() {
+  History history = new_history();
+  if (!interface_.problem().has_friction()) return history;
+  Equilibrium at;
+  assembly_.update(0, at.conditions);
+  if (stiffness_change(at.conditions).rest > 0) refactorize(at.conditions);
+  const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
+  // All of it is linear in the loads: one pass serves all substeps.
+  contact::InterfaceLoad full = start(no_creep, history, {}, at);
+  forward();
+  add_traces(full.gap);
+  const Eigen::VectorXd unloaded = interface_.unloaded_gap();
+  const double longest = 1.0 / options_.initial_substeps, shortest = longest / 64;
+  double reached = 0, step = longest;
+  while (reached < 1) {
+    // Equal steps end where they should in spite of round-off.
+    const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
+    contact::InterfaceLoad load = full;
+    load.gap = part * full.gap + (1 - part) * unloaded - history.friction.slip;
+    load.work *= part;
+    load.force *= part;
+    load.friction.direction = history.friction.direction;
+    try {
+      solve_contact(load, history.contact, at);
+    } catch (const SolverError&) {
+      step /= 2;
+      if (step < shortest) throw;
+      continue;
+    } catch (const contact::SlidingOff&) {
+      step /= 2;
+      if (step < shortest) throw;
+      continue;
+    }
+    history.friction = slip_until(at, history);
+    history.contact = at.contact;
+    reached = part;
+    step = std::min(2 * step, longest);
+  }
+  history.friction.turning_error = 0;
+  return history;
+}
+
+SlipHistory EquilibriumSolver::slip_until(const Equilibrium& at, const History& history) const {
+  const contact::ContactProblem& problem = interface_.problem();
+  SlipHistory friction = history.friction;
+  const Eigen::VectorXd& before = history.contact.multiplier;
+  double turned = 0;  // slip times squared angle
+  for (std::size_t p = 0; p < assembly_.pairs().size(); ++p) {
+    const contact::MortarCoupling& coupling = assembly_.pairs()[p].coupling;
+    if (!coupling.has_friction()) continue;
+    const auto first_node = static_cast<std::size_t>(assembly_.pairs()[p].first_node);
+    for (std::size_t i = 0; i < coupling.nodes.size(); ++i) {
+      const contact::ContactNode& node = problem.nodes[first_node + i];
+      const contact::ContactStatus status = at.contact.nodes[first_node + i].status;
+      const Index first = node.first_row + 1, n = node.n_rows - 1;
+      const Eigen::VectorXd slip = at.gaps.segment(first, n), traction = at.contact.multiplier.segment(first, n);
+      friction.slip.segment(first, n) += slip;  // an open node slides along, so that slip counts from touching
+      auto direction = friction.direction.segment(first, n);
+      const Eigen::VectorXd old = direction;
+      if (status != contact::ContactStatus::slip) {
+        // At a breakpoint without a jump nothing slips, and rounding decides what a node at the limit is.
+        constexpr double same = 1e-8;
+        const bool unchanged =
+            before.size() > 0 && status == contact::ContactStatus::stick &&
+            (at.contact.multiplier - before).segment(node.first_row, node.n_rows).norm() <= same * traction.norm();
+        if (!unchanged) direction.setZero();
+        continue;
+      }
+      direction.setZero();
+      const double length = slip.norm() / coupling.area[i];
+      friction.path[static_cast<Index>(first_node + i)] += length;
+      // What slips only at the end of the step does so under the traction of the limit, reached before the slip.
+      const bool slipped = before.size() > 0 && old.dot(traction) > 0;
+      const Eigen::VectorXd mean = slipped ? Eigen::VectorXd((traction + before.segment(first, n)) / 2) : traction;
+      friction.dissipated[p] -= mean.dot(slip);
+      if (!(traction.norm() > 0)) continue;
+      direction = traction.normalized();
+      if (old.isZero(0)) continue;
+      const double angle = std::acos(std::clamp(old.dot(direction), -1.0, 1.0));
+      turned = std::max(turned, length * angle * angle);
+    }
+  }
+  constexpr double error_of_turning = 1.0 / 12;  // of the mean direction
+  constexpr double no_step = 1e-9;               // relative to the time: across a breakpoint
+  const double largest = friction.path.size() > 0 ? friction.path.maxCoeff() : 0.0;
+  if (at.time - friction.time > no_step * at.time) {
+    friction.turning_error = largest > 0 ? error_of_turning * turned / largest : 0.0;
+    friction.turning_step = at.time - friction.time;
+  }
+  friction.time = at.time;
+  return friction;
 }
 
 void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
@@ -168,6 +335,7 @@ void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
     if (next != row) ++history.set_changes[p];
     row = next;
   }
+  history.friction = at.friction;
   history.contact = at.contact;
   if (!stiffness_changes_) return;
   std::vector<History::Accepted>& accepted = history.accepted;
@@ -188,6 +356,7 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
   memory["contact.rigid"].assign(contact.rigid.begin(), contact.rigid.end());
   memory["contact.active"].assign(contact.active.begin(), contact.active.end());
   memory["contact.sweeps_given_up"] = {contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
+  if (history.friction.slip.size() > 0) save_friction(history, memory);
   if (!stiffness_changes_) return;
   for (std::size_t b = 0; b < work_.size(); ++b)
     memory["stiffness.factor_times"].push_back(interface_.factored(b).time());
@@ -204,15 +373,12 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
 }
 
 void EquilibriumSolver::restore(const Memory& memory, History& history) {
-  const auto vector = [&](const char* name) {
-    const std::vector<double>& values = memory.at(name);
-    return Eigen::VectorXd(Eigen::VectorXd::Map(values.data(), values.size()));
-  };
-  history.contact.multiplier = vector("contact.multiplier");
-  history.contact.rigid = vector("contact.rigid");
+  history.contact.multiplier = vector_of(memory.at("contact.multiplier"));
+  history.contact.rigid = vector_of(memory.at("contact.rigid"));
   const std::vector<double>& active = memory.at("contact.active");
   history.contact.active.assign(active.begin(), active.end());
   if (memory.at("contact.sweeps_given_up").at(0) != 0) contact_solver_->give_up_sweeps();
+  if (interface_.problem().has_friction()) restore_friction(memory, history);
   history.accepted.clear();
   if (!stiffness_changes_) return;
   const std::vector<double>& factor_times = memory.at("stiffness.factor_times");

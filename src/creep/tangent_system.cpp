@@ -11,17 +11,17 @@
 namespace creepcontact::creep {
 namespace {
 
-/// The contact of fixed_contact_solve(), with one active set.
+/// The contact of fixed_contact_solve(), near one state.
 struct TangentContact {
   contact::TangentInterface& interface;
-  const std::vector<int>& active;
+  const contact::ContactState& at;
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
     interface.add_trace(body, y, gap);
   }
   contact::ContactState close(const Eigen::VectorXd& gap) const {
     try {
-      return interface.close(active, gap);
+      return interface.close(at, gap);
     } catch (const SolverError& error) {
       throw RecoverableError(error.what());
     }
@@ -86,7 +86,7 @@ void TangentSystem::for_each_side(const Work& work) {
     if (sides_[b].material) work(b, sides_[b], solver_.assembly().bodies()[b]);
 }
 
-void TangentSystem::solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z) {
+void TangentSystem::solve(const contact::ContactState& contact, std::span<const double> r, std::span<double> z) {
   // Nothing but contact strains an elastic body, and its displacement is not asked for: it takes no part.
   std::vector<FactoredSide> sides(sides_.size());
   {
@@ -101,7 +101,7 @@ void TangentSystem::solve(const std::vector<int>& active, std::span<const double
       sides[b] = {side.factor.get(), side.free};
     });
   }
-  TangentContact rows{*interface_, active};
+  TangentContact rows{*interface_, contact};
   const contact::ContactState change = fixed_contact_solve(
       sides, interface_->n_rows(), [&](const auto& pass) { solver_.for_each_factor(pass); }, rows, watch_);
   const auto lap = watch_.lap(Part::material);

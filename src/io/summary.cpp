@@ -56,6 +56,8 @@ void add_life(const Summary& summary, Json& json) {
                     {"largest_normal_force", contact.normal_force.largest},
                     {"final_normal_force", contact.normal_force.end},
                     {"remaining_fraction", contact.normal_force.remaining()}};
+    if (contact.dissipated_energy) json_contact["dissipated_energy"] = *contact.dissipated_energy;
+    if (contact.largest_slip) json_contact["largest_slip"] = *contact.largest_slip;
     if (contact.opened) json_contact["opened"] = *contact.opened;
   }
 }
@@ -76,6 +78,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;
   json["bodies"] = bodies(summary);
   add_life(summary, json);
+  if (summary.friction_kappa) json["friction_kappa"] = *summary.friction_kappa;
   const auto& seconds = summary.wall_seconds;
   json["wall_seconds"] = {{"total", seconds.total},       {"factorize", seconds.factorize}, {"solve", seconds.solve},
                           {"material", seconds.material}, {"contact", seconds.contact},     {"output", seconds.output}};

@@ -44,6 +44,10 @@ creep::SolverOptions solver_options(const config::Config& config, const Bodies& 
   creep::SolverOptions options;
   options.use_schwarz = config.contact_solver.method == settings::ContactMethod::schwarz;
   options.schwarz = schwarz_options(config.contact_solver, bodies);
+  options.friction = config.contact_solver.friction;
+  const bool sweeps = options.use_schwarz && options.schwarz.acceleration != settings::Acceleration::cg;
+  if (sweeps) options.friction = settings::FrictionMethod::tresca;
+  options.initial_substeps = config.contact_solver.initial_substeps;
   options.dense_limit_mb = config.contact_solver.dense_limit_mb;
   if (config.temperature) options.refactor_change = config.temperature->refactor_change;
   return options;
@@ -103,7 +107,7 @@ Model build_model(const config::Config& config) {
     errors.collect(load.location, [&] { add_load(load, config, whole, meshes, bodies); });
   std::vector<contact::Pair> pairs;
   for (const config::Contact& contact : config.contacts)
-    errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, {})); });
+    errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, {})); });
   errors.raise();
   append_ties(config, shared.value(), bodies, pairs);
   share_axial_strain(config, bodies, pairs);
@@ -113,7 +117,7 @@ Model build_model(const config::Config& config) {
   if (temperature) warn_of_positions_outside(config, bodies, *temperature);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
-    return make_pair(config.contacts[pair], config, all, sliding);
+    return make_pair(config.contacts[pair], config, all, temperature, sliding);
   };
   return {creep::Assembly(std::move(bodies), std::move(pairs), remake), std::move(options), std::move(temperature),
           std::move(times)};

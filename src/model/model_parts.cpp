@@ -118,6 +118,7 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
 }
 
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
+                        const std::optional<mechanics::TemperatureField>& temperature,
                         std::span<const mechanics::RigidMotion> sliding) {
   const std::array<std::size_t, 2> body = contact_bodies(
       contact, config, {bodies_with(bodies, contact.between[0].name), bodies_with(bodies, contact.between[1].name)});
@@ -141,9 +142,17 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.master_surface = surfaces[master].name;
   pair.slave_body = body[slave];
   pair.master_body = body[master];
-  pair.coupling = contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding);
+  pair.coupling =
+      contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding, !contact.friction.is_zero());
   pair.gap = contact.gap;
   pair.geometric_gap = contact.geometric_gap;
+  if (pair.coupling.has_friction()) {
+    std::vector<Vector3> positions;
+    for (const contact::MultiplierNode& node : pair.coupling.nodes)
+      positions.push_back(surfaces[slave].mesh->nodes[node.node]);
+    pair.friction = {contact.friction, temperature, std::move(positions)};
+    pair.friction.at(0);  // an error here names the contact's place in the configuration
+  }
   return pair;
 }
 

@@ -50,6 +50,7 @@ void add_load(const config::Load& load, const config::Config& config, const mesh
 /// The surfaces are on bodies (check_groups).
 /// @param sliding  relative motions that the pair leaves free exactly
 contact::Pair make_pair(const config::Contact& contact, const config::Config& config, const Bodies& bodies,
+                        const std::optional<mechanics::TemperatureField>& temperature,
                         std::span<const mechanics::RigidMotion> sliding);
 
 /// Discontinuities and jumps in time of every function of the configuration, the points of tables, and the user's own

@@ -5,19 +5,35 @@
 #include <limits>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/mesh/cell_faces.hpp"
 
 namespace creepcontact::results {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Mean values; the gap is unknown if one of them is.
+ContactValues mean(std::initializer_list<ContactValues> values) {
+  ContactValues sum;
+  for (const ContactValues& value : values) {
+    sum.pressure += value.pressure;
+    sum.gap += value.gap;
+    sum.traction += value.traction;
+    sum.shear += value.shear;
+    sum.slip += value.slip;
+    sum.status = std::max(sum.status, value.status);
+  }
+  const auto n = static_cast<double>(values.size());
+  return {sum.pressure / n, sum.gap / n, sum.traction / n, sum.shear / n, sum.slip / n, sum.status};
+}
+
 /// Multipliers are linear on triangles and bilinear on quadrilaterals: means of corners at the nodes between them.
-void fill_between_corners(const mesh::Face& face, std::vector<double>& values) {
+void fill_between_corners(const mesh::Face& face, std::vector<ContactValues>& values) {
   const std::size_t corners = mesh::n_corners(face.type);
-  const auto value = [&](std::size_t k) -> double& { return values[face.nodes[k]]; };
+  const auto value = [&](std::size_t k) -> ContactValues& { return values[face.nodes[k]]; };
   for (std::size_t k = corners; k < std::min(2 * corners, face.nodes.size()); ++k)
-    value(k) = 0.5 * (value(k - corners) + value((k - corners + 1) % corners));
-  if (face.type == mesh::CellType::quad9) value(8) = 0.25 * (value(0) + value(1) + value(2) + value(3));
+    value(k) = mean({value(k - corners), value((k - corners + 1) % corners)});
+  if (face.type == mesh::CellType::quad9) value(8) = mean({value(0), value(1), value(2), value(3)});
 }
 
 }  // namespace
@@ -49,23 +65,16 @@ const mesh::Mesh& ContactSurfaces::body(const Surface& surface) const {
 
 ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const creep::Equilibrium& at) const {
   const contact::Pair& contact = pair(surface);
-  const bool tied = contact.coupling.type == contact::ContactType::tied;
-  Values result{std::vector<double>(surface.nodes.size()), std::vector<double>(surface.nodes.size(), unknown)};
+  Values result(surface.nodes.size(), ContactValues{.gap = unknown});
   for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i) {
-    const contact::MultiplierNode& node = contact.coupling.nodes[i];
-    const std::size_t k = std::ranges::lower_bound(surface.nodes, node.node) - surface.nodes.begin();
-    const Index row = contact.first_row + (tied ? 3 * i : i);
-    const double pressure = tied ? node.normal.dot(at.contact.multiplier.segment<3>(row)) : at.contact.multiplier[row];
-    const double gap = tied ? 0.0 : at.gaps[row] / contact.coupling.area[i];
+    const std::size_t k =
+        std::ranges::lower_bound(surface.nodes, contact.coupling.nodes[i].node) - surface.nodes.begin();
+    const ContactValues here = contact_values(contact, i, at);
     // At a crease a node has several multipliers; the one that presses most is shown.
-    if (!std::isnan(result.gap[k]) && std::abs(pressure) <= std::abs(result.pressure[k])) continue;
-    result.pressure[k] = pressure;
-    result.gap[k] = gap;
+    if (!std::isnan(result[k].gap) && std::abs(here.pressure) <= std::abs(result[k].pressure)) continue;
+    result[k] = here;
   }
-  for (const mesh::Face& face : surface.faces) {
-    fill_between_corners(face, result.pressure);
-    fill_between_corners(face, result.gap);
-  }
+  for (const mesh::Face& face : surface.faces) fill_between_corners(face, result);
   return result;
 }
 
@@ -87,15 +96,24 @@ io::FieldMesh ContactSurfaces::mesh() const {
 
 std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibrium& at) const {
   io::FieldData displacement{"displacement", 3, {}}, pressure{"contact_pressure", 1, {}}, gap{"gap", 1, {}};
+  io::FieldData traction{"contact_traction", 3, {}}, shear{"contact_shear", 1, {}}, slip{"slip", 1, {}},
+      status{"contact_status", 1, {}};
   for (const Surface& surface : surfaces_) {
     const std::vector<double>& moved = at.bodies[pair(surface).slave_body].displacement;
     for (const std::int64_t node : surface.nodes)
       displacement.values.insert(displacement.values.end(), moved.begin() + 3 * node, moved.begin() + 3 * node + 3);
-    const Values on_surface = values(surface, at);
-    pressure.values.insert(pressure.values.end(), on_surface.pressure.begin(), on_surface.pressure.end());
-    gap.values.insert(gap.values.end(), on_surface.gap.begin(), on_surface.gap.end());
+    for (const ContactValues& here : values(surface, at)) {
+      pressure.values.push_back(here.pressure);
+      gap.values.push_back(here.gap);
+      traction.values.insert(traction.values.end(), here.traction.begin(), here.traction.end());
+      shear.values.push_back(here.shear);
+      slip.values.push_back(here.slip);
+      status.values.push_back(here.status);
+    }
   }
-  return {displacement, pressure, gap};
+  std::vector<io::FieldData> arrays{displacement, pressure, gap};
+  if (at.friction.slip.size() > 0) arrays.insert(arrays.end(), {traction, shear, slip, status});
+  return arrays;
 }
 
 std::vector<io::FieldData> ContactSurfaces::cell_arrays() const {
@@ -118,11 +136,12 @@ std::vector<io::FieldData> ContactSurfaces::on_bodies(const creep::Equilibrium& 
     const Values on_surface = values(surface, at);
     for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
       const std::size_t node = first_node[pair(surface).slave_body] + static_cast<std::size_t>(surface.nodes[i]);
-      if (std::isnan(on_surface.gap[i]) && on_surface.pressure[i] == 0) continue;
-      if (known[node] && std::abs(on_surface.pressure[i]) <= std::abs(pressure.values[node])) continue;
+      const ContactValues& here = on_surface[i];
+      if (std::isnan(here.gap) && here.pressure == 0) continue;
+      if (known[node] && std::abs(here.pressure) <= std::abs(pressure.values[node])) continue;
       known[node] = true;
-      pressure.values[node] = on_surface.pressure[i];
-      gap.values[node] = std::isnan(on_surface.gap[i]) ? 0.0 : on_surface.gap[i];
+      pressure.values[node] = here.pressure;
+      gap.values[node] = std::isnan(here.gap) ? 0.0 : here.gap;
     }
   }
   return {pressure, gap};

@@ -64,8 +64,9 @@ std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const 
   const Eigen::VectorXd pressure = (multipliers.array() > multiplier_round_off * largest).select(multipliers, 0.0);
   for (const contact::Pair& pair : assembly.pairs()) {
     if (pair.coupling.type == contact::ContactType::tied) continue;
-    const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), pair.coupling.n_rows());
-    const Eigen::VectorXd force = pressure.segment(pair.first_row, pair.coupling.n_rows()).cwiseProduct(area);
+    const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
+    const Eigen::VectorXd force =
+        pair.coupling.first_rows(pressure.segment(pair.first_row, pair.coupling.n_rows())).cwiseProduct(area);
     const contact::ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
     const std::optional<int> width = elements_across(grid, force);
     if (!width || *width >= enough) continue;

@@ -18,9 +18,10 @@ bool is_tied(const contact::Pair& pair) {
 
 /// Sum of pressure times nodal area.
 double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
+  const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
   double force = 0;
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-    force += pair.coupling.area[i] * multipliers[pair.first_row + i];
+    force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
   return force;
 }
 
@@ -58,7 +59,34 @@ Outcome::Outcome(const creep::Assembly& assembly)
     : assembly_(assembly),
       forces_(assembly.pairs().size()),
       opened_(assembly.pairs().size(), never),
-      stresses_(assembly.bodies().size()) {}
+      stresses_(assembly.bodies().size()),
+      dissipated_(assembly.pairs().size(), never),
+      slip_(assembly.pairs().size(), never),
+      slid_far_(assembly.pairs().size(), 0) {}
+
+void Outcome::see_friction(double time, const creep::Equilibrium& at, std::size_t p) {
+  const contact::Pair& pair = assembly_.pairs()[p];
+  const contact::MortarCoupling& coupling = pair.coupling;
+  const mesh::Mesh& slave = assembly_.bodies()[pair.slave_body].mesh();
+  dissipated_[p] = at.friction.dissipated[p];
+  slip_[p] = at.friction.path.segment(pair.first_node, std::ssize(coupling.nodes)).maxCoeff();
+  for (std::size_t i = 0; i < coupling.nodes.size() && slid_far_[p] == 0; ++i) {
+    const double area = coupling.area[i];
+    const Index first = pair.first_row + coupling.row(i) + 1;
+    const double slid = at.friction.slip.segment(first, coupling.rows_per_node() - 1).norm() / area;
+    const double depth = slave.section.depth(slave.nodes[coupling.nodes[i].node]);
+    const double size = slave.section.dimension() == 3 ? std::sqrt(area) : area / depth;
+    const bool is_closed =
+        at.contact.nodes[static_cast<std::size_t>(pair.first_node) + i].status != contact::ContactStatus::open;
+    if (!is_closed || slid <= size) continue;
+    slid_far_[p] = 1;
+    log::warning(
+        "contact '{}': at t = {:.6g} the surfaces have slid by {:.4g}, more than an element ({:.4g}); contact is "
+        "between "
+        "nodes and faces where they are in the mesh, so results are doubtful from here on",
+        pair.name, time, slid, size);
+  }
+}
 
 void Outcome::output(double time, const creep::Equilibrium& at) {
   const bool is_first = !started_;
@@ -72,6 +100,7 @@ void Outcome::output(double time, const creep::Equilibrium& at) {
       opened_[p] = never;
     else if (forces_[p].largest > 0 && std::isnan(opened_[p]))
       opened_[p] = time;
+    if (pair.coupling.has_friction()) see_friction(time, at, p);
   }
   for (std::size_t b = 0; b < stresses_.size(); ++b)
     add(assembly_.team().max(largest_von_mises(at.bodies[b].stress)), is_first, stresses_[b]);
@@ -94,6 +123,8 @@ void Outcome::fill(io::Summary& summary) const {
     if (is_tied(pair)) continue;
     io::Summary::Contact& contact = summary.contacts[pair.name];
     contact.normal_force = forces_[p];
+    if (!std::isnan(dissipated_[p])) contact.dissipated_energy = dissipated_[p];
+    if (!std::isnan(slip_[p])) contact.largest_slip = slip_[p];
     if (!std::isnan(opened_[p])) contact.opened = opened_[p];
   }
 }

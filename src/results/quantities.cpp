@@ -160,6 +160,25 @@ std::vector<OutputVariable> make_variables() {
                  .label = "gap",
                  .dimension = "length",
                  .location = Location::contact_gap});
+  all.push_back({.name = "contact_shear",
+                 .components = {},
+                 .description = "magnitude of the tangential traction in contact; the same on both surfaces of a pair",
+                 .label = "contact shear",
+                 .dimension = "stress",
+                 .location = Location::contact_shear});
+  all.push_back({.name = "slip",
+                 .components = {},
+                 .description = "accumulated slip of contacts with friction: length of the path along which the "
+                                "surfaces have slid while in contact",
+                 .label = "slip",
+                 .dimension = "length",
+                 .location = Location::contact_slip});
+  all.push_back({.name = "contact_status",
+                 .components = {},
+                 .description = "0: open, 1: sticks, 2: slips (always, where there is no friction)",
+                 .label = "contact status",
+                 .dimension = "",
+                 .location = Location::contact_status});
   all.push_back({.name = "contact_area",
                  .components = {},
                  .description = "area in contact; its edge is located between the nodes",
@@ -172,6 +191,13 @@ std::vector<OutputVariable> make_variables() {
                  .label = "contact force",
                  .dimension = "force",
                  .location = Location::contact_force});
+  all.push_back({.name = "contact_moment",
+                 .components = vector_components,
+                 .description = "resultant moment of the contact forces on the body of this surface about the probe's "
+                                "`origin`, with the nodes where they are in the mesh",
+                 .label = "contact moment",
+                 .dimension = "moment",
+                 .location = Location::contact_moment});
   all.push_back({.name = "reaction",
                  .components = vector_components,
                  .description = "resultant force of the supports on the body",

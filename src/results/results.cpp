@@ -17,6 +17,9 @@ std::map<std::string, std::string> names_with_units(const std::string& units) {
     if (const std::string unit = unit_of(dimension_of(variable.dimension), units); !unit.empty())
       for (const std::string& name : {variable.name, variable.point_array, variable.cell_array})
         names[name] = fmt::format("{} [{}]", name, unit);
+  names["contact_traction"] =
+      "contact_traction" +
+      (unit_of(Dimension::stress, units).empty() ? "" : " [" + unit_of(Dimension::stress, units) + "]");
   return names;
 }
 

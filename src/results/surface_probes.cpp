@@ -7,6 +7,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/contact_area.hpp"
+#include "creepcontact/results/contact_values.hpp"
 #include "probe_kinds.hpp"
 
 namespace creepcontact::results {
@@ -16,6 +17,11 @@ namespace {
 struct Side {
   std::size_t pair, body;
 };
+
+/// Of the normal rows.
+Eigen::VectorXd of_nodes(const contact::Pair& pair, const Eigen::VectorXd& all_rows) {
+  return pair.coupling.first_rows(all_rows.segment(pair.first_row, pair.coupling.n_rows()));
+}
 
 class AreaProbe final : public Probe {
  public:
@@ -32,9 +38,8 @@ class AreaProbe final : public Probe {
       if (pair.coupling.type == contact::ContactType::tied)
         sum += std::accumulate(pair.coupling.area.begin(), pair.coupling.area.end(), 0.0);
       else
-        sum +=
-            areas_[i].value(snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows()),
-                            snapshot.equilibrium().gaps.segment(pair.first_row, pair.coupling.n_rows()));
+        sum += areas_[i].value(of_nodes(pair, snapshot.equilibrium().contact.multiplier),
+                               of_nodes(pair, snapshot.equilibrium().gaps));
     }
     return sum;
   }
@@ -44,57 +49,74 @@ class AreaProbe final : public Probe {
   std::deque<contact::ContactArea> areas_;  // which are not to be moved
 };
 
-/// Pressure, gap and force.
+/// Values at multiplier nodes, force and moment.
 class ContactProbe final : public Probe {
  public:
-  ContactProbe(std::vector<Side> sides, const Quantity& quantity, config::Reduce reduce)
-      : sides_(std::move(sides)), quantity_(quantity), reduce_(reduce) {}
+  ContactProbe(std::vector<Side> sides, const Quantity& quantity, const config::Probe& probe)
+      : sides_(std::move(sides)),
+        quantity_(quantity),
+        reduce_(probe.reduce),
+        origin_(Eigen::Map<const Vector3>(probe.origin.data())) {}
 
   double value(Snapshot& snapshot) const override {
+    const bool is_field = quantity_.variable->is_contact_field();
     Reduction reduction(reduce_);
-    double force = 0;
+    double resultant = 0;
     for (const Side& side : sides_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
-      if (is_at(Location::contact_force))
-        force += contact_force(snapshot, pair, side.body);
-      else
+      if (is_field)
         add_nodes(snapshot, pair, reduction);
+      else
+        resultant += this->resultant(snapshot, pair, side.body);
     }
     // All members of a team know the state of the contacts.
-    return is_at(Location::contact_force) ? force : reduction.result(serial_team());
+    return is_field ? reduction.result(serial_team()) : resultant;
   }
 
  private:
   using Location = OutputVariable::Location;
-  bool is_at(Location location) const { return quantity_.variable->location == location; }
-
-  void add_nodes(Snapshot& snapshot, const contact::Pair& pair, Reduction& reduction) const {
-    const Eigen::VectorXd& multipliers = snapshot.equilibrium().contact.multiplier;
-    const Eigen::VectorXd& gaps = snapshot.equilibrium().gaps;
-    const bool tied = pair.coupling.type == contact::ContactType::tied;
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-      const double area = pair.coupling.area[i];
-      const Index row = pair.first_row + (tied ? 3 * i : i);
-      const Vector3& normal = pair.coupling.nodes[i].normal;
-      // A tied surface carries a vector: its pressure is the part along the normal (tension negative).
-      const double pressure = tied ? normal.dot(multipliers.segment<3>(row)) : multipliers[row];
-      const double gap = tied ? 0.0 : gaps[row] / area;
-      reduction.add(is_at(Location::contact_pressure) ? pressure : gap, area);
+  static double value_of(Location location, const ContactValues& values) {
+    switch (location) {
+      case Location::contact_pressure:
+        return values.pressure;
+      case Location::contact_shear:
+        return values.shear;
+      case Location::contact_slip:
+        return values.slip;
+      case Location::contact_status:
+        return values.status;
+      default:
+        return values.gap;
     }
   }
 
-  double contact_force(Snapshot& snapshot, const contact::Pair& pair, std::size_t body) const {
+  void add_nodes(Snapshot& snapshot, const contact::Pair& pair, Reduction& reduction) const {
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+      reduction.add(value_of(quantity_.variable->location, contact_values(pair, i, snapshot.equilibrium())),
+                    pair.coupling.area[i]);
+  }
+
+  double resultant(Snapshot& snapshot, const contact::Pair& pair, std::size_t body) const {
     const contact::RowMatrix& rows = pair.slave_body == body ? pair.coupling.slave_rows : pair.coupling.master_rows;
     const Eigen::VectorXd forces =
         rows.transpose() * snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
-    double sum = 0;
-    for (auto i = static_cast<Index>(quantity_.component); i < forces.size(); i += 3) sum += forces[i];
-    return sum;
+    const std::vector<Vector3>& nodes = snapshot.assembly().bodies()[body].mesh().nodes;
+    const bool is_moment = quantity_.variable->location == Location::contact_moment;
+    Vector3 sum = Vector3::Zero();
+    for (Index i = 0; i < forces.size(); i += 3) {
+      const Vector3 force = forces.segment<3>(i);
+      if (is_moment && !force.isZero(0))
+        sum += (nodes[i / 3] - origin_).cross(force);
+      else
+        sum += force;
+    }
+    return sum[quantity_.component];
   }
 
   std::vector<Side> sides_;
   const Quantity& quantity_;
   config::Reduce reduce_;
+  Vector3 origin_;
 };
 
 class ReactionProbe final : public Probe {
@@ -143,7 +165,7 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Mo
   const Quantity& wanted = quantity(probe.quantity);
   if (wanted.variable->location == OutputVariable::Location::contact_area)
     return std::make_unique<AreaProbe>(std::move(sides), model);
-  return std::make_unique<ContactProbe>(std::move(sides), wanted, probe.reduce);
+  return std::make_unique<ContactProbe>(std::move(sides), wanted, probe);
 }
 
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model) {

@@ -25,9 +25,10 @@ std::string element_names(const mesh::Mesh& mesh) {
 
 std::string contact_text(const contact::Pair& pair, const config::Contact& contact, const model::Model& model) {
   std::string text =
-      fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}\n", pair.name,
+      fmt::format("contact '{}': slave '{}' on '{}', master '{}' on '{}', {} multipliers, {}{}\n", pair.name,
                   pair.slave_surface, model.bodies()[pair.slave_body].name(), pair.master_surface,
-                  model.bodies()[pair.master_body].name(), pair.coupling.nodes.size(), gap_text(contact, pair));
+                  model.bodies()[pair.master_body].name(), pair.coupling.nodes.size(), gap_text(contact, pair),
+                  pair.coupling.has_friction() ? ", friction " + contact.friction.text() : "");
   if (const auto warning = gap_warning(model, pair)) text += "  warning: " + *warning + "\n";
   return text;
 }

@@ -50,6 +50,7 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
                                    static_cast<std::int64_t>(body.discretization().n_points()),
                                    {}};
   loop.outcome().fill(summary);
+  summary.friction_kappa = loop.friction_kappa();
   summary.wall_seconds = {watch.total(),
                           watch.seconds(Part::factorize),
                           watch.seconds(Part::solve),

@@ -7,6 +7,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "creepcontact/results/contact_width.hpp"
 
 namespace creepcontact::run {
@@ -116,10 +117,26 @@ void TimeLoop::output(double t, std::span<const double> y) {
     outcome_.output(t, at.equilibrium);
     life_.warn(t, at, at.y);
     table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
+    if (t == 0 || t == config_.time.end) see_uniqueness(at.equilibrium);
     if (t == config_.time.end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium);
     has_output_ = true;
   }
   if (after_output) after_output();
+}
+
+void TimeLoop::see_uniqueness(const creep::Equilibrium& at) {
+  if (!system_.has_friction()) return;
+  const contact::CondensedInterface& interface = system_.solver().interface();
+  const auto kappa = contact::friction_kappa(interface.problem(), interface.friction(at.time), at.contact);
+  if (!kappa) return;
+  if (*kappa > 1 && !(friction_kappa_.value_or(0) > 1))
+    log::warning(
+        "friction: kappa = {:.3g} at t = {:.6g}. Above 1 the bodies may lock, and several states of stick and slip may "
+        "be "
+        "possible under the same loads; the run follows the one that the loading from the unloaded state leads to "
+        "(docs/contact.md)",
+        *kappa, at.time);
+  friction_kappa_ = std::max(friction_kappa_.value_or(0), *kappa);
 }
 
 TimeLoop::End TimeLoop::run() {
@@ -203,7 +220,10 @@ void TimeLoop::outputs_of_step(bool breakpoint) {
     integrator_->interpolate(*next_output_, state_);
     output(*next_output_, state_);
   }
-  if (breakpoint) begin_segment();  // a result at a jump is that after it
+  if (breakpoint) {
+    begin_segment();                                                          // a result at a jump is that after it
+    if (system_.has_friction()) system_.accept(time_, integrator_->state());  // slip in the jump
+  }
   if (breakpoint && integrator_->jumps_with_loads()) integrator_->initialize(time_, integrator_->state());
   if (next_output_ != end && *next_output_ == time_ && time_ == integrator_->time()) {
     output(time_, integrator_->state());
@@ -227,7 +247,8 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     const bool interpolates = integrator_->interpolates() && !config_.time.stop_at_output;
     const bool may_pass_outputs = interpolates || next_output_ == config_.time.output.end();
     const RunCounters before = system_.run_counters();
-    const ode::StepReport report = integrator_->step(may_pass_outputs ? stop : std::min(stop, *next_output_));
+    const double limit = std::min(may_pass_outputs ? stop : std::min(stop, *next_output_), longest_step_end());
+    const ode::StepReport report = integrator_->step(limit);
     settled_ = false;
     time_ = integrator_->time();
     results_->step(report, system_.run_counters() - before, system_.n_active_contacts());
@@ -250,6 +271,29 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   if (observer_ != nullptr) observer_->before_message();
 }
 
+double TimeLoop::longest_step_end() const {
+  const bool is_fixed = config_.time.step.mode == settings::StepMode::fixed;
+  return is_fixed ? std::numeric_limits<double>::infinity() : time_ + system_.longest_step();
+}
+
+void TimeLoop::load_until(double t) {
+  constexpr double shortest = 1e-7;  // of the time
+  double reached = system_.history().friction.time, step = t - reached;
+  while (true) {
+    const double to = step < t - reached ? reached + step : t;
+    try {
+      system_.accept(to, state_);
+    } catch (const RecoverableError&) {  // loads that turn the slip too far at once, or that friction cannot hold
+      step = (to - reached) / 2;
+      if (!(step > shortest * t)) throw;
+      continue;
+    }
+    if (to >= t) return;
+    reached = to;
+    step *= 2;
+  }
+}
+
 void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   const std::vector<double>& breakpoints = model_.breakpoints;
   constexpr double never = std::numeric_limits<double>::infinity();
@@ -257,8 +301,16 @@ void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
     if (interrupt.requested()) return;
     if (checkpoints_.due()) write_checkpoint();
     const double t = *next_output_;
+    if (system_.has_friction())  // its path counts: loads turn and jump at breakpoints
+      for (; next_break_ != breakpoints.end() && *next_break_ <= t; ++next_break_) {
+        system_.begin_segment(-never, *next_break_);
+        load_until(*next_break_);
+        system_.begin_segment(*next_break_, never);
+        system_.accept(*next_break_, state_);
+      }
     const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
     system_.begin_segment(jump ? t : -never, never);
+    if (system_.has_friction()) load_until(t);
     system_.evaluate_step(t, state_);
     output(t, state_);
     system_.accept(t, state_);

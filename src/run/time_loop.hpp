@@ -39,6 +39,8 @@ class TimeLoop {
   RunCounters counters() const;
   const results::Results& results() const { return *results_; }
   const results::DamageMonitor& life() const { return life_; }
+  /// Largest contact::friction_kappa() at the start and the end; nullopt without friction.
+  std::optional<double> friction_kappa() const { return friction_kappa_; }
   const results::Outcome& outcome() const { return outcome_; }
   /// Of the steps since the start or the resume.
   const StepStatistics& step_statistics() const { return step_statistics_; }
@@ -59,6 +61,11 @@ class TimeLoop {
   bool ruptured(double begin_of_step);
   void report_rupture(double time, const creep::CreepSystem::Extreme& where);
   void integrate(const platform::Interrupt& interrupt);
+  void see_uniqueness(const creep::Equilibrium& at);
+  /// Where the turning of slip directions bounds the next step.
+  double longest_step_end() const;
+  /// With friction and without creep: accepts the state at t, in shorter steps where one is too long.
+  void load_until(double t);
   void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
@@ -78,6 +85,7 @@ class TimeLoop {
   RunObserver* observer_;
   results::DamageMonitor life_;
   results::Outcome outcome_;
+  std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   StepStatistics step_statistics_;
   std::vector<std::string> narrow_contacts_;

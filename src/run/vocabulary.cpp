@@ -67,8 +67,8 @@ config::Vocabulary vocabulary() {
     entry.name = quantity.name;
     entry.surface_only = location != Location::field && !quantity.variable->is_axial();
     entry.body_only = quantity.variable->is_axial();
-    entry.sum_only =
-        location == Location::contact_area || location == Location::contact_force || location == Location::reaction;
+    entry.sum_only = quantity.variable->is_resultant();
+    entry.moment = location == Location::contact_moment;
     entry.cylindrical = quantity.variable->cylindrical;
     result.quantities.push_back(entry);
   }

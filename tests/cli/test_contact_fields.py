@@ -59,7 +59,7 @@ class FieldArrays(FieldTest):
         mesh = BoxMesh()
         mesh.add("block", "hex20", (3, 3, 1), lambda x, y, z: (x, y, z))
         mesh.add("punch", "hex20", (1, 1, 1), lambda x, y, z: (1 + x, 1 + y, 1 + z))
-        config = two_bodies("block", "punch", 'between = ["block_z1", "punch_z0"]\nslave = "block_z1"')
+        config = two_bodies("block", "punch", 'between = ["block_z1", "punch_z0"]\nslave = "block_z1"\nfriction = 0.1')
         config += SYMMETRY.format("block")
         config += '[[supports]]\non = "punch_z1"\ndisplacement = { x = 0, y = 0, z = -0.01 }\n'
         config += "[time]\nend = 100\noutput = [1, 10]\n" + DAMAGE

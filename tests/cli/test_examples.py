@@ -63,12 +63,44 @@ class BoltedFlange(ExampleTest):
         self.assertGreater(forces[-1], 1e4)
 
 
+class PressFitTorque(ExampleTest):
+    COARSE = dict(around_shaft=12, around_hub=12, n_length=2, n_hub=2)
+
+    def test_torque_is_that_of_the_load(self):
+        rows = self.history("press_fit_torque.toml", **self.COARSE)
+        self.assertAlmostEqual(rows[0]["torque"], 0, delta=1)
+        for row in rows[1:]:
+            self.expect_close(row["torque"], 2.5e6, 2e-3)
+            self.assertLess(row["torque"], 0.15 * row["pressure"] * 2 * math.pi * 50**2 * 40)
+            self.assertLessEqual(row["shear_max"], 0.15 * 1.5 * row["pressure"])
+
+    def test_slides_off_above_the_limit(self):
+        options = ["contacts[0].friction=0.05", "output.fields=false"]
+        options += [f"mesh.parameters.{key}={value}" for key, value in self.COARSE.items()]
+        done = subprocess.run([PROGRAM, "run", str(CONFIGS / "press_fit_torque.toml"), "--output", str(self.output)] +
+                              [part for option in options for part in ("--set", option)],
+                              cwd=self.directory, capture_output=True, text=True, timeout=100)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("body 'hub': rotation about the axis (0, 0, 1)", done.stderr)
+        self.assertIn("neither contact nor friction prevents it", done.stderr)
+        limit = 0.05 * self.table("history.csv")[0]["pressure"] * 2 * math.pi * 50**2 * 40
+        self.expect_close(self.summary()["time_reached"], limit / 2.5e6, 2e-2)  # the torque grows as min(t, 1)
+
+
 class BladeRoot(ExampleTest):
     def test_flanks_carry_the_blade(self):
         rows = self.history("blade_root.toml", n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1)
         for row in rows:
             self.expect_close(row["force_1"] + row["force_2"], self.pull(), 1e-6)
             self.assertGreater(min(row["force_1"], row["force_2"]), 1e3)
+
+    def test_friction_carries_a_part_of_the_load(self):
+        friction = {f"contacts[{i}].friction": "0.15" for i in (0, 1)}
+        rows = self.history("blade_root.toml", friction, n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1)
+        for row in rows:
+            self.expect_close(row["force_1"] + row["force_2"], self.pull(), 1e-6)
+            self.expect_close(row["pressure_1"], row["force_1"] / (3.5 * 15 * 1.15), 2e-2)  # all of the flank slips
+        self.assertGreater(self.summary()["contacts"]["flank_1"]["dissipated_energy"], 0)
 
     def test_section_carries_the_same(self):
         rows = self.history("blade_root_section.toml", n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2)

@@ -26,17 +26,31 @@ config::Config CaseDirectory::config(const std::string& toml, const std::vector<
   return config::parse(toml, path_ / "case.toml", run::vocabulary(), overrides);
 }
 
-Outcome run_case(const std::string& toml, const std::string& geo, const std::vector<std::string>& overrides,
-                 const std::vector<std::pair<std::string, std::string>>& files) {
-  const CaseDirectory directory(geo);
-  for (const auto& [name, text] : files) std::ofstream(directory.path() / name) << text;
+namespace {
+
+Outcome run_in(const CaseDirectory& directory, const std::string& toml, const std::vector<std::string>& overrides) {
   config::Config config = directory.config(toml, overrides);
   config.output.fields = false;
   const auto results = directory.path() / "results";
   const run::RunResult result = run::run(config, {.output = results.string()});
-  Outcome outcome{result.exit_status, result.message, Table(results / "history.csv"),
-                  SummaryFile(results / "summary.json"), Table(results / "steps.csv")};
+  return {result.exit_status, result.message, Table(results / "history.csv"), SummaryFile(results / "summary.json"),
+          Table(results / "steps.csv")};
+}
+
+}  // namespace
+
+Outcome run_case(const std::string& toml, const std::string& geo, const std::vector<std::string>& overrides,
+                 const std::vector<std::pair<std::string, std::string>>& files) {
+  const CaseDirectory directory(geo);
+  for (const auto& [name, text] : files) std::ofstream(directory.path() / name) << text;
+  Outcome outcome = run_in(directory, toml, overrides);
   EXPECT_EQ(outcome.exit_status, 0) << outcome.message;
+  return outcome;
+}
+
+Outcome run_to_failure(const std::string& toml, const std::string& geo, const std::vector<std::string>& overrides) {
+  Outcome outcome = run_in(CaseDirectory(geo), toml, overrides);
+  EXPECT_NE(outcome.exit_status, 0);
   return outcome;
 }
 

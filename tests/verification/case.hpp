@@ -45,6 +45,9 @@ class CaseDirectory {
 Outcome run_case(const std::string& toml, const std::string& geo, const std::vector<std::string>& overrides = {},
                  const std::vector<std::pair<std::string, std::string>>& files = {});
 
+/// The same for a run that must end early: its exit status and message, and the results up to then.
+Outcome run_to_failure(const std::string& toml, const std::string& geo, const std::vector<std::string>& overrides = {});
+
 /// Relative to the exact value.
 #define EXPECT_RELATIVE(value, exact, tolerance) EXPECT_NEAR((value) / (exact), 1.0, tolerance) << "exact: " << (exact)
 

@@ -15,6 +15,8 @@ namespace creepcontact::test {
 struct ContactPoint {
   Vector3 position, normal;
   double area, pressure, gap;
+  Vector3 shear = Vector3::Zero();  ///< traction on the master body
+  double slip = 0;                  ///< accumulated
 };
 
 struct ContactState {
@@ -26,7 +28,9 @@ struct ContactState {
 std::vector<ContactPoint> contact_points(const contact::Pair& pair, const mesh::Mesh& slave,
                                          const creep::Equilibrium& at);
 
+/// @param accepted  times before t whose states, in this order, the slip of friction has gone through
 ContactState contact_state(const std::string& toml, const std::string& geo,
-                           const std::vector<std::string>& overrides = {}, double t = 0);
+                           const std::vector<std::string>& overrides = {}, double t = 0,
+                           const std::vector<double>& accepted = {});
 
 }  // namespace creepcontact::test

@@ -11,45 +11,12 @@
 namespace creepcontact::test {
 namespace {
 
-/// A full ring of linear hexahedra, unstructured across, with `around` faces on each circle. Groups: volume <name>,
-/// surfaces <name>_inner, <name>_outer.
-std::string full_ring(const std::string& name, double inner, double outer, int around, double thickness) {
-  return fmt::format(R"(
-    c = newp; Point(c) = {{0, 0, 0}}; loops[] = {{}};
-    radius[] = {{{1}, {0}}};
-    For k In {{0:1}}
-      p = newp;
-      For i In {{0:3}}
-        Point(p + i) = {{radius[k]*Cos(i*Pi/2), radius[k]*Sin(i*Pi/2), 0}};
-      EndFor
-      l = newl;
-      For i In {{0:3}}
-        Circle(l + i) = {{p + i, c, p + (i + 1) % 4}};
-      EndFor
-      Transfinite Curve{{l:l + 3}} = {3} + 1;
-      loop = newll; Curve Loop(loop) = {{l:l + 3}}; loops[] += {{loop}};
-    EndFor
-    s = news; Plane Surface(s) = {{loops[]}}; Recombine Surface{{s}};
-    e[] = Extrude {{0, 0, {2}}} {{ Surface{{s}}; Layers{{1}}; Recombine; }};
-    side[] = {{}};
-    For i In {{2:9}}
-      side[] += {{e[i]}};
-    EndFor
-    inside[] = Surface In BoundingBox{{-{0} - 1e-6, -{0} - 1e-6, -1, {0} + 1e-6, {0} + 1e-6, {2} + 1}};
-    inside[] -= {{known[]}}; known[] += {{s, e[0], side[]}}; side[] -= {{inside[]}};
-    Physical Volume("{4}") = {{e[1]}}; Physical Surface("{4}_inner") = {{inside[]}};
-    Physical Surface("{4}_outer") = {{side[]}};
-  )",
-                     inner, outer, thickness, around / 4, name);
-}
-
 /// Two rings that nothing supports: the interference holds them to each other, and they may turn and shift.
 TEST(FloatingRings, PressEachOtherAsLameSays) {
   constexpr double inner = 6, radius = 10, outer = 15, interference = 0.02, modulus = 2e5;
   const double exact = modulus * interference / (2 * std::pow(radius, 3)) * (outer * outer - radius * radius) *
                        (radius * radius - inner * inner) / (outer * outer - inner * inner);
-  const std::string geo = "SetFactory(\"OpenCASCADE\"); known[] = {}; Mesh.MeshSizeMax = 0.6;\n" +
-                          full_ring("shaft", inner, radius, 4 * 8, 0.5) + full_ring("ring", radius, outer, 4 * 11, 0.5);
+  const std::string geo = full_rings_geo({{"shaft", inner, radius, 4 * 8}, {"ring", radius, outer, 4 * 11}}, 0.6, 0.5);
   for (const char* slave : {"shaft_outer", "ring_inner"}) {
     SCOPED_TRACE(slave);
     const std::string toml =

@@ -3,6 +3,45 @@
 #include <fmt/format.h>
 
 namespace creepcontact::test {
+namespace {
+
+std::string full_ring(const std::string& name, double inner, double outer, int around, double thickness) {
+  return fmt::format(R"(
+    c = newp; Point(c) = {{0, 0, 0}}; loops[] = {{}};
+    radius[] = {{{1}, {0}}};
+    For k In {{0:1}}
+      p = newp;
+      For i In {{0:3}}
+        Point(p + i) = {{radius[k]*Cos(i*Pi/2), radius[k]*Sin(i*Pi/2), 0}};
+      EndFor
+      l = newl;
+      For i In {{0:3}}
+        Circle(l + i) = {{p + i, c, p + (i + 1) % 4}};
+      EndFor
+      Transfinite Curve{{l:l + 3}} = {3} + 1;
+      loop = newll; Curve Loop(loop) = {{l:l + 3}}; loops[] += {{loop}};
+    EndFor
+    s = news; Plane Surface(s) = {{loops[]}}; Recombine Surface{{s}};
+    e[] = Extrude {{0, 0, {2}}} {{ Surface{{s}}; Layers{{1}}; Recombine; }};
+    side[] = {{}};
+    For i In {{2:9}}
+      side[] += {{e[i]}};
+    EndFor
+    inside[] = Surface In BoundingBox{{-{0} - 1e-6, -{0} - 1e-6, -1, {0} + 1e-6, {0} + 1e-6, {2} + 1}};
+    inside[] -= {{known[]}}; known[] += {{s, e[0], side[]}}; side[] -= {{inside[]}};
+    Physical Volume("{4}") = {{e[1]}}; Physical Surface("{4}_inner") = {{inside[]}};
+    Physical Surface("{4}_outer") = {{side[]}}; Physical Surface("{4}_ends") = {{s, e[0]}};
+  )",
+                     inner, outer, thickness, around / 4, name);
+}
+
+}  // namespace
+
+std::string full_rings_geo(const std::vector<FullRing>& rings, double size, double thickness) {
+  std::string geo = fmt::format("SetFactory(\"OpenCASCADE\"); known[] = {{}}; Mesh.MeshSizeMax = {};\n", size);
+  for (const FullRing& ring : rings) geo += full_ring(ring.name, ring.inner, ring.outer, ring.around, thickness);
+  return geo;
+}
 
 std::string rings_geo(const std::vector<RingMesh>& rings, double thickness) {
   std::string geo = "SetFactory(\"OpenCASCADE\"); symmetry_x[] = {}; symmetry_y[] = {};\n";

@@ -17,6 +17,16 @@ struct RingMesh {
 /// all.
 std::string rings_geo(const std::vector<RingMesh>& rings, double thickness);
 
+struct FullRing {
+  std::string name;
+  double inner, outer;
+  int around;  ///< faces on each circle, a multiple of 4
+};
+
+/// Slices one element thick, unstructured across. Groups: volume <name>, surfaces <name>_inner, <name>_outer,
+/// <name>_ends. @param size  largest size of an element
+std::string full_rings_geo(const std::vector<FullRing>& rings, double size, double thickness);
+
 /// Symmetry supports, and for plane strain the ends held.
 std::string ring_supports(const std::vector<RingMesh>& rings, bool plane_strain);
 

@@ -5,7 +5,7 @@
 
 namespace creepcontact {
 
-enum class Dimension { none, time, length, area, force, stress, temperature };
+enum class Dimension { none, time, length, area, force, moment, energy, stress, temperature };
 
 /// @param name  as in the tables of keys and output variables: "stress"; unknown or empty: none
 Dimension dimension_of(const std::string& name);

@@ -159,6 +159,7 @@ struct Contact {
   int slave = -1;              ///< 0 or 1: index into `between`; -1: "auto"
   bool geometric_gap = false;  ///< gap = "geometric": measured from the meshes
   Function gap = 0.0;          ///< initial normal distance; negative: interference
+  Function friction = 0.0;     ///< coefficient of friction, of x, y, z, t, T
   Location location;
 };
 

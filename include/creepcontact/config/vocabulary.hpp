@@ -52,6 +52,7 @@ struct Quantity {
   bool body_only = false;     ///< one value per body, in generalised plane strain
   bool sum_only = false;      ///< area, force: only reduce = "sum" is meaningful
   bool cylindrical = false;   ///< component about an axis that the probe may give
+  bool moment = false;        ///< about a point that the probe may give
 };
 
 /// All names known to the program; made by run::vocabulary().

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
@@ -30,10 +31,17 @@ struct InterfaceLoad {
   Eigen::VectorXd gap;    ///< weighted gaps without contact forces, n_rows
   Eigen::VectorXd work;   ///< of the external forces on unit rigid-body modes, RigidBodyModes::size()
   Eigen::VectorXd force;  ///< per rigid-body mode: sum of the absolute external forces on its body, the scale of `work`
+  Friction friction = {};  ///< empty unless the problem has friction
   double time = 0;
 };
 
 class FactoredFlexibility;
+
+/// The loads move a body that only contact with friction holds. Within a run a smaller step may avoid it.
+class SlidingOff : public ModelError {
+ public:
+  using ModelError::ModelError;
+};
 
 /// The condensed contact problem of all bodies, and their factors. Use from one thread at a time.
 class CondensedInterface {
@@ -73,21 +81,30 @@ class CondensedInterface {
   std::span<const std::int64_t> trailing(std::size_t body) const { return sides_[body].trailing; }
 
   /// The load without creep, external forces and contact forces: initial gaps and prescribed displacements.
-  /// @throws ModelError if a gap is not finite
+  /// @throws ModelError if a gap is not finite, or a coefficient of friction is not a number of at least 0
   InterfaceLoad initial_load(double t, Conditions at) const;
+  /// Coefficients of friction; empty unless the problem has friction. @throws ModelError as initial_load()
+  Friction friction(double t) const;
+  /// Weighted distances of the surfaces at t = 0 before loads and interference are applied (n_rows): the given gaps,
+  /// with each pair whose surfaces overlap moved apart until they just touch.
+  Eigen::VectorXd unloaded_gap() const;
   /// A load with all entries zero.
   InterfaceLoad no_load() const;
   /// Adds the work of the external forces of a body on its rigid-body modes.
   void add_resultant(std::size_t body, const mechanics::BodyConditions& at, InterfaceLoad& load) const;
+  /// G^T y2, one entry per row of the body; empty if it has none. May run for several bodies at once. @param y  as
+  /// below
+  Eigen::VectorXd trace(std::size_t body, std::span<const double> y);
   /// gap += G^T y2. @param y  L^-1 P f on all free dofs of the body
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap);
   /// The load in the form the contact solver takes. Warns once if, along an unconstrained mode, the loads are out of
   /// balance by more than 1e-8 of the sum of the forces, as on meshes that are not quite symmetric.
   /// @throws ModelError if they are out of balance by more than 1e-4
   ContactLoad contact_load(const InterfaceLoad& load);
-  /// @throws ModelError naming the bodies and the motion along which the loads drive them
+  /// @throws ModelError naming the bodies and the motion along which the loads drive them; SlidingOff if the problem
+  /// has friction
   [[noreturn]] void report(const UnbalancedLoad& unbalanced, double t) const;
-  /// y2 += G lambda
+  /// y2 += G lambda. May run for several bodies at once.
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y);
   /// displacement (3 n_nodes) += the rigid-body motion of the body. @param rigid  amplitudes, n_motions of the contact
   /// problem

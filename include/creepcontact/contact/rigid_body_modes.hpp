@@ -1,7 +1,7 @@
 #pragma once
 /// Rigid-body modes: the motions of bodies that their own supports leave free, and which of them contact holds. Contact
-/// holds the combinations that open or close gaps. Nothing holds the unconstrained ones, such as a ring turning on its
-/// shaft without friction; they must not be loaded.
+/// holds the combinations that open or close gaps or, with friction, slide. Nothing holds the unconstrained ones, such
+/// as a ring turning on its shaft without friction; they must not be loaded.
 
 #include <span>
 #include <string>
@@ -40,17 +40,18 @@ class RigidBodyModes {
   /// One description per unconstrained mode, without repetitions.
   std::vector<std::string> describe_unconstrained() const;
 
-  /// Motions along which a pair would slide freely if its meshes had no facets (gap rates below 0.3 %), as relative
-  /// motions of the two bodies: one list per pair. If its coupling is built again with these (mortar_coupling), they
-  /// become exactly unconstrained.
+  /// Motions along which a pair would slide freely if it had neither facets (gap rates below 0.3 %) nor friction, as
+  /// relative motions of the two bodies: one list per pair. If its coupling is built again with these
+  /// (mortar_coupling), they become exactly unconstrained.
   std::vector<std::vector<mechanics::RigidMotion>> sliding(std::span<const Pair> pairs) const;
 
  private:
-  Eigen::MatrixXd combinations_below(double limit, Eigen::MatrixXd* others) const;
+  static Eigen::MatrixXd combinations_below(const Eigen::MatrixXd& rates, double limit, Eigen::MatrixXd* others);
 
   Bodies bodies_;
   std::vector<std::size_t> first_;
-  Eigen::MatrixXd rates_;  // triangular; singular values: root-mean-square gap rates of unit combinations
+  Eigen::MatrixXd rates_;          // triangular; singular values: root-mean-square gap rates of unit combinations
+  Eigen::MatrixXd sliding_rates_;  // the same without the tangential rows of contacts with friction
   Eigen::MatrixXd held_, unconstrained_;
 };
 

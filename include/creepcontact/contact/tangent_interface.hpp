@@ -1,6 +1,6 @@
 #pragma once
 /// The contact rows condensed with stiffnesses other than the elastic ones, as in a Newton iteration. Closed rows stay
-/// closed, and open rows do not matter.
+/// closed, open rows do not matter, and nodes that slip or stick go on to do so.
 
 #include <span>
 #include <vector>
@@ -29,10 +29,10 @@ class TangentInterface {
   Index n_rows() const { return problem_.n_rows(); }
   /// gap (n_rows) += G^T y2. @param y  L^-1 P f on all free dofs of a body that has a factor
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const;
-  /// Multipliers and amplitudes of the rigid-body modes that close the gaps of these rows (ascending). The forces that
-  /// opened the gaps have no resultants.
+  /// Multipliers and amplitudes of the rigid-body modes that close the gaps of the rows closed in a state, with its
+  /// friction. The forces that opened the gaps have no resultants.
   /// Cost: as ActiveSetSystem::solve. @throws SolverError if the rows contradict each other
-  ContactState close(const std::vector<int>& active, const Eigen::VectorXd& gap);
+  ContactState close(const ContactState& at, const Eigen::VectorXd& gap);
   /// y2 += G lambda
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const;
 

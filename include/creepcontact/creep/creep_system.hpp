@@ -66,8 +66,8 @@ class CreepSystem final : public ode::System,
                        std::span<double> change) override;
   /// Typical stress / Young's modulus per body (ErrorScale); it follows the stress of the accepted steps.
   std::span<const double> scale() const override { return scale_.values(); }
-  /// Makes the last step evaluation part of the history. It was made at the accepted point or close to it; t and y
-  /// themselves are not used.
+  /// Makes the last step evaluation part of the history. Without friction it may have been made close to the accepted
+  /// point. With friction, whose slip it defines, it is made again unless it is within a tenth of the tolerance.
   void accept(double t, std::span<const double> y) override;
   void forget_evaluations() override;
   ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
@@ -97,6 +97,9 @@ class CreepSystem final : public ode::System,
   /// @throws std::out_of_range if an entry is missing
   void restore(const Memory& memory);
   const History& history() const { return history_; }
+  bool has_friction() const { return history_.friction.slip.size() > 0; }
+  /// Longest next step for which the turning of slip directions stays within the tolerance; infinity without friction.
+  double longest_step() const;
 
   const EquilibriumSolver& solver() const { return solver_; }
   const Assembly& assembly() const { return solver_.assembly(); }
@@ -121,6 +124,7 @@ class CreepSystem final : public ode::System,
  private:
   void solve(double t, std::span<const double> y, Evaluation& into);
   bool is_at(double t, std::span<const double> y, const Evaluation& of) const;
+  bool is_near(double t, std::span<const double> y, const Evaluation& of) const;
   /// The time at which the loads are evaluated for t: t moved inside the segment of begin_segment().
   double load_time(double t) const;
   PointsState points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const;
@@ -140,7 +144,9 @@ class CreepSystem final : public ode::System,
   bool may_start_singular_ = false;
   double segment_begin_ = -std::numeric_limits<double>::infinity();
   double segment_end_ = std::numeric_limits<double>::infinity();
+  double tolerance_;
   History history_;
+  History before_;            // that of the step before: what happens within the last step starts from there
   Evaluation step_, output_;  // each identified by its (time, y)
   std::vector<mechanics::CreepStrainView> views_;
   std::vector<std::vector<double>> stress_change_;

@@ -22,6 +22,18 @@ struct FactoredDisplacement {
   std::vector<double> factored, free;  ///< n_free each
 };
 
+/// Slip of contacts with friction up to some time. Vectors over rows are zero but in tangential rows.
+struct SlipHistory {
+  double time = 0;
+  Eigen::VectorXd slip;            ///< weighted tangential gaps since the unloaded state, per row
+  Eigen::VectorXd direction;       ///< contact::Friction::direction, per row
+  Eigen::VectorXd path;            ///< accumulated slip [length] while in contact, per contact node
+  std::vector<double> dissipated;  ///< energy, per pair
+  /// Error that the turning of the slip direction may cause in a step as long as the last one, relative to the largest
+  /// slip, and the length of that step; 0: it did not turn.
+  double turning_error = 0, turning_step = 0;
+};
+
 /// Elastic equilibrium of all bodies in contact at one time. Owned by the caller of EquilibriumSolver::solve(), which
 /// reuses its memory; it holds no reference to the solver.
 struct Equilibrium {
@@ -29,8 +41,10 @@ struct Equilibrium {
   std::vector<mechanics::BodyConditions> conditions;  ///< one per body
   std::vector<BodyState> bodies;
   contact::ContactState contact;  ///< multipliers (contact pressures), rigid-body modes, rows in contact (ascending)
-  Eigen::VectorXd gaps;           ///< weighted gaps of all contact rows
-  double stiffness_scale = 1;     ///< s: stiffness at this time relative to that of the factors
+  /// Weighted gaps of all contact rows; in tangential rows the slip since the history that the solve started from.
+  Eigen::VectorXd gaps;
+  SlipHistory friction;        ///< what the history becomes if this is accepted; empty without friction
+  double stiffness_scale = 1;  ///< s: stiffness at this time relative to that of the factors
   std::vector<FactoredDisplacement> displacements;  ///< one per body; empty unless the stiffness changes in time
   std::int64_t factors = 0;                         ///< number of the factorisation that `displacements` refer to
 };
@@ -38,6 +52,7 @@ struct Equilibrium {
 /// What evaluations depend on in addition to their arguments. Only accepted steps change it, and checkpoints store it.
 struct History {
   contact::ContactState contact;  ///< of the last accepted step; contact iterations start from it
+  SlipHistory friction;           ///< empty vectors without friction
   struct Accepted {
     double time = 0;
     std::vector<FactoredDisplacement> displacements;

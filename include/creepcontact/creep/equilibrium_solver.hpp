@@ -31,6 +31,8 @@ struct SolverOptions {
   bool use_schwarz = true;  ///< false: active-set method
   contact::SchwarzOptions schwarz;
   double dense_limit_mb = contact::CondensedInterface::unbounded;  ///< bound on dense contact matrices [MB]
+  settings::FrictionMethod friction = settings::ContactSettings{}.friction;
+  int initial_substeps = settings::ContactSettings{}.initial_substeps;  ///< with friction, see initial_history()
   double refactor_change = 0;  ///< largest q (see above) before the stiffness is factored again
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
 };
@@ -63,7 +65,12 @@ class EquilibriumSolver {
 
   /// An empty history for this assembly.
   History new_history() const;
-  /// Makes the equilibrium of an accepted step the start of later contact iterations.
+  /// The history at t = 0. With friction: loads, prescribed displacements and temperatures of t = 0 are applied in
+  /// SolverOptions::initial_substeps proportional steps, and interference is built up by moving the surfaces of the
+  /// pair uniformly into each other. Nothing creeps meanwhile.
+  /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
+  History initial_history();
+  /// Makes the equilibrium of an accepted step the start of later contact iterations and, with friction, of slip.
   void accept(const Equilibrium& at, History& history) const;
   /// Stores the history and the state of this solver that evaluations depend on, for a checkpoint.
   void save(const History& history, Memory& memory) const;
@@ -76,8 +83,8 @@ class EquilibriumSolver {
 
   const Assembly& assembly() const { return assembly_; }
   const contact::CondensedInterface& interface() const { return interface_; }
-  /// Calls pass(body) for every body, in parallel if the factors are large enough to gain by it; timed as Part::solve.
-  void for_each_factor(const std::function<void(std::size_t)>& pass) const;
+  /// Calls pass(body) for every body, in parallel if the factors are large enough to gain by it.
+  void for_each_factor(const std::function<void(std::size_t)>& pass, Part part = Part::solve) const;
 
   /// Elastic solves, contact solves, Schwarz iterations and factorisations since construction.
   RunCounters counters() const;
@@ -112,7 +119,11 @@ class EquilibriumSolver {
                     const mechanics::CreepStrainView& creep, Equilibrium& into) const;
   /// Sets the right-hand sides to the residual F(t) - integral B^T sigma of the last iterate.
   void leave_residual(const Equilibrium& of);
+  /// Slip up to an equilibrium that was solved from this history.
+  SlipHistory slip_until(const Equilibrium& at, const History& history) const;
   void forward();
+  /// gap += the traces of the displacements that forward() left in terms of the factors.
+  void add_traces(Eigen::VectorXd& gap);
   void solve_contact(const contact::InterfaceLoad& load, const contact::ContactState& from, Equilibrium& into);
   void backward(const Eigen::VectorXd& multiplier);
 

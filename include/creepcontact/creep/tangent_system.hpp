@@ -29,10 +29,10 @@ class TangentSystem {
   /// @throws RecoverableError if a tangent stiffness is not positive definite
   /// Cost: per body that creeps an assembly, a factorisation and a condensation of the contact rows.
   void prepare(double gamma, std::span<const PointsState> at, double stiffness_scale);
-  /// Solves for z with the system last prepared, but with this set of closed rows: with the set of earlier steps, a
-  /// Newton iteration would not converge where the contact grows. Cost: as an elastic solve.
+  /// Solves for z with the system last prepared, but with the closed rows and the friction of this state: with those of
+  /// earlier steps, a Newton iteration would not converge where the contact grows. Cost: as an elastic solve.
   /// @param r, z  of size StateLayout::size() @throws RecoverableError if the contact rows contradict each other
-  void solve(const std::vector<int>& active, std::span<const double> r, std::span<double> z);
+  void solve(const contact::ContactState& contact, std::span<const double> r, std::span<double> z);
 
   /// Work since construction: calls of solve(), and factorisations of single bodies.
   std::int64_t solves() const { return solves_; }

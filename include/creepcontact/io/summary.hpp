@@ -46,6 +46,8 @@ struct Summary : RunCounters {
   };
   struct Contact {
     Course normal_force;
+    std::optional<double> dissipated_energy;  ///< by friction, up to the end
+    std::optional<double> largest_slip;       ///< accumulated at the end, the largest over the surface
     std::optional<double> opened;  ///< output time from which on it carries nothing, having carried something
   };
   struct WallSeconds {
@@ -62,6 +64,7 @@ struct Summary : RunCounters {
   std::map<std::string, Largest> damage, life_fraction;  ///< by body, if its material has them
   std::optional<Rupture> rupture;
   std::map<std::string, Contact> contacts;  ///< unilateral contacts, by name
+  std::optional<double> friction_kappa;     ///< largest of start and end; above 1 several states may be possible
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
   std::map<std::string, SummaryProbe> probes;  ///< by name; omitted if empty

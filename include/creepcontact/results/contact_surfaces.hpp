@@ -6,6 +6,7 @@
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
 #include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/results/contact_values.hpp"
 
 namespace creepcontact::results {
 
@@ -18,7 +19,8 @@ class ContactSurfaces {
   bool empty() const { return surfaces_.empty(); }
   /// The faces of all surfaces, surface by surface, with the names of the contacts as text.
   io::FieldMesh mesh() const;
-  /// Nodal arrays displacement, contact_pressure and gap. The gap is NaN where the master is not opposite.
+  /// Nodal arrays displacement, contact_pressure and gap; with friction in the model also contact_traction (vector, on
+  /// the slave), contact_shear, slip and contact_status. The gap is NaN where the master is not opposite.
   std::vector<io::FieldData> point_arrays(const creep::Equilibrium& at) const;
   /// Cell array contact: the number of the pair.
   std::vector<io::FieldData> cell_arrays() const;
@@ -32,9 +34,7 @@ class ContactSurfaces {
     std::vector<std::int64_t> nodes;  ///< numbers in the slave body
     std::vector<mesh::Face> faces;    ///< their nodes are indices into `nodes`
   };
-  struct Values {
-    std::vector<double> pressure, gap;  ///< per entry of Surface::nodes
-  };
+  using Values = std::vector<ContactValues>;  // per entry of Surface::nodes; gap NaN: the master is not opposite
   const contact::Pair& pair(const Surface& surface) const;
   const mesh::Mesh& body(const Surface& surface) const;
   Values values(const Surface& surface, const creep::Equilibrium& at) const;

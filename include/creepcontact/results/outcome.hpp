@@ -19,7 +19,7 @@ class Outcome {
   /// @param assembly  must outlive the object
   explicit Outcome(const creep::Assembly& assembly);
 
-  /// An output time; they come in increasing order.
+  /// An output time; they come in increasing order. Warns once per contact that has slid by more than an element.
   void output(double time, const creep::Equilibrium& at);
 
   /// At the end of a run: warns of unilateral contacts that never carried a force.
@@ -32,11 +32,15 @@ class Outcome {
   void restore(const creep::Memory& memory);
 
  private:
+  void see_friction(double time, const creep::Equilibrium& at, std::size_t pair);
+
   const creep::Assembly& assembly_;
   bool started_ = false;
   std::vector<io::Summary::Course> forces_;    // of every contact pair
   std::vector<double> opened_;                 // time, by pair; NaN: has not opened
   std::vector<io::Summary::Course> stresses_;  // of every body
+  std::vector<double> dissipated_, slip_;      // of every contact pair at the last output; NaN: no friction
+  std::vector<char> slid_far_;                 // by pair: warned of
 };
 
 }  // namespace creepcontact::results

@@ -15,11 +15,15 @@ struct OutputVariable {
     field,             ///< at every point of a body
     contact_pressure,  ///< at the multiplier nodes of a contact surface
     contact_gap,
-    contact_area,   ///< of a contact surface
-    contact_force,  ///< vector, of a contact surface
-    reaction,       ///< vector, of a supported group
-    axial_strain,   ///< of a body in generalised plane strain
-    axial_force     ///< the same
+    contact_shear,
+    contact_slip,
+    contact_status,
+    contact_area,    ///< of a contact surface
+    contact_force,   ///< vector, of a contact surface
+    contact_moment,  ///< the same
+    reaction,        ///< vector, of a supported group
+    axial_strain,    ///< of a body in generalised plane strain
+    axial_force      ///< the same
   };
   std::string name;
   std::vector<std::string> components;  ///< suffixes of their names; empty: a scalar
@@ -35,6 +39,17 @@ struct OutputVariable {
   /// In the field files only if a material has this variable; null: always.
   const material::StateVariable* state_variable = nullptr;
 
+  /// At the multiplier nodes of contact surfaces.
+  bool is_contact_field() const {
+    return location == Location::contact_pressure || location == Location::contact_gap ||
+           location == Location::contact_shear || location == Location::contact_slip ||
+           location == Location::contact_status;
+  }
+  /// Of a whole surface: a sum.
+  bool is_resultant() const {
+    return location == Location::contact_area || location == Location::contact_force ||
+           location == Location::contact_moment || location == Location::reaction;
+  }
   /// One value per body, in generalised plane strain.
   bool is_axial() const { return location == Location::axial_strain || location == Location::axial_force; }
   std::size_t n_components() const { return components.empty() ? 1 : components.size(); }

@@ -25,12 +25,21 @@ constexpr auto names_of(Acceleration) {
                                                 {"cg", Acceleration::cg}});
 }
 
+/// Solution of contact with friction.
+enum class FrictionMethod { newton, tresca };
+constexpr auto names_of(FrictionMethod) {
+  return std::to_array<EnumName<FrictionMethod>>(
+      {{"newton", FrictionMethod::newton}, {"tresca", FrictionMethod::tresca}});
+}
+
 struct ContactSettings {
   ContactMethod method = ContactMethod::schwarz;
   double damping = 1.0;  ///< fraction of each Schwarz sweep that is applied, in (0, 1]
   Acceleration acceleration = Acceleration::cg;
-  double tolerance = 1e-10;      ///< error of the multipliers relative to the largest one
-  int max_iterations = 200;      ///< on one active set
+  double tolerance = 1e-10;  ///< error of the multipliers relative to the largest one
+  int max_iterations = 200;  ///< on one active set
+  FrictionMethod friction = FrictionMethod::newton;
+  int initial_substeps = 32;     ///< with friction: proportional steps in which the loads of t = 0 are applied
   double dense_limit_mb = 2000;  ///< memory for the matrices of the contact zones; beyond it they are not formed
 };
 

@@ -28,9 +28,38 @@ struct FacetSums {
   HatVector integral;  // integral hat_i over the covered part
 };
 
-/// Directions of the rows of the multipliers at the corners of a facet, at one point: the normal there (unilateral), or
-/// three per corner (tied).
+/// Directions of the rows of the multipliers at the corners of a facet, at one point: per corner the normal there and
+/// tangents, if there is friction (unilateral), or three (tied).
 using Directions = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 12>;
+
+/// Tangents of a multiplier. A direction that a support holds comes first: along it nothing moves and nothing slides.
+std::array<Vector3, 2> tangents(const MultiplierNode& at, const mesh::Mesh& mesh,
+                                const mechanics::Constraints& constraints) {
+  constexpr double along_surface = 0.99;
+  const Vector3& normal = at.normal;
+  if (mesh.section.dimension() == 2) return {Vector3(-normal.y(), normal.x(), 0), Vector3(Vector3::UnitZ())};
+  Index least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  Vector3 first = Vector3::Unit(least);
+  const Matrix3 frame = constraints.frame(at.node);
+  for (int k = constraints.n_held(at.node) - 1; k >= 0; --k)
+    if (normal.cross(frame.col(k)).norm() > along_surface) first = frame.col(k);
+  first = (first - normal.dot(first) * normal).normalized();
+  return {first, normal.cross(first)};
+}
+
+/// Weighted gaps of the nodes on the rows of a coupling: zero but on normal ones.
+Eigen::VectorXd normal_gaps(const MortarCoupling& coupling, const Eigen::VectorXd& of_nodes) {
+  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(coupling.n_rows());
+  if (coupling.type != ContactType::tied) gaps(Eigen::seqN(0, of_nodes.size(), coupling.rows_per_node())) = of_nodes;
+  return gaps;
+}
+
+RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
+  RowMatrix matrix(rows, columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
 
 /// Plates of different thickness touch over the smaller one.
 Strip common_strip(const Surface& slave, const Surface& master) {
@@ -42,8 +71,9 @@ Strip common_strip(const Surface& slave, const Surface& master) {
 class Assembler {
  public:
   Assembler(const Surface& slave, const Surface& master, ContactType type,
-            std::span<const mechanics::RigidMotion> sliding)
+            std::span<const mechanics::RigidMotion> sliding, bool friction)
       : type_(type),
+        n_tangents_(friction ? slave.mesh->section.dimension() - 1 : 0),
         slave_facets_(make_facets(*slave.mesh, slave.faces, common_strip(slave, master))),
         master_facets_(make_facets(*master.mesh, master.faces, common_strip(slave, master))),
         normals_(surface_normals(slave_facets_, *slave.constraints)),
@@ -53,6 +83,9 @@ class Assembler {
     covered_.assign(normals_.multipliers.size(), 0.0);
     full_.assign(normals_.multipliers.size(), 0.0);
     geometric_.setZero(normals_.multipliers.size());
+    if (friction)
+      for (const MultiplierNode& node : normals_.multipliers)
+        tangents_.push_back(tangents(node, *slave.mesh, *slave.constraints));
   }
 
   void integrate() {
@@ -79,10 +112,11 @@ class Assembler {
   }
 
   void add_facet(std::size_t f, const std::vector<Segment>& segments);
-  int rows_per_multiplier() const { return type_ == ContactType::tied ? 3 : 1; }
+  int rows_per_multiplier() const { return type_ == ContactType::tied ? 3 : 1 + n_tangents_; }
   Directions directions(std::size_t f, const ContactPoint& point) const;
   void add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point);
   HatMatrix dual_transformation(std::size_t f, const std::vector<Segment>& segments) const;
+  Matrix3 turned_directions(int of, int in) const;
 
   static HatVector hat_values(const Facet& facet, const Vector3& xi) {
     HatVector hats(facet.n_corners());
@@ -92,6 +126,8 @@ class Assembler {
   std::size_t multiplier(std::size_t f, int corner) const { return normals_.multiplier_of_corner[f][corner]; }
 
   ContactType type_;
+  int n_tangents_;  // rows per multiplier
+  std::vector<std::array<Vector3, 2>> tangents_;
   std::vector<Facet> slave_facets_, master_facets_;
   SurfaceNormals normals_;
   Segmentation segmentation_;
@@ -181,14 +217,22 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   on_slave.emit(rows, width, slave_);
 }
 
-/// A tied multiplier turns with the normal on its way from its node: a pressure that is constant along a curved surface
-/// is then transmitted as exactly as on a flat one.
+/// A multiplier turns with the normal on its way from its node: a traction that is constant along a curved surface is
+/// then transmitted as exactly as on a flat one.
 Directions Assembler::directions(std::size_t f, const ContactPoint& point) const {
-  const int n = slave_facets_[f].n_corners();
-  if (type_ != ContactType::tied) return point.normal.replicate(1, n);
-  Directions result(3, 3 * n);
-  for (int i = 0; i < n; ++i)
-    result.middleCols<3>(Index{3} * i) = rotation(normals_.multipliers[multiplier(f, i)].normal, point.normal);
+  const int n = slave_facets_[f].n_corners(), width = rows_per_multiplier();
+  Directions result(3, width * n);
+  for (int i = 0; i < n; ++i) {
+    const std::size_t at = multiplier(f, i);
+    if (type_ == ContactType::tied) {
+      result.middleCols<3>(Index{3} * i) = rotation(normals_.multipliers[at].normal, point.normal);
+      continue;
+    }
+    result.col(Index{width} * i) = point.normal;
+    if (n_tangents_ == 0) continue;
+    const Matrix3 turned = rotation(normals_.multipliers[at].normal, point.normal);
+    for (int k = 0; k < n_tangents_; ++k) result.col(Index{width} * i + 1 + k) = turned * tangents_[at][k];
+  }
   return result;
 }
 
@@ -235,16 +279,18 @@ class Gathering {
   }
 
   const std::vector<int>& kept() const { return kept_; }
-  /// kept rows x all rows
-  RowMatrix matrix() const {
+  /// kept rows x all rows, in blocks. @param block  (target, i): its entries for the rows of multiplier i, width square
+  template <typename Block>
+  RowMatrix matrix(int width, const Block& block) const {
     Triplets entries;
     for (const int i : order_) {
-      const auto position = std::lower_bound(kept_.begin(), kept_.end(), target_[i]) - kept_.begin();
-      entries.emplace_back(static_cast<int>(position), i, 1.0);
+      const auto position = static_cast<int>(std::lower_bound(kept_.begin(), kept_.end(), target_[i]) - kept_.begin());
+      const Matrix3 values = block(target_[i], i);
+      for (int a = 0; a < width; ++a)
+        for (int b = 0; b < width; ++b)
+          if (values(a, b) != 0) entries.emplace_back(width * position + a, width * i + b, values(a, b));
     }
-    RowMatrix gather(kept_.size(), target_.size());
-    gather.setFromTriplets(entries.begin(), entries.end());
-    return gather;
+    return sparse(width * std::ssize(kept_), width * std::ssize(target_), entries);
   }
 
  private:
@@ -253,27 +299,21 @@ class Gathering {
   std::vector<int> order_, kept_;
 };
 
-RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
-  RowMatrix matrix(rows, columns);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
-/// Each row of a matrix as `width` rows and each column as `width` columns.
-RowMatrix repeated(const RowMatrix& plain, int width) {
-  if (width == 1) return plain;
-  Triplets entries;
-  for (int r = 0; r < plain.outerSize(); ++r)
-    for (RowMatrix::InnerIterator it(plain, r); it; ++it)
-      for (int a = 0; a < width; ++a)
-        entries.emplace_back(width * r + a, width * static_cast<int>(it.col()) + a, it.value());
-  return sparse(width * plain.rows(), width * plain.cols(), entries);
+/// The directions of one multiplier in those of another, as they arrive there: entry (a, b) is direction a of `of`
+/// times direction b of `in`.
+Matrix3 Assembler::turned_directions(int of, int in) const {
+  Matrix3 result = Matrix3::Identity();
+  if (n_tangents_ == 0 || of == in) return result;
+  const Matrix3 turned = rotation(normals_.multipliers[of].normal, normals_.multipliers[in].normal);
+  for (int a = 0; a < n_tangents_; ++a)
+    for (int b = 0; b < n_tangents_; ++b) result(1 + a, 1 + b) = tangents_[in][b].dot(turned * tangents_[of][a]);
+  return result;
 }
 
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
   const Gathering gathering(normals_, slave.mesh->nodes, covered_, full_);
   const std::vector<int>& kept = gathering.kept();
-  const RowMatrix gather = gathering.matrix();
+  const RowMatrix gather = gathering.matrix(1, [](int, int) { return Matrix3(Matrix3::Identity()); });
   if (kept.empty())
     throw ModelError(
         fmt::format("contact between '{}' and '{}': the surfaces do not face each other anywhere; check "
@@ -289,16 +329,16 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
   for (std::size_t k = 0; k < kept.size(); ++k) {
     result.nodes.push_back(normals_.multipliers[kept[k]]);
     result.area.push_back(areas[k]);
+    if (n_tangents_ > 0) result.tangents.push_back(tangents_[kept[k]]);
   }
   result.gap_points = gap_points_;
   result.gap_distances = gap_distances_;
   result.gap_weights = gather * sparse(n, gap_points_.size(), gap_);
   const int width = rows_per_multiplier();
-  const RowMatrix gather_rows = repeated(gather, width);
+  const RowMatrix gather_rows = gathering.matrix(width, [&](int of, int in) { return turned_directions(of, in); });
   result.slave_rows = gather_rows * sparse(width * n, 3 * n_slave, slave_);
   result.master_rows = gather_rows * sparse(width * n, 3 * n_master, master_);
-  result.geometric_gap = type_ == ContactType::tied ? Eigen::VectorXd(Eigen::VectorXd::Zero(result.slave_rows.rows()))
-                                                    : Eigen::VectorXd(gather * geometric_);
+  result.geometric_gap = normal_gaps(result, gather * geometric_);
   return result;
 }
 
@@ -306,18 +346,39 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
 
 Eigen::VectorXd MortarCoupling::given_gap(const Function& gap, double t) const {
   if (type == ContactType::tied) return Eigen::VectorXd::Zero(n_rows());
-  if (!gap.depends_on_position()) return gap({.t = t}) * Eigen::Map<const Eigen::VectorXd>(area.data(), n_rows());
+  if (!gap.depends_on_position())
+    return normal_gaps(*this, gap({.t = t}) * Eigen::Map<const Eigen::VectorXd>(area.data(), std::ssize(area)));
   Eigen::VectorXd values(gap_points.size());
   for (std::size_t p = 0; p < gap_points.size(); ++p) {
     const Vector3& x = gap_points[p];
     values[p] = gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = t});
   }
-  return gap_weights * values;
+  return normal_gaps(*this, gap_weights * values);
+}
+
+Eigen::VectorXd MortarCoupling::first_rows(const Eigen::Ref<const Eigen::VectorXd>& of_rows) const {
+  return of_rows(Eigen::seqN(0, std::ssize(nodes), rows_per_node()));
+}
+
+double MortarCoupling::pressure(std::size_t node, const Eigen::Ref<const Eigen::VectorXd>& multiplier) const {
+  if (type == ContactType::tied && rows_per_node() == 3)
+    return nodes[node].normal.dot(multiplier.segment<3>(row(node)));
+  return multiplier[row(node)];
+}
+
+Vector3 MortarCoupling::shear(std::size_t node, const Eigen::Ref<const Eigen::VectorXd>& multiplier) const {
+  Vector3 result = Vector3::Zero();
+  const Index first = row(node);
+  if (has_friction())
+    for (Index k = 1; k < rows_per_node(); ++k) result += multiplier[first + k] * tangents[node][k - 1];
+  else if (rows_per_node() == 3)
+    result = multiplier.segment<3>(first) - pressure(node, multiplier) * nodes[node].normal;
+  return result;
 }
 
 MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
-                               std::span<const mechanics::RigidMotion> sliding) {
-  Assembler assembler(slave, master, type, sliding);
+                               std::span<const mechanics::RigidMotion> sliding, bool friction) {
+  Assembler assembler(slave, master, type, sliding, friction);
   assembler.integrate();
   return assembler.coupling(slave, master);
 }

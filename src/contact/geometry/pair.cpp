@@ -15,10 +15,12 @@ void append(const RowMatrix& from, int first_target, std::vector<Eigen::Triplet<
 }  // namespace
 
 Index number_rows(std::vector<Pair>& pairs) {
-  Index n_rows = 0;
+  Index n_rows = 0, n_nodes = 0;
   for (Pair& pair : pairs) {
     pair.first_row = n_rows;
+    pair.first_node = n_nodes;
     n_rows += pair.coupling.n_rows();
+    n_nodes += std::ssize(pair.coupling.nodes);
   }
   return n_rows;
 }

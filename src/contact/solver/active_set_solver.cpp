@@ -42,7 +42,7 @@ class ActiveSetSolver final : public ContactSolver {
       if (!solution.balanced) return false;
       result.gap = contact_gaps(problem_, load, solution.state);
       Eigen::VectorXd opening = result.gap;  // what is left of the set's own gaps is none
-      opening(active).setZero();
+      for (const int row : active) opening[row] = 0;
       std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, opening, rounding);
       if (recorder_) recorder_->record({result.set_changes, 1, "active_set", 0.0, active.size()});
       ++result.set_changes;

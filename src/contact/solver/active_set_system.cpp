@@ -5,6 +5,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/linalg/dense.hpp"
+#include "friction_system.hpp"
 #include "projected_cg.hpp"
 
 namespace creepcontact::contact {
@@ -23,6 +24,7 @@ namespace {
 constexpr double weakest_held_motion = 1e-12;  // of the best held motion: below it a motion is free
 constexpr double resultant_error = 1e-9;       // of the forces that make up a resultant
 constexpr int max_iterations = 1000;
+constexpr double change_tolerance = 1e-9;
 
 }  // namespace
 
@@ -50,6 +52,7 @@ ActiveSetSystem::ActiveSetSystem(const ContactProblem& problem, double tolerance
 ActiveSetSystem::~ActiveSetSystem() = default;
 
 void ActiveSetSystem::flexibility_changed() {
+  friction_.reset();
   factored_ = false;
   cg_.reset();
 }
@@ -65,6 +68,17 @@ ActiveSetSolution ActiveSetSystem::solve(const std::vector<int>& active, const C
   if (problem_.large) return solve_iteratively(active, load);
   if (!factored_ || active != active_) factorize(active);
   return solve_directly(load);
+}
+
+ContactState ActiveSetSystem::solve_change(const ContactState& at, const Eigen::VectorXd& gap) {
+  if (at.nodes.empty()) return solve(at.active, {gap, {}}).state;
+  if (!friction_) friction_ = std::make_unique<FrictionSystem>(problem_);
+  const FrictionRows& rows = friction_->rows();
+  const double tolerance = problem_.large != nullptr ? tolerance_ : change_tolerance;
+  const Eigen::VectorXd right = -rows.equations(at.nodes, Eigen::VectorXd::Zero(problem_.n_rows()), gap);
+  FrictionSystem::Solution change =
+      friction_->solve(at.nodes, at.factored, right, Eigen::VectorXd::Zero(problem_.n_motions()), tolerance);
+  return {std::move(change.multiplier), std::move(change.rigid), at.active};
 }
 
 ActiveSetSolution ActiveSetSystem::solve_directly(const ContactLoad& load) {

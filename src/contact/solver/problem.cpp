@@ -18,6 +18,22 @@ double min_flexibility(const Eigen::VectorXd& flexibility) {
 
 }  // namespace
 
+bool ContactProblem::has_friction() const {
+  return std::ranges::any_of(nodes, [](const ContactNode& node) { return node.set == AdmissibleSet::cone; });
+}
+
+void ContactProblem::add_node(AdmissibleSet set, int n_rows, int slave_body, int master_body) {
+  nodes.push_back({set, static_cast<int>(node_of_row.size()), n_rows, slave_body, master_body});
+  node_of_row.insert(node_of_row.end(), n_rows, static_cast<int>(nodes.size()) - 1);
+}
+
+ContactProblem ContactProblem::with_nodes_of(const ContactProblem& other) {
+  ContactProblem result;
+  result.nodes = other.nodes;
+  result.node_of_row = other.node_of_row;
+  return result;
+}
+
 Eigen::VectorXd flexibility_product(const ContactProblem& problem, const Eigen::VectorXd& multiplier) {
   if (problem.large) return problem.large->gaps(multiplier);
   return problem.total.selfadjointView<Eigen::Lower>() * multiplier;
@@ -75,10 +91,12 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
   for (int i = 0; i < problem.n_rows(); ++i) {
     const bool was_active = it != current.end() && *it == i;
     if (was_active) ++it;
-    if (!(flexibility[i] > least)) continue;
+    const ContactNode& node = problem.node(i);
+    const bool is_tangential = node.set == AdmissibleSet::cone && i > node.first_row;
+    if (!(flexibility[i] > least) || is_tangential) continue;
     const double indicator = multiplier[i] - gap[i] / flexibility[i];
     const double threshold = was_active ? -no_matter : no_matter;
-    if (problem.bilateral[i] || indicator > threshold) next.push_back(i);
+    if (node.set == AdmissibleSet::space || indicator > threshold) next.push_back(i);
   }
   return next;
 }

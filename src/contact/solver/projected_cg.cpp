@@ -44,8 +44,8 @@ bool ProjectedCg::add_block(const ContactProblem& problem, std::size_t body, std
 void ProjectedCg::add_blocks(const ContactProblem& problem) {
   std::map<std::pair<int, int>, std::vector<int>> pairs;  // slave and master body: places
   for (std::size_t k = 0; k < set_.active().size(); ++k) {
-    const std::size_t row = set_.active()[k];
-    pairs[{problem.slave_body[row], problem.master_body[row]}].push_back(static_cast<int>(k));
+    const ContactNode& node = problem.node(set_.active()[k]);
+    pairs[{node.slave_body, node.master_body}].push_back(static_cast<int>(k));
   }
   std::vector<std::vector<int>> of_slave(problem.bodies.size());
   for (auto& [pair, positions] : pairs) {

@@ -29,10 +29,24 @@ RigidBalance::RigidBalance(const ContactProblem& problem, const std::vector<int>
   singular_parts(rigid_, basis_, values_, motions_);
 }
 
-Eigen::VectorXd RigidBalance::unbalanced(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant) const {
-  Eigen::VectorXd sum = rigid_.transpose() * multiplier;
+Eigen::VectorXd unbalanced(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& multiplier,
+                           const Eigen::VectorXd& resultant) {
+  Eigen::VectorXd sum = rigid.transpose() * multiplier;
   if (resultant.size() > 0) sum += resultant;
   return sum;
+}
+
+bool is_balanced(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant,
+                 double part, double rounding) {
+  if (rigid.cols() == 0) return true;
+  const double largest = resultant.size() > 0 ? resultant.cwiseAbs().maxCoeff() : 0.0;
+  const double sum = (rigid.cwiseAbs().transpose() * multiplier.cwiseAbs()).maxCoeff();
+  return unbalanced(rigid, multiplier, resultant).cwiseAbs().maxCoeff() <=
+         std::max(part * std::max(largest, sum), rounding * rigid.cwiseAbs().colwise().sum().maxCoeff());
+}
+
+Eigen::VectorXd RigidBalance::unbalanced(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant) const {
+  return contact::unbalanced(rigid_, multiplier, resultant);
 }
 
 Eigen::VectorXd RigidBalance::carrying(const Eigen::VectorXd& unbalanced) const {
@@ -48,11 +62,7 @@ Eigen::VectorXd RigidBalance::without_rigid_part(const Eigen::VectorXd& mismatch
 }
 
 bool RigidBalance::holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant, double rounding) const {
-  if (rigid_.cols() == 0) return true;
-  const double largest = resultant.size() > 0 ? resultant.cwiseAbs().maxCoeff() : 0.0;
-  const double sum = (rigid_.cwiseAbs().transpose() * multiplier.cwiseAbs()).maxCoeff();
-  return unbalanced(multiplier, resultant).cwiseAbs().maxCoeff() <=
-         std::max(balance_error * std::max(largest, sum), rounding * rigid_.cwiseAbs().colwise().sum().maxCoeff());
+  return is_balanced(rigid_, multiplier, resultant, balance_error, rounding);
 }
 
 }  // namespace creepcontact::contact

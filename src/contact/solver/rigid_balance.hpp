@@ -6,6 +6,13 @@
 
 namespace creepcontact::contact {
 
+/// N^T multiplier + resultant. @param resultant  empty: zero
+Eigen::VectorXd unbalanced(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& multiplier,
+                           const Eigen::VectorXd& resultant);
+/// Whether that is at most this part of the forces that make it up, or rounding. @param rounding  of the multipliers
+bool is_balanced(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant,
+                 double part, double rounding);
+
 class RigidBalance {
  public:
   RigidBalance() = default;

@@ -1,11 +1,7 @@
 #include <set>
-#include <stdexcept>
 
-#include "active_set_cache.hpp"
-#include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/solver/contact_solver.hpp"
-#include "projected_cg.hpp"
-#include "schwarz_sweeps.hpp"
+#include "set_solver.hpp"
 #include "spring_regularization.hpp"
 
 namespace creepcontact::contact {
@@ -14,10 +10,7 @@ namespace {
 class Schwarz final : public ContactSolver {
  public:
   Schwarz(const ContactProblem& problem, const SchwarzOptions& options)
-      : problem_(problem), options_(options), fallback_(active_set_solver(problem)) {
-    if (options.acceleration == SchwarzOptions::Acceleration::anderson && !options.anderson)
-      throw std::invalid_argument("schwarz_solver: Anderson's method was not handed over");
-  }
+      : problem_(problem), sets_(problem, options), fallback_(active_set_solver(problem)) {}
 
   ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
     ContactResult result;
@@ -42,17 +35,16 @@ class Schwarz final : public ContactSolver {
   void flexibility_changed() override {
     fallback_->flexibility_changed();
     springs_.reset();
-    sweeps_.clear();
-    cg_.clear();
+    sets_.flexibility_changed();
   }
 
   void set_recorder(IterationRecorder* recorder) override {
-    recorder_ = recorder;
+    sets_.set_recorder(recorder);
     fallback_->set_recorder(recorder);
   }
 
-  bool has_given_up_sweeps() const override { return sweeps_fail_; }
-  void give_up_sweeps() override { sweeps_fail_ = true; }
+  bool has_given_up_sweeps() const override { return sets_.has_given_up_sweeps(); }
+  void give_up_sweeps() override { sets_.give_up_sweeps(); }
 
  private:
   enum class End { solved, unbalanced, cycling, not_converged };
@@ -66,7 +58,7 @@ class Schwarz final : public ContactSolver {
     while (seen.insert(active).second) {
       const RigidBalance balance = problem_.n_motions() > 0 ? RigidBalance(problem_, active) : RigidBalance();
       const InnerResult inner =
-          solve_set(active, {load.gap(active), load.resultant, rounding}, multiplier(active), result);
+          sets_.solve(active, {load.gap(active), load.resultant, rounding}, multiplier(active), result);
       if (!balance.holds(inner.multiplier, load.resultant, rounding)) return End::unbalanced;
       if (!inner.converged) return End::not_converged;
       multiplier.setZero();
@@ -103,40 +95,11 @@ class Schwarz final : public ContactSolver {
     return end;
   }
 
-  InnerResult solve_set(const std::vector<int>& active, const ActiveSetLoad& load, const Eigen::VectorXd& start,
-                        ContactResult& total) {
-    const InnerLog log{recorder_, total.set_changes};
-    if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_fail_) {
-      const SchwarzSweeps& sweeps =
-          sweeps_.at(active, [&](const auto& set) { return SchwarzSweeps(problem_, options_, set); });
-      InnerResult result = sweeps.solve(load, start, log);
-      total.iterations += result.iterations;
-      if (result.converged) return result;
-      warn_once(
-          "Schwarz sweeps did not converge with these parameters; conjugate gradients are used instead "
-          "(contact_solver.acceleration = \"cg\" uses them from the start)",
-          sweeps_fail_);
-    }
-    const ProjectedCg& gradients =
-        cg_.at(active, [&](const auto& set) { return ProjectedCg(problem_, options_, set); });
-    InnerResult result = gradients.solve(load, start, log);
-    total.iterations += result.iterations;
-    return result;
-  }
-
-  static void warn_once(const char* message, bool& warned) {
-    if (!warned) log::warning("contact: {}", message);
-    warned = true;
-  }
-
   const ContactProblem& problem_;
-  SchwarzOptions options_;
+  SetSolver sets_;
   std::unique_ptr<ContactSolver> fallback_;
   std::unique_ptr<SpringRegularization> springs_;  // made when first needed
-  ActiveSetCache<SchwarzSweeps> sweeps_;
-  ActiveSetCache<ProjectedCg> cg_;
-  IterationRecorder* recorder_ = nullptr;
-  bool sweeps_fail_ = false, fallback_warned_ = false;
+  bool fallback_warned_ = false;
 };
 
 }  // namespace

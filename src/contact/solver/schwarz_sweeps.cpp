@@ -37,8 +37,8 @@ SchwarzSweeps::SchwarzSweeps(const ContactProblem& problem, const SchwarzOptions
                 offset};
     if (problem.n_motions() > 0) share.rigid = problem.rigid_of_body[b](rows.own, Eigen::all);
     for (Index k = 0; k < size; ++k) {
-      const std::size_t row = set_.active()[share.positions[k]];
-      share.sign[k] = problem.slave_body[row] == static_cast<int>(b) ? 1.0 : -1.0;
+      const int row = set_.active()[share.positions[k]];
+      share.sign[k] = problem.node(row).slave_body == static_cast<int>(b) ? 1.0 : -1.0;
     }
     offset += size;
     shares_.push_back(std::move(share));

@@ -35,10 +35,8 @@ constexpr int patience = 2;  // updates before it is asked whether the bodies fl
 
 }  // namespace
 
-SpringRegularization::SpringRegularization(const ContactProblem& problem) : problem_(problem) {
-  held_.slave_body = problem.slave_body;
-  held_.master_body = problem.master_body;
-  held_.bilateral = problem.bilateral;
+SpringRegularization::SpringRegularization(const ContactProblem& problem)
+    : problem_(problem), held_(ContactProblem::with_nodes_of(problem)) {
   const double flexibility = flexibility_diagonal(problem).sum();
   compliance_ = problem.rigid.colwise().squaredNorm().transpose();
   for (double& c : compliance_) c = c > 0 ? softness * flexibility / c : 0.0;

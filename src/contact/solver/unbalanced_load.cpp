@@ -27,8 +27,8 @@ void throw_if_unbalanced(const ContactProblem& problem, const Eigen::VectorXd& r
   Eigen::VectorXd multiplier = Eigen::VectorXd::Zero(n);
   std::vector<int> set;
   for (int i = 0; i < n; ++i)
-    if (problem.bilateral[i]) set.push_back(i);
-  const auto is_tied = [&](int i) { return problem.bilateral[i] != 0; };
+    if (problem.node(i).set == AdmissibleSet::space) set.push_back(i);
+  const auto is_tied = [&](int i) { return problem.node(i).set == AdmissibleSet::space; };
 
   for (int change = 0; change < max_changes; ++change) {
     // Within the set, up to the first pressure that would turn into tension.
@@ -58,7 +58,7 @@ void throw_if_unbalanced(const ContactProblem& problem, const Eigen::VectorXd& r
         most = opening[i];
         entering = i;
       }
-    if (entering < 0) throw UnbalancedLoad{left / left.cwiseAbs().maxCoeff()};
+    if (entering < 0) throw UnbalancedLoad{left / left.cwiseAbs().maxCoeff(), 0};
     set.push_back(entering);
   }
 }

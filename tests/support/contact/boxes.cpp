@@ -50,7 +50,7 @@ ContactEquilibrium Condensed::solve(contact::ContactSolver& solver, double t) {
 }
 
 Boxes::Boxes(const BoxSetup& lower, const BoxSetup& upper, bool lower_is_slave, Function top_displacement,
-             contact::ContactType type, Function initial_gap, double dense_bytes) {
+             contact::ContactType type, Function initial_gap, double dense_bytes, double friction) {
   Bodies bodies;
   bodies.push_back(body("lower", lower, Vector3(0, 0, -lower.lengths.z()), "z0", 0.0));
   bodies.push_back(body("upper", upper, Vector3::Zero(), "z1", std::move(top_displacement)));
@@ -59,7 +59,11 @@ Boxes::Boxes(const BoxSetup& lower, const BoxSetup& upper, bool lower_is_slave, 
   pair.name = "joint";
   pair.slave_body = lower_is_slave ? 0 : 1;
   pair.master_body = lower_is_slave ? 1 : 0;
-  pair.coupling = lower_is_slave ? contact::mortar_coupling(low, up, type) : contact::mortar_coupling(up, low, type);
+  const contact::Surface &slave = lower_is_slave ? low : up, &master = lower_is_slave ? up : low;
+  pair.coupling = contact::mortar_coupling(slave, master, type, {}, friction > 0);
+  std::vector<Vector3> positions;
+  for (const contact::MultiplierNode& node : pair.coupling.nodes) positions.push_back(slave.mesh->nodes[node.node]);
+  pair.friction = {friction, std::nullopt, std::move(positions)};
   pair.gap = std::move(initial_gap);
   condensed_ = std::make_unique<Condensed>(std::move(bodies), std::vector<contact::Pair>{std::move(pair)}, dense_bytes);
 }

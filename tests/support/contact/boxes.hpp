@@ -56,7 +56,7 @@ class Boxes : public ContactEquilibrium {
   /// @param top_displacement  of the upper box's top; none: it is held in z nowhere but in contact (not solvable here)
   Boxes(const BoxSetup& lower, const BoxSetup& upper, bool lower_is_slave, Function top_displacement,
         contact::ContactType type = contact::ContactType::unilateral, Function initial_gap = 0.0,
-        double dense_bytes = contact::CondensedInterface::unbounded);
+        double dense_bytes = contact::CondensedInterface::unbounded, double friction = 0);
 
   static contact::Surface surface(const mechanics::Body& body, const std::string& name);
 

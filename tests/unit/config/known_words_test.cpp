@@ -14,8 +14,6 @@ namespace {
 
 TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
   const std::string contact = minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n";
-  expect_mistake(contact + "friction = 0.15\n",
-                 "cases/block.toml:14:1: contacts[0].friction: not in this version: contact is without friction");
   expect_mistake(contact + "preload = { force = 1 }\n",
                  "cases/block.toml:14:1: contacts[0].preload: not in this version; a negative 'gap'");
   for (const char* table : {"[[cyclic]]", "[[rigid]]", "[[events]]"}) {
@@ -45,6 +43,14 @@ TEST(KnownWords, LeadToTheRightKeyOrLaw) {
     ASSERT_EQ(lines.size(), 1u) << key;
     EXPECT_NE(lines[0].find(right), std::string::npos) << lines[0];
   }
+  const std::string contact = minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n";
+  for (const char* key : {"mu", "friction_coefficient", "coefficient_of_friction"})
+    expect_mistake(contact + key + " = 0.15\n", fmt::format("cases/block.toml:14:1: contacts[0].{}: unknown key: the "
+                                                            "coefficient of friction is 'friction'",
+                                                            key));
+  expect_mistake(contact + "type = \"frictional\"\n",
+                 "cases/block.toml:14:8: contacts[0].type: unknown contact type 'frictional': contact with friction is "
+                 "'unilateral', with the coefficient in the key 'friction'");
   const std::string gold = minimal + "[materials.gold]\nyoung_modulus = 1\npoisson_ratio = 0\n";
   const std::pair<const char*, const char*> material[] = {{"E = 1", "'young_modulus'"},
                                                           {"youngs_modulus = 1", "'young_modulus'"},

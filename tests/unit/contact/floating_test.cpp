@@ -91,7 +91,7 @@ TEST(FloatingBody, PressedOutsideItsSupportTiltsOff) {
 TEST(FloatingBody, TiedCarriesAnyLoad) {
   std::mt19937 generator(2);
   ContactProblem problem = chain(1, 5, 1.0, generator, 1);
-  problem.bilateral.assign(5, 1);
+  for (contact::ContactNode& node : problem.nodes) node.set = contact::AdmissibleSet::space;
   const ContactLoad load{Eigen::VectorXd::Zero(5), Eigen::Vector2d(3.0, 70.0)};
   expect_solved(problem, load, active_set_solver(problem)->solve(load, {}).state, 1e-9);
 }

@@ -22,4 +22,14 @@ ContactProblem chain(int n_pairs, int rows_per_pair, double stiffness_ratio, std
 
 void expect_solved(const ContactProblem& problem, const ContactLoad& load, const ContactState& state, double tolerance);
 
+/// Two bodies with as many nodes with friction between them.
+/// @param n_tangents  1 or 2 @param coupling  flexibility between normal and tangential rows, 0 to 1
+/// @param floating  the second body is held by contact alone: rigid-body modes along the normal and the tangents
+ContactProblem frictional(int n_nodes, int n_tangents, double coupling, std::mt19937& generator, bool floating = false);
+
+/// Conditions of friction problems: complementarity, cone, direction of the slip (towards the mean direction where
+/// load.friction.direction is given), balance. @param tolerance  of the multipliers, relative to the largest
+void expect_friction_solved(const ContactProblem& problem, const ContactLoad& load, const ContactState& state,
+                            double tolerance);
+
 }  // namespace creepcontact::test

@@ -1,5 +1,6 @@
 /// Schwarz and active set on assemblies of finite elements: random ones, and bodies as dissimilar as they come.
 #include "accelerations.hpp"
+#include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "problems.hpp"
 #include "random_assembly.hpp"
 #include "support/contact/boxes.hpp"
@@ -49,6 +50,52 @@ TEST(RandomAssemblies, SchwarzAgreesWithTheActiveSetMethod) {
     }
   }
   EXPECT_GT(n_floating, 50) << "pressed by loads and held by contact alone";
+}
+
+TEST(RandomAssemblies, FrictionFulfilsCoulombsLawByBothSolvers) {
+  int n_slip = 0, n_stick = 0, n_compared = 0, n_unsolved = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const double mu = 0.05 + 0.01 * (seed % 40);
+    RandomAssembly assembly(seed, mu);
+    SCOPED_TRACE(testing::Message() << "seed " << seed << ", mu " << mu << ": " << assembly.description);
+    const ContactProblem& problem = assembly.condensed->interface.problem();
+    const ContactLoad load = assembly.load();
+    ContactState newton;
+    try {
+      newton = contact::friction_solver(problem, {})->solve(load, {}).state;
+    } catch (const SolverError&) {
+      ++n_unsolved;
+      continue;
+    } catch (const contact::UnbalancedLoad&) {
+      ++n_unsolved;
+      continue;
+    }
+    expect_friction_solved(problem, load, newton, 1e-8);
+    for (const contact::NodeLinearization& node : newton.nodes) {
+      n_slip += node.status == contact::ContactStatus::slip ? 1 : 0;
+      n_stick += node.status == contact::ContactStatus::stick ? 1 : 0;
+    }
+    if (contact::friction_kappa(problem, load.friction, newton).value_or(0) > 0.9) continue;
+    testing::internal::CaptureStderr();
+    ContactState tresca;
+    try {
+      tresca = contact::friction_solver(problem, {settings::FrictionMethod::tresca, {}})->solve(load, {}).state;
+    } catch (const SolverError&) {
+      testing::internal::GetCapturedStderr();
+      continue;
+    }
+    const bool by_newton = !testing::internal::GetCapturedStderr().empty();
+    expect_friction_solved(problem, load, tresca, 1e-7);
+    if (newton.multiplier.maxCoeff() > 10 * multiplier_rounding(problem, load)) {
+      n_compared += by_newton ? 0 : 1;
+      EXPECT_LT(difference(problem, tresca, newton), 1e-7);
+    }
+  }
+  EXPECT_GT(n_slip, 1000);
+  EXPECT_GT(n_stick, 100);
+  EXPECT_GT(n_compared, 75) << "solved by Tresca's law, without falling back on Newton's method";
+  // All of the load in one step from nothing, to the verge of tilting: the program shortens steps that are not solved.
+  EXPECT_LE(n_unsolved, 6);
 }
 
 struct Dissimilar {

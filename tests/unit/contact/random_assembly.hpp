@@ -16,7 +16,8 @@ namespace creepcontact::test {
 
 class RandomAssembly {
  public:
-  explicit RandomAssembly(unsigned seed) : generator_(seed) {
+  /// @param friction  coefficient, of all contacts
+  explicit RandomAssembly(unsigned seed, double friction = 0) : generator_(seed), friction_(friction) {
     const bool columns = one_of(4) == 0;
     const int n_bodies = columns ? 3 : 2 + one_of(3);
     strain_ = 1e-3 * (one_of(8) == 0 ? 1000 : 1);  // of gaps: as deformations, or first contact from far away
@@ -94,7 +95,11 @@ class RandomAssembly {
     pair.slave_body = lower_is_slave ? lower : upper;
     pair.master_body = lower_is_slave ? upper : lower;
     const auto type = contact::ContactType::unilateral;
-    pair.coupling = lower_is_slave ? contact::mortar_coupling(low, up, type) : contact::mortar_coupling(up, low, type);
+    const contact::Surface &slave = lower_is_slave ? low : up, &master = lower_is_slave ? up : low;
+    pair.coupling = contact::mortar_coupling(slave, master, type, {}, friction_ > 0);
+    std::vector<Vector3> positions;
+    for (const contact::MultiplierNode& node : pair.coupling.nodes) positions.push_back(slave.mesh->nodes[node.node]);
+    pair.friction = {friction_, std::nullopt, std::move(positions)};
     pair.gap = Function::expression(
         fmt::format("{}*({} + {}*x + {}*y)", strain_, uniform(-0.5, 0.5), uniform(-1, 1), uniform(-1, 1)),
         {"x", "y", "z", "t"});
@@ -110,6 +115,7 @@ class RandomAssembly {
   }
 
   std::mt19937 generator_;
+  double friction_;
   double strain_ = 1e-3;
   std::vector<mechanics::Body> bodies_;
   std::vector<contact::Pair> pairs_;

@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(StiffnessRatios, RandomProblems, testing::Values(1e-3, 
 TEST(ActiveSet, TiedRowsAreAlwaysClosed) {
   std::mt19937 generator(5);
   ContactProblem problem = chain(1, 6, 1.0, generator);
-  problem.bilateral[2] = 1;
+  problem.nodes[2].set = AdmissibleSet::space;
   const Eigen::VectorXd gap = Eigen::VectorXd::LinSpaced(6, 1.0, 2.0);
   const ContactResult result = active_set_solver(problem)->solve({gap, {}}, {});
   EXPECT_EQ(result.state.active, std::vector<int>{2});
@@ -52,9 +52,7 @@ ContactProblem two_springs(double master_flexibility) {
   ContactProblem problem;
   problem.bodies = {{{0}, Eigen::MatrixXd::Constant(1, 1, 1.0)},
                     {{0}, Eigen::MatrixXd::Constant(1, 1, master_flexibility)}};
-  problem.slave_body = {0};
-  problem.master_body = {1};
-  problem.bilateral = {0};
+  problem.add_node(AdmissibleSet::half_line, 1, 0, 1);
   problem.total = Eigen::MatrixXd::Constant(1, 1, 1.0 + master_flexibility);
   return problem;
 }
@@ -117,9 +115,7 @@ TEST(Schwarz, ThreeThousandMultipliers) {
   ContactProblem problem;
   problem.bodies = {half_space(side, 1.0), half_space(side, 0.2)};
   problem.total = problem.bodies[0].matrix + problem.bodies[1].matrix;
-  problem.slave_body.assign(side * side, 0);
-  problem.master_body.assign(side * side, 1);
-  problem.bilateral.assign(side * side, 0);
+  for (int i = 0; i < side * side; ++i) problem.add_node(AdmissibleSet::half_line, 1, 0, 1);
   Eigen::VectorXd gap(side * side);  // a sphere
   for (int i = 0; i < side * side; ++i) {
     const int column = i % side, row = i / side;

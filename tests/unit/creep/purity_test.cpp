@@ -41,7 +41,14 @@ class Purity : public testing::TestWithParam<const char*> {
  protected:
   config::Config config() const {
     std::vector<std::string> overrides = moving;
-    overrides.push_back(std::string("contact_solver.method=") + GetParam());
+    const std::string method = GetParam();
+    if (method == "friction" || method == "tresca") {
+      overrides.insert(overrides.end(), {"contacts.0.friction='0.1+0.02*t'",
+                                         "loads=[{on='upper_bottom',body='upper',traction=['0.02*t',0,0]}]"});
+      if (method == "tresca") overrides.push_back("contact_solver.friction=tresca");
+    } else {
+      overrides.push_back("contact_solver.method=" + method);
+    }
     return blocks_.config("", overrides);
   }
 
@@ -114,7 +121,7 @@ TEST_P(Purity, ThreadsShareAnAssembly) {
   for (const int k : {0, 1}) EXPECT_EQ(together[k], alone[k]) << k;
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Purity, testing::Values("schwarz", "active_set"),
+INSTANTIATE_TEST_SUITE_P(Methods, Purity, testing::Values("schwarz", "active_set", "friction", "tresca"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace

@@ -3,6 +3,7 @@
 /// both bodies.
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,15 +31,22 @@ struct Surface {
 
 /// gap = initial gap + slave_rows u_s + master_rows u_m   (weighted, [length^3]; >= 0 where the surfaces are apart).
 ///
-/// Row i belongs to multiplier node i (unilateral); rows 3i..3i+2 to its x, y, z (tied; for node_ties see there). Along
-/// a curved surface these three turn with the normal, so that a constant pressure is transmitted as on a flat one. The
-/// multiplier lambda_i is the contact pressure [force/area] at its node, and rows^T lambda are the nodal forces: equal
-/// and opposite on the two bodies.
+/// Each multiplier node has rows_per_node() rows, node after node:
+/// - unilateral: one, along the normal. Its multiplier is the contact pressure [force/area].
+/// - unilateral with friction: the normal one, then one per tangent (sections: one, solids: two). Their gaps are the
+///   weighted relative tangential displacements, their multipliers the components of the shear traction.
+/// - tied: x, y, z (for node_ties see there).
+/// Along a curved surface the directions of a node turn with the normal, so that a constant pressure is transmitted as
+/// on a flat one. rows^T lambda are the nodal forces: equal and opposite on the two bodies. The traction on the master
+/// body is the sum of multipliers times directions.
 /// Source: Wohlmuth (2000) dual multipliers; Puso and Laursen (2004) segments; Cichosz and Bischoff (2011) partly
 /// covered facets.
 struct MortarCoupling {
   ContactType type = ContactType::unilateral;
   std::vector<MultiplierNode> nodes;
+  /// With friction: two unit vectors per node, orthogonal to its normal and to each other, the first along a direction
+  /// that a support of the slave holds, if there is one. In sections only the first has a row. Empty without friction.
+  std::vector<std::array<Vector3, 2>> tangents;
   std::vector<double> area;  ///< surface area of each multiplier node
   RowMatrix slave_rows;      ///< n_rows x 3 n_slave_nodes
   RowMatrix master_rows;     ///< n_rows x 3 n_master_nodes
@@ -52,18 +60,30 @@ struct MortarCoupling {
   RowMatrix gap_weights;              ///< n_nodes x n_points: weighted gap = gap_weights g(gap_points)
 
   Index n_rows() const { return slave_rows.rows(); }
-  /// Weighted initial gap for a given gap function [length] at time t. @returns n_rows; zero for tied rows
+  bool has_friction() const { return !tangents.empty(); }
+  Index rows_per_node() const { return nodes.empty() ? 1 : n_rows() / std::ssize(nodes); }
+  /// First row of a node.
+  Index row(std::size_t node) const { return static_cast<Index>(node) * rows_per_node(); }
+  /// Contact pressure at a node. @param multiplier  n_rows, of this pair
+  double pressure(std::size_t node, const Eigen::Ref<const Eigen::VectorXd>& multiplier) const;
+  /// Shear traction on the master body at a node: the traction without its normal part.
+  Vector3 shear(std::size_t node, const Eigen::Ref<const Eigen::VectorXd>& multiplier) const;
+  /// One entry per node: that of its first row. @param of_rows  n_rows
+  Eigen::VectorXd first_rows(const Eigen::Ref<const Eigen::VectorXd>& of_rows) const;
+  /// Weighted initial gap for a given gap function [length] at time t. @returns n_rows; zero for tied and tangential
+  /// rows
   Eigen::VectorXd given_gap(const Function& gap, double t) const;
 };
 
 /// Integrates the coupling of two surfaces.
+/// @param friction  adds tangential rows; unilateral contacts only
 /// @param sliding  relative rigid-body modes of the two bodies that contact must not resist at all, such as a ring
 /// turning on its shaft. At every point the component of the normal along their displacement is removed. A motion is
 /// ignored at points where its displacement vanishes or is closer to the normal than to the surface.
 /// @throws ModelError if the surfaces do not face each other anywhere
 /// Cost: O(n log n) for n facets, plus about 50 points per segment.
 MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
-                               std::span<const mechanics::RigidMotion> sliding = {});
+                               std::span<const mechanics::RigidMotion> sliding = {}, bool friction = false);
 
 /// True if `first` should be the slave, the surface that carries the multipliers. Criteria in this order:
 /// - the surface that supports do not hold along its normal

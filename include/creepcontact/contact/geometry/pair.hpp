@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/contact/friction_coefficient.hpp"
 #include "creepcontact/contact/geometry/mortar.hpp"
 
 namespace creepcontact::contact {
@@ -16,14 +17,16 @@ struct Pair {
   std::string slave_surface, master_surface;  ///< both empty for node ties (node_ties.hpp)
   std::size_t slave_body = 0, master_body = 0;
   MortarCoupling coupling;
-  Function gap;                ///< given initial gap [length], used unless ...
-  bool geometric_gap = false;  ///< ... it is measured from the meshes
-  Index first_row = 0;         ///< number of the first row among those of all pairs
+  Function gap;                       ///< given initial gap [length], used unless ...
+  bool geometric_gap = false;         ///< ... it is measured from the meshes
+  FrictionCoefficient friction = {};  ///< one value per multiplier node; used if the coupling has friction
+  Index first_row = 0;                ///< number of the first row among those of all pairs
+  Index first_node = 0;               ///< likewise of the first multiplier node
 
   bool ties_nodes() const { return slave_surface.empty(); }
 };
 
-/// Sets first_row of all pairs. @returns the number of rows of all pairs
+/// Sets first_row and first_node of all pairs. @returns the number of rows of all pairs
 Index number_rows(std::vector<Pair>& pairs);
 
 /// The contact rows of one body from all pairs, rows.size() x 3 n_nodes. @param rows  overwritten with their numbers

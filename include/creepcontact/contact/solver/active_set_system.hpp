@@ -19,6 +19,7 @@ struct ActiveSetSolution {
   bool balanced = true;
 };
 
+class FrictionSystem;
 class ProjectedCg;
 
 /// Solver for ContactProblem with given active sets; keeps the factor of the last set.
@@ -36,6 +37,11 @@ class ActiveSetSystem {
   /// @throws SolverError if the conditions of the set contradict or repeat each other, or the iteration does not
   /// converge
   ActiveSetSolution solve(const std::vector<int>& active, const ContactLoad& load);
+  /// Change of the multipliers and amplitudes for a change of the gaps near a state: closed rows stay closed, and nodes
+  /// with friction fulfil the equations of `at.nodes`. No resultants change.
+  /// Cost: as solve(); with friction a few products with F, see FrictionSystem.
+  /// @param at  its multipliers do not matter @throws SolverError as solve()
+  ContactState solve_change(const ContactState& at, const Eigen::VectorXd& gap);
   /// Must be called when the flexibilities of the problem have changed.
   void flexibility_changed();
 
@@ -46,7 +52,8 @@ class ActiveSetSystem {
 
   const ContactProblem& problem_;
   double tolerance_;
-  std::unique_ptr<ProjectedCg> cg_;  // if the flexibility is an operator
+  std::unique_ptr<FrictionSystem> friction_;  // made when first needed
+  std::unique_ptr<ProjectedCg> cg_;           // if the flexibility is an operator
   std::vector<int> active_;
   bool factored_ = false;
   double fixing_flexibility_ = 0;       // c

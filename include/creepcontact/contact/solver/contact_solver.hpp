@@ -57,4 +57,22 @@ std::unique_ptr<ContactSolver> active_set_solver(const ContactProblem& problem);
 /// @throws std::invalid_argument if Anderson's method is chosen but options.anderson is empty
 std::unique_ptr<ContactSolver> schwarz_solver(const ContactProblem& problem, const SchwarzOptions& options);
 
+/// Parameters of the solver of contact with friction.
+struct FrictionOptions {
+  settings::FrictionMethod method = settings::ContactSettings{}.friction;
+  /// Of the Schwarz iteration, for Tresca's law; its tolerance is that of all methods.
+  SchwarzOptions schwarz = {};
+};
+
+/// Solver for problems with any mixture of unilateral, tied and frictional nodes.
+/// - newton: semismooth Newton method with line search. Bodies held by contact alone: proximal iterations around it
+///   (method of multipliers). Where it fails, Tresca's law gives it another start.
+/// - tresca: frozen tractions of slipping nodes, iterated; the equations of sticking and closed rows by the Schwarz
+///   iteration, whose sweeps exchange tangential tractions too. Where it fails, Newton takes over, with one warning.
+/// Both stop at the same tolerance.
+/// Source: Alart and Curnier (1991); Hueeber, Stadler and Wohlmuth (2008); Gitterle et al. (2010).
+/// @param problem  must outlive the solver
+/// @throws std::invalid_argument as schwarz_solver()
+std::unique_ptr<ContactSolver> friction_solver(const ContactProblem& problem, const FrictionOptions& options);
+
 }  // namespace creepcontact::contact

@@ -2,7 +2,11 @@
 /// The contact problem in the multipliers, condensed from all bodies. With the multipliers lambda (contact pressures)
 /// and the amplitudes alpha of the rigid-body modes that only contact holds:
 ///   gap = initial gap + sum_b F_b lambda + N alpha,   N^T lambda + resultant = 0,
-///   lambda >= 0, gap >= 0, lambda . gap = 0   (tied rows: gap = 0)
+///   lambda >= 0, gap >= 0, lambda . gap = 0
+/// These are the conditions of a unilateral node. Each node has an admissible set K of multipliers; tied nodes (all of
+/// space) have gap = 0, and nodes with Coulomb friction (a cone) have, in addition to the conditions of the normal row,
+///   |lambda_t| <= mu lambda_n,   gap_t = -gamma lambda_t,   gamma >= 0,   gamma (|lambda_t| - mu lambda_n) = 0
+/// where gap_t is the slip since the last accepted step.
 /// F_b is the flexibility of body b on its rows: the gaps that unit multipliers open by straining the body. In a body
 /// held by contact alone, some fixing dofs are held in a statically determinate way. F_b depends on their choice, the
 /// solution does not: since N^T lambda + resultant = 0, they carry no force.
@@ -22,12 +26,27 @@ struct Flexibility {
   Eigen::MatrixXd matrix;  ///< rows.size() square, symmetric positive semidefinite; empty with an operator
 };
 
+/// Admissible multipliers of a node.
+enum class AdmissibleSet {
+  half_line,  ///< unilateral, without friction: lambda >= 0
+  space,      ///< tied: all
+  cone        ///< unilateral, with friction: |lambda_t| <= mu lambda_n
+};
+
+/// The rows of one multiplier node.
+struct ContactNode {
+  AdmissibleSet set = AdmissibleSet::half_line;
+  int first_row = 0;
+  int n_rows = 1;  ///< half_line: 1; space: any number; cone: the normal row and one or two tangential ones
+  int slave_body = 0, master_body = 0;
+};
+
 /// All data that does not depend on the load. Owned by CondensedInterface; solvers refer to it.
 struct ContactProblem {
   std::vector<Flexibility> bodies;
-  std::vector<int> slave_body, master_body;  ///< per row
-  std::vector<char> bilateral;               ///< per row: true if tied
-  Eigen::MatrixXd total;  ///< sum of the flexibilities of the bodies, n_rows square; empty if `large` is set
+  std::vector<ContactNode> nodes;  ///< with ascending rows, without gaps in the numbering
+  std::vector<int> node_of_row;    ///< index into `nodes`
+  Eigen::MatrixXd total;           ///< sum of the flexibilities of the bodies, n_rows square; empty if `large` is set
   const FlexibilityOperator* large = nullptr;  ///< the flexibility as an operator, not owned, or null
   /// N, n_rows x n_motions (no columns if supports hold all bodies): the gaps opened by unit amplitudes, summed over
   /// the bodies. One mode may move several bodies.
@@ -35,21 +54,59 @@ struct ContactProblem {
   /// Contribution of each body to N, rows of the body x n_motions.
   std::vector<Eigen::MatrixXd> rigid_of_body;
 
-  Index n_rows() const { return std::ssize(slave_body); }
+  Index n_rows() const { return std::ssize(node_of_row); }
   Index n_motions() const { return rigid.cols(); }
+  const ContactNode& node(Index row) const { return nodes[node_of_row[row]]; }
+  bool has_friction() const;
+  /// Appends a node with the next rows.
+  void add_node(AdmissibleSet set, int n_rows, int slave_body, int master_body);
+  /// Nodes and rigid-body modes of another problem, without the flexibilities.
+  static ContactProblem with_nodes_of(const ContactProblem& other);
+};
+
+/// Coulomb's law at one time.
+struct Friction {
+  Eigen::VectorXd coefficient;  ///< mu >= 0, one per node of the problem; not used for nodes without friction
+  /// Direction of the shear traction at the last accepted step at nodes that slipped in it, in their tangential rows;
+  /// elsewhere zero. In solids the slip increment is then parallel to the mean of this direction and the present one,
+  /// which makes the slip second-order accurate in time where its direction turns.
+  Eigen::VectorXd direction;
 };
 
 /// The loads as the contact solver takes them.
 struct ContactLoad {
-  Eigen::VectorXd gap;        ///< weighted gaps without contact forces, n_rows
+  /// Weighted gaps without contact forces, n_rows; in tangential rows from the slip of the last accepted step.
+  Eigen::VectorXd gap;
   Eigen::VectorXd resultant;  ///< work of the loads on unit rigid-body modes, n_motions; empty: zero
+  Friction friction = {};     ///< empty unless the problem has friction
+};
+
+enum class ContactStatus { open, stick, slip };
+
+/// Which linear equations a node with friction fulfils near a solution. With the tangential multipliers tau and gaps v:
+///   open: all multipliers zero;   stick: gap = 0, v = 0
+///   slip: gap = 0, e . tau = mu lambda_n, and (with two tangential rows) a . v + rho m . tau = 0, m = e turned by 90
+///   degrees
+struct NodeLinearization {
+  ContactStatus status = ContactStatus::open;
+  double friction = 0;                                  ///< mu
+  Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< e, unit vector
+  Eigen::Vector2d equation = Eigen::Vector2d::Zero();   ///< a
+  double flexibility = 0;                               ///< rho
+  bool operator==(const NodeLinearization&) const = default;
 };
 
 /// State of contact. All members empty: nothing known.
 struct ContactState {
-  Eigen::VectorXd multiplier;  ///< contact pressures, n_rows [force/area]
+  Eigen::VectorXd multiplier;  ///< contact pressures and shear tractions, n_rows [force/area]
   Eigen::VectorXd rigid;       ///< amplitudes of the rigid-body modes, n_motions
-  std::vector<int> active;     ///< rows in contact, ascending
+  std::vector<int> active;     ///< rows in contact whose gaps are zero, ascending
+  /// One per node of the problem, if it has friction; otherwise empty. A node without friction that is open or closed
+  /// has status open or stick, a tied one stick.
+  std::vector<NodeLinearization> nodes = {};
+  /// Equations whose factor serves later solves as preconditioner; those of some earlier state, or empty.
+  std::vector<NodeLinearization> factored = {};
+  Eigen::VectorXd image = {};  ///< F multiplier, with friction; empty: not known
 };
 
 /// Solution of a contact problem, and the work it took.
@@ -60,10 +117,11 @@ struct ContactResult {
   int set_changes = 0;  ///< updates of the active set
 };
 
-/// Thrown if no contact pressures can balance the loads. Not a std::exception: callers translate it. Along `motion`
+/// Thrown if no contact tractions can balance the loads. Not a std::exception: callers translate it. Along `motion`
 /// (amplitudes of the rigid-body modes) no contact closes, and the loads do work.
 struct UnbalancedLoad {
   Eigen::VectorXd motion;
+  double force = 0;  ///< generalised force along `motion` that contact cannot balance; 0: not computed
 };
 
 /// Weighted gaps of all rows: load.gap + F lambda + N alpha
@@ -91,7 +149,7 @@ double fixing_flexibility(const ContactProblem& problem);
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
 
 /// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones, ascending. Changes below 1e-12 of the
-/// largest multiplier, or below `rounding`, are ignored. @param current  ascending
+/// largest multiplier, or below `rounding`, are ignored. Tangential rows are left out. @param current  ascending
 std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding);
 

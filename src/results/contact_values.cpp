@@ -1,0 +1,39 @@
+#include "creepcontact/results/contact_values.hpp"
+
+#include "creepcontact/base/index.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+constexpr double at_the_limit = 1 - 1e-6;  // of mu times the pressure
+
+}  // namespace
+
+ContactValues contact_values(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at) {
+  using contact::ContactStatus;
+  const contact::MortarCoupling& coupling = pair.coupling;
+  const auto multiplier = at.contact.multiplier.segment(pair.first_row, coupling.n_rows());
+  const bool tied = coupling.type == contact::ContactType::tied;
+  ContactValues result;
+  result.pressure = coupling.pressure(node, multiplier);
+  const Vector3 shear = coupling.shear(node, multiplier);
+  result.traction = -(result.pressure * coupling.nodes[node].normal + shear);
+  result.shear = shear.norm();
+  if (!tied) result.gap = at.gaps[pair.first_row + coupling.row(node)] / coupling.area[node];
+  const auto number = pair.first_node + static_cast<Index>(node);
+  ContactStatus status = result.pressure > 0 ? ContactStatus::slip : ContactStatus::open;
+  if (tied) status = ContactStatus::stick;
+  if (coupling.has_friction()) {
+    const contact::NodeLinearization& law = at.contact.nodes[static_cast<std::size_t>(number)];
+    status = law.status;
+    // At an accepted state nothing has slid since the last one: there the traction decides.
+    if (status != ContactStatus::open)
+      status =
+          result.shear >= at_the_limit * law.friction * result.pressure ? ContactStatus::slip : ContactStatus::stick;
+    result.slip = at.friction.path[number];
+  }
+  result.status = static_cast<double>(status);
+  return result;
+}
+
+}  // namespace creepcontact::results
