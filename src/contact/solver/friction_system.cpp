@@ -70,8 +70,7 @@ Eigen::VectorXd FrictionRows::equations(const Linearization& at, const Eigen::Ve
     const NodeLinearization& node = at[i];
     if (node.status == ContactStatus::open) continue;
     const ContactNode& rows = problem_->nodes[i];
-    const int n_closed = rows.set == AdmissibleSet::space ? rows.n_rows : 1;
-    for (int row = rows.first_row; row < rows.first_row + n_closed; ++row)
+    for (int row = rows.first_row; row < rows.first_row + rows.n_closed(); ++row)
       if (is_movable(row)) left[row] = gap[row];
     const Tangents& tangential = tangents_[i];
     if (node.status == ContactStatus::stick) {
@@ -148,7 +147,7 @@ class FrictionSystem::Factor {
       if (node.status == ContactStatus::open) continue;
       const FrictionRows::Tangents& tangential = rows.tangents(i);
       const int normal = static_cast<int>(diagonal.size());
-      for (int row = own.first_row; row < own.first_row + (own.set == AdmissibleSet::space ? own.n_rows : 1); ++row)
+      for (int row = own.first_row; row < own.first_row + own.n_closed(); ++row)
         if (rows.is_movable(row)) add(row, 1);
       if (node.status == ContactStatus::stick) {
         for (int k = 0; k < tangential.n; ++k) add(tangential.rows[k], 1);

@@ -18,7 +18,7 @@ std::optional<double> friction_kappa(const ContactProblem& problem, const Fricti
       first.push_back(static_cast<int>(normal.size()));
       for (int k = 0; k < rows.tangents(i).n; ++k) tangential.push_back(rows.tangents(i).rows[k]);
     }
-    for (int k = 0; k < (node.set == AdmissibleSet::space ? node.n_rows : 1); ++k)
+    for (int k = 0; k < node.n_closed(); ++k)
       if (rows.is_movable(node.first_row + k)) normal.push_back(node.first_row + k);
   }
   if (tangential.empty()) return std::nullopt;

@@ -101,7 +101,7 @@ class Tresca::Iteration {
 
  private:
   void add_closed(const ContactNode& node) {
-    for (int row = node.first_row; row < node.first_row + (node.set == AdmissibleSet::space ? node.n_rows : 1); ++row)
+    for (int row = node.first_row; row < node.first_row + node.n_closed(); ++row)
       if (rows_.is_movable(row)) active_.push_back(row);
   }
 

@@ -39,6 +39,9 @@ struct ContactNode {
   int first_row = 0;
   int n_rows = 1;  ///< half_line: 1; space: any number; cone: the normal row and one or two tangential ones
   int slave_body = 0, master_body = 0;
+
+  /// Rows whose gap vanishes where the node is closed: the first ones; a cone's tangential rows follow Coulomb's law.
+  int n_closed() const { return set == AdmissibleSet::space ? n_rows : 1; }
 };
 
 /// All data that does not depend on the load. Owned by CondensedInterface; solvers refer to it.
