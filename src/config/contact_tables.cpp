@@ -81,6 +81,18 @@ Value<Alpha> alpha_value(Range range) {
   return value;
 }
 
+Value<Preload> preload_table() {
+  return written_inline(table<Preload>({
+      field<Preload>("force", &Preload::force, number(greater(0)),
+                     "pressure times area of a unilateral contact, tension across a tied one, of the modelled part",
+                     Presence::required)
+          .in("force"),
+      field<Preload>("at", &Preload::time, number(at_least(0)),
+                     "time at which it is applied, with the loads of that time; the interference found is kept")
+          .in("time"),
+  }));
+}
+
 struct ContactKeys : Contact {
   std::string slave_name = "auto";
   Gap initial_gap{geometric_gap, gap};
@@ -95,6 +107,9 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
     context.errors.add(item.child("gap").location,
                        "has no effect on a tied contact, which joins the surfaces as they are in the mesh",
                        "no gap, or type = \"unilateral\"");
+  if (keys.preload && has_gap)
+    context.errors.add(item.child("gap").location, "contradicts 'preload', which finds the interference itself",
+                       "either gap or preload");
   if (keys.type == ContactType::tied && !keys.friction.is_zero())
     context.errors.add(item.child("friction").location, "has no effect on a tied contact, which never slides",
                        "no friction, or type = \"unilateral\"");
@@ -131,6 +146,9 @@ Value<Contact> contact_table() {
                          "initial normal distance; negative: interference; `\"geometric\"`: measured from the mesh; "
                          "unilateral contacts only")
           .in("length"),
+      field<ContactKeys>("preload", &ContactKeys::preload, preload_table(),
+                         "normal force instead of `gap`, as of a bolt; on a tied contact, which is then a cut through "
+                         "the shank, a tension"),
       field<ContactKeys>("friction", &ContactKeys::friction, function({"x", "y", "z", "t", "T"}, at_least(0)),
                          "coefficient of Coulomb friction; unilateral contacts only"),
   });

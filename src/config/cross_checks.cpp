@@ -116,6 +116,13 @@ void check_pairs(const std::vector<Contact>& contacts, Diagnostics& errors) {
     }
 }
 
+void check_preloads(const Config& config, Diagnostics& errors) {
+  for (const Contact& contact : config.contacts)
+    if (const auto& preload = contact.preload; preload && config.time.end > 0 && preload->time > config.time.end)
+      errors.add(contact.location, fmt::format("the preload is applied at t = {:.6g}, after the end", preload->time),
+                 fmt::format("'at' between 0 and time.end = {:.6g}", config.time.end));
+}
+
 }  // namespace
 
 void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
@@ -129,6 +136,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   for (const Alpha::OfBody& alpha : config.contact_solver.alpha.of_body) check_name(alpha.body, "body", bodies, errors);
   check_unique(config.contacts, errors);
   check_pairs(config.contacts, errors);
+  check_preloads(config, errors);
   check_unique(config.probes, errors);
   check_regions(config.bodies, errors);
   check_temperature(config, root, errors);

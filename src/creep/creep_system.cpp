@@ -252,6 +252,14 @@ double CreepSystem::longest_step() const {
   return friction.turning_step * std::clamp(safety * std::cbrt(tolerance_ / friction.turning_error), least, most);
 }
 
+void CreepSystem::apply_preloads(double t, std::span<const double> y) {
+  if (!solver_.has_preload_due(t, history_)) return;
+  forget_evaluations();
+  step_.y.assign(y.begin(), y.end());
+  layout_.views(step_.y, views_);
+  solver_.apply_preloads(t, load_time(t), views_, history_);
+}
+
 void CreepSystem::accept(double t, std::span<const double> y) {
   if (has_friction()) {
     if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);

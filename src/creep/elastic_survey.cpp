@@ -42,14 +42,18 @@ double creep_over_elastic_strain(const Team& team, const MaterialPoints& points,
 class Survey {
  public:
   Survey(EquilibriumSolver& solver, double end)
-      : solver_(solver), end_(end), no_creep_(solver.assembly().bodies().size()), history_(solver.new_history()) {
+      : solver_(solver), end_(end), no_creep_(solver.assembly().bodies().size()) {
     for (const mechanics::Body& body : solver.assembly().bodies()) points_.emplace_back(body);
   }
 
   ElasticSurvey at(const std::vector<double>& times) {
     ElasticSurvey result{std::vector<double>(points_.size(), 0.0), false};
+    const bool has_preloads = std::ranges::any_of(solver_.assembly().pairs(),
+                                                  [](const contact::Pair& pair) { return pair.preload.has_value(); });
+    history_ = has_preloads ? solver_.initial_history() : solver_.new_history();
     for (const double t : times) {
       try {
+        if (solver_.has_preload_due(t, history_)) solver_.apply_preloads(t, t, no_creep_, history_);
         solver_.solve(t, no_creep_, history_, equilibrium_);
       } catch (const ModelError&) {
         if (t == times.front()) throw;
@@ -114,9 +118,10 @@ ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector
                                     const std::vector<double>& breakpoints) {
   if (!solver.assembly().creeps()) return {};
   const double end = output_times.back();
-  std::vector<double> times{0.0, end};
+  std::vector<double> times{0.0};
   for (const double t : breakpoints)
     if (t > 0 && t < end) times.insert(times.end(), {just_before(t), just_after(t)});
+  times.push_back(end);
   Survey survey(solver, end);
   ElasticSurvey result = survey.at(times);
   const auto is_zero = [](const ElasticSurvey& of) { return !(*std::ranges::max_element(of.stress) > 0); };

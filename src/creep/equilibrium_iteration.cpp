@@ -157,6 +157,8 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
     given.gap -= history.friction.slip;
     given.friction.direction = history.friction.direction;
   }
+  given.gap += interference_gaps(history.interference);
+  into.interference = history.interference;
   given.work /= stiffness.scale;
   given.force /= stiffness.scale;
   into.displacements.clear();

@@ -221,6 +221,7 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
 History EquilibriumSolver::new_history() const {
   History history;
   history.set_changes.assign(assembly_.pairs().size(), 0);
+  history.interference.assign(assembly_.pairs().size(), 0.0);
   if (interface_.problem().has_friction()) {
     SlipHistory& friction = history.friction;
     friction.slip.setZero(interface_.n_rows());
@@ -233,7 +234,9 @@ History EquilibriumSolver::new_history() const {
 
 History EquilibriumSolver::initial_history() {
   History history = new_history();
-  if (!interface_.problem().has_friction()) return history;
+  const bool has_friction = interface_.problem().has_friction();
+  const std::vector<std::size_t> preloads = preloads_due(0, history);
+  if (!has_friction && preloads.empty()) return history;
   Equilibrium at;
   assembly_.update(0, at.conditions);
   if (stiffness_change(at.conditions).rest > 0) refactorize(at.conditions);
@@ -243,18 +246,28 @@ History EquilibriumSolver::initial_history() {
   forward();
   add_traces(full.gap);
   const Eigen::VectorXd unloaded = interface_.unloaded_gap();
-  const double longest = 1.0 / options_.initial_substeps, shortest = longest / 64;
+  const double longest = has_friction ? 1.0 / options_.initial_substeps : 1.0, shortest = longest / 64;
   double reached = 0, step = longest;
   while (reached < 1) {
     // Equal steps end where they should in spite of round-off.
     const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
     contact::InterfaceLoad load = full;
-    load.gap = part * full.gap + (1 - part) * unloaded - history.friction.slip;
+    load.gap = part * full.gap + (1 - part) * unloaded;
+    if (has_friction) load.gap -= history.friction.slip;
     load.work *= part;
     load.force *= part;
     load.friction.direction = history.friction.direction;
+    const auto solve = [&](const History& trial) -> const Equilibrium& {
+      contact::InterfaceLoad with_interference = load;
+      with_interference.gap += interference_gaps(trial.interference);
+      solve_contact(with_interference, trial.contact, at);
+      return at;
+    };
     try {
-      solve_contact(load, history.contact, at);
+      if (preloads.empty())
+        solve(history);
+      else
+        find_interference(preloads, part, history, solve);
     } catch (const SolverError&) {
       step /= 2;
       if (step < shortest) throw;
@@ -264,12 +277,13 @@ History EquilibriumSolver::initial_history() {
       if (step < shortest) throw;
       continue;
     }
-    history.friction = slip_until(at, history);
+    if (has_friction) history.friction = slip_until(at, history);
     history.contact = at.contact;
     reached = part;
     step = std::min(2 * step, longest);
   }
   history.friction.turning_error = 0;
+  history.preloaded_until = 0;
   return history;
 }
 
@@ -355,6 +369,8 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
   memory["contact.multiplier"].assign(contact.multiplier.begin(), contact.multiplier.end());
   memory["contact.rigid"].assign(contact.rigid.begin(), contact.rigid.end());
   memory["contact.active"].assign(contact.active.begin(), contact.active.end());
+  memory["contact.interference"] = history.interference;
+  memory["contact.preloaded_until"] = {history.preloaded_until};
   memory["contact.sweeps_given_up"] = {contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
   if (history.friction.slip.size() > 0) save_friction(history, memory);
   if (!stiffness_changes_) return;
@@ -377,6 +393,8 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   history.contact.rigid = vector_of(memory.at("contact.rigid"));
   const std::vector<double>& active = memory.at("contact.active");
   history.contact.active.assign(active.begin(), active.end());
+  history.interference = memory.at("contact.interference");
+  history.preloaded_until = memory.at("contact.preloaded_until").at(0);
   if (memory.at("contact.sweeps_given_up").at(0) != 0) contact_solver_->give_up_sweeps();
   if (interface_.problem().has_friction()) restore_friction(memory, history);
   history.accepted.clear();

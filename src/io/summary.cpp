@@ -56,6 +56,7 @@ void add_life(const Summary& summary, Json& json) {
                     {"largest_normal_force", contact.normal_force.largest},
                     {"final_normal_force", contact.normal_force.end},
                     {"remaining_fraction", contact.normal_force.remaining()}};
+    if (contact.interference) json_contact["interference"] = *contact.interference;
     if (contact.dissipated_energy) json_contact["dissipated_energy"] = *contact.dissipated_energy;
     if (contact.largest_slip) json_contact["largest_slip"] = *contact.largest_slip;
     if (contact.opened) json_contact["opened"] = *contact.opened;

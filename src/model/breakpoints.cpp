@@ -59,6 +59,8 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
           function.text());
   }
   for (const double t : config.time.breakpoints) times.add(t, rounding * t);
+  for (const config::Contact& contact : config.contacts)
+    if (contact.preload) times.add(contact.preload->time, rounding * contact.preload->time);
   for (const config::ConfiguredFunction& function : config.functions)
     for (const double t : function.value.breakpoints(end)) times.add(t, rounding * t);
   if (temperature)

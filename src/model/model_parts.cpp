@@ -145,6 +145,7 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.coupling =
       contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding, !contact.friction.is_zero());
   pair.gap = contact.gap;
+  if (contact.preload) pair.preload = {contact.preload->force, contact.preload->time};
   pair.geometric_gap = contact.geometric_gap;
   if (pair.coupling.has_friction()) {
     std::vector<Vector3> positions;

@@ -12,13 +12,15 @@ namespace {
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 constexpr double no_force = 1e-9;  // of the largest: round-off
 
-bool is_tied(const contact::Pair& pair) {
-  return pair.coupling.type == contact::ContactType::tied;
+/// Tied contacts without preload have no normal force of interest.
+bool has_normal_force(const contact::Pair& pair) {
+  return pair.coupling.type != contact::ContactType::tied || pair.preload;
 }
 
-/// Sum of pressure times nodal area.
+/// Sum of pressure times nodal area; of a tied contact, the tension.
 double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
   const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
+  if (pair.preload) return -pair.interference_gap().dot(own);
   double force = 0;
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
     force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
@@ -62,6 +64,7 @@ Outcome::Outcome(const creep::Assembly& assembly)
       stresses_(assembly.bodies().size()),
       dissipated_(assembly.pairs().size(), never),
       slip_(assembly.pairs().size(), never),
+      interference_(assembly.pairs().size(), never),
       slid_far_(assembly.pairs().size(), 0) {}
 
 void Outcome::see_friction(double time, const creep::Equilibrium& at, std::size_t p) {
@@ -93,7 +96,8 @@ void Outcome::output(double time, const creep::Equilibrium& at) {
   started_ = true;
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
-    if (is_tied(pair)) continue;
+    if (!has_normal_force(pair)) continue;
+    if (pair.preload) interference_[p] = at.interference[p];
     add(normal_force(pair, at.contact.multiplier), is_first, forces_[p]);
     const bool is_open = forces_[p].end <= no_force * forces_[p].largest;
     if (!is_open)
@@ -109,7 +113,7 @@ void Outcome::output(double time, const creep::Equilibrium& at) {
 void Outcome::warn_of_open_contacts() const {
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
-    if (is_tied(pair) || forces_[p].largest > 0) continue;
+    if (!has_normal_force(pair) || forces_[p].largest > 0) continue;
     log::warning("contact '{}' was open at every output time and carried no load (a negative gap is an interference)",
                  pair.name);
   }
@@ -120,9 +124,10 @@ void Outcome::fill(io::Summary& summary) const {
     summary.bodies[assembly_.bodies()[b].name()].von_mises = stresses_[b];
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
-    if (is_tied(pair)) continue;
+    if (!has_normal_force(pair)) continue;
     io::Summary::Contact& contact = summary.contacts[pair.name];
     contact.normal_force = forces_[p];
+    if (!std::isnan(interference_[p])) contact.interference = interference_[p];
     if (!std::isnan(dissipated_[p])) contact.dissipated_energy = dissipated_[p];
     if (!std::isnan(slip_[p])) contact.largest_slip = slip_[p];
     if (!std::isnan(opened_[p])) contact.opened = opened_[p];

@@ -35,6 +35,11 @@ std::string gap_text(const config::Contact& contact, const contact::Pair& pair) 
   const auto [least, largest] = range(pair.coupling);
   const std::string mesh =
       least == largest ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, largest);
+  if (contact.preload) {
+    const std::string kind = contact.type == config::ContactType::tied ? "tied, tension " : "preload ";
+    return fmt::format("{}{:.6g} from t = {:.6g} on, distance in the mesh {}", kind, contact.preload->force,
+                       contact.preload->time, mesh);
+  }
   if (contact.type == config::ContactType::tied) return "tied, distance in the mesh " + mesh;
   if (contact.geometric_gap) return "gap from the mesh, " + mesh;
   const bool overlaps = contact.gap.is_constant() && contact.gap({}) < 0;

@@ -221,7 +221,8 @@ void TimeLoop::outputs_of_step(bool breakpoint) {
     output(*next_output_, state_);
   }
   if (breakpoint) {
-    begin_segment();                                                          // a result at a jump is that after it
+    begin_segment();  // a result at a jump is that after it
+    system_.apply_preloads(time_, integrator_->state());
     if (system_.has_friction()) system_.accept(time_, integrator_->state());  // slip in the jump
   }
   if (breakpoint && integrator_->jumps_with_loads()) integrator_->initialize(time_, integrator_->state());
@@ -306,10 +307,12 @@ void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
         system_.begin_segment(-never, *next_break_);
         load_until(*next_break_);
         system_.begin_segment(*next_break_, never);
+        system_.apply_preloads(*next_break_, state_);
         system_.accept(*next_break_, state_);
       }
     const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
     system_.begin_segment(jump ? t : -never, never);
+    system_.apply_preloads(t, state_);
     if (system_.has_friction()) load_until(t);
     system_.evaluate_step(t, state_);
     output(t, state_);

@@ -151,6 +151,12 @@ using settings::InnerIteration;
 using settings::LinearSolver;
 using settings::StepMode;
 
+/// Normal force of a contact instead of its gap.
+struct Preload {
+  double force = 0;
+  double time = 0;  ///< at which it is applied
+};
+
 /// [[contacts]]
 struct Contact {
   std::string name;                  ///< default: "<first surface>-<second surface>"
@@ -159,7 +165,8 @@ struct Contact {
   int slave = -1;              ///< 0 or 1: index into `between`; -1: "auto"
   bool geometric_gap = false;  ///< gap = "geometric": measured from the meshes
   Function gap = 0.0;          ///< initial normal distance; negative: interference
-  Function friction = 0.0;     ///< coefficient of friction, of x, y, z, t, T
+  std::optional<Preload> preload;
+  Function friction = 0.0;  ///< coefficient of friction, of x, y, z, t, T
   Location location;
 };
 

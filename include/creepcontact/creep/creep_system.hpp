@@ -66,6 +66,9 @@ class CreepSystem final : public ode::System,
                        std::span<double> change) override;
   /// Typical stress / Young's modulus per body (ErrorScale); it follows the stress of the accepted steps.
   std::span<const double> scale() const override { return scale_.values(); }
+  /// Applies the preloads that are due at t, if any. Call it before the first evaluation after t.
+  /// @throws as EquilibriumSolver::apply_preloads
+  void apply_preloads(double t, std::span<const double> y);
   /// Makes the last step evaluation part of the history. Without friction it may have been made close to the accepted
   /// point. With friction, whose slip it defines, it is made again unless it is within a tenth of the tolerance.
   void accept(double t, std::span<const double> y) override;

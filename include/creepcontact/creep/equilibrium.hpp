@@ -43,16 +43,19 @@ struct Equilibrium {
   contact::ContactState contact;  ///< multipliers (contact pressures), rigid-body modes, rows in contact (ascending)
   /// Weighted gaps of all contact rows; in tangential rows the slip since the history that the solve started from.
   Eigen::VectorXd gaps;
-  SlipHistory friction;        ///< what the history becomes if this is accepted; empty without friction
-  double stiffness_scale = 1;  ///< s: stiffness at this time relative to that of the factors
+  std::vector<double> interference;  ///< of preloaded contacts, per pair; zero for others
+  SlipHistory friction;              ///< what the history becomes if this is accepted; empty without friction
+  double stiffness_scale = 1;        ///< s: stiffness at this time relative to that of the factors
   std::vector<FactoredDisplacement> displacements;  ///< one per body; empty unless the stiffness changes in time
   std::int64_t factors = 0;                         ///< number of the factorisation that `displacements` refer to
 };
 
 /// What evaluations depend on in addition to their arguments. Only accepted steps change it, and checkpoints store it.
 struct History {
-  contact::ContactState contact;  ///< of the last accepted step; contact iterations start from it
-  SlipHistory friction;           ///< empty vectors without friction
+  contact::ContactState contact;     ///< of the last accepted step; contact iterations start from it
+  SlipHistory friction;              ///< empty vectors without friction
+  std::vector<double> interference;  ///< that preloads have been given, per pair
+  double preloaded_until = -1;       ///< preloads up to this time have been applied
   struct Accepted {
     double time = 0;
     std::vector<FactoredDisplacement> displacements;

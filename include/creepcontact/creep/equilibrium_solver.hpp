@@ -65,11 +65,19 @@ class EquilibriumSolver {
 
   /// An empty history for this assembly.
   History new_history() const;
-  /// The history at t = 0. With friction: loads, prescribed displacements and temperatures of t = 0 are applied in
-  /// SolverOptions::initial_substeps proportional steps, and interference is built up by moving the surfaces of the
-  /// pair uniformly into each other. Nothing creeps meanwhile.
+  /// The history at t = 0, with the preloads of that time. With friction: loads, prescribed displacements and
+  /// temperatures of t = 0 are applied in SolverOptions::initial_substeps proportional steps, and interference is built
+  /// up by moving the surfaces of the pair uniformly into each other; preloads grow in proportion. Nothing creeps
+  /// meanwhile.
   /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
   History initial_history();
+  /// True if preloads not yet applied are due at t.
+  bool has_preload_due(double t, const History& history) const;
+  /// Finds the interferences with which the preloads that are due at t have their forces, under the loads at `at` and
+  /// these creep strains, and keeps them in the history. Interferences found before do not change.
+  /// @throws as solve(); ModelError naming the largest force if a force cannot be reached
+  /// Cost: some solves, no factorisation
+  void apply_preloads(double t, double at, CreepStrains creep, History& history);
   /// Makes the equilibrium of an accepted step the start of later contact iterations and, with friction, of slip.
   void accept(const Equilibrium& at, History& history) const;
   /// Stores the history and the state of this solver that evaluations depend on, for a checkpoint.
@@ -121,6 +129,14 @@ class EquilibriumSolver {
   void leave_residual(const Equilibrium& of);
   /// Slip up to an equilibrium that was solved from this history.
   SlipHistory slip_until(const Equilibrium& at, const History& history) const;
+  /// The pairs whose preloads are due at t.
+  std::vector<std::size_t> preloads_due(double t, const History& history) const;
+  /// Sets the interference of these pairs so that `part` of their forces acts.
+  /// @param solve  finds the equilibrium for the interferences of a history
+  void find_interference(const std::vector<std::size_t>& pairs, double part, History& history,
+                         const std::function<const Equilibrium&(const History&)>& solve);
+  /// Weighted gaps of all rows from the interferences of preloads.
+  Eigen::VectorXd interference_gaps(const std::vector<double>& interference) const;
   void forward();
   /// gap += the traces of the displacements that forward() left in terms of the factors.
   void add_traces(Eigen::VectorXd& gap);

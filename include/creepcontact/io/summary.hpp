@@ -46,6 +46,7 @@ struct Summary : RunCounters {
   };
   struct Contact {
     Course normal_force;
+    std::optional<double> interference;       ///< found for a preload
     std::optional<double> dissipated_energy;  ///< by friction, up to the end
     std::optional<double> largest_slip;       ///< accumulated at the end, the largest over the surface
     std::optional<double> opened;  ///< output time from which on it carries nothing, having carried something

@@ -25,7 +25,7 @@ class Outcome {
   /// At the end of a run: warns of unilateral contacts that never carried a force.
   void warn_of_open_contacts() const;
 
-  /// Normal forces of unilateral contacts, largest von Mises stress of each body (at integration points).
+  /// Normal forces of unilateral and preloaded contacts, largest von Mises stress of each body (at integration points).
   void fill(io::Summary& summary) const;
   void save(creep::Memory& memory) const;
   /// Does nothing if the memory has no record.
@@ -40,6 +40,7 @@ class Outcome {
   std::vector<double> opened_;                 // time, by pair; NaN: has not opened
   std::vector<io::Summary::Course> stresses_;  // of every body
   std::vector<double> dissipated_, slip_;      // of every contact pair at the last output; NaN: no friction
+  std::vector<double> interference_;           // likewise; NaN: no preload
   std::vector<char> slid_far_;                 // by pair: warned of
 };
 

@@ -14,6 +14,21 @@ void append(const RowMatrix& from, int first_target, std::vector<Eigen::Triplet<
 
 }  // namespace
 
+Eigen::VectorXd Pair::interference_gap() const {
+  const Index n_nodes = std::ssize(coupling.nodes), width = coupling.rows_per_node();
+  const Eigen::Map<const Eigen::VectorXd> area(coupling.area.data(), n_nodes);
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(coupling.n_rows());
+  if (coupling.type != ContactType::tied) {
+    gap(Eigen::seqN(0, n_nodes, width)) = -area;
+    return gap;
+  }
+  Vector3 normal = Vector3::Zero();
+  for (Index i = 0; i < n_nodes; ++i) normal += area[i] * coupling.nodes[i].normal;
+  normal.normalize();
+  for (Index i = 0; i < n_nodes; ++i) gap.segment<3>(width * i) = area[i] * normal;
+  return gap;
+}
+
 Index number_rows(std::vector<Pair>& pairs) {
   Index n_rows = 0, n_nodes = 0;
   for (Pair& pair : pairs) {

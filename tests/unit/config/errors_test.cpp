@@ -184,6 +184,19 @@ TEST(ConfigMistakes, Contacts) {
                  "cases/block.toml:14:7: contacts[0].gap: expression 'geometrical': ");
 }
 
+TEST(ConfigMistakes, Preloads) {
+  const std::string contact = minimal + "[[contacts]]\nname = \"c\"\nbetween = [\"a\", \"b\"]\n";
+  const auto expect = [&](const std::string& keys, const std::string& part) {
+    const std::vector<std::string> lines = mistakes(contact + keys + '\n');
+    ASSERT_EQ(lines.size(), 1u) << keys;
+    EXPECT_NE(lines[0].find(part), std::string::npos) << lines[0];
+  };
+  expect("gap = -0.1\npreload = { force = 1 }", "contacts[0].gap: contradicts 'preload'");
+  expect("preload = { force = 0 }", "contacts[0].preload.force: number 0; allowed: a number > 0");
+  expect("preload = { }", "contacts[0].preload");
+  expect("preload = { force = 1, at = 1e9 }", "the preload is applied at t = 1e+09, after the end");
+}
+
 TEST(ConfigMistakes, Creep) {
   const std::string creep = minimal + "[[materials.steel.creep]]\n";
   expect_mistake(creep + "law = \"norton\"\nA = 1\n",

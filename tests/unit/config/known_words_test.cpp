@@ -13,9 +13,6 @@ namespace creepcontact::config {
 namespace {
 
 TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
-  const std::string contact = minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n";
-  expect_mistake(contact + "preload = { force = 1 }\n",
-                 "cases/block.toml:14:1: contacts[0].preload: not in this version; a negative 'gap'");
   for (const char* table : {"[[cyclic]]", "[[rigid]]", "[[events]]"}) {
     const std::vector<std::string> lines = mistakes(minimal + table + "\nx = 1\n");
     ASSERT_EQ(lines.size(), 1u);

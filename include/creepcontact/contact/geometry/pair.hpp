@@ -1,6 +1,7 @@
 #pragma once
 /// A contact pair: two surfaces of two bodies, or ties between their nodes.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,12 @@
 
 namespace creepcontact::contact {
 
+/// A normal force that a contact is given by an interference.
+struct Preload {
+  double force = 0;  ///< > 0: pressure times area of a unilateral contact, tension across a tied one
+  double time = 0;   ///< at which it is applied; the interference found then is kept
+};
+
 /// Plain values; bodies are given by their index in the model.
 struct Pair {
   std::string name;
@@ -20,10 +27,15 @@ struct Pair {
   Function gap;                       ///< given initial gap [length], used unless ...
   bool geometric_gap = false;         ///< ... it is measured from the meshes
   FrictionCoefficient friction = {};  ///< one value per multiplier node; used if the coupling has friction
-  Index first_row = 0;                ///< number of the first row among those of all pairs
-  Index first_node = 0;               ///< likewise of the first multiplier node
+  std::optional<Preload> preload = {};
+  Index first_row = 0;   ///< number of the first row among those of all pairs
+  Index first_node = 0;  ///< likewise of the first multiplier node
 
   bool ties_nodes() const { return slave_surface.empty(); }
+  /// Change of the weighted gaps per unit of interference, n_rows of the coupling: a unilateral contact overlaps by it,
+  /// the surfaces of a tied one are drawn together over this distance along their mean normal. The normal force of a
+  /// preload is minus its product with the multipliers.
+  Eigen::VectorXd interference_gap() const;
 };
 
 /// Sets first_row and first_node of all pairs. @returns the number of rows of all pairs

@@ -1,0 +1,31 @@
+#pragma once
+/// Interferences that give contacts prescribed normal forces. Without friction the forces are the gradient of a convex,
+/// piecewise quadratic function of the interferences, and Newton's method with a line search finds them from anywhere.
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/contact/solver/problem.hpp"
+
+namespace creepcontact::creep {
+
+struct PreloadSearch {
+  std::vector<std::string> names;  ///< of the n preloaded contacts, for messages
+  Eigen::VectorXd forces;          ///< n, to be reached
+  Eigen::MatrixXd gaps;            ///< n_rows x n: change of the weighted gaps per unit of each interference
+  /// Contact state for these interferences.
+  std::function<const contact::ContactState&(const Eigen::VectorXd& interference)> solve;
+  /// Change of the multipliers for a change of the gaps, with the closed rows of a state held closed.
+  std::function<Eigen::VectorXd(const contact::ContactState& at, const Eigen::VectorXd& gap)> change;
+  /// The state with all movable rows of all contacts closed: the stiffest answer to an interference.
+  std::function<contact::ContactState(const contact::ContactState& at)> closed;
+  double time = 0;  ///< for messages
+
+  /// @param interference  n, to start from @returns n interferences; `solve` was called with them last
+  /// @throws ModelError naming the contact and its largest force if a force cannot be reached
+  Eigen::VectorXd find(Eigen::VectorXd interference) const;
+};
+
+}  // namespace creepcontact::creep

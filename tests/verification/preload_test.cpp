@@ -1,0 +1,144 @@
+/// Preload by force: bars between two walls, tightened at a cut, under a head or at a curved seat.
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "creepcontact/base/error.hpp"
+#include "verification/boxes.hpp"
+#include "verification/case.hpp"
+#include "verification/rings.hpp"
+
+namespace creepcontact {
+namespace preload_cases {
+namespace {
+
+constexpr double modulus = 2e5, half = 5, force = 100;  // bars of section 1
+
+std::string bar_geo() {
+  return test::boxes_geo(
+      {{"low", {0, 0, 0}, {1, 1, half}, {2, 2, 4}}, {"high", {0, 0, half}, {1, 1, half}, {2, 2, 4}}});
+}
+
+/// Two halves of a bar between walls.
+std::string bar(const std::string& contact, double A = 0, double n = 1) {
+  return "[mesh]\nfile = \"case.geo\"\norder = 2\n" + test::body("low", modulus, 0, A, n) +
+         test::body("high", modulus, 0, A, n) + test::support("low_x0", "x") + test::support("low_y0", "y") +
+         test::support("low_z0", "z") + test::support("high_x0", "x") + test::support("high_y0", "y") +
+         test::support("high_z1", "z") + test::contact_table("low_z1", "high_z0", contact) +
+         test::probe("wall", "reaction_z", "on = \"low_z0\"");
+}
+
+const std::string interference = "contacts/low_z1~1high_z0/interference";
+
+TEST(Preload, TensionOfATiedCutRelaxesAsABarDoes) {
+  constexpr double A = 1e-12, end = 1000;
+  const test::Outcome outcome =
+      test::run_case(bar(fmt::format("type = \"tied\"\npreload = {{ force = {} }}", force), A, 3) +
+                         fmt::format("[time]\nend = {}\ntolerance = 1e-6\n", end),
+                     bar_geo());
+  EXPECT_RELATIVE(outcome.summary.number(interference), force * 2 * half / modulus, 1e-9);
+  EXPECT_RELATIVE(outcome.summary.number("contacts/low_z1~1high_z0/initial_normal_force"), force, 1e-9);
+  EXPECT_RELATIVE(outcome.history.at("wall", 0), -force, 1e-9);  // the wall pulls the bar down
+  // d sigma/dt = -E A sigma^3
+  EXPECT_RELATIVE(outcome.history.at("wall", end), -force / std::sqrt(1 + 2 * modulus * A * force * force * end), 1e-5);
+}
+
+TEST(Preload, PressesAUnilateralContactWithTheLoadsOfTheStart) {
+  const std::string pressed =
+      bar("preload = { force = 100 }") + "[[loads]]\nbody = \"high\"\nbody_force = [0, 0, -4]\n[time]\nend = 1\n";
+  const test::Outcome outcome = test::run_case(pressed, bar_geo());
+  EXPECT_RELATIVE(outcome.summary.number("contacts/low_z1~1high_z0/initial_normal_force"), force, 1e-9);
+  EXPECT_RELATIVE(outcome.history.at("wall", 0), force, 1e-9);
+  // Halves of the weight would press without interference: 4 x 5 over two equal springs, one quarter of it.
+  const double of_weight = 4 * half * half / 2 / (2 * half);
+  EXPECT_RELATIVE(outcome.summary.number(interference), (force - of_weight) * 2 * half / modulus, 1e-6);
+}
+
+/// A plate on two bars, and a bar on top of it: the second tightening unloads the first.
+TEST(Preload, SeveralAtOnceAndOneAfterTheOther) {
+  const std::string geo = test::boxes_geo({{"a", {0, 0, 0}, {1, 1, 3}, {2, 2, 2}},
+                                           {"b", {4, 0, 0}, {1, 1, 3}, {2, 2, 2}},
+                                           {"plate", {0, 0, 3}, {5, 1, 1}, {10, 2, 2}},
+                                           {"top", {0, 0, 4}, {5, 1, 3}, {10, 2, 2}}});
+  const auto assembly = [](double later) {
+    std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n";
+    for (const char* name : {"a", "b", "plate", "top"}) toml += test::body(name, modulus, 0.3);
+    for (const char* wall : {"a_z0", "b_z0", "top_z1"})
+      for (const char* component : {"x", "y", "z"}) toml += test::support(wall, component);
+    toml += test::support("plate_x0", "x") + test::support("plate_y0", "y");
+    toml += test::contact_table("a_z1", "plate_z0", "preload = { force = 30 }") +
+            test::contact_table("b_z1", "plate_z0", fmt::format("preload = {{ force = 20, at = {} }}", later)) +
+            test::contact_table("top_z0", "plate_z1");
+    return toml + "[time]\nend = 2\noutput = [0, 0.5, 1, 2]\n" + test::probe("left", "reaction_z", "on = \"a_z0\"") +
+           test::probe("right", "reaction_z", "on = \"b_z0\"");
+  };
+  const test::Table together = test::run_case(assembly(0), geo).history;
+  for (const double t : {0.0, 0.5, 2.0}) {
+    EXPECT_RELATIVE(together.at("left", t), 30, 1e-8) << t;
+    EXPECT_RELATIVE(together.at("right", t), 20, 1e-8) << t;
+  }
+  const test::Table later = test::run_case(assembly(1), geo).history;
+  EXPECT_RELATIVE(later.at("left", 0.5), 30, 1e-8);
+  EXPECT_GT(std::abs(later.at("right", 0.5) - 20), 1);
+  EXPECT_RELATIVE(later.at("right", 1), 20, 1e-8);
+  EXPECT_RELATIVE(later.at("right", 2), 20, 1e-8);
+  EXPECT_GT(std::abs(later.at("left", 2) - 30), 0.5);
+}
+
+TEST(Preload, WithFrictionAndAGrowingContact) {
+  const std::string geo =
+      test::boxes_geo({{"low", {-1, -1, 0}, {2, 2, 1}, {6, 6, 2}}, {"high", {-1, -1, 1}, {2, 2, 1}, {4, 4, 2}}});
+  const auto pressed = [](double friction) {
+    std::string toml =
+        "[mesh]\nfile = \"case.geo\"\norder = 2\n" + test::body("low", modulus, 0.3) + test::body("high", modulus, 0.3);
+    for (const char* wall : {"low_z0", "high_z1"})
+      for (const char* component : {"x", "y", "z"}) toml += test::support(wall, component);
+    // Rounded: the contact grows with the force.
+    return toml +
+           test::contact_table("low_z1", "high_z0",
+                               fmt::format("preload = {{ force = 500 }}\nfriction = {}", friction)) +
+           "[time]\nend = 1\n" + test::probe("wall", "reaction_z", "on = \"low_z0\"");
+  };
+  for (const double friction : {0.0, 0.2}) {
+    const test::Outcome outcome = test::run_case(pressed(friction), geo);
+    EXPECT_RELATIVE(outcome.history.at("wall", 0), 500, 1e-8) << friction;
+    EXPECT_RELATIVE(outcome.history.at("wall", 1), 500, 1e-8) << friction;
+  }
+}
+
+void expect_unreachable(const std::string& toml, const std::string& geo, const std::string& contact,
+                        const std::string& largest) {
+  std::string message;
+  try {
+    test::run_case(toml + "[time]\nend = 1\n", geo);
+  } catch (const ModelError& error) {
+    message = error.what();
+  }
+  EXPECT_NE(message.find(fmt::format(
+                "contact '{}': the preload of 100 cannot be reached at t = 0; the largest normal force is {}", contact,
+                largest)),
+            std::string::npos)
+      << message;
+}
+
+TEST(Preload, ThatCannotBeReachedIsAnErrorWithTheLargestForce) {
+  // Held by supports on both sides of the cut.
+  const std::string held = test::support("low_z1", "z") + test::support("high_z0", "z");
+  expect_unreachable(bar("preload = { force = 100 }") + held, bar_geo(), "low_z1/high_z0", "0");
+  // The upper half hangs on the cut and rests on the lower one: it lifts off at its weight.
+  const std::string geo = test::boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                                           {"middle", {0, 0, 1}, {1, 1, 1}, {2, 2, 2}},
+                                           {"high", {0, 0, 2}, {1, 1, 1}, {2, 2, 2}}});
+  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n";
+  for (const char* name : {"low", "middle", "high"}) toml += test::body(name, modulus, 0);
+  for (const char* wall : {"low_z0", "high_z1"})
+    for (const char* component : {"x", "y", "z"}) toml += test::support(wall, component);
+  toml += test::contact_table("middle_z1", "high_z0", "type = \"tied\"\npreload = { force = 100 }") +
+          test::contact_table("low_z1", "middle_z0") + "[[loads]]\nbody = \"middle\"\nbody_force = [0, 0, -40]\n";
+  expect_unreachable(toml, geo, "middle_z1/high_z0", "40");
+}
+
+}  // namespace
+}  // namespace preload_cases
+}  // namespace creepcontact
