@@ -36,6 +36,9 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies")
           .otherwise("each material is at its `reference_temperature`"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),
+      field<Config>("cyclic", &Config::cyclic, tables(cyclic_table()),
+                    "cyclic symmetry: the model is one of the sectors of a full circle"),
+      field<Config>("rigid", &Config::rigid, tables(rigid_table()), "surfaces that move as rigid bodies"),
       field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(),
                     "settings of the contact solver"),
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),

@@ -30,26 +30,6 @@ Value<Gap> gap_value() {
   return value;
 }
 
-Value<std::array<Reference, 2>> two_surfaces() {
-  const std::string type = "two physical surfaces (in sections curves)";
-  Value<std::array<Reference, 2>> value{
-      .type = type, .read = {}, .json = [] { return schema_of_list(reference("a physical surface").json(), 2); }};
-  value.read = [type](const Item& item, Context& context) -> std::optional<std::array<Reference, 2>> {
-    const toml::array* array = item.node->as_array();
-    if (!array || array->size() != 2) {
-      context.errors.add(item.location, describe(*item.node), type);
-      return std::nullopt;
-    }
-    const auto found = list(reference("a physical surface")).read(item, context);
-    if (!found) return std::nullopt;
-    if ((*found)[0].name == (*found)[1].name) {
-      context.errors.add(item.location, fmt::format("'{}' is given twice", (*found)[0].name), type);
-    }
-    return std::array{(*found)[0], (*found)[1]};
-  };
-  return value;
-}
-
 Value<Alpha> alpha_value(Range range) {
   const Value<double> number_of_body = number(range);
   const auto single = word_or_number("diagonal", range);
@@ -127,6 +107,26 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
 }
 
 }  // namespace
+
+Value<std::array<Reference, 2>> two_surfaces() {
+  const std::string type = "two physical surfaces (in sections curves)";
+  Value<std::array<Reference, 2>> value{
+      .type = type, .read = {}, .json = [] { return schema_of_list(reference("a physical surface").json(), 2); }};
+  value.read = [type](const Item& item, Context& context) -> std::optional<std::array<Reference, 2>> {
+    const toml::array* array = item.node->as_array();
+    if (!array || array->size() != 2) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    const auto found = list(reference("a physical surface")).read(item, context);
+    if (!found) return std::nullopt;
+    if ((*found)[0].name == (*found)[1].name) {
+      context.errors.add(item.location, fmt::format("'{}' is given twice", (*found)[0].name), type);
+    }
+    return std::array{(*found)[0], (*found)[1]};
+  };
+  return value;
+}
 
 Value<Contact> contact_table() {
   const auto type = choice<ContactType>("contact type");

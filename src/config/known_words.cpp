@@ -25,10 +25,9 @@ constexpr std::array words{
               "the word is 'generalized_plane_strain', with a z"},
     KnownWord{"analysis=", "3d three_dimensional full",
               "models in three dimensions are 'analysis' = \"solid\", which need not be given"},
-    KnownWord{"", "cyclic cyclic_symmetry",
-              "not in this version; if the part and its loads have planes of symmetry, cut the part there and use "
-              "'supports' with displacement = { normal = 0 } on both cuts"},
-    KnownWord{"", "rigid rigid_bodies", "not in this version; use a stiff body with its own material"},
+    KnownWord{"", "cyclic_symmetry sector sectors periodic", "cyclic symmetry is '[[cyclic]]'"},
+    KnownWord{"", "rigid_bodies rigid_body rigid_surfaces coupling",
+              "a surface that moves as a rigid body is '[[rigid]]'"},
     KnownWord{"", "events event", "not in this version; history.csv records the probes at every output time"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},

@@ -17,6 +17,10 @@ Value<Load> load_table();
 Value<Temperature> temperature_table();
 Value<GeneralizedPlaneStrain> generalized_plane_strain_table();
 Value<Contact> contact_table();
+Value<Cyclic> cyclic_table();
+Value<Rigid> rigid_table();
+/// Two different surfaces.
+Value<std::array<Reference, 2>> two_surfaces();
 Value<ContactSolver> contact_solver_table();
 Value<Time> time_table(const Vocabulary& vocabulary);
 Value<Output> output_table();

@@ -16,9 +16,9 @@ std::vector<double>& zero_forces(std::size_t n) {
 }  // namespace
 
 Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-           std::optional<TemperatureField> temperature)
+           std::optional<TemperatureField> temperature, const NodeLinks& links)
     : impl_(std::make_unique<Impl>(std::move(name), std::move(mesh), std::move(material), std::move(supports),
-                                   std::move(temperature))) {
+                                   std::move(temperature), links)) {
   at(0.0);  // throws where something is not admissible
 }
 Body::~Body() = default;

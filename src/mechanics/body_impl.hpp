@@ -8,13 +8,13 @@ namespace creepcontact::mechanics {
 
 struct Body::Impl {
   Impl(std::string name_in, mesh::Mesh mesh_in, material::Material material_in, std::vector<Support> supports_in,
-       std::optional<TemperatureField> temperature_in)
+       std::optional<TemperatureField> temperature_in, const NodeLinks& links)
       : name(std::move(name_in)),
         mesh(std::move(mesh_in)),
         material(std::move(material_in)),
         supports(std::move(supports_in)),
         discretization(mesh),
-        constraints(mesh.nodes, with_section_supports(mesh, supports)),
+        constraints(mesh.nodes, with_section_supports(mesh, supports), links),
         parts(mesh_parts(mesh)),
         free_motions(mechanics::free_motions(mesh, parts, constraints)),
         fixing_dofs(determinate_fixing_dofs(free_motions, constraints)),

@@ -30,6 +30,7 @@ class BlockColumn {
 }  // namespace
 
 linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) const {
+  if (!links_.empty()) return reduce_linked(lower);
   const std::int64_t n_nodes = frame_of_node_.size();
   linalg::SparseMatrix reduced(n_free(), n_free());
   std::int64_t* column_start = reduced.outerIndexPtr();
@@ -73,6 +74,10 @@ linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) cons
 Eigen::SparseMatrix<double, Eigen::RowMajor> Constraints::reduce_rows(
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  if (!links_.empty()) {
+    const linalg::SparseMatrix product = linalg::SparseMatrix(rows) * transformation_;
+    return Rows(product);
+  }
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < rows.outerSize(); ++i) {
     for (Rows::InnerIterator it(rows, i); it; ++it) {

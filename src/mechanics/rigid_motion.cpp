@@ -88,8 +88,10 @@ std::vector<RigidMotion> free_rigid_motions(const mesh::Mesh& mesh, const Constr
       held.back() << q, (position(node) - centre).cross(q) / size;
     }
   }
-  Eigen::MatrixXd rows(held.size(), 6);
+  const auto linked = constraints.conditions_on_motions(mesh.nodes, centre, size);
+  Eigen::MatrixXd rows(std::ssize(held) + linked.rows(), 6);
   for (std::size_t i = 0; i < held.size(); ++i) rows.row(i) = held[i].transpose();
+  rows.bottomRows(linked.rows()) = linked;
   const Eigen::MatrixXd free = linalg::null_space(rows, rank_tolerance);
   if (free.cols() == 0) return {};
 

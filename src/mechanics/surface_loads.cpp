@@ -102,6 +102,22 @@ class NodalForce final : public SpatialIntegral {
   Vector3 position_, direction_;
 };
 
+/// At several nodes, a fixed vector each.
+class NodalForces final : public SpatialIntegral {
+ public:
+  NodalForces(std::vector<std::int64_t> nodes, std::vector<Vector3> forces)
+      : nodes_(std::move(nodes)), forces_(std::move(forces)) {}
+  const std::vector<std::int64_t>& nodes() const override { return nodes_; }
+  void add(const Function& f, double t, std::span<double> values) const override {
+    const double factor = f({.t = t});
+    for (std::size_t i = 0; i < nodes_.size(); ++i) Eigen::Map<Vector3>(&values[3 * i]) += factor * forces_[i];
+  }
+
+ private:
+  std::vector<std::int64_t> nodes_;
+  std::vector<Vector3> forces_;
+};
+
 }  // namespace
 
 std::unique_ptr<Load> pressure_load(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, Function pressure) {
@@ -134,6 +150,32 @@ std::unique_ptr<Load> point_load(const mesh::Mesh& mesh, std::int64_t node, std:
     parts.push_back(std::make_unique<SeparableLoad>(std::make_unique<NodalForce>(mesh, node, Vector3::Unit(i)),
                                                     std::move(force[i])));
   }
+  return std::make_unique<SumOfLoads>(std::move(parts));
+}
+
+std::unique_ptr<Load> resultant_load(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes,
+                                     const Vector3& origin, std::array<Function, 3> force,
+                                     std::array<Function, 3> moment) {
+  const auto n = static_cast<double>(nodes.size());
+  Vector3 centre = Vector3::Zero();
+  for (const std::int64_t node : nodes) centre += mesh.nodes[node] / n;
+  Matrix3 inertia = Matrix3::Zero();
+  for (const std::int64_t node : nodes) {
+    const Vector3 arm = mesh.nodes[node] - centre;
+    inertia += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
+  }
+  const Matrix3 inverse = inertia.completeOrthogonalDecomposition().pseudoInverse();
+  std::vector<std::unique_ptr<Load>> parts;
+  const auto add = [&](const Vector3& resultant, const Vector3& couple, Function& value) {
+    if (value.is_zero()) return;
+    const Vector3 turning = inverse * couple;
+    std::vector<Vector3> forces;
+    for (const std::int64_t node : nodes) forces.emplace_back(resultant / n + turning.cross(mesh.nodes[node] - centre));
+    parts.push_back(
+        std::make_unique<SeparableLoad>(std::make_unique<NodalForces>(nodes, std::move(forces)), std::move(value)));
+  };
+  for (int k = 0; k < 3; ++k) add(Vector3::Unit(k), (origin - centre).cross(Vector3::Unit(k)), force[k]);
+  for (int k = 0; k < 3; ++k) add(Vector3::Zero(), Vector3::Unit(k), moment[k]);
   return std::make_unique<SumOfLoads>(std::move(parts));
 }
 

@@ -9,6 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/model/temperature.hpp"
+#include "model_links.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
 #include "shared_nodes.hpp"
@@ -92,12 +93,14 @@ Model build_model(const config::Config& config) {
   if (config.temperature)
     errors.collect(config.temperature->location,
                    [&] { temperature = temperature_field(*config.temperature, whole.section); });
+  const ModelLinks links = make_links(config, whole, meshes, errors);
   errors.raise();
   Bodies bodies;
   for (std::size_t b = 0; b < meshes.size(); ++b)
     errors.collect(config.bodies[b].location, [&] {
       bodies.emplace_back(config.bodies[b].name, meshes[b],
-                          make_material(config.material(config.bodies[b].material.name)), supports[b], temperature);
+                          make_material(config.material(config.bodies[b].material.name)), supports[b], temperature,
+                          links.of_body[b]);
     });
   errors.raise();
 
@@ -105,11 +108,13 @@ Model build_model(const config::Config& config) {
 
   for (const config::Load& load : config.loads)
     errors.collect(load.location, [&] { add_load(load, config, whole, meshes, bodies); });
+  add_rigid_loads(config, links, bodies, errors);
   std::vector<contact::Pair> pairs;
   for (const config::Contact& contact : config.contacts)
     errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, {})); });
   errors.raise();
   append_ties(config, shared.value(), bodies, pairs);
+  append_sector_ties(config, links, bodies, pairs, errors);
   share_axial_strain(config, bodies, pairs);
 
   creep::SolverOptions options = solver_options(config, bodies);

@@ -49,7 +49,7 @@ void require_same_supports(const contact::NodeTie& tie, const mechanics::Body& s
     Matrix3 projector = Matrix3::Zero();
     const Matrix3 frame = body.constraints().frame(node);
     for (int k = 0; k < 3; ++k)
-      if (body.constraints().free_index(node)[k] < 0) projector += frame.col(k) * frame.col(k).transpose();
+      if (k < body.constraints().n_held(node)) projector += frame.col(k) * frame.col(k).transpose();
     return projector;
   };
   const auto moved = [](const mechanics::Body& body, std::int64_t node, double t) {
@@ -184,7 +184,10 @@ std::vector<contact::Pair> SharedNodes::ties(const config::Config& config, const
       return std::find_if(owners.begin(), owners.end(), [&](const auto& owner) { return owner.body == body; })->node;
     };
     for (const Link& link : links_[i])
-      if (!link.covered && groups.join(link.first, link.second))
+      // Nodes that follow others by cyclic symmetry are tied where those are.
+      if (!link.covered && groups.join(link.first, link.second) &&
+          !(bodies[link.first].constraints().is_turned(node_of(link.first)) &&
+            bodies[link.second].constraints().is_turned(node_of(link.second))))
         ties[{link.first, link.second}].push_back({node_of(link.first), node_of(link.second), link.area});
   }
   std::vector<contact::Pair> pairs;

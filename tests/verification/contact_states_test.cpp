@@ -2,6 +2,7 @@
 /// ties against unilateral contact.
 
 #include "verification/boxes.hpp"
+#include "verification/case.hpp"
 #include "verification/contact_state.hpp"
 #include "verification/reference/stack.hpp"
 #include "verification/rings.hpp"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/boxes.hpp"
+#include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/reference/ring_fit.hpp"
 #include "verification/reference/thick_cylinder.hpp"

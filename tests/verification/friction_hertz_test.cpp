@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "verification/boxes.hpp"
+#include "verification/contact_state.hpp"
 #include "verification/half_space.hpp"
 #include "verification/hertz_profile.hpp"
 #include "verification/plane_regions.hpp"

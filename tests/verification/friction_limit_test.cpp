@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/boxes.hpp"
+#include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "verification/boxes.hpp"
+#include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
 

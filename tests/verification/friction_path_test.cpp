@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/boxes.hpp"
+#include "verification/case.hpp"
 #include "verification/rings.hpp"
 
 namespace creepcontact {

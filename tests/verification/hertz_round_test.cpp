@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "verification/boxes.hpp"
+#include "verification/contact_state.hpp"
 #include "verification/hertz_profile.hpp"
 #include "verification/rings.hpp"
 #include "verification/round_bodies.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "verification/boxes.hpp"
+#include "verification/contact_state.hpp"
 #include "verification/half_space.hpp"
 #include "verification/hertz_profile.hpp"
 #include "verification/rings.hpp"

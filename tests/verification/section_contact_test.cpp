@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "verification/boxes.hpp"
+#include "verification/contact_state.hpp"
 #include "verification/hertz_profile.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/reference/punch.hpp"

@@ -170,6 +170,26 @@ struct Contact {
   Location location;
 };
 
+/// [[cyclic]]: the model is one of the sectors that make up a full circle.
+struct Cyclic {
+  std::array<Reference, 2> between;  ///< the second surface is the first, turned about the axis by the angle
+  std::array<double, 3> axis{0, 0, 1};
+  std::array<double, 3> origin{};
+  double angle = 0;  ///< degrees
+  Location location;
+};
+
+/// [[rigid]]: a surface that moves as a rigid body, by small rotations. What is not prescribed is free.
+struct Rigid {
+  Reference on;
+  std::optional<std::array<double, 3>> origin;          ///< default: the mean of the surface's nodes
+  std::array<std::optional<Function>, 3> displacement;  ///< of the origin, functions of t
+  std::array<std::optional<Function>, 3> rotation;      ///< about axes through the origin [rad], functions of t
+  std::array<Function, 3> force{0.0, 0.0, 0.0};         ///< at the origin, functions of t
+  std::array<Function, 3> moment{0.0, 0.0, 0.0};
+  Location location;
+};
+
 /// Parameters of the Schwarz iteration, in (0, 1].
 struct Alpha {
   struct OfBody {
@@ -244,6 +264,8 @@ struct Config {
   GeneralizedPlaneStrain generalized_plane_strain;
   std::optional<Temperature> temperature;
   std::vector<Contact> contacts;
+  std::vector<Cyclic> cyclic;
+  std::vector<Rigid> rigid;
   ContactSolver contact_solver;
   Time time;
   Output output;

@@ -25,7 +25,7 @@ class Body {
   /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants at t = 0 are
   /// not admissible, or the mesh has no volume elements
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-       std::optional<TemperatureField> temperature);
+       std::optional<TemperatureField> temperature, const NodeLinks& links = {});
   ~Body();
   Body(Body&&) noexcept;
   Body& operator=(Body&&) noexcept;

@@ -12,7 +12,7 @@ Matrix3 free_part(const mechanics::Constraints& constraints, std::int64_t node) 
   const Matrix3 frame = constraints.frame(node);
   Matrix3 projector = Matrix3::Zero();
   for (int k = 0; k < 3; ++k)
-    if (constraints.free_index(node)[k] >= 0) projector += frame.col(k) * frame.col(k).transpose();
+    if (k >= constraints.n_held(node)) projector += frame.col(k) * frame.col(k).transpose();
   return projector;
 }
 

@@ -13,7 +13,7 @@ namespace creepcontact::config {
 namespace {
 
 TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
-  for (const char* table : {"[[cyclic]]", "[[rigid]]", "[[events]]"}) {
+  for (const char* table : {"[[events]]"}) {
     const std::vector<std::string> lines = mistakes(minimal + table + "\nx = 1\n");
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_NE(lines[0].find(": not in this version"), std::string::npos) << lines[0];

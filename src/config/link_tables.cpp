@@ -1,0 +1,79 @@
+/// [[cyclic]] and [[rigid]]
+
+#include "table.hpp"
+#include "tables.hpp"
+
+namespace creepcontact::config {
+namespace {
+
+using Components = std::array<std::optional<Function>, 3>;
+
+Value<Components> components(const std::string& what, const std::string& unit) {
+  const auto component = [](std::size_t i) {
+    return [i](Components& into) -> std::optional<Function>& { return into[i]; };
+  };
+  const Value<Function> value = function({"t"});
+  return written_inline(table<Components>({
+      field<Components>("x", component(0), value, what + " x").in(unit),
+      field<Components>("y", component(1), value, what + " y").in(unit),
+      field<Components>("z", component(2), value, what + " z").in(unit),
+  }));
+}
+
+}  // namespace
+
+Value<Cyclic> cyclic_table() {
+  const auto keys = table<Cyclic>({
+      field<Cyclic>("between", &Cyclic::between, two_surfaces(),
+                    "the two faces of the sector; the second is the first, turned about the axis by `angle`",
+                    Presence::required),
+      field<Cyclic>("axis", &Cyclic::axis, triple(number()), "direction of the axis, of any length"),
+      field<Cyclic>("origin", &Cyclic::origin, triple(number()), "a point of the axis").in("length"),
+      field<Cyclic>("angle", &Cyclic::angle, number({.min = 0, .max = 180, .open_min = true}),
+                    "angle of the sector in degrees, counter-clockwise about the axis; 360 divided by a whole number",
+                    Presence::required),
+  });
+  return converted<Cyclic>(keys, [](Cyclic found, const Item& item, Context& context) -> std::optional<Cyclic> {
+    found.location = item.location;
+    if (found.axis == std::array<double, 3>{})
+      context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
+    const double sectors = found.angle > 0 ? 360 / found.angle : 0;
+    if (found.angle > 0 && std::abs(sectors - std::round(sectors)) > 1e-6 * sectors)
+      context.errors.add(item.child("angle").location, fmt::format("{:.10g} sectors in a full circle", sectors),
+                         "360 divided by a whole number");
+    return found;
+  });
+}
+
+Value<Rigid> rigid_table() {
+  const Value<std::array<Function, 3>> vector = triple(function({"t"}));
+  const auto keys = table<Rigid>({
+      field<Rigid>("on", &Rigid::on, reference("a physical surface, curve or point"),
+                   "group of one body that moves as a rigid body", Presence::required),
+      field<Rigid>("origin", &Rigid::origin, triple(number()),
+                   "point that `displacement`, `force` and `moment` refer to")
+          .in("length")
+          .otherwise("the mean position of its nodes"),
+      field<Rigid>("displacement", &Rigid::displacement, components("displacement of the origin along", "length"),
+                   "prescribed displacement; components that are not given are free"),
+      field<Rigid>("rotation", &Rigid::rotation, components("small rotation in radians about", ""),
+                   "prescribed rotation; components that are not given are free"),
+      field<Rigid>("force", &Rigid::force, vector, "resultant force at the origin").in("force"),
+      field<Rigid>("moment", &Rigid::moment, vector, "resultant moment about the origin"),
+  });
+  return converted<Rigid>(keys, [](Rigid found, const Item& item, Context& context) -> std::optional<Rigid> {
+    found.location = item.location;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string axis(1, "xyz"[k]);
+      if (found.displacement[k] && !found.force[k].is_zero())
+        context.errors.add(item.child("force").location, fmt::format("the displacement along {} is prescribed", axis),
+                           "either the displacement or the force");
+      if (found.rotation[k] && !found.moment[k].is_zero())
+        context.errors.add(item.child("moment").location, fmt::format("the rotation about {} is prescribed", axis),
+                           "either the rotation or the moment");
+    }
+    return found;
+  });
+}
+
+}  // namespace creepcontact::config

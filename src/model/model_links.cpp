@@ -1,0 +1,200 @@
+#include "model_links.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <set>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/mesh/point_tree.hpp"
+
+namespace creepcontact::model {
+namespace {
+
+constexpr double same_position = 1e-6;  // of the size of the body
+
+Vector3 vector(const std::array<double, 3>& from) {
+  return {from[0], from[1], from[2]};
+}
+
+/// The rotation of one sector onto the next.
+struct Turn {
+  Matrix3 rotation;
+  Vector3 origin;
+
+  Turn(const config::Cyclic& cyclic, double sign = 1)
+      : rotation(Eigen::AngleAxisd(sign * cyclic.angle * std::numbers::pi / 180, vector(cyclic.axis).normalized())
+                     .toRotationMatrix()),
+        origin(vector(cyclic.origin)) {}
+  Vector3 operator()(const Vector3& x) const { return origin + rotation * (x - origin); }
+};
+
+bool has_group(const mesh::Mesh& mesh, const std::string& group) {
+  const auto found = mesh.groups.find(group);
+  return found != mesh.groups.end() && !found->second.cells.empty();
+}
+
+double size_of(const mesh::Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3& x : mesh.nodes) box.extend(x);
+  return box.diagonal().norm();
+}
+
+/// Nodes of `second` at the turned positions of those of `first`.
+std::vector<mechanics::NodeLinks::Turned> matches(const mesh::Mesh& mesh, const std::vector<std::int64_t>& first,
+                                                  const std::vector<std::int64_t>& second, const Turn& turn) {
+  std::vector<Vector3> positions;
+  for (const std::int64_t node : second) positions.push_back(mesh.nodes[node]);
+  const mesh::PointTree tree(positions);
+  const double tolerance = same_position * size_of(mesh);
+  std::vector<mechanics::NodeLinks::Turned> result;
+  for (const std::int64_t node : first) {
+    const mesh::Neighbour nearest = tree.nearest(turn(mesh.nodes[node]), 1).front();
+    if (nearest.distance <= tolerance) result.push_back({second[nearest.point], node, turn.rotation});
+  }
+  return result;
+}
+
+class LinkMaker {
+ public:
+  LinkMaker(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes)
+      : config_(config), whole_(whole), meshes_(meshes) {
+    links_.of_body.resize(meshes.size());
+  }
+
+  void add(std::size_t index) {
+    const config::Cyclic& cyclic = config_.cyclic[index];
+    if (config_.analysis == settings::Analysis::axisymmetric)
+      throw ModelError("an axisymmetric model has no sectors; remove [[cyclic]]");
+    if (whole_.section.dimension() == 2 && !vector(cyclic.axis).normalized().cwiseAbs().isApprox(Vector3::UnitZ()))
+      throw ModelError("the axis of a plane section is [0, 0, 1]");
+    const auto bodies = [&](std::size_t side) {
+      return bodies_on(config_, whole_, meshes_, cyclic.between[side].name, {}, whole_.section.dimension() - 1);
+    };
+    const std::vector<std::size_t> first = bodies(0), second = bodies(1);
+    for (const std::size_t b : first)
+      if (!has_group(meshes_[b], cyclic.between[1].name))
+        throw ModelError(fmt::format("body '{}' has the face '{}' but not '{}'", config_.bodies[b].name,
+                                     cyclic.between[0].name, cyclic.between[1].name));
+    for (const std::size_t b : second)
+      if (!has_group(meshes_[b], cyclic.between[0].name))
+        throw ModelError(fmt::format("body '{}' has the face '{}' but not '{}'", config_.bodies[b].name,
+                                     cyclic.between[1].name, cyclic.between[0].name));
+    for (const std::size_t b : first) link(index, b);
+  }
+
+  void add(const config::Rigid& rigid) {
+    const std::vector<std::size_t> bodies = bodies_on(config_, whole_, meshes_, rigid.on.name, {}, -1);
+    if (bodies.size() > 1)
+      throw ModelError(fmt::format("'{}' is on the bodies '{}' and '{}'; a rigid surface is one of a single body",
+                                   rigid.on.name, config_.bodies[bodies[0]].name, config_.bodies[bodies[1]].name));
+    const mesh::Mesh& mesh = meshes_[bodies.front()];
+    mechanics::NodeLinks::Rigid link{rigid.on.name, mesh::group_nodes(mesh, rigid.on.name), Vector3::Zero(),
+                                     rigid.displacement, rigid.rotation};
+    if (rigid.origin)
+      link.origin = vector(*rigid.origin);
+    else
+      for (const std::int64_t node : link.nodes)
+        link.origin += mesh.nodes[node] / static_cast<double>(link.nodes.size());
+    if (mesh.section.is_axisymmetric()) {  // a ring that moves without strain moves along the axis
+      link.displacement[0] = 0.0;
+      link.rotation = {0.0, 0.0, 0.0};
+    }
+    links_.of_body[bodies.front()].rigid.push_back(std::move(link));
+    links_.body_of_rigid.push_back(bodies.front());
+  }
+
+  ModelLinks& links() { return links_; }
+
+ private:
+  void link(std::size_t index, std::size_t b) {
+    const config::Cyclic& cyclic = config_.cyclic[index];
+    const mesh::Mesh& mesh = meshes_[b];
+    const auto first = mesh::group_nodes(mesh, cyclic.between[0].name),
+               second = mesh::group_nodes(mesh, cyclic.between[1].name);
+    std::vector<mechanics::NodeLinks::Turned> found = matches(mesh, first, second, Turn(cyclic));
+    std::set<std::int64_t> linked;
+    for (const auto& one : found) linked.insert(one.node);
+    if (found.size() == first.size() && linked.size() == second.size()) {
+      auto& turned = links_.of_body[b].turned;
+      for (const auto& old : turned)
+        if (linked.contains(old.node) || linked.contains(old.of))
+          throw ModelError(fmt::format("nodes of '{}' belong to two faces of cyclic symmetry", cyclic.between[1].name));
+      turned.insert(turned.end(), found.begin(), found.end());
+      return;
+    }
+    if (matches(mesh, first, second, Turn(cyclic, -1)).size() > found.size())
+      throw ModelError(fmt::format("'{}' is '{}' turned by {:.6g} degrees, not by {:.6g}: exchange the two faces",
+                                   cyclic.between[1].name, cyclic.between[0].name, -cyclic.angle, cyclic.angle));
+    log::info("body '{}': {} of the {} nodes of '{}' match nodes of '{}'; the faces are tied by the mortar method",
+              config_.bodies[b].name, linked.size(), second.size(), cyclic.between[1].name, cyclic.between[0].name);
+    links_.unmatched.push_back({index, b});
+  }
+
+  const config::Config& config_;
+  const mesh::Mesh& whole_;
+  const BodyMeshes& meshes_;
+  ModelLinks links_;
+};
+
+}  // namespace
+
+ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                      ErrorCollector& errors) {
+  LinkMaker maker(config, whole, meshes);
+  for (std::size_t i = 0; i < config.cyclic.size(); ++i)
+    errors.collect(config.cyclic[i].location, [&] { maker.add(i); });
+  for (const config::Rigid& rigid : config.rigid) errors.collect(rigid.location, [&] { maker.add(rigid); });
+  return std::move(maker.links());
+}
+
+void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors) {
+  std::vector<std::size_t> next(bodies.size(), 0);
+  for (std::size_t i = 0; i < config.rigid.size(); ++i) {
+    const config::Rigid& rigid = config.rigid[i];
+    const std::size_t b = links.body_of_rigid[i];
+    const mechanics::NodeLinks::Rigid& link = links.of_body[b].rigid[next[b]++];
+    const auto is_zero = [](const Function& component) { return component.is_zero(); };
+    if (std::ranges::all_of(rigid.force, is_zero) && std::ranges::all_of(rigid.moment, is_zero)) continue;
+    errors.collect(rigid.location, [&] {
+      bodies[b].add_load(
+          mechanics::resultant_load(bodies[b].mesh(), link.nodes, link.origin, rigid.force, rigid.moment));
+    });
+  }
+}
+
+void append_sector_ties(const config::Config& config, const ModelLinks& links, const Bodies& bodies,
+                        std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
+  for (const auto& [index, b] : links.unmatched) {
+    const config::Cyclic& cyclic = config.cyclic[index];
+    errors.collect(cyclic.location, [&] {
+      const mechanics::Body& body = bodies[b];
+      const Turn turn(cyclic);
+      mesh::Mesh turned = body.mesh();
+      for (Vector3& x : turned.nodes) x = turn(x);
+      const auto surface = [&](const std::string& name, const mesh::Mesh& mesh) {
+        return contact::Surface{name, &mesh, &body.constraints(), mesh::boundary_faces(mesh, name), 1};
+      };
+      contact::Pair pair;
+      pair.name =
+          fmt::format("faces '{}' and '{}' of body '{}'", cyclic.between[0].name, cyclic.between[1].name, body.name());
+      pair.slave_body = pair.master_body = b;
+      pair.coupling = contact::mortar_coupling(surface(cyclic.between[1].name, body.mesh()),
+                                               surface(cyclic.between[0].name, turned), contact::ContactType::tied);
+      // The displacements of the master turn with its positions.
+      std::vector<Eigen::Triplet<double>> blocks;
+      for (Index node = 0; node < std::ssize(turned.nodes); ++node)
+        for (Index i = 0; i < 3; ++i)
+          for (Index j = 0; j < 3; ++j)
+            blocks.emplace_back(static_cast<int>(3 * node + i), static_cast<int>(3 * node + j), turn.rotation(i, j));
+      contact::RowMatrix rotation(pair.coupling.master_rows.cols(), pair.coupling.master_rows.cols());
+      rotation.setFromTriplets(blocks.begin(), blocks.end());
+      pair.coupling.master_rows = pair.coupling.master_rows * rotation;
+      pairs.push_back(std::move(pair));
+    });
+  }
+}
+
+}  // namespace creepcontact::model

@@ -1,0 +1,32 @@
+#pragma once
+/// [[cyclic]] and [[rigid]]: links between the nodes of a body, and ties between faces of a sector whose meshes differ.
+
+#include <vector>
+
+#include "creepcontact/mechanics/node_links.hpp"
+#include "model_parts.hpp"
+
+namespace creepcontact::model {
+
+struct ModelLinks {
+  /// A face of a sector that has no matching nodes on the other one.
+  struct UnmatchedFace {
+    std::size_t cyclic = 0, body = 0;  ///< index in the configuration, and of the body
+  };
+  std::vector<mechanics::NodeLinks> of_body;
+  std::vector<UnmatchedFace> unmatched;
+  std::vector<std::size_t> body_of_rigid;  ///< by [[rigid]]
+};
+
+/// Nodes of the second face match if each lies within 1e-6 of the model's size of the turned position of one of the
+/// first. Errors name the place in the configuration.
+ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                      ErrorCollector& errors);
+
+void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors);
+
+/// Ties unmatched faces by the mortar method, the first face turned onto the second.
+void append_sector_ties(const config::Config& config, const ModelLinks& links, const Bodies& bodies,
+                        std::vector<contact::Pair>& pairs, ErrorCollector& errors);
+
+}  // namespace creepcontact::model
