@@ -29,7 +29,7 @@ constexpr std::array words{
               "not in this version; if the part and its loads have planes of symmetry, cut the part there and use "
               "'supports' with displacement = { normal = 0 } on both cuts"},
     KnownWord{"", "rigid rigid_bodies", "not in this version; use a stiff body with its own material"},
-    KnownWord{"", "events event", "not in this version; history.csv records the probes at every output time"},
+    KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
     KnownWord{"", "boundary_conditions boundary bc bcs constraints constraint fixed",
@@ -157,7 +157,12 @@ constexpr std::array words{
     KnownWord{"output", "interval frequency times every", "the times of results are 'time.output'"},
     KnownWord{"output", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
-    KnownWord{"probes[]", "where section expression unit when", "not in this version"},
+    KnownWord{"probes[]", "when", "conditions on probes are in 'events'"},
+    KnownWord{"probes[]", "region filter", "a part of a surface or body is chosen by 'where'"},
+    KnownWord{"probes[]", "plane cut", "the plane of a section force is 'section'"},
+    KnownWord{"probes[]", "factor", "a factor on the value is 'scale'"},
+    KnownWord{"probes[]", "formula", "a value computed from other probes is an 'expression'"},
+    KnownWord{"events[]", "condition if expression", "the condition of an event is 'when'"},
     KnownWord{"probes[]", "point location position coordinates place", "the point of a probe is 'at'"},
     KnownWord{"probes[]", "surface group set face", "the surface, curve or point of a probe is 'on'"},
     KnownWord{"probes[]", "variable type field component", "what a probe records is 'quantity'"},
@@ -178,7 +183,8 @@ constexpr std::array words{
               "the equivalent creep strain is 'creep_strain_equivalent'"},
     KnownWord{"probes[].quantity=", "s1 max_principal maximum_principal",
               "the largest principal stress is 'principal_1'"},
-    KnownWord{"probes[].quantity=", "contact_shear slip contact_status section_force", "not in this version"},
+    KnownWord{"probes[].quantity=", "section_force section_moment cut_force",
+              "what a body transmits across a plane is 'section_force_x' or 'section_moment_x'; likewise with _y, _z"},
 };
 
 std::string lower_case(std::string_view text) {
