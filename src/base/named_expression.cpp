@@ -20,9 +20,12 @@ bool NamedExpression::can_be_variable(const std::string& name) {
   if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0 ||
       !std::ranges::all_of(name, is_word))
     return false;
-  mu::Parser parser;
-  define_language(parser);
-  return !parser.GetFunDef().contains(name) && !parser.GetConst().contains(name);
+  static const mu::Parser language = [] {
+    mu::Parser parser;
+    define_language(parser);
+    return parser;
+  }();
+  return !language.GetFunDef().contains(name) && !language.GetConst().contains(name);
 }
 
 NamedExpression::NamedExpression(const std::string& text, const std::vector<std::string>& names)
