@@ -52,19 +52,6 @@ struct Composition final : Function::Definition {
   std::function<double(const std::vector<double>&)> combine;
 };
 
-/// The parser would take `x = 3` for an assignment, which no function value can mean.
-void reject_assignment(const std::string& text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '=') continue;
-    if (i + 1 < text.size() && text[i + 1] == '=') {
-      ++i;
-    } else if (i == 0 || std::string_view("<>!").find(text[i - 1]) == std::string_view::npos) {
-      throw std::invalid_argument(
-          fmt::format("'{}': assignment at position {}; a comparison is written '=='", text, i));
-    }
-  }
-}
-
 [[noreturn]] void throw_parser_error(const std::string& text, const std::vector<std::string>& allowed,
                                      const mu::ParserError& error) {
   throw std::invalid_argument(fmt::format("'{}': {} (position {}; allowed variables: {})", text, error.GetMsg(),

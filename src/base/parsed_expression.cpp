@@ -36,8 +36,27 @@ double round_down(double a) {
   return std::floor(a);
 }
 
-// More threads than processors serve nobody, but may be asked for.
 }  // namespace
+
+void define_language(mu::Parser& parser) {
+  // The parser's own constants have 13 digits.
+  for (const char* pi : {"pi", "_pi"}) parser.DefineConst(pi, std::numbers::pi);
+  parser.DefineConst("_e", std::numbers::e);
+  parser.DefineFun("mod", modulo);
+  parser.DefineFun("floor", round_down);
+}
+
+void reject_assignment(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    if (i + 1 < text.size() && text[i + 1] == '=') {
+      ++i;
+    } else if (i == 0 || std::string_view("<>!").find(text[i - 1]) == std::string_view::npos) {
+      throw std::invalid_argument(
+          fmt::format("'{}': assignment at position {}; a comparison is written '=='", text, i));
+    }
+  }
+}
 
 double Arguments::*known_variable(const std::string& name) {
   const auto* found = std::find_if(known_variables.begin(), known_variables.end(),
@@ -47,11 +66,7 @@ double Arguments::*known_variable(const std::string& name) {
 }
 
 ParsedExpression::ParsedExpression(const std::string& text, const std::vector<std::string>& allowed) {
-  // The parser's own constants have 13 digits.
-  for (const char* pi : {"pi", "_pi"}) parser.DefineConst(pi, std::numbers::pi);
-  parser.DefineConst("_e", std::numbers::e);
-  parser.DefineFun("mod", modulo);
-  parser.DefineFun("floor", round_down);
+  define_language(parser);
   for (const auto& name : allowed) parser.DefineVar(name, &(bound.*known_variable(name)));
   parser.SetExpr(text);
   parser.Eval();  // every error shows here: looking for variables tolerates unknown names

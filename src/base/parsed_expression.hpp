@@ -11,6 +11,12 @@
 
 namespace creepcontact {
 
+/// Constants and functions of the program's own, the same in all expressions.
+void define_language(mu::Parser& parser);
+
+/// The parser would take `x = 3` for an assignment, which no expression can mean. @throws std::invalid_argument
+void reject_assignment(const std::string& text);
+
 struct ParsedExpression {
   /// @throws mu::ParserError, also for names that are not allowed
   ParsedExpression(const std::string& text, const std::vector<std::string>& allowed);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "expression_checks.hpp"
 #include "section_checks.hpp"
 
 namespace creepcontact::config {
@@ -138,6 +139,8 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_pairs(config.contacts, errors);
   check_preloads(config, errors);
   check_unique(config.probes, errors);
+  check_unique(config.events, errors);
+  check_expressions(config, errors);
   check_regions(config.bodies, errors);
   check_temperature(config, root, errors);
   check_reference_temperature(config, root, errors);

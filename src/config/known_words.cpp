@@ -28,7 +28,7 @@ constexpr std::array words{
     KnownWord{"", "cyclic_symmetry sector sectors periodic", "cyclic symmetry is '[[cyclic]]'"},
     KnownWord{"", "rigid_bodies rigid_body rigid_surfaces coupling",
               "a surface that moves as a rigid body is '[[rigid]]'"},
-    KnownWord{"", "events event", "not in this version; history.csv records the probes at every output time"},
+    KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
     KnownWord{"", "boundary_conditions boundary bc bcs constraints constraint fixed",
@@ -100,7 +100,8 @@ constexpr std::array words{
     KnownWord{"loads[]", "preload pretension bolt_preload bolt",
               "a bolt is tightened by 'preload' of a contact: under its head, or a tied one that cuts its shank"},
     KnownWord{"loads[]", "moment torque",
-              "not in this version; to apply a moment, use a 'traction' that varies over the surface"},
+              "not in this version; a rigid surface ('[[rigid]]') takes a moment, or use a 'traction' that varies over "
+              "the surface"},
     KnownWord{"loads[]", "surface group set face", "the surface of a load is 'on'"},
     KnownWord{"loads[]", "node point", "the point where a force acts is 'at'"},
     KnownWord{"loads[]", "temperature", "temperatures are given by the table [temperature], with 'value' or 'file'"},
@@ -156,7 +157,12 @@ constexpr std::array words{
     KnownWord{"output", "interval frequency times every", "the times of results are 'time.output'"},
     KnownWord{"output", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
-    KnownWord{"probes[]", "where section expression unit when", "not in this version"},
+    KnownWord{"probes[]", "when", "conditions on probes are in 'events'"},
+    KnownWord{"probes[]", "region filter", "a part of a surface or body is chosen by 'where'"},
+    KnownWord{"probes[]", "plane cut", "the plane of a section force is 'section'"},
+    KnownWord{"probes[]", "factor", "a factor on the value is 'scale'"},
+    KnownWord{"probes[]", "formula", "a value computed from other probes is an 'expression'"},
+    KnownWord{"events[]", "condition if expression", "the condition of an event is 'when'"},
     KnownWord{"probes[]", "point location position coordinates place", "the point of a probe is 'at'"},
     KnownWord{"probes[]", "surface group set face", "the surface, curve or point of a probe is 'on'"},
     KnownWord{"probes[]", "variable type field component", "what a probe records is 'quantity'"},
@@ -177,7 +183,8 @@ constexpr std::array words{
               "the equivalent creep strain is 'creep_strain_equivalent'"},
     KnownWord{"probes[].quantity=", "s1 max_principal maximum_principal",
               "the largest principal stress is 'principal_1'"},
-    KnownWord{"probes[].quantity=", "contact_shear slip contact_status section_force", "not in this version"},
+    KnownWord{"probes[].quantity=", "section_force section_moment cut_force",
+              "what a body transmits across a plane is 'section_force_x' or 'section_moment_x'; likewise with _y, _z"},
 };
 
 std::string lower_case(std::string_view text) {

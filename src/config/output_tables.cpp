@@ -1,91 +1,9 @@
-/// [output] and [[probes]]
-
-#include <fmt/ranges.h>
+/// [output]
 
 #include "table.hpp"
 #include "tables.hpp"
 
 namespace creepcontact::config {
-namespace {
-
-Value<std::string> quantity_name(const std::vector<Quantity>& quantities) {
-  std::vector<std::string> names;
-  names.reserve(quantities.size());
-  for (const Quantity& quantity : quantities) names.push_back(quantity.name);
-  const std::string type = "a quantity; see `creepcontact list quantities`";
-  Value<std::string> value = text();
-  value.type = type;
-  value.words = words_of(names);
-  value.json = [names] { return schema_of_words(names); };
-  value.read = [=](const Item& item, Context& context) -> std::optional<std::string> {
-    auto found = name(type).read(item, context);
-    if (!found || std::find(names.begin(), names.end(), *found) != names.end()) return found;
-    context.errors.add_unknown(item.location, fmt::format("unknown quantity '{}'", *found), *found, names, type);
-    return std::nullopt;
-  };
-  return value;
-}
-
-/// Heads a column of history.csv.
-Value<std::string> column_name() {
-  const std::string type = "a name without comma, quotation mark or line break, other than 'time'";
-  return converted<std::string>(
-      name(type), [type](std::string found, const Item& item, Context& context) -> std::optional<std::string> {
-        if (found != "time" && found.find_first_of(",\"\r\n") == std::string::npos) return found;
-        context.errors.add(item.location, fmt::format("'{}'", found), type);
-        return std::nullopt;
-      });
-}
-
-void check_place(const Item& item, Context& context) {
-  const bool on = item.has("on"), at = item.has("at"), body = item.has("body");
-  if (on && at) {
-    context.errors.add(item.location, "both 'on' and 'at'", "'on', 'at', or 'body' alone");
-  } else if (!on && !at && !body) {
-    context.errors.add(item.location, "no place: none of 'on', 'at' and 'body'", "'on', 'at', or 'body'");
-  }
-  if (at && !on && item.has("reduce")) {
-    context.errors.add(item.child("reduce").location, "has no meaning at a point", "with 'on' or 'body' alone");
-  }
-}
-
-void check_axis(const Probe& probe, const Quantity& quantity, const std::vector<Quantity>& all, const Item& item,
-                Context& context) {
-  if (item.has("axis") && probe.axis == std::array<double, 3>{})
-    context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
-  if (quantity.cylindrical) return;
-  std::vector<std::string> names;
-  for (const Quantity& one : all)
-    if (one.cylindrical) names.push_back(one.name);
-  for (const std::string& key : given_keys(item, {"axis", "origin"})) {
-    if (quantity.moment && key == "origin") continue;
-    context.errors.add(item.child(key).location,
-                       fmt::format("has no meaning for '{}', which is not a cylindrical component", quantity.name),
-                       fmt::format("with {}", fmt::join(names, ", ")));
-  }
-}
-
-void check_quantity(Probe& probe, const Quantity& quantity, const Item& item, Context& context) {
-  if (quantity.surface_only && (item.has("at") || !item.has("on"))) {
-    context.errors.add(item.child("quantity").location, fmt::format("'{}' at a point or in a body", quantity.name),
-                       fmt::format("'{}' on a surface: 'on'", quantity.name));
-  }
-  if (quantity.body_only && (item.has("at") || item.has("on"))) {
-    context.errors.add(item.child("quantity").location, fmt::format("'{}' at a point or over a group", quantity.name),
-                       fmt::format("'{}' of a body: 'body' alone", quantity.name));
-  }
-  if (quantity.body_only && item.has("reduce"))
-    context.errors.add(item.child("reduce").location, fmt::format("'{}' is one value per body", quantity.name),
-                       "without 'reduce'");
-  if (!quantity.sum_only) return;
-  if (item.has("reduce") && probe.reduce != Reduce::sum) {
-    context.errors.add(item.child("reduce").location, describe(*item.child("reduce").node),
-                       fmt::format("\"sum\" with '{}'", quantity.name));
-  }
-  probe.reduce = Reduce::sum;
-}
-
-}  // namespace
 
 Value<Output> output_table() {
   return table<Output>({
@@ -101,40 +19,6 @@ Value<Output> output_table() {
       field<Output>("checkpoint_seconds", &Output::checkpoint_seconds, number(at_least(0)),
                     "wall time between checkpoints for `--resume`; 0: one after every step")
           .in("seconds"),
-  });
-}
-
-Value<Probe> probe_table(const Vocabulary& vocabulary) {
-  const auto reduce = choice<Reduce>("reduction");
-  const auto keys = table<Probe>({
-      field<Probe>("name", &Probe::name, column_name(), "heading of its column in `history.csv`; unique",
-                   Presence::required),
-      field<Probe>("quantity", &Probe::quantity, quantity_name(vocabulary.quantities), "quantity to record",
-                   Presence::required),
-      field<Probe>("on", &Probe::on, reference("a physical surface, curve or point"), "record over this group, ..."),
-      field<Probe>("at", &Probe::at, triple(number()), "... or at this point of the undeformed body, ...").in("length"),
-      field<Probe>("body", &Probe::body, reference("the name of a body"),
-                   "... or, without `on` and `at`, over this whole body; with `on` or `at`: only in this body"),
-      field<Probe>("reduce", &Probe::reduce, reduce,
-                   "how the values over a group or body become one: `\"mean\"` is weighted by area or volume, "
-                   "`\"sum\"` is the integral; areas and forces allow only `\"sum\"`"),
-      field<Probe>(
-          "axis", &Probe::axis, triple(number()),
-          "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "
-          "length; in an axisymmetric model always y"),
-      field<Probe>("origin", &Probe::origin, triple(number()),
-                   "a point of that axis; with `contact_moment_x|y|z` the point that moments refer to")
-          .in("length"),
-  });
-  return converted<Probe>(keys, [=](Probe probe, const Item& item, Context& context) -> std::optional<Probe> {
-    probe.location = item.location;
-    check_place(item, context);
-    for (const Quantity& quantity : vocabulary.quantities) {
-      if (quantity.name != probe.quantity) continue;
-      check_quantity(probe, quantity, item, context);
-      check_axis(probe, quantity, vocabulary.quantities, item, context);
-    }
-    return probe;
   });
 }
 

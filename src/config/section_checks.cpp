@@ -81,10 +81,29 @@ class SectionChecks {
   void check_probe(const Item& item, const Probe& probe) {
     if (is_solid()) return;
     if (probe.at) require_in_plane(item.child("at"), (*probe.at)[2] == 0);
-    if (analysis_ == Analysis::axisymmetric) require_axis(item, probe.axis, probe.origin);
+    if (probe.section) check_plane(item, probe);
+    if (analysis_ == Analysis::axisymmetric && !probe.section) require_axis(item, probe.axis, probe.origin);
   }
 
  private:
+  /// The plane of a probe cuts the section along a line.
+  void check_plane(const Item& item, const Probe& probe) {
+    const Item section = item.child("section"), normal_item = section.child("normal");
+    const std::array<double, 3>& normal = probe.section->normal;
+    if (normal == std::array<double, 3>{}) return;  // reported
+    if (analysis_ != Analysis::axisymmetric) {
+      if (normal[2] != 0)
+        errors_.add(normal_item.location, fmt::format("a z other than 0 with analysis = \"{}\"", name_),
+                    "[x, y, 0]: a plane across the section");
+      return;
+    }
+    if (normal[0] != 0 || normal[2] != 0)
+      errors_.add(normal_item.location, "is not along the axis of the axisymmetric model", "[0, 1, 0] or [0, -1, 0]");
+    if (probe.quantity != "section_force_y")
+      errors_.add(item.child("quantity").location,
+                  fmt::format("'{}' of the full circumference is 0 by symmetry", probe.quantity), "section_force_y");
+  }
+
   bool is_solid() const { return analysis_ == Analysis::solid; }
 
   void require_in_plane(const Item& item, bool is_in_plane) {

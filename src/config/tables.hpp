@@ -25,6 +25,7 @@ Value<ContactSolver> contact_solver_table();
 Value<Time> time_table(const Vocabulary& vocabulary);
 Value<Output> output_table();
 Value<Probe> probe_table(const Vocabulary& vocabulary);
+Value<Event> event_table();
 Value<Config> config_table(const Vocabulary& vocabulary);
 
 /// Variables of functions of place and time.

@@ -63,14 +63,28 @@ void add_life(const Summary& summary, Json& json) {
   }
 }
 
+Json probe_json(const SummaryProbe& probe) {
+  Json json{{"quantity", probe.quantity}, {"label", probe.label}, {"dimension", probe.dimension}};
+  if (!probe.integrated_over.empty()) json["integrated_over"] = probe.integrated_over;
+  if (!probe.expression.empty()) json["expression"] = probe.expression;
+  if (probe.unit) json["unit"] = *probe.unit;
+  if (const auto& course = probe.course) {  // a value that is not finite becomes null
+    json["start"] = course->start;
+    json["end"] = course->end;
+    json["min"] = course->min;
+    json["max"] = course->max;
+    json["t_min"] = course->t_min;
+    json["t_max"] = course->t_max;
+  }
+  return json;
+}
+
 }  // namespace
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
-  for (const auto& [name, probe] : summary.probes) {
-    json["probes"][name] = {{"quantity", probe.quantity}, {"label", probe.label}, {"dimension", probe.dimension}};
-    if (!probe.integrated_over.empty()) json["probes"][name]["integrated_over"] = probe.integrated_over;
-  }
+  for (const auto& [name, probe] : summary.probes) json["probes"][name] = probe_json(probe);
+  for (const auto& [name, time] : summary.events) json["events"][name] = time ? Json(*time) : Json(nullptr);
   json["status"] = text(summary.status);
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;

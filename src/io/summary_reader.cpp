@@ -16,6 +16,17 @@ std::int64_t count(const nlohmann::json& json, std::string_view name) {
   return value.is_number_unsigned() ? value.get<std::int64_t>() : value.get_ref<const std::int64_t&>();
 }
 
+std::map<std::string, std::optional<double>> events_of(const nlohmann::json& summary) {
+  std::map<std::string, std::optional<double>> result;
+  const auto events = summary.find("events");
+  if (events == summary.end() || !events->is_object()) return result;
+  for (const auto& [name, time] : events->items()) {
+    result[name];
+    if (time.is_number()) result[name] = time.get<double>();
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<Summary> parse_summary(std::string_view text) {
@@ -33,6 +44,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.version = json.at("version");
     summary.time_reached = json.at("time_reached");
     for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
+    summary.events = events_of(json);
     summary.wall_seconds.total = json.at("wall_seconds").at("total");
     return summary;
   } catch (const nlohmann::json::exception&) {
@@ -55,12 +67,17 @@ SummaryHeading parse_summary_heading(std::string_view content, const std::string
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
-  SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}};
+  SummaryHeading heading{text(json, "title"), text(json, "units"), text(json, "status"), {}, {}};
+  for (const auto& [event, time] : events_of(json))
+    if (time) heading.events[event] = *time;
   if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
     for (const auto& [key, probe] : probes->items())
-      if (probe.is_object())
+      if (probe.is_object()) {
         heading.probes[key] = {text(probe, "quantity"), text(probe, "label"), text(probe, "dimension"),
                                text(probe, "integrated_over")};
+        if (probe.contains("unit")) heading.probes[key].unit = text(probe, "unit");
+        heading.probes[key].expression = text(probe, "expression");
+      }
   return heading;
 }
 

@@ -111,6 +111,12 @@ void Body::residual_forces(const BodyConditions& at, std::span<const double> str
   impl_->discretization.add_internal_force(stress, forces);
 }
 
+std::vector<PointForces> Body::loads_beyond(const Cut& cut) const {
+  std::vector<PointForces> parts;
+  for (const auto& load : impl_->loads) load->append_beyond(cut, parts);
+  return parts;
+}
+
 linalg::SparseMatrix Body::full_stiffness(const BodyConditions& at) const {
   return impl_->discretization.stiffness({at.moduli});
 }

@@ -12,6 +12,8 @@ class SpatialIntegral {
   virtual const std::vector<std::int64_t>& nodes() const = 0;
   /// values (3 per node of nodes()) += integral at time t
   virtual void add(const Function& f, double t, std::span<double> values) const = 0;
+  /// The part of the field beyond a plane.
+  virtual std::vector<FieldPoint> points_beyond(const Cut& cut) const = 0;
 };
 
 /// F(t) = factor(t)^power * integral of f(x, t).
@@ -19,6 +21,9 @@ class SeparableLoad final : public Load {
  public:
   SeparableLoad(std::unique_ptr<SpatialIntegral> integral, Function f, Function factor = 1.0, int power = 1);
   void add(double t, std::span<double> forces) const override;
+  void append_beyond(const Cut& cut, std::vector<PointForces>& parts) const override {
+    parts.emplace_back(integral_->points_beyond(cut), f_, factor_, power_);
+  }
 
  private:
   std::vector<double> integrate(const Function& f, double t) const;
@@ -35,6 +40,9 @@ class SumOfLoads final : public Load {
   explicit SumOfLoads(std::vector<std::unique_ptr<Load>> parts) : parts_(std::move(parts)) {}
   void add(double t, std::span<double> forces) const override {
     for (const auto& part : parts_) part->add(t, forces);
+  }
+  void append_beyond(const Cut& cut, std::vector<PointForces>& parts) const override {
+    for (const auto& part : parts_) part->append_beyond(cut, parts);
   }
 
  private:

@@ -32,13 +32,14 @@ FaceTable make_table(mesh::CellType type) {
 class SurfaceIntegral final : public SpatialIntegral {
  public:
   /// @param direction  zero: the inward normal
-  SurfaceIntegral(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, const Vector3& direction) {
+  SurfaceIntegral(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces, const Vector3& direction)
+      : faces_(faces), direction_(direction) {
     for (const mesh::Face& face : faces) nodes_.insert(nodes_.end(), face.nodes.begin(), face.nodes.end());
     std::sort(nodes_.begin(), nodes_.end());
     nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
     for (const mesh::Face& face : faces) {
       if (!tables_.contains(face.type)) tables_.emplace(face.type, make_table(face.type));
-      add_points(mesh, face, direction);
+      add_points(mesh, face);
     }
   }
 
@@ -54,6 +55,30 @@ class SurfaceIntegral final : public SpatialIntegral {
     }
   }
 
+  std::vector<FieldPoint> points_beyond(const Cut& cut) const override {
+    std::vector<FieldPoint> beyond;
+    for (const mesh::Face& face : faces_) {
+      const Cut::Side side = cut.side(face);
+      if (side == Cut::Side::behind) continue;
+      const fem::ReferenceElement& element = fem::reference_element(face.type);
+      const fem::QuadratureRule rule =
+          side == Cut::Side::both ? cut.rule_beyond(face.type, face.nodes) : element.rule();
+      Eigen::Matrix3Xd x(3, element.n_nodes());
+      for (int a = 0; a < element.n_nodes(); ++a) x.col(a) = cut.mesh().nodes[face.nodes[a]];
+      Eigen::VectorXd shape(element.n_nodes());
+      Eigen::MatrixX3d gradient(element.n_nodes(), 3);
+      for (Index q = 0; q < rule.size(); ++q) {
+        const Vector3 xi = rule.points.row(q).transpose();
+        element.shape(xi, shape);
+        element.gradient(xi, gradient);
+        const Vector3 position = x * shape;
+        beyond.push_back({position, field(rule.weights[q] * cut.mesh().section.depth(position) *
+                                          fem::area_vector(element, x, gradient))});
+      }
+    }
+    return beyond;
+  }
+
  private:
   struct Point {
     Vector3 position;
@@ -62,7 +87,12 @@ class SurfaceIntegral final : public SpatialIntegral {
     std::size_t first_node;        // of the face, in local_nodes_
   };
 
-  void add_points(const mesh::Mesh& mesh, const mesh::Face& face, const Vector3& direction) {
+  /// @param area  vector of it, outward
+  Vector3 field(const Vector3& area) const {
+    return direction_.isZero() ? Vector3(-area) : Vector3(area.norm() * direction_);
+  }
+
+  void add_points(const mesh::Mesh& mesh, const mesh::Face& face) {
     const std::size_t first_node = local_nodes_.size();
     Eigen::Matrix3Xd x(3, face.nodes.size());
     for (std::size_t a = 0; a < face.nodes.size(); ++a) {
@@ -75,11 +105,12 @@ class SurfaceIntegral final : public SpatialIntegral {
       const Vector3 position = x * table.shapes[p];
       const Vector3 area = table.weights[p] * mesh.section.depth(position) *
                            fem::area_vector(fem::reference_element(face.type), x, table.gradients[p]);
-      const Vector3 field = direction.isZero() ? Vector3(-area) : Vector3(area.norm() * direction);
-      points_.push_back({position, field, &table.shapes[p], first_node});
+      points_.push_back({position, field(area), &table.shapes[p], first_node});
     }
   }
 
+  std::vector<mesh::Face> faces_;
+  Vector3 direction_;  // zero: the inward normal
   std::vector<std::int64_t> nodes_;
   std::vector<std::size_t> local_nodes_;  // of all faces, one after the other, as positions in nodes_
   std::map<mesh::CellType, FaceTable> tables_;
@@ -95,6 +126,10 @@ class NodalForce final : public SpatialIntegral {
   const std::vector<std::int64_t>& nodes() const override { return nodes_; }
   void add(const Function& f, double t, std::span<double> values) const override {
     Eigen::Map<Vector3>(values.data()) += evaluate(f, position_, t) * direction_;
+  }
+  std::vector<FieldPoint> points_beyond(const Cut& cut) const override {
+    if (nodes_[0] == cut.mesh().axial_node) return {};  // along z, in the planes that may cut a section
+    return {{position_, cut.node_share(nodes_[0]) * direction_}};
   }
 
  private:

@@ -40,6 +40,7 @@ constexpr double plot_width = 620, left = 118, lone_panel = 340, stacked_panel =
 constexpr double character = 9.6, sample = 78;
 constexpr std::size_t longest_name = 48;
 constexpr std::size_t markers_a_line = 24;
+constexpr int first_mark = 10;  // of gnuplot's numbers of labels: the others are lower
 
 void check(const Figure& figure) {
   if (figure.panels.empty()) throw ConfigError(fmt::format("figure '{}' has nothing to show", figure.title));
@@ -113,6 +114,32 @@ std::string terminals(double width, double height, const std::string& stem) {
       size, stem);
 }
 
+/// Lines in all panels; their names, from the first panel on, are in its top.
+std::string marks(const Figure& figure, const Range& range) {
+  const bool zero = has_zero(figure);
+  std::string text;
+  int number = first_mark;
+  for (const Mark& mark : figure.marks) {
+    const double x = zero && mark.x <= 0 ? range.from : mark.x;
+    if (!(x >= range.from && x <= range.to)) continue;
+    text += fmt::format(
+        "set arrow {0} from first {1:.12g}, graph 0 to first {1:.12g}, graph 1 nohead back dashtype 3 linewidth 1.5 "
+        "linecolor rgb '#606060'\n"
+        "set label {0} {2} noenhanced at first {1:.12g}, graph 0.97 right rotate by 90 offset character -0.6, 0 font "
+        "',11' textcolor rgb '#404040'\n",
+        number, x, gnuplot_quoted(shortened(mark.name, longest_name)));
+    ++number;
+  }
+  return text;
+}
+
+/// The names of marks again: they are to be in one panel only.
+std::string without_names(const Figure& figure) {
+  std::string text;
+  for (std::size_t i = 0; i < figure.marks.size(); ++i) text += fmt::format("unset label {}\n", first_mark + i);
+  return text;
+}
+
 }  // namespace
 
 std::string gnuplot_script(const Figure& figure, const std::string& stem) {
@@ -141,6 +168,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
   text += fmt::format("set label 1 {} noenhanced at screen {:.5f}, screen {:.5f} left font ',14'\n",
                       gnuplot_quoted(shortened(figure.title, max_characters - 4)), left / width, 1 - 22 / height);
 
+  text += marks(figure, x_range);
   std::size_t block = 0;
   for (std::size_t p = 0; p < figure.panels.size(); ++p) {
     const Panel& panel = figure.panels[p];
@@ -172,7 +200,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
                               : "NaN",
                           style(panel.series[k], k), gnuplot_quoted(shortened(panel.series[k].name, longest_name)));
     text += "\n";
-    if (p == 0) text += "unset label 1\n";
+    if (p == 0) text += "unset label 1\n" + without_names(figure);
   }
   return text + "unset multiplot\n";
 }

@@ -23,7 +23,8 @@ struct Group {
 
   bool takes(const QuantityKind& kind) const {
     const QuantityKind& own = curves.front().kind;
-    return own.dimension == kind.dimension && (own.dimension != Dimension::none || own.name == kind.name);
+    if (own.dimension != kind.dimension || own.unit != kind.unit) return false;
+    return own.dimension != Dimension::none || own.name == kind.name || !own.unit.value_or("").empty();
   }
 };
 
@@ -62,7 +63,8 @@ std::string label(const std::vector<Curve>& curves, const std::string& units) {
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   const Dimension dimension = curves.front().kind.dimension;
   const std::string text = all.size() <= longest ? all : name_of(dimension);
-  return labelled(text, dimension, units);
+  const std::optional<std::string>& unit = curves.front().kind.unit;
+  return unit ? with_unit(text, *unit) : labelled(text, dimension, units);
 }
 
 }  // namespace
@@ -71,7 +73,7 @@ std::vector<Panel> history_panels(const io::CsvTable& history, const io::Summary
   std::vector<Group> groups;
   for (std::size_t c = 1; c < history.names.size(); ++c) {
     const auto known = heading.probes.find(history.names[c]);
-    Curve curve{kind_of(known == heading.probes.end() ? io::SummaryProbe{} : known->second),
+    Curve curve{kind_of(known == heading.probes.end() ? io::SummaryProbe{} : known->second, heading.units),
                 {history.names[c], history.columns[0], history.columns[c]},
                 largest_magnitude(history.columns[c])};
     const auto group = std::ranges::find_if(groups, [&](const Group& g) { return g.takes(curve.kind); });

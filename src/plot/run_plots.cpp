@@ -110,10 +110,13 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) 
     figures.push_back({name, {title(run), time_axis(run.heading, log_time), {next, next + size}}});
     next += static_cast<long>(size);
   }
-  if (run.steps.rows() == 0) return figures;
-  Figure figure = steps_figure(run.steps, run.heading, log_time);
-  figure.title = title(run) + ": time steps";
-  figures.push_back({"steps", std::move(figure)});
+  if (run.steps.rows() > 0) {
+    Figure figure = steps_figure(run.steps, run.heading, log_time);
+    figure.title = title(run) + ": time steps";
+    figures.push_back({"steps", std::move(figure)});
+  }
+  for (NamedFigure& one : figures)
+    for (const auto& [event, time] : run.heading.events) one.figure.marks.push_back({time, event});
   return figures;
 }
 

@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/fem/tangents.hpp"
+#include "face_points.hpp"
 #include "local_fit.hpp"
 #include "point_location.hpp"
 #include "probe_kinds.hpp"
+#include "probe_part.hpp"
 #include "probe_quantity.hpp"
 
 namespace creepcontact::results {
@@ -85,49 +86,43 @@ class NodesProbe final : public Probe {
   config::Reduce reduce_;
 };
 
+/// Integration points with their volumes, or nodes.
 class VolumeProbe final : public Probe {
  public:
-  VolumeProbe(std::size_t body, ProbeQuantity quantity, config::Reduce reduce)
-      : body_(body), quantity_(std::move(quantity)), reduce_(reduce) {}
+  /// @param places  numbers of the points (displacements: nodes) with their weights
+  VolumeProbe(std::size_t body, std::vector<std::pair<std::size_t, double>> places, ProbeQuantity quantity,
+              config::Reduce reduce)
+      : body_(body), places_(std::move(places)), quantity_(std::move(quantity)), reduce_(reduce) {}
 
   double value(Snapshot& snapshot) const override {
     const BodyFields& fields = snapshot.fields(body_);
     Reduction reduction(reduce_);
-    if (quantity_.variable().name.starts_with("displacement")) {
-      for (std::size_t i = 0; i < fields.n_nodes(); ++i) reduction.add(quantity_(fields.at_node(i)), 1.0);
-    } else {
-      const std::span<const double> weights = fields.body().discretization().weights();
-      for (std::size_t p = 0; p < fields.n_points(); ++p) reduction.add(quantity_(fields.at_point(p)), weights[p]);
-    }
+    const bool at_nodes = is_nodal(quantity_);
+    for (const auto& [place, weight] : places_)
+      reduction.add(quantity_(at_nodes ? fields.at_node(place) : fields.at_point(place)), weight);
     return reduction.result(snapshot.assembly().team());
   }
 
+  static bool is_nodal(const ProbeQuantity& quantity) { return quantity.variable().name.starts_with("displacement"); }
+
  private:
   std::size_t body_;
+  std::vector<std::pair<std::size_t, double>> places_;
   ProbeQuantity quantity_;
   config::Reduce reduce_;
 };
 
 /// Share of every node in the area of the faces, so that sums over nodes are area integrals of the interpolated field.
 /// Of edges in sections the area over the depth.
-std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces) {
+/// @param part  of the faces: where it holds at the points of their rule
+std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
+                                                        const ProbePart& part) {
   std::map<std::size_t, double> areas;
-  for (const mesh::Face& face : faces) {
-    const fem::ReferenceElement& element = fem::reference_element(face.type);
-    const fem::QuadratureRule& rule = element.rule();
-    Eigen::VectorXd shape(element.n_nodes());
-    Eigen::MatrixX3d gradient(element.n_nodes(), 3);
-    Eigen::Matrix3Xd x(3, element.n_nodes());
-    for (int i = 0; i < element.n_nodes(); ++i) x.col(i) = mesh.nodes[face.nodes[i]];
-    for (int q = 0; q < rule.size(); ++q) {
-      const Vector3 xi = rule.points.row(q).transpose();
-      element.shape(xi, shape);
-      element.gradient(xi, gradient);
-      const double weight =
-          rule.weights[q] * mesh.section.depth(x * shape) * fem::area_vector(element, x, gradient).norm();
-      for (int i = 0; i < element.n_nodes(); ++i) areas[face.nodes[i]] += weight * shape[i];
+  for (const mesh::Face& face : faces)
+    for (const FacePoint& point : face_points(mesh, face)) {
+      if (!part.holds(point.position)) continue;
+      for (std::size_t i = 0; i < face.nodes.size(); ++i) areas[face.nodes[i]] += point.area * point.shape[i];
     }
-  }
   return {areas.begin(), areas.end()};
 }
 
@@ -175,22 +170,44 @@ std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Mode
 }
 
 std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model) {
+  const ProbePart where(probe);
+  const bool is_extreme = probe.reduce == config::Reduce::max || probe.reduce == config::Reduce::min;
   std::vector<NodesProbe::Part> parts;
+  double found = 0;
   for (const std::size_t b : probe_bodies(probe, model)) {
     const mesh::Mesh& mesh = model.bodies()[b].mesh();
     NodesProbe::Part part{b, {}};
-    if (mesh.group(probe.on.name).dimension == mesh.section.dimension() - 1)
-      part.nodes = nodal_areas(mesh, mesh::boundary_faces(mesh, probe.on.name));
+    const bool is_surface = mesh.group(probe.on.name).dimension == mesh.section.dimension() - 1;
+    // Means and integrals take the part of each face, extremes its nodes.
+    if (is_surface && (where.is_whole() || !is_extreme))
+      part.nodes = nodal_areas(mesh, mesh::boundary_faces(mesh, probe.on.name), where);
     else
-      for (const std::int64_t node : mesh::group_nodes(mesh, probe.on.name)) part.nodes.emplace_back(node, 1.0);
+      for (const std::int64_t node : mesh::group_nodes(mesh, probe.on.name))
+        if (where.holds(mesh.nodes[node])) part.nodes.emplace_back(node, 1.0);
+    if (!part.nodes.empty()) found = 1;
     parts.push_back(std::move(part));
   }
+  if (!where.is_whole()) where.require(model.assembly.team().max(found) > 0, fmt::format("'{}'", probe.on.name));
   return std::make_unique<NodesProbe>(std::move(parts), ProbeQuantity(probe), probe.reduce);
 }
 
 std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model& model) {
-  return std::make_unique<VolumeProbe>(model::find_body(model.bodies(), probe.body.name), ProbeQuantity(probe),
-                                       probe.reduce);
+  const ProbePart where(probe);
+  const ProbeQuantity quantity(probe);
+  const std::size_t b = model::find_body(model.bodies(), probe.body.name);
+  const mechanics::Body& body = model.bodies()[b];
+  const mechanics::Discretization& discretization = body.discretization();
+  std::vector<std::pair<std::size_t, double>> places;
+  if (VolumeProbe::is_nodal(quantity)) {
+    for (std::size_t i = 0; i < body.mesh().n_cell_nodes(); ++i)
+      if (where.holds(body.mesh().nodes[i])) places.emplace_back(i, 1.0);
+  } else {
+    for (std::size_t p = 0; p < discretization.n_points(); ++p)
+      if (where.holds(discretization.point_coordinates()[p])) places.emplace_back(p, discretization.weights()[p]);
+  }
+  if (!where.is_whole())
+    where.require(model.assembly.team().max(places.empty() ? 0 : 1) > 0, fmt::format("body '{}'", body.name()));
+  return std::make_unique<VolumeProbe>(b, std::move(places), quantity, probe.reduce);
 }
 
 }  // namespace creepcontact::results

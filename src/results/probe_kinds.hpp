@@ -18,10 +18,17 @@ std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Mode
 std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model);
 /// Over a whole body, from its integration points (displacements: nodes).
 std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model& model);
-/// Contact pressure, gap, area and force on a surface of a pair.
+/// Contact pressure, gap, area, force and moment on a surface of a pair, or on a surface that has faces of one.
 std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Model& model);
 /// Reactions on a group.
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model);
+
+/// Force or moment that passes a plane through a body.
+std::unique_ptr<Probe> section_probe(const config::Probe& probe, const model::Model& model);
+/// A value of other probes. @param all  the probes of the configuration; those that the expression names exist already
+/// @param probes  their configurations, in the same order
+std::unique_ptr<Probe> expression_probe(const config::Probe& probe, std::span<const config::Probe> probes,
+                                        std::span<const std::unique_ptr<Probe>> all);
 
 /// Axial strain or force of a body. @throws ModelError unless the model is in generalised plane strain
 std::unique_ptr<Probe> axial_probe(const config::Probe& probe, const model::Model& model);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/model/error_collector.hpp"
+#include "creepcontact/results/probe_expression.hpp"
 #include "probe_kinds.hpp"
 
 namespace creepcontact::results {
@@ -50,31 +52,57 @@ std::vector<std::size_t> probe_bodies(const config::Probe& probe, const model::M
   return {wanted};
 }
 
+namespace {
+
+class ScaledProbe final : public Probe {
+ public:
+  ScaledProbe(std::unique_ptr<Probe> probe, double factor) : probe_(std::move(probe)), factor_(factor) {}
+  double value(Snapshot& snapshot) const override { return factor_ * probe_->value(snapshot); }
+
+ private:
+  std::unique_ptr<Probe> probe_;
+  double factor_;
+};
+
+std::unique_ptr<Probe> scaled(std::unique_ptr<Probe> probe, double factor) {
+  if (factor == 1) return probe;
+  return std::make_unique<ScaledProbe>(std::move(probe), factor);
+}
+
+std::unique_ptr<Probe> quantity_probe(const config::Probe& probe, const model::Model& model,
+                                      std::span<const PointLocator> locators) {
+  using Location = OutputVariable::Location;
+  const OutputVariable& variable = *quantity(probe.quantity).variable;
+  if (variable.is_axial()) return axial_probe(probe, model);
+  if (variable.is_of_section()) return section_probe(probe, model);
+  if (variable.location == Location::reaction) return reaction_probe(probe, model);
+  if (variable.location != Location::field) return contact_probe(probe, model);
+  if (probe.at) return point_probe(probe, model, locators);
+  if (probe.on.given()) return group_probe(probe, model);
+  return body_probe(probe, model);
+}
+
+}  // namespace
+
 std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, const model::Model& model) {
+  const std::vector<config::Probe>& probes = config.probes;
   std::vector<PointLocator> locators;
-  if (std::ranges::any_of(config.probes, [](const config::Probe& probe) { return probe.at.has_value(); }))
+  if (std::ranges::any_of(probes, [](const config::Probe& probe) { return probe.at.has_value(); }))
     for (const mechanics::Body& body : model.bodies()) locators.emplace_back(body.mesh());
-  std::vector<std::unique_ptr<Probe>> result;
+  std::vector<std::unique_ptr<Probe>> result(probes.size());
   model::ErrorCollector errors;
-  for (const config::Probe& probe : config.probes)
-    errors.collect(probe.location, [&] {
-      using Location = OutputVariable::Location;
-      const OutputVariable& variable = *quantity(probe.quantity).variable;
-      const Location location = variable.location;
-      if (variable.is_axial())
-        result.push_back(axial_probe(probe, model));
-      else if (location == Location::reaction)
-        result.push_back(reaction_probe(probe, model));
-      else if (location != Location::field)
-        result.push_back(contact_probe(probe, model));
-      else if (probe.at)
-        result.push_back(point_probe(probe, model, locators));
-      else if (probe.on.given())
-        result.push_back(group_probe(probe, model));
-      else
-        result.push_back(body_probe(probe, model));
-    });
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes[i].expression.given())
+      errors.collect(probes[i].location,
+                     [&] { result[i] = scaled(quantity_probe(probes[i], model, locators), probes[i].scale); });
   errors.raise();
+  // In an order in which those that an expression names exist; reading has checked that there is one.
+  const std::function<void(std::size_t)> make = [&](std::size_t i) {
+    if (result[i]) return;
+    for (const std::size_t other : ProbeExpression::used(probes[i].expression.name, probes)) make(other);
+    result[i] = scaled(expression_probe(probes[i], probes, result), probes[i].scale);
+  };
+  for (std::size_t i = 0; i < probes.size(); ++i) make(i);
   return result;
 }
 

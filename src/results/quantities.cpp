@@ -216,6 +216,19 @@ std::vector<OutputVariable> make_variables() {
                  .label = "axial force",
                  .dimension = "force",
                  .location = Location::axial_force});
+  all.push_back({.name = "section_force",
+                 .components = vector_components,
+                 .description = "force that passes the plane `section` through a body: of the material on the side of "
+                                "the normal on the rest, tension along the normal positive",
+                 .label = "section force",
+                 .dimension = "force",
+                 .location = Location::section_force});
+  all.push_back({.name = "section_moment",
+                 .components = vector_components,
+                 .description = "moment of that force about the `origin` of the probe or of its `section`",
+                 .label = "section moment",
+                 .dimension = "moment",
+                 .location = Location::section_moment});
   return all;
 }
 

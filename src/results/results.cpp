@@ -54,7 +54,7 @@ Results::~Results() = default;
 
 void Results::output(Snapshot& snapshot) {
   values_.clear();
-  for (const auto& probe : probes_) values_.push_back(probe->value(snapshot));
+  for (const auto& probe : probes_) values_.push_back(snapshot.value(*probe));
   history_->write(snapshot.time(), values_);
   if (!fields_) return;
   std::vector<io::FieldData> at_points = point_arrays(snapshot);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "creepcontact/results/probes.hpp"
+
 namespace creepcontact::results {
 namespace {
 
@@ -143,6 +145,13 @@ const std::vector<double>& Snapshot::reactions(std::size_t body) {
   if (interface.n_rows() > 0) interface.add_contact_forces(body, at_.equilibrium.contact.multiplier, contact);
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] -= contact[i];
   return forces;
+}
+
+double Snapshot::value(const Probe& probe) {
+  if (const auto found = values_.find(&probe); found != values_.end()) return found->second;
+  const double value = probe.value(*this);
+  values_.emplace(&probe, value);
+  return value;
 }
 
 }  // namespace creepcontact::results

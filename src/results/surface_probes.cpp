@@ -1,22 +1,16 @@
 #include <fmt/format.h>
 
 #include <deque>
-#include <numeric>
-#include <set>
 
-#include "creepcontact/base/error.hpp"
+#include "contact_part.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/geometry/contact_area.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "probe_kinds.hpp"
+#include "probe_part.hpp"
 
 namespace creepcontact::results {
 namespace {
-
-/// A pair, and the body that the probed surface belongs to.
-struct Side {
-  std::size_t pair, body;
-};
 
 /// Of the normal rows.
 Eigen::VectorXd of_nodes(const contact::Pair& pair, const Eigen::VectorXd& all_rows) {
@@ -25,9 +19,9 @@ Eigen::VectorXd of_nodes(const contact::Pair& pair, const Eigen::VectorXd& all_r
 
 class AreaProbe final : public Probe {
  public:
-  AreaProbe(std::vector<Side> sides, const model::Model& model) : sides_(std::move(sides)) {
+  AreaProbe(std::vector<ContactPart> sides, const model::Model& model) : sides_(std::move(sides)) {
     const std::vector<contact::Pair>& pairs = model.pairs();
-    for (const Side& side : sides_)
+    for (const ContactPart& side : sides_)
       areas_.emplace_back(pairs[side.pair], model.bodies()[pairs[side.pair].slave_body].mesh());
   }
 
@@ -35,24 +29,26 @@ class AreaProbe final : public Probe {
     double sum = 0;
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       const contact::Pair& pair = snapshot.assembly().pairs()[sides_[i].pair];
+      const Eigen::Map<const Eigen::VectorXd> shares(sides_[i].multiplier_shares.data(),
+                                                     std::ssize(pair.coupling.nodes));
       if (pair.coupling.type == contact::ContactType::tied)
-        sum += std::accumulate(pair.coupling.area.begin(), pair.coupling.area.end(), 0.0);
+        sum += shares.dot(Eigen::Map<const Eigen::VectorXd>(pair.coupling.area.data(), shares.size()));
       else
-        sum += areas_[i].value(of_nodes(pair, snapshot.equilibrium().contact.multiplier),
-                               of_nodes(pair, snapshot.equilibrium().gaps));
+        sum += shares.dot(areas_[i].of_nodes(of_nodes(pair, snapshot.equilibrium().contact.multiplier),
+                                             of_nodes(pair, snapshot.equilibrium().gaps)));
     }
     return sum;
   }
 
  private:
-  std::vector<Side> sides_;
+  std::vector<ContactPart> sides_;
   std::deque<contact::ContactArea> areas_;  // which are not to be moved
 };
 
 /// Values at multiplier nodes, force and moment.
 class ContactProbe final : public Probe {
  public:
-  ContactProbe(std::vector<Side> sides, const Quantity& quantity, const config::Probe& probe)
+  ContactProbe(std::vector<ContactPart> sides, const Quantity& quantity, const config::Probe& probe)
       : sides_(std::move(sides)),
         quantity_(quantity),
         reduce_(probe.reduce),
@@ -62,12 +58,12 @@ class ContactProbe final : public Probe {
     const bool is_field = quantity_.variable->is_contact_field();
     Reduction reduction(reduce_);
     double resultant = 0;
-    for (const Side& side : sides_) {
+    for (const ContactPart& side : sides_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
       if (is_field)
-        add_nodes(snapshot, pair, reduction);
+        add_nodes(snapshot, pair, side, reduction);
       else
-        resultant += this->resultant(snapshot, pair, side.body);
+        resultant += this->resultant(snapshot, pair, side);
     }
     // All members of a team know the state of the contacts.
     return is_field ? reduction.result(serial_team()) : resultant;
@@ -90,21 +86,24 @@ class ContactProbe final : public Probe {
     }
   }
 
-  void add_nodes(Snapshot& snapshot, const contact::Pair& pair, Reduction& reduction) const {
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+  void add_nodes(Snapshot& snapshot, const contact::Pair& pair, const ContactPart& side, Reduction& reduction) const {
+    const bool is_extreme = reduce_ == config::Reduce::max || reduce_ == config::Reduce::min;
+    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+      if (is_extreme ? side.lies_within[i] == 0 : side.multiplier_shares[i] == 0) continue;
       reduction.add(value_of(quantity_.variable->location, contact_values(pair, i, snapshot.equilibrium())),
-                    pair.coupling.area[i]);
+                    side.multiplier_shares[i] * pair.coupling.area[i]);
+    }
   }
 
-  double resultant(Snapshot& snapshot, const contact::Pair& pair, std::size_t body) const {
-    const contact::RowMatrix& rows = pair.slave_body == body ? pair.coupling.slave_rows : pair.coupling.master_rows;
+  double resultant(Snapshot& snapshot, const contact::Pair& pair, const ContactPart& side) const {
+    const contact::RowMatrix& rows = side.is_slave ? pair.coupling.slave_rows : pair.coupling.master_rows;
     const Eigen::VectorXd forces =
         rows.transpose() * snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
-    const std::vector<Vector3>& nodes = snapshot.assembly().bodies()[body].mesh().nodes;
+    const std::vector<Vector3>& nodes = snapshot.assembly().bodies()[side.body].mesh().nodes;
     const bool is_moment = quantity_.variable->location == Location::contact_moment;
     Vector3 sum = Vector3::Zero();
     for (Index i = 0; i < forces.size(); i += 3) {
-      const Vector3 force = forces.segment<3>(i);
+      const Vector3 force = side.node_shares[i / 3] * forces.segment<3>(i);
       if (is_moment && !force.isZero(0))
         sum += (nodes[i / 3] - origin_).cross(force);
       else
@@ -113,7 +112,7 @@ class ContactProbe final : public Probe {
     return sum[quantity_.component];
   }
 
-  std::vector<Side> sides_;
+  std::vector<ContactPart> sides_;
   const Quantity& quantity_;
   config::Reduce reduce_;
   Vector3 origin_;
@@ -141,27 +140,7 @@ class ReactionProbe final : public Probe {
 }  // namespace
 
 std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Model& model) {
-  std::vector<Side> sides;
-  std::set<std::string> surfaces;
-  const std::vector<contact::Pair>& pairs = model.pairs();
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const contact::Pair& pair = pairs[p];
-    if (pair.ties_nodes()) continue;
-    surfaces.insert({pair.slave_surface, pair.master_surface});
-    const auto wanted = [&](std::size_t body) {
-      return !probe.body.given() || model.bodies()[body].name() == probe.body.name;
-    };
-    if (pair.slave_surface == probe.on.name && wanted(pair.slave_body))
-      sides.push_back({p, pair.slave_body});
-    else if (pair.master_surface == probe.on.name && wanted(pair.master_body))
-      sides.push_back({p, pair.master_body});
-  }
-  if (sides.empty()) {
-    std::string names;
-    for (const std::string& name : surfaces) names += (names.empty() ? "'" : ", '") + name + "'";
-    throw ModelError(fmt::format("surface '{}' is in no contact; surfaces in contact: {}", probe.on.name,
-                                 names.empty() ? "none" : names));
-  }
+  std::vector<ContactPart> sides = contact_parts(probe, model);
   const Quantity& wanted = quantity(probe.quantity);
   if (wanted.variable->location == OutputVariable::Location::contact_area)
     return std::make_unique<AreaProbe>(std::move(sides), model);
@@ -170,8 +149,16 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Mo
 
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model) {
   std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes;
-  for (const std::size_t b : probe_bodies(probe, model))
-    nodes.emplace_back(b, mesh::group_nodes(model.bodies()[b].mesh(), probe.on.name));
+  const ProbePart where(probe);
+  double found = 0;
+  for (const std::size_t b : probe_bodies(probe, model)) {
+    const mesh::Mesh& mesh = model.bodies()[b].mesh();
+    std::vector<std::int64_t> held = mesh::group_nodes(mesh, probe.on.name);
+    std::erase_if(held, [&](std::int64_t node) { return !where.holds(mesh.nodes[node]); });
+    if (!held.empty()) found = 1;
+    nodes.emplace_back(b, std::move(held));
+  }
+  if (!where.is_whole()) where.require(model.assembly.team().max(found) > 0, fmt::format("'{}'", probe.on.name));
   return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).component);
 }
 

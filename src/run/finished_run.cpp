@@ -16,6 +16,12 @@ std::string nothing_left(const config::Config& config, const model::Model& model
   const double reached = Checkpoints(config, model, directory).read(creep::StateLayout(model.assembly).size()).time;
   if (summary->status == Status::ruptured)
     return fmt::format("nothing is left to do: the run ended by rupture at t = {:.6g}", summary->time_reached);
+  for (const config::Event& event : config.events)
+    if (const auto found = summary->events.find(event.name);
+        event.stop && found != summary->events.end() && found->second && summary->time_reached == *found->second)
+      return fmt::format(
+          "nothing is left to do: event '{}' stopped the run at t = {:.6g}; to continue it, set stop = false",
+          event.name, summary->time_reached);
   if (reached < config.time.end) return {};
   return fmt::format(
       "nothing is left to do: the run is complete up to t = {:.6g}; to continue it, set a later time.end", reached);

@@ -117,6 +117,7 @@ Table quantity_table() {
                           variable.location == Location::field      ? "point, group, body"
                           : variable.location == Location::reaction ? "supported group"
                           : variable.is_axial()                     ? "body"
+                          : variable.is_of_section()                ? "plane through a body"
                                                                     : "contact surface",
                           variable.dimension.empty() ? "-" : variable.dimension, variable.description});
   }

@@ -15,7 +15,6 @@
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
-#include "creepcontact/results/quantities.hpp"
 #include "creepcontact/run/check.hpp"
 #include "finished_run.hpp"
 #include "memory_need.hpp"
@@ -31,14 +30,8 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   summary.title = config.title;
   summary.units = config.units;
   summary.version = CREEPCONTACT_VERSION;
-  for (const config::Probe& probe : config.probes) {
-    const char* const region = probe.on.given() ? "surface" : "body";
-    const results::OutputVariable& variable = *results::quantity(probe.quantity).variable;
-    summary.probes[probe.name] = {.quantity = probe.quantity,
-                                  .label = variable.label,
-                                  .dimension = variable.dimension,
-                                  .integrated_over = probe.reduce == config::Reduce::sum ? region : ""};
-  }
+  loop.probe_record().fill(config, summary);
+  loop.events().fill(summary);
   summary.integrator = config.time.integrator;
   summary.method = loop.method();
   summary.time_reached = loop.time();

@@ -9,6 +9,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "creepcontact/results/contact_width.hpp"
+#include "event_search.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -47,6 +48,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
       observer_(observer),
       life_(system),
       outcome_(model.assembly),
+      probe_record_(config.probes.size()),
       table_ranges_(config),
       state_(system.size(), 0.0) {
   require_condensed_contact(config, system.solver().interface());
@@ -58,11 +60,14 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
     earlier_ = resumed_->counters;
     system.restore(resumed_->arrays);
     outcome_.restore(resumed_->arrays);
+    probe_record_.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
   } else {
     checkpoints_.remove();
   }
   results_ = std::make_unique<results::Results>(config, directory, model.assembly, std::move(probes), continuation);
+  events_.emplace(config, results_->probes());
+  if (resumed_) events_->restore(resumed_->arrays);
   if (system.size() > 0)
     integrator_ = ode::make_integrator(config.time.integrator, system, integrator_options(config.time));
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
@@ -72,6 +77,8 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
 io::Checkpoint TimeLoop::checkpoint() const {
   io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
   outcome_.save(checkpoint.arrays);
+  probe_record_.save(checkpoint.arrays);
+  events_->save(checkpoint.arrays);
   checkpoint.counters = counters();
   return checkpoint;
 }
@@ -84,8 +91,8 @@ void TimeLoop::keep_restart_point() {
   const double reach = 2 * integrator_->next_step();
   const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
   kept_.reset();
-  const bool may_rupture = system_.has(material::damage);
-  if (far || output_ahead || may_rupture) kept_ = checkpoint();
+  const bool may_end = system_.has(material::damage) || events_->is_waiting();  // within the step
+  if (far || output_ahead || may_end) kept_ = checkpoint();
 }
 
 void TimeLoop::write_checkpoint() {
@@ -113,12 +120,15 @@ void TimeLoop::output(double t, std::span<const double> y) {
     const auto lap = watch_.lap(Part::output);
     results::Snapshot snapshot(system_, t, at);
     results_->output(snapshot);
+    last_output_ = t;
+    probe_record_.output(t, results_->last_values());
     life_.output(at);
     outcome_.output(t, at.equilibrium);
     life_.warn(t, at, at.y);
     table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
-    if (t == 0 || t == config_.time.end) see_uniqueness(at.equilibrium);
-    if (t == config_.time.end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium);
+    const bool is_end = t == config_.time.end || stopped_;
+    if (t == 0 || is_end) see_uniqueness(at.equilibrium);
+    if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium);
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -151,10 +161,14 @@ TimeLoop::End TimeLoop::run() {
     }
     if (!resumed_) output(0, state_);
     settled_ = !integrator_;
-    if (integrator_)
+    if (!resumed_ && stopped_at_once(state_)) {
+      if (integrator_) integrator_->initialize(time_, state_);
+      settled_ = true;
+    } else if (integrator_) {
       integrate(interrupt);
-    else
+    } else {
       elastic_history(interrupt);
+    }
   } catch (const RecoverableError& error) {
     write_checkpoint();
     throw SolverError(error.what());
@@ -170,7 +184,7 @@ TimeLoop::End TimeLoop::run() {
   }
   write_checkpoint();
   if (ruptured_) return End::ruptured;
-  if (time_ < config_.time.end) return End::interrupted;
+  if (time_ < config_.time.end && !stopped_) return End::interrupted;
   outcome_.warn_of_open_contacts();
   return End::completed;
 }
@@ -207,6 +221,7 @@ bool TimeLoop::ruptured(double begin_of_step) {
     if (there.value >= results::DamageMonitor::rupture_damage) where = there;
   }
   time_ = after;
+  if (stopped_in_step(begin_of_step)) return true;
   outputs_of_step(false);
   integrator_->interpolate(time_, state_);
   output(time_, state_);
@@ -259,13 +274,17 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());
-    if (ruptured(time_ - report.step)) return;
+    if (ruptured(time_ - report.step) || stopped_in_step(time_ - report.step)) return;
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;
     outputs_of_step(breakpoint);
     if (breakpoint && time_ < end && !integrator_->jumps_with_loads()) {
       const std::span<const double> y = integrator_->state();
       integrator_->initialize(time_, std::vector<double>(y.begin(), y.end()));
+    }
+    if (breakpoint && stopped_at_once(integrator_->state())) {  // the loads jump here
+      if (last_output_ != time_) output(time_, integrator_->state());
+      return;
     }
     settled_ = true;
   }
@@ -277,8 +296,51 @@ double TimeLoop::longest_step_end() const {
   return is_fixed ? std::numeric_limits<double>::infinity() : time_ + system_.longest_step();
 }
 
-void TimeLoop::load_until(double t) {
+bool TimeLoop::stopped_within(double from, double to, const StateAt& state_at) {
+  const std::optional<double> stop = find_events(from, to, state_at, system_, *events_, observer_);
+  if (!stop) return false;
+  stopped_ = true;
+  time_ = *stop;
+  return true;
+}
+
+bool TimeLoop::stopped_in_step(double begin) {
+  const auto interpolated = [&](double t) {
+    integrator_->interpolate(t, state_);
+    return std::span<const double>(state_);
+  };
+  if (!stopped_within(begin, time_, interpolated)) return false;
+  outputs_of_step(false);
+  if (last_output_ != time_) output(time_, interpolated(time_));
+  return true;
+}
+
+bool TimeLoop::stopped_at_once(std::span<const double> y) {
+  return stopped_within(time_, time_, [&](double) { return y; });
+}
+
+bool TimeLoop::stopped_before(double t) {
+  if (!events_->is_waiting()) return false;
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto loaded = [&](double) { return std::span<const double>(state_); };
+  double from = time_;
+  for (auto jump = std::ranges::upper_bound(model_.breakpoints, from); from < t; ++jump) {
+    const bool is_jump = jump != model_.breakpoints.end() && *jump <= t;
+    const double to = is_jump ? *jump : t;
+    system_.begin_segment(-never, is_jump ? to : never);
+    if (stopped_within(from, to, loaded)) return true;
+    time_ = from = to;
+    if (!is_jump) return false;
+    system_.begin_segment(to, never);
+    system_.apply_preloads(to, state_);
+    if (stopped_at_once(state_)) return true;
+  }
+  return false;
+}
+
+bool TimeLoop::load_until(double t) {
   constexpr double shortest = 1e-7;  // of the time
+  const auto loaded = [&](double) { return std::span<const double>(state_); };
   double reached = system_.history().friction.time, step = t - reached;
   while (true) {
     const double to = step < t - reached ? reached + step : t;
@@ -289,31 +351,39 @@ void TimeLoop::load_until(double t) {
       if (!(step > shortest * t)) throw;
       continue;
     }
-    if (to >= t) return;
+    if (to > reached && stopped_within(reached, to, loaded)) return true;
+    if (to >= t) return false;
     reached = to;
     step *= 2;
   }
 }
 
-void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
-  const std::vector<double>& breakpoints = model_.breakpoints;
+bool TimeLoop::stopped_on_the_way(double t) {
   constexpr double never = std::numeric_limits<double>::infinity();
+  const std::vector<double>& breakpoints = model_.breakpoints;
+  const bool has_path = system_.has_friction();  // loads turn and jump at breakpoints
+  if (!has_path && stopped_before(t)) return true;
+  for (; has_path && next_break_ != breakpoints.end() && *next_break_ <= t; ++next_break_) {
+    system_.begin_segment(-never, *next_break_);
+    if (load_until(*next_break_)) return true;
+    system_.begin_segment(*next_break_, never);
+    system_.apply_preloads(*next_break_, state_);
+    system_.accept(*next_break_, state_);
+    time_ = *next_break_;
+    if (stopped_at_once(state_)) return true;
+  }
+  const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
+  system_.begin_segment(jump ? t : -never, never);
+  return has_path && load_until(t);
+}
+
+void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   for (; next_output_ != config_.time.output.end(); ++next_output_) {
     if (interrupt.requested()) return;
     if (checkpoints_.due()) write_checkpoint();
     const double t = *next_output_;
-    if (system_.has_friction())  // its path counts: loads turn and jump at breakpoints
-      for (; next_break_ != breakpoints.end() && *next_break_ <= t; ++next_break_) {
-        system_.begin_segment(-never, *next_break_);
-        load_until(*next_break_);
-        system_.begin_segment(*next_break_, never);
-        system_.apply_preloads(*next_break_, state_);
-        system_.accept(*next_break_, state_);
-      }
-    const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
-    system_.begin_segment(jump ? t : -never, never);
+    if (stopped_on_the_way(t)) return output(time_, state_);
     system_.apply_preloads(t, state_);
-    if (system_.has_friction()) load_until(t);
     system_.evaluate_step(t, state_);
     output(t, state_);
     system_.accept(t, state_);

@@ -13,9 +13,12 @@
 #include "creepcontact/model/table_range_monitor.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/results/damage_monitor.hpp"
+#include "creepcontact/results/event_watch.hpp"
 #include "creepcontact/results/outcome.hpp"
+#include "creepcontact/results/probe_record.hpp"
 #include "creepcontact/results/results.hpp"
 #include "creepcontact/run/run.hpp"
+#include "event_search.hpp"
 #include "run_report.hpp"
 
 namespace creepcontact::run {
@@ -42,6 +45,8 @@ class TimeLoop {
   /// Largest contact::friction_kappa() at the start and the end; nullopt without friction.
   std::optional<double> friction_kappa() const { return friction_kappa_; }
   const results::Outcome& outcome() const { return outcome_; }
+  const results::ProbeRecord& probe_record() const { return probe_record_; }
+  const results::EventWatch& events() const { return *events_; }
   /// Of the steps since the start or the resume.
   const StepStatistics& step_statistics() const { return step_statistics_; }
   /// Of the end of the run: what to say of contacts that few elements resolve.
@@ -59,13 +64,24 @@ class TimeLoop {
   void begin_segment();
   /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
   bool ruptured(double begin_of_step);
+  /// Finds the events in (from, to]. @returns true if one of them stops the run: time_ is then that of the stop
+  bool stopped_within(double from, double to, const StateAt& state_at);
+  /// The same for the last step of the integrator, up to time_, with the results up to a stop.
+  bool stopped_in_step(double begin);
+  /// Finds the events that hold at time_, such as after a jump of the loads. @returns as stopped_within()
+  bool stopped_at_once(std::span<const double> y);
+  /// Without creep: takes the loads from the last output to this time. @returns as stopped_within()
+  bool stopped_on_the_way(double t);
+  /// The same without friction: there is nothing to take but events.
+  bool stopped_before(double t);
   void report_rupture(double time, const creep::CreepSystem::Extreme& where);
   void integrate(const platform::Interrupt& interrupt);
   void see_uniqueness(const creep::Equilibrium& at);
   /// Where the turning of slip directions bounds the next step.
   double longest_step_end() const;
   /// With friction and without creep: accepts the state at t, in shorter steps where one is too long.
-  void load_until(double t);
+  /// @returns true if an event stops the run before
+  bool load_until(double t);
   void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
@@ -85,6 +101,8 @@ class TimeLoop {
   RunObserver* observer_;
   results::DamageMonitor life_;
   results::Outcome outcome_;
+  results::ProbeRecord probe_record_;
+  std::optional<results::EventWatch> events_;  // of the probes that results_ owns
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   StepStatistics step_statistics_;
@@ -92,6 +110,8 @@ class TimeLoop {
   double time_ = 0;
   bool has_output_ = false;
   bool ruptured_ = false;
+  bool stopped_ = false;                   // by an event
+  double last_output_ = -1;                // time of the last row
   bool settled_ = false;                   // integrated up to time_, and all results up to there are on disk
   std::optional<io::Checkpoint> resumed_;  // until the integration has begun
   std::optional<io::Checkpoint> kept_;     // the last restart point, if steps have left it

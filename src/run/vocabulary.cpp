@@ -65,10 +65,11 @@ config::Vocabulary vocabulary() {
     const Location location = quantity.variable->location;
     config::Quantity entry;
     entry.name = quantity.name;
-    entry.surface_only = location != Location::field && !quantity.variable->is_axial();
-    entry.body_only = quantity.variable->is_axial();
+    entry.section = quantity.variable->is_of_section();
+    entry.body_only = quantity.variable->is_axial() || entry.section;
+    entry.surface_only = location != Location::field && !entry.body_only;
     entry.sum_only = quantity.variable->is_resultant();
-    entry.moment = location == Location::contact_moment;
+    entry.moment = location == Location::contact_moment || location == Location::section_moment;
     entry.cylindrical = quantity.variable->cylindrical;
     result.quantities.push_back(entry);
   }

@@ -123,6 +123,9 @@ end = 10
 name = "q"
 quantity = "stress_theta"
 body = "steel"
+[[events]]
+name = "e"
+when = "q < 1"
 """
 
 

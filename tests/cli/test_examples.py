@@ -58,6 +58,8 @@ class BoltedFlange(ExampleTest):
         for row in rows:
             self.expect_close(row["nut_force"], -row["head_force"], 1e-9)
             self.expect_close(row["head_force"] - row["joint_force"], thrust, 1e-6)
+            self.expect_close(row["shank_force"], row["head_force"], 1e-9)
+            self.expect_close(row["clamping"], 24 * row["shank_force"], 1e-12)
         forces = [row["head_force"] for row in rows]
         self.assertEqual(forces, sorted(forces, reverse=True))
         self.assertGreater(forces[-1], 1e4)

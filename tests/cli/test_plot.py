@@ -47,6 +47,20 @@ class Plot(RunTest):
         self.expect_error(self.plot("out", "--log-time", "ja"), 2, "--log-time: unknown choice 'ja'")
         self.expect_error(self.plot("out", PATH="/nonexistent"), 2, "gnuplot", "apt-get install gnuplot-nox")
 
+    def test_events_are_lines_with_their_names(self):
+        events = "events=[{ name = 'slack', when = 'fit_pressure < 64.55' }, { name = 'never', when = 'fit_pressure < 0' }]"
+        self.run_short("--quiet", "--set", events)
+        times = self.summary()["events"]
+        self.assertIsNone(times["never"])
+        self.assertTrue(0 < times["slack"] < 10, times)
+        done = self.plot("out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for picture in ("history", "steps"):
+            self.assertIn("slack", self.texts(self.output / "plots" / f"{picture}.svg"))
+            self.assertNotIn("never", self.texts(self.output / "plots" / f"{picture}.svg"))
+            self.assertIn(f"set arrow 10 from first {times['slack']:.6g}"[:30],
+                          (self.output / "plots" / f"{picture}.gp").read_text())
+
     def test_directories_without_a_run(self):
         self.expect_error(self.plot("none"), 2, "no directory 'none'")
         self.output.mkdir()

@@ -231,16 +231,35 @@ constexpr auto names_of(Reduce) {
       {{"mean", Reduce::mean}, {"max", Reduce::max}, {"min", Reduce::min}, {"sum", Reduce::sum}});
 }
 
+/// A plane through a body.
+struct SectionPlane {
+  std::array<double, 3> origin{};
+  std::array<double, 3> normal{};  ///< of any length; points to the part whose force is recorded
+};
+
 /// [[probes]]
 struct Probe {
   std::string name;
-  std::string quantity;
+  std::string quantity;                     ///< empty: `expression`
   Reference on;                             ///< a physical surface (curve, point), or ...
   std::optional<std::array<double, 3>> at;  ///< ... a point, or ...
   Reference body;                           ///< ... a whole body; with `on` or `at`: restricts it to this body
+  std::optional<Function> where;            ///< of x, y, z: only the part where it is not 0
   Reduce reduce = Reduce::mean;             ///< over a surface or body; `sum` for areas, forces and reactions
   std::array<double, 3> axis{0, 0, 1};      ///< axis of cylindrical components (axisymmetric: y) ...
-  std::array<double, 3> origin{};           ///< ... and a point on it
+  std::array<double, 3> origin{};           ///< ... and a point on it; or the point that moments refer to
+  std::optional<SectionPlane> section;      ///< given if and only if the quantity is of a section
+  Reference expression;                     ///< its text: of the names of other probes and t
+  double scale = 1;                         ///< factor on the value
+  std::optional<std::string> unit;          ///< of the value, for tables and plots; nullopt: from the quantity
+  Location location;
+};
+
+/// [[events]]: the first time at which a condition holds.
+struct Event {
+  std::string name;
+  Reference when;     ///< text of the condition: of the names of probes and t
+  bool stop = false;  ///< the run ends there
   Location location;
 };
 
@@ -270,6 +289,7 @@ struct Config {
   Time time;
   Output output;
   std::vector<Probe> probes;
+  std::vector<Event> events;
 
   std::vector<ConfiguredFunction> functions;  ///< all of the above, in the order of reading
   std::vector<ConfiguredValue> values;        ///< of the keys that identify the model

@@ -49,10 +49,11 @@ struct Law {
 struct Quantity {
   std::string name;
   bool surface_only = false;  ///< not defined at a point or over a body
-  bool body_only = false;     ///< one value per body, in generalised plane strain
+  bool body_only = false;     ///< one value per body (and plane)
   bool sum_only = false;      ///< area, force: only reduce = "sum" is meaningful
   bool cylindrical = false;   ///< component about an axis that the probe may give
   bool moment = false;        ///< about a point that the probe may give
+  bool section = false;       ///< of a plane through a body
 };
 
 /// All names known to the program; made by run::vocabulary().

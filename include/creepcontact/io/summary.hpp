@@ -19,6 +19,17 @@ struct SummaryProbe {
   std::string label;            ///< for axes: "contact pressure"
   std::string dimension;        ///< "stress", "length", ...; empty: none
   std::string integrated_over;  ///< "surface" or "body" if the values are sums over it; else empty
+  /// Of the values as they are in history.csv, "" if they have none or it is not known; nullopt: a file without it.
+  std::optional<std::string> unit = {};
+  std::string expression = {};  ///< of other probes; then it has no quantity
+
+  /// The values over the output times. Those that are not finite are left out of min and max.
+  struct Course {
+    double start = 0, end = 0;
+    double min = 0, max = 0, t_min = 0, t_max = 0;  ///< smallest and largest value, and their first times
+    bool operator==(const Course&) const = default;
+  };
+  std::optional<Course> course = {};  ///< nullopt before the first output
   bool operator==(const SummaryProbe&) const = default;
 };
 
@@ -69,13 +80,15 @@ struct Summary : RunCounters {
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
   std::map<std::string, SummaryProbe> probes;  ///< by name; omitted if empty
+  /// Time of each event by its name, nullopt if it has not happened; omitted if empty.
+  std::map<std::string, std::optional<double>> events;
 };
 
 /// Replaces the file atomically. Cost: small; may be called at every output time.
 /// @throws Error if the disk cannot take it
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-/// Reads status, message, version, time reached, all counters and total wall time; the other members keep their
+/// Reads status, message, version, time reached, events, all counters and total wall time; the other members keep their
 /// defaults.
 /// @returns nullopt if the file does not exist or is not a summary
 std::optional<Summary> read_summary(const std::filesystem::path& path);
@@ -86,6 +99,7 @@ std::optional<Summary> parse_summary(std::string_view text);
 struct SummaryHeading {
   std::string title, units, status;
   std::map<std::string, SummaryProbe> probes;  ///< by name
+  std::map<std::string, double> events = {};   ///< those that happened: time by name
 };
 
 /// @throws ConfigError if the file cannot be read or is not a JSON object

@@ -80,6 +80,9 @@ class Body {
   /// forces (3 n_nodes) = integral B^T stress - F(t): reactions at supported nodes, contact forces at contact nodes.
   void residual_forces(const BodyConditions& at, std::span<const double> stress, std::span<double> forces) const;
 
+  /// The parts of all loads that act beyond a plane through this body.
+  std::vector<PointForces> loads_beyond(const Cut& cut) const;
+
   /// Stiffness on all dofs (3 n_nodes) for these conditions, lower triangle. Cost: assembly.
   linalg::SparseMatrix full_stiffness(const BodyConditions& at) const;
   /// Reduces a lower triangle on all dofs to the free ones. Rows and columns of the fixing dofs are zero off the

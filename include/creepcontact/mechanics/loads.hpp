@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/mechanics/cut.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
@@ -19,6 +20,10 @@ class Load {
   virtual ~Load() = default;
   /// forces += F(t), 3 (n_nodes + n_inner) entries; only volume loads act on inner displacements.
   virtual void add(double t, std::span<double> forces) const = 0;
+  /// Appends the part of the load that acts beyond a plane through the body. Surfaces and elements that the plane cuts
+  /// are integrated up to it; the others by the rules of add(), so that force and moment are those of the nodal forces.
+  /// Cost: a pass over the loaded domain.
+  virtual void append_beyond(const Cut& cut, std::vector<PointForces>& parts) const = 0;
 };
 
 /// Pressure on faces [force/area], positive if it pushes on the body. @param pressure  of x, y, z, t

@@ -31,11 +31,18 @@ struct Panel {
   std::vector<Series> series;  ///< at most max_series, so that colours and markers differ
 };
 
+/// A vertical line through all panels, with its name.
+struct Mark {
+  double x = 0;
+  std::string name;
+};
+
 /// Panels with a common horizontal axis.
 struct Figure {
   std::string title;
   Axis x;
   std::vector<Panel> panels;  ///< from top to bottom
+  std::vector<Mark> marks = {};
 };
 
 /// Number of colours, those of Okabe and Ito (2008) that are distinct from white.

@@ -23,7 +23,9 @@ struct OutputVariable {
     contact_moment,  ///< the same
     reaction,        ///< vector, of a supported group
     axial_strain,    ///< of a body in generalised plane strain
-    axial_force      ///< the same
+    axial_force,     ///< the same
+    section_force,   ///< vector, of a plane through a body
+    section_moment   ///< the same
   };
   std::string name;
   std::vector<std::string> components;  ///< suffixes of their names; empty: a scalar
@@ -45,13 +47,14 @@ struct OutputVariable {
            location == Location::contact_shear || location == Location::contact_slip ||
            location == Location::contact_status;
   }
-  /// Of a whole surface: a sum.
+  /// Of a whole surface or plane: a sum.
   bool is_resultant() const {
     return location == Location::contact_area || location == Location::contact_force ||
-           location == Location::contact_moment || location == Location::reaction;
+           location == Location::contact_moment || location == Location::reaction || is_of_section();
   }
   /// One value per body, in generalised plane strain.
   bool is_axial() const { return location == Location::axial_strain || location == Location::axial_force; }
+  bool is_of_section() const { return location == Location::section_force || location == Location::section_moment; }
   std::size_t n_components() const { return components.empty() ? 1 : components.size(); }
 };
 

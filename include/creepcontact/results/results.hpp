@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/io/field_writer.hpp"
@@ -36,6 +37,8 @@ class Results {
   void sync();
   /// Values of the last row of history.csv, one per probe.
   const std::vector<double>& last_values() const { return values_; }
+  /// Those of the configuration, in its order.
+  std::span<const std::unique_ptr<Probe>> probes() const { return probes_; }
 
  private:
   /// The arrays under the names that they have in the files.

@@ -9,6 +9,8 @@
 
 namespace creepcontact::results {
 
+class Probe;
+
 /// Values at one point of a body. Tensors in Mandel order.
 struct Sample {
   Vector3 position = Vector3::Zero();
@@ -69,6 +71,8 @@ class Snapshot {
   /// Support reactions of a body (3 n_nodes): nodal residual integral B^T sigma - F without the contact forces.
   /// Computed at the first call.
   const std::vector<double>& reactions(std::size_t body);
+  /// Value of a probe; computed at the first call. Collective.
+  double value(const Probe& probe);
 
  private:
   const creep::CreepSystem& system_;
@@ -76,6 +80,7 @@ class Snapshot {
   const creep::Evaluation& at_;
   std::map<std::size_t, BodyFields> fields_;
   std::map<std::size_t, std::vector<double>> reactions_;
+  std::map<const Probe*, double> values_;
 };
 
 }  // namespace creepcontact::results

@@ -70,16 +70,19 @@ void ContactArea::add_inside(const ContactGrid::Facet& facet, const Eigen::Vecto
 }
 
 double ContactArea::value(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
+  return of_nodes(pressure, gap).sum();
+}
+
+Eigen::VectorXd ContactArea::of_nodes(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
   const Eigen::VectorXd level = edge_.distances(pressure, gap);
   Eigen::VectorXd inside = Eigen::VectorXd::Zero(level.size()), whole = inside;
   for (const ContactGrid::Facet& facet : grid_.facets) add_inside(facet, level, inside, whole);
-  double sum = 0;
-  for (std::size_t i = 0; i < coupling_.area.size(); ++i) {
-    const Index row = i;
+  Eigen::VectorXd areas(level.size());
+  for (Index row = 0; row < level.size(); ++row)
     // A row without a facet that is covered at all its corners has no edge to be seen.
-    sum += coupling_.area[i] * (whole[row] > 0 ? inside[row] / whole[row] : static_cast<double>(pressure[row] > 0));
-  }
-  return sum;
+    areas[row] = coupling_.area[static_cast<std::size_t>(row)] *
+                 (whole[row] > 0 ? inside[row] / whole[row] : static_cast<double>(pressure[row] > 0));
+  return areas;
 }
 
 }  // namespace creepcontact::contact

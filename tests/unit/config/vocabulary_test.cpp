@@ -30,11 +30,14 @@ Vocabulary test_vocabulary() {
     if (parameter[0] == 7) mistake = {"stress", fmt::format("{} values", stress.size()), "none"};
     return mistake;
   };
-  words.quantities = {{"von_mises"},
-                      {"stress_xx"},
-                      {.name = "stress_theta", .cylindrical = true},
-                      {.name = "contact_pressure", .surface_only = true},
-                      {.name = "contact_area", .surface_only = true, .sum_only = true}};
+  words.quantities = {
+      {"von_mises"},
+      {"stress_xx"},
+      {.name = "stress_theta", .cylindrical = true},
+      {.name = "contact_pressure", .surface_only = true},
+      {.name = "contact_area", .surface_only = true, .sum_only = true},
+      {.name = "section_force_x", .body_only = true, .sum_only = true, .section = true},
+      {.name = "section_moment_x", .body_only = true, .sum_only = true, .moment = true, .section = true}};
   return words;
 }
 

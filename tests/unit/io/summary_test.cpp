@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "creepcontact/platform/replace_file.hpp"
@@ -108,6 +109,33 @@ TEST_F(SummaryFile, HeadingIsReadBack) {
   EXPECT_EQ(heading.units, "mm, N");
   EXPECT_EQ(heading.status, "failed");
   EXPECT_EQ(heading.probes, summary.probes);
+}
+
+TEST_F(SummaryFile, ProbesAndEvents) {
+  Summary summary;
+  EXPECT_FALSE(written(summary).contains("events"));
+  summary.probes["p"] = {.quantity = "gap",
+                         .label = "gap",
+                         .dimension = "length",
+                         .unit = "mm",
+                         .course = SummaryProbe::Course{1, 2, NAN, 4, 5, 6}};
+  summary.probes["e"] = {.label = "e", .unit = "", .expression = "2*p"};
+  summary.events = {{"leak", 2.5}, {"never", std::nullopt}};
+  const auto json = written(summary);
+  EXPECT_EQ(json["probes"]["p"]["start"], 1.0);
+  EXPECT_EQ(json["probes"]["p"]["end"], 2.0);
+  EXPECT_TRUE(json["probes"]["p"]["min"].is_null());
+  EXPECT_EQ(json["probes"]["p"]["t_max"], 6.0);
+  EXPECT_EQ(json["probes"]["p"]["unit"], "mm");
+  EXPECT_EQ(json["probes"]["e"]["expression"], "2*p");
+  EXPECT_EQ(json["events"]["leak"], 2.5);
+  EXPECT_TRUE(json["events"]["never"].is_null());
+  write_summary(directory_ / "summary.json", summary);
+  const SummaryHeading heading = read_summary_heading(directory_ / "summary.json");
+  EXPECT_EQ(heading.events, (std::map<std::string, double>{{"leak", 2.5}}));
+  EXPECT_EQ(heading.probes.at("e").expression, "2*p");
+  EXPECT_EQ(heading.probes.at("p").unit, "mm");
+  EXPECT_EQ(read_summary(directory_ / "summary.json")->events, summary.events);
 }
 
 TEST_F(SummaryFile, HeadingOfAnotherFile) {

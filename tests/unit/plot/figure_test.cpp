@@ -51,6 +51,20 @@ TEST(Plot, CharactersOfAnyKindAreDrawn) {
   }
 }
 
+TEST(Plot, MarksAreLinesWithNamesWithinTheAxis) {
+  Figure figure = one_curve("a");
+  figure.x.logarithmic = figure.x.zero_at_left = true;
+  figure.marks = {{0, "start"}, {5, "it's"}, {500, "late"}};
+  const std::string script = gnuplot_script(figure, "plot");
+  EXPECT_TRUE(contains(script, "set arrow 11 from first 5, graph 0 to first 5, graph 1 nohead")) << script;
+  EXPECT_TRUE(contains(script, "set label 11 'it''s' noenhanced at first 5,"));
+  EXPECT_TRUE(contains(script, "set label 10 'start'"));  // at the left end of the axis
+  EXPECT_FALSE(contains(script, "late"));
+  const io::test::TemporaryDirectory directory;
+  draw(figure, directory.path(), "plot");
+  EXPECT_TRUE(contains(io::test::read_text(directory / "plot.svg"), ">start<"));
+}
+
 TEST(Plot, EverySeriesHasALookOfItsOwn) {
   Figure figure = one_curve("a");
   for (std::size_t k = 1; k < max_series; ++k) figure.panels[0].series.push_back(figure.panels[0].series[0]);

@@ -51,6 +51,47 @@ TEST(HistoryPanels, SumsHaveTheUnitOfTheirIntegral) {
             (Names{{"force (N)", "clamping"}, {"contact area (mm²)", "area"}, {"creep strain, sum", "grown"}}));
 }
 
+TEST(HistoryPanels, ProbesWithUnitsOfTheirOwn) {
+  const io::CsvTable history{{"time", "force", "kilo", "torque", "sum", "share", "raw"},
+                             {{0, 1}, {5, 6}, {5, 6}, {5, 6}, {5, 6}, {5, 6}, {5, 6}}};
+  const auto with_unit = [](io::SummaryProbe of, const std::string& unit) {
+    of.unit = unit;
+    return of;
+  };
+  const auto expression = [](const std::string& label, const std::string& unit) {
+    return io::SummaryProbe{.label = label, .unit = unit, .expression = "2*force"};
+  };
+  const io::SummaryHeading heading{"",
+                                   "mm, N, MPa, h",
+                                   "",
+                                   {{"force", with_unit(probe("contact_force_x", "surface"), "N")},
+                                    {"kilo", with_unit(probe("contact_force_x", "surface"), "kN")},
+                                    {"torque", expression("torque", "N mm")},
+                                    {"sum", expression("sum", "N")},
+                                    {"share", expression("share", "")},
+                                    {"raw", with_unit(probe("contact_force_x", "surface"), "")}}};
+  EXPECT_EQ(names(history_panels(history, heading)), (Names{{"contact force, sum (N)", "force", "sum"},
+                                                            {"contact force (kN)", "kilo"},
+                                                            {"torque (N mm)", "torque"},
+                                                            {"share", "share"},
+                                                            {"contact force", "raw"}}));
+}
+
+TEST(HistoryPanels, EventsAreMarksOfAllFigures) {
+  RunTables run{"run",
+                {{"time", "a"}, {{0, 1, 2}, {1, 2, 3}}},
+                {{"time", "step", "order", "elastic_solves", "schwarz_iterations", "active_contacts"},
+                 {{1, 2}, {1, 1}, {1, 1}, {1, 1}, {0, 0}, {0, 0}}},
+                {"", "", "", {}, {{"leak", 1.5}}}};
+  const std::vector<NamedFigure> figures = run_figures(run, {});
+  ASSERT_EQ(figures.size(), 2u);
+  for (const NamedFigure& one : figures) {
+    ASSERT_EQ(one.figure.marks.size(), 1u) << one.name;
+    EXPECT_EQ(one.figure.marks[0].x, 1.5);
+    EXPECT_EQ(one.figure.marks[0].name, "leak");
+  }
+}
+
 TEST(HistoryPanels, EveryQuantityIsKnown) {
   for (const results::Quantity& info : results::quantities()) {
     const auto panels = history_panels({{"time", "a"}, {{0, 1}, {1, 2}}}, {"", "", "", {{"a", probe(info.name)}}});

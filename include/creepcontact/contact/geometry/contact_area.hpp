@@ -19,6 +19,8 @@ class ContactArea {
   /// Area in contact [length^2]. @param pressure, gap  of the multiplier nodes of the pair; the gaps are weighted
   /// Cost: O(rows), and the quadrature points near the edge.
   double value(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+  /// The same by multiplier node: value() is their sum.
+  Eigen::VectorXd of_nodes(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
 
  private:
   void add_inside(const ContactGrid::Facet& facet, const Eigen::VectorXd& level, Eigen::VectorXd& inside,

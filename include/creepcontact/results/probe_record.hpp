@@ -1,0 +1,31 @@
+#pragma once
+/// The course of all probes over the output times of a run.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/creep/equilibrium_solver.hpp"
+#include "creepcontact/io/summary.hpp"
+
+namespace creepcontact::results {
+
+class ProbeRecord {
+ public:
+  explicit ProbeRecord(std::size_t n_probes) : courses_(n_probes) {}
+
+  /// An output time; they come in increasing order. @param values  one per probe
+  void output(double time, std::span<const double> values);
+
+  /// What the probes of the configuration are, and their courses so far.
+  void fill(const config::Config& config, io::Summary& summary) const;
+  void save(creep::Memory& memory) const;
+  /// Does nothing if the memory has no record.
+  void restore(const creep::Memory& memory);
+
+ private:
+  std::vector<std::optional<io::SummaryProbe::Course>> courses_;
+};
+
+}  // namespace creepcontact::results

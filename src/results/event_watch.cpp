@@ -1,0 +1,62 @@
+#include "creepcontact/results/event_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "creepcontact/base/log.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+const std::string event_times = "events.times";  // in memories; not a number: has not happened
+
+}  // namespace
+
+EventWatch::EventWatch(const config::Config& config, std::span<const std::unique_ptr<Probe>> probes)
+    : events_(config.events), times_(config.events.size()) {
+  for (const config::Event& event : events_) conditions_.emplace_back(event.when.name, config.probes, probes);
+}
+
+bool EventWatch::is_waiting() const {
+  return std::ranges::any_of(times_, [](const std::optional<double>& time) { return !time; });
+}
+
+bool EventWatch::holds(std::size_t event, Snapshot& snapshot) const {
+  const double value = conditions_[event].value(snapshot);
+  return value != 0 && !std::isnan(value);
+}
+
+std::vector<std::size_t> EventWatch::holding(Snapshot& snapshot) const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < events_.size(); ++i)
+    if (!times_[i] && holds(i, snapshot)) found.push_back(i);
+  return found;
+}
+
+void EventWatch::happened(std::size_t event, double time) {
+  times_[event] = time;
+  log::info("event '{}' at t = {:.10g}: {}{}", events_[event].name, time, events_[event].when.name,
+            events_[event].stop ? "; the run ends here" : "");
+}
+
+void EventWatch::fill(io::Summary& summary) const {
+  for (std::size_t i = 0; i < events_.size(); ++i) summary.events[events_[i].name] = times_[i];
+}
+
+void EventWatch::save(creep::Memory& memory) const {
+  if (times_.empty()) return;
+  std::vector<double>& numbers = memory[event_times];
+  numbers.clear();
+  for (const std::optional<double>& time : times_)
+    numbers.push_back(time.value_or(std::numeric_limits<double>::quiet_NaN()));
+}
+
+void EventWatch::restore(const creep::Memory& memory) {
+  const auto found = memory.find(event_times);
+  if (found == memory.end() || found->second.size() != times_.size()) return;
+  for (std::size_t i = 0; i < times_.size(); ++i)
+    if (!std::isnan(found->second[i])) times_[i] = found->second[i];
+}
+
+}  // namespace creepcontact::results

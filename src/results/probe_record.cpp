@@ -1,0 +1,98 @@
+#include "creepcontact/results/probe_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "creepcontact/base/units.hpp"
+#include "creepcontact/results/quantities.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+using Course = io::SummaryProbe::Course;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+const std::string record = "probes.course";  // in memories
+constexpr std::size_t n_numbers = 6;         // of a course there
+
+std::string region_of(const config::Probe& probe) {
+  return probe.on.given() ? "surface" : "body";
+}
+
+/// In the words of the configuration; empty if it does not follow from them.
+std::string unit_of_values(const config::Probe& probe, const OutputVariable& variable, const std::string& units) {
+  if (probe.scale != 1) return "";
+  const Dimension dimension = dimension_of(variable.dimension);
+  const bool is_integral = probe.reduce == config::Reduce::sum && !variable.is_resultant() && !variable.is_axial();
+  if (!is_integral) return unit_of(dimension, units);
+  return dimension == Dimension::stress && probe.on.given() ? unit_of(Dimension::force, units) : "";
+}
+
+io::SummaryProbe described(const config::Probe& probe, const std::string& units) {
+  io::SummaryProbe result;
+  if (probe.expression.given()) {
+    result.label = probe.name;
+    result.expression = probe.expression.name;
+    result.unit = probe.unit.value_or("");
+    return result;
+  }
+  const OutputVariable& variable = *quantity(probe.quantity).variable;
+  result.quantity = probe.quantity;
+  result.label = variable.label;
+  result.dimension = variable.dimension;
+  if (probe.reduce == config::Reduce::sum) result.integrated_over = region_of(probe);
+  result.unit = probe.unit.value_or(unit_of_values(probe, variable, units));
+  return result;
+}
+
+}  // namespace
+
+void ProbeRecord::output(double time, std::span<const double> values) {
+  for (std::size_t i = 0; i < courses_.size(); ++i) {
+    const double value = values[i];
+    if (!courses_[i])
+      courses_[i] = Course{.start = value, .end = value, .min = unknown, .max = unknown, .t_min = time, .t_max = time};
+    Course& course = *courses_[i];
+    course.end = value;
+    if (!std::isfinite(value)) continue;
+    if (!(course.min <= value)) {
+      course.min = value;
+      course.t_min = time;
+    }
+    if (!(course.max >= value)) {
+      course.max = value;
+      course.t_max = time;
+    }
+  }
+}
+
+void ProbeRecord::fill(const config::Config& config, io::Summary& summary) const {
+  for (std::size_t i = 0; i < config.probes.size(); ++i) {
+    io::SummaryProbe& probe = summary.probes[config.probes[i].name];
+    probe = described(config.probes[i], config.units);
+    probe.course = courses_[i];
+  }
+}
+
+void ProbeRecord::save(creep::Memory& memory) const {
+  std::vector<double> numbers;
+  for (const auto& course : courses_)
+    if (course)
+      numbers.insert(numbers.end(),
+                     {course->start, course->end, course->min, course->max, course->t_min, course->t_max});
+  memory[record] = numbers;
+}
+
+void ProbeRecord::restore(const creep::Memory& memory) {
+  const auto found = memory.find(record);
+  if (found == memory.end() || found->second.size() != n_numbers * courses_.size()) return;
+  const double* next = found->second.data();
+  for (auto& course : courses_) {
+    course = Course{next[0], next[1], next[2], next[3], next[4], next[5]};
+    next += n_numbers;
+  }
+}
+
+}  // namespace creepcontact::results

@@ -1,0 +1,170 @@
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <map>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
+#include "creepcontact/mechanics/cut.hpp"
+#include "face_points.hpp"
+#include "probe_kinds.hpp"
+
+namespace creepcontact::results {
+namespace {
+
+FaceArea area_beyond(const mechanics::Cut& cut, const mesh::Face& face) {
+  const mechanics::Cut::FaceArea found = cut.area(face);
+  return {found.beyond, found.whole};
+}
+
+/// Shares of nodal forces that act beyond the plane: those of nodes on the faces are spread over them, the others act
+/// at their node.
+std::vector<double> shares_beyond(const mechanics::Cut& cut, const std::vector<mesh::Face>& faces) {
+  std::vector<double> shares(cut.mesh().nodes.size());
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] = cut.node_share(static_cast<std::int64_t>(i));
+  for (const auto& [node, share] : node_shares(faces, [&](const mesh::Face& face) { return area_beyond(cut, face); }))
+    shares[node] = share;
+  return shares;
+}
+
+/// Empty if the support does not hold a surface, or one inside the body: its forces then act at the nodes.
+std::vector<mesh::Face> supported_faces(const mesh::Mesh& mesh, const std::string& surface) {
+  const auto group = mesh.groups.find(surface);
+  if (group == mesh.groups.end() || group->second.dimension != mesh.section.dimension() - 1) return {};
+  try {
+    return mesh::boundary_faces(mesh, surface);
+  } catch (const ModelError&) {
+    return {};
+  }
+}
+
+/// The part of a reaction that acts beyond the plane, as a linear map of it; by node. A node may have several supports,
+/// each with the reaction along its own direction: at the edge of a plane of symmetry, that of the plane and others.
+std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, const mechanics::Body& body) {
+  struct Sums {
+    Matrix3 beyond = Matrix3::Zero(), whole = Matrix3::Zero();
+  };
+  std::map<std::int64_t, Sums> sums;
+  for (const mechanics::Support& support : body.supports()) {
+    const auto areas = areas_around(supported_faces(body.mesh(), support.on),
+                                    [&](const mesh::Face& face) { return area_beyond(cut, face); });
+    for (std::size_t i = 0; i < support.nodes.size(); ++i) {
+      const std::int64_t node = support.nodes[i];
+      const Vector3& along = support.directions[support.directions.size() == 1 ? 0 : i];
+      const auto spread = areas.find(node);
+      const FaceArea area = spread != areas.end() ? spread->second : FaceArea{cut.node_share(node), 1};
+      sums[node].beyond += area.part * along * along.transpose();
+      sums[node].whole += area.whole * along * along.transpose();
+    }
+  }
+  std::map<std::int64_t, Matrix3> maps;
+  for (const auto& [node, sum] : sums) {
+    const Matrix3 inverse = sum.whole.completeOrthogonalDecomposition().pseudoInverse();
+    maps[node] = sum.beyond * inverse + cut.node_share(node) * (Matrix3::Identity() - sum.whole * inverse);
+  }
+  return maps;
+}
+
+/// The forces on the part of a body beyond a plane: reactions and contact forces at nodes, and loads integrated up to
+/// the plane. By equilibrium this is what the part exerts on the rest.
+class SectionProbe final : public Probe {
+ public:
+  SectionProbe(const mechanics::Cut& cut, std::size_t body, const model::Model& model, bool is_moment, int component,
+               const Vector3& about)
+      : body_(body),
+        is_moment_(is_moment),
+        component_(component),
+        about_(about),
+        at_nodes_(shares_beyond(cut, {})),
+        at_supports_(reactions_beyond(cut, model.bodies()[body])),
+        loads_(model.bodies()[body].loads_beyond(cut)) {
+    const std::vector<contact::Pair>& pairs = model.pairs();
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+      for (const bool is_slave : {true, false}) {
+        if ((is_slave ? pairs[p].slave_body : pairs[p].master_body) != body) continue;
+        const std::string& surface = is_slave ? pairs[p].slave_surface : pairs[p].master_surface;
+        const auto faces =
+            pairs[p].ties_nodes() ? std::vector<mesh::Face>() : mesh::boundary_faces(cut.mesh(), surface);
+        contacts_.push_back({p, is_slave, shares_beyond(cut, faces)});
+      }
+  }
+
+  double value(Snapshot& snapshot) const override {
+    const creep::Equilibrium& at = snapshot.equilibrium();
+    Resultant own;  // of this process
+    add_reactions(snapshot, own);
+    for (const mechanics::PointForces& load : loads_)
+      load.add(at.conditions[body_].time, about_, own.force, own.moment);
+    Resultant common;  // all members of a team know the state of the contacts
+    for (const Contact& contact : contacts_) {
+      const contact::Pair& pair = snapshot.assembly().pairs()[contact.pair];
+      const contact::RowMatrix& rows = contact.is_slave ? pair.coupling.slave_rows : pair.coupling.master_rows;
+      const Eigen::VectorXd forces =
+          rows.transpose() * at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
+      add_nodes(snapshot, forces, contact.shares, common);
+    }
+    const Vector3 result = is_moment_ ? own.moment : own.force, of_contact = is_moment_ ? common.moment : common.force;
+    return snapshot.assembly().team().sum(result[component_]) + of_contact[component_];
+  }
+
+ private:
+  struct Contact {
+    std::size_t pair;
+    bool is_slave;
+    std::vector<double> shares;
+  };
+  struct Resultant {
+    Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
+
+    void add(const Vector3& arm, const Vector3& own) {
+      force += own;
+      moment += arm.cross(own);
+    }
+  };
+
+  void add_reactions(Snapshot& snapshot, Resultant& into) const {
+    const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
+    const std::vector<double>& reactions = snapshot.reactions(body_);
+    for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
+      const Eigen::Map<const Vector3> reaction(reactions.data() + 3 * i);
+      const auto support = at_supports_.find(static_cast<std::int64_t>(i));
+      into.add(mesh.nodes[i] - about_,
+               support != at_supports_.end() ? Vector3(support->second * reaction) : Vector3(at_nodes_[i] * reaction));
+    }
+  }
+
+  void add_nodes(Snapshot& snapshot, const Eigen::Ref<const Eigen::VectorXd>& forces, const std::vector<double>& shares,
+                 Resultant& into) const {
+    const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
+    for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
+      if (shares[i] == 0) continue;
+      into.add(mesh.nodes[i] - about_, shares[i] * forces.segment<3>(3 * static_cast<Index>(i)));
+    }
+  }
+
+  std::size_t body_;
+  bool is_moment_;
+  int component_;
+  Vector3 about_;
+  std::vector<double> at_nodes_;  // shares of forces that act at their node
+  std::map<std::int64_t, Matrix3> at_supports_;
+  std::vector<mechanics::PointForces> loads_;
+  std::vector<Contact> contacts_;
+};
+
+Vector3 to_vector(const std::array<double, 3>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace
+
+std::unique_ptr<Probe> section_probe(const config::Probe& probe, const model::Model& model) {
+  const std::size_t body = model::find_body(model.bodies(), probe.body.name);
+  const Quantity& wanted = quantity(probe.quantity);
+  const mechanics::Cut cut(model.bodies()[body].mesh(), to_vector(probe.section->origin),
+                           to_vector(probe.section->normal));
+  return std::make_unique<SectionProbe>(cut, body, model,
+                                        wanted.variable->location == OutputVariable::Location::section_moment,
+                                        wanted.component, to_vector(probe.origin));
+}
+
+}  // namespace creepcontact::results

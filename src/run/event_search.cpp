@@ -1,0 +1,46 @@
+#include "event_search.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace creepcontact::run {
+
+double first_time(double from, double to, const std::function<bool(double)>& holds) {
+  constexpr double near = 1e-10;  // of the interval
+  double before = from, after = to;
+  while (after - before > near * (to - from)) {
+    const double middle = before + (after - before) / 2;
+    if (middle <= before || middle >= after) break;
+    (holds(middle) ? after : before) = middle;
+  }
+  return after;
+}
+
+std::optional<double> find_events(double from, double to, const StateAt& state_at, creep::CreepSystem& system,
+                                  results::EventWatch& events, RunObserver* observer) {
+  if (!events.is_waiting()) return std::nullopt;
+  const auto snapshot_at = [&](double t) {
+    return results::Snapshot(system, t, system.evaluate_output(t, state_at(t)));
+  };
+  results::Snapshot at_end = snapshot_at(to);
+  std::vector<std::pair<double, std::size_t>> found;
+  for (const std::size_t event : events.holding(at_end)) {
+    const auto holds = [&](double t) {
+      results::Snapshot snapshot = snapshot_at(t);
+      return events.holds(event, snapshot);
+    };
+    found.emplace_back(first_time(from, to, holds), event);
+  }
+  std::ranges::sort(found);
+  std::optional<double> stop;
+  for (const auto& [time, event] : found) {
+    if (stop && time > *stop) break;
+    if (observer != nullptr) observer->before_message();
+    events.happened(event, time);
+    if (events.stops(event)) stop = time;
+  }
+  return stop;
+}
+
+}  // namespace creepcontact::run

@@ -1,0 +1,55 @@
+"""Probes of parts, planes and other probes, and events: their columns, summary.json and mistakes on the command line."""
+
+import unittest
+
+from test_runs import RunTest
+
+PROBES = """probes=[
+  { name = 'force', quantity = 'section_force_x', body = 'disc', scale = 1e-3, unit = 'kN',
+    section = { origin = [0, 0, 0], normal = [1, 0, 0] } },
+  { name = 'near', quantity = 'contact_pressure', on = 'disc_bore', where = 'z < 5' },
+  { name = 'double', expression = '2*near + t' } ]""".replace("\n", " ")
+
+
+class Probes(RunTest):
+    def test_summary_of_probes(self):
+        probes = PROBES.replace("origin = [0, 0, 0]", "origin = [60, 0, 0]")
+        self.run_short("--quiet", "--set", probes)
+        rows, summary = self.table("history.csv"), self.summary()["probes"]
+        self.assertEqual(set(rows[0]), {"time", "force", "near", "double"})
+        for row in rows:
+            self.assertAlmostEqual(row["double"], 2 * row["near"] + row["time"], places=9)
+        for name, probe in summary.items():
+            values = [row[name] for row in rows]
+            self.assertEqual([probe["start"], probe["end"], probe["min"], probe["max"]],
+                             [values[0], values[-1], min(values), max(values)])
+            self.assertEqual(values[[row["time"] for row in rows].index(probe["t_min"])], probe["min"])
+            self.assertEqual(values[[row["time"] for row in rows].index(probe["t_max"])], probe["max"])
+        self.assertEqual({name: probe["unit"] for name, probe in summary.items()},
+                         {"force": "kN", "near": "MPa", "double": ""})
+
+    def test_an_event_stops_the_run(self):
+        self.run_short("--quiet", "--set", "events=[{ name = 'slack', when = 'fit_pressure < 64.55', stop = true }]")
+        summary, rows = self.summary(), self.table("history.csv")
+        self.assertEqual(summary["status"], "completed")
+        self.assertEqual(summary["events"]["slack"], summary["time_reached"])
+        self.assertEqual([row["time"] for row in rows], [0, 1, summary["time_reached"]])
+        self.assertAlmostEqual(rows[-1]["fit_pressure"], 64.55, places=6)
+        done = self.call("run", "--output", str(self.output), "--resume", "--set", "time.end=10", "--set",
+                         "time.output=[1, 10]", "--set",
+                         "events=[{ name = 'slack', when = 'fit_pressure < 64.55', stop = true }]")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("nothing is left to do: event 'slack' stopped the run at t = ", done.stdout)
+
+    def test_mistakes(self):
+        self.expect_error(self.call("check", "--set", "events=[{ name = 'a', when = 'fit_presure < 1' }]"), 2,
+                          "no probe 'fit_presure'", "did you mean 'fit_pressure'?")
+        probes = PROBES.replace("origin = [0, 0, 0]", "origin = [1e4, 0, 0]").replace("z < 5", "z > 1e5")
+        self.expect_error(self.call("run", "--output", str(self.output), "--set", probes), 3, "misses the body",
+                          "where: 'z > 1e5' holds nowhere on")
+        self.expect_error(self.call("run", "--set", PROBES.replace("2*near", "2*double")), 2,
+                          "probes that depend on themselves: 'double' -> 'double'")
+
+
+if __name__ == "__main__":
+    unittest.main()
