@@ -93,10 +93,10 @@ PointTemperatures parse_temperatures(std::string_view text, const std::string& n
   CsvLines lines(text);
   std::string_view line;
   lines.next(line);
-  const Columns columns = find_columns(name, csv_cells(line));
+  const Columns columns = find_columns(name, csv_cells(line, ','));
   TemperatureRows rows(name, [](std::size_t row) { return fmt::format("line {}", row); });
   for (std::size_t number = 2; lines.next(line); ++number) {
-    const std::vector<std::string> row = csv_cells(line);
+    const std::vector<std::string> row = csv_cells(line, ',');
     if (row.size() == 1 && row[0].empty()) continue;
     const auto value = [&](std::size_t column, std::string_view of) {
       if (column >= row.size())

@@ -47,6 +47,13 @@ class Plot(RunTest):
         self.expect_error(self.plot("out", "--log-time", "ja"), 2, "--log-time: unknown choice 'ja'")
         self.expect_error(self.plot("out", PATH="/nonexistent"), 2, "gnuplot", "apt-get install gnuplot-nox")
 
+    def test_tables_for_spreadsheets(self):
+        self.run_short("--quiet", "--set", "output.separator=;", "--set", "output.decimal=,")
+        self.assertTrue((self.output / "history.csv").read_text().startswith("time;fit_pressure;"))
+        done = self.plot("out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("fit_pressure", self.texts(self.output / "plots" / "history.svg"))
+
     def test_directories_without_a_run(self):
         self.expect_error(self.plot("none"), 2, "no directory 'none'")
         self.output.mkdir()

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "creepcontact/base/csv_format.hpp"
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/location.hpp"
@@ -192,10 +193,13 @@ struct Time : settings::IntegratorOptions {
 struct Output {
   /// Relative to the working directory; default: results/<stem> next to the configuration.
   std::filesystem::path directory;
-  bool fields = true;              ///< write fields.pvd, contact.pvd and their .vtu files
+  bool fields = true;  ///< write fields.pvd, contact.pvd and their .vtu files ...
+  /// ... at these times only, increasing, all among Time::output; nullopt: at all output times.
+  std::optional<std::vector<double>> field_times;
   int revolve = 0;                 ///< axisymmetric: segments of the solid in revolved.pvd; 0: none
   bool unit_names = true;          ///< their arrays carry the unit in their names
   double checkpoint_seconds = 30;  ///< wall time between checkpoints [s]; 0: after every step
+  CsvFormat csv;                   ///< of history.csv, steps.csv and the log of contact iterations
 };
 
 enum class Reduce { mean, max, min, sum };
