@@ -111,6 +111,11 @@ constexpr std::array words{
     KnownWord{"loads[].rotation", "rho", "mass per volume is 'density'"},
     KnownWord{"loads[].rotation", "center centre point", "a point on the axis is 'origin'"},
     KnownWord{"temperature", "t constant uniform", "the temperature is 'value'"},
+    KnownWord{"temperature", "files path pattern",
+              "files are given by 'file': one path, a list, or a pattern such as t_*.csv"},
+    KnownWord{"temperature", "time", "the times of a list of files are 'times'"},
+    KnownWord{"temperature", "column mapping header", "names of columns are given by 'columns' = { x = ..., T = ... }"},
+    KnownWord{"temperature", "cycle repeat", "what repeats in time has a 'period'"},
 
     // contact
     KnownWord{"contacts[]", "mu friction_coefficient coefficient_of_friction",

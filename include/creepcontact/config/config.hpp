@@ -139,9 +139,17 @@ struct Load {
 
 /// [temperature]
 struct Temperature {
-  Function value;                 ///< used unless `file` is given
-  std::filesystem::path file;     ///< temperatures at points; resolved against the directory of the configuration
-  double refactor_change = 0.05;  ///< relative change of the stiffness beyond which it is factored again, 0 to 0.5
+  Function value;  ///< used unless files are given
+  /// Temperatures at points, resolved against the directory of the configuration. The name of a single one may have a
+  /// '*': all files of that form; the number there is the time.
+  std::vector<std::filesystem::path> files;
+  std::vector<double> times;                   ///< of the files, one each; empty: the files say themselves
+  std::map<std::string, std::string> columns;  ///< names of the columns of x, y, z, r, t, T, as far as given
+  std::optional<double> period;                ///< of the repetition in time
+  /// Axis about which the points of a section (radius, position along the axis) are revolved ...
+  std::optional<std::array<double, 3>> axis;
+  std::array<double, 3> origin{};  ///< ... and the point on it from which positions count
+  double refactor_change = 0.05;   ///< relative change of the stiffness beyond which it is factored again, 0 to 0.5
   Location location;
 };
 
