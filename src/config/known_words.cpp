@@ -111,6 +111,11 @@ constexpr std::array words{
     KnownWord{"loads[].rotation", "rho", "mass per volume is 'density'"},
     KnownWord{"loads[].rotation", "center centre point", "a point on the axis is 'origin'"},
     KnownWord{"temperature", "t constant uniform", "the temperature is 'value'"},
+    KnownWord{"temperature", "files path pattern",
+              "files are given by 'file': one path, a list, or a pattern such as t_*.csv"},
+    KnownWord{"temperature", "time", "the times of a list of files are 'times'"},
+    KnownWord{"temperature", "column mapping header", "names of columns are given by 'columns' = { x = ..., T = ... }"},
+    KnownWord{"temperature", "cycle repeat", "what repeats in time has a 'period'"},
 
     // contact
     KnownWord{"contacts[]", "mu friction_coefficient coefficient_of_friction",
@@ -155,6 +160,10 @@ constexpr std::array words{
     KnownWord{"output", "folder path", "the directory of the results is 'directory'"},
     KnownWord{"output", "vtk vtu paraview format", "files for ParaView are written unless 'fields' = false"},
     KnownWord{"output", "interval frequency times every", "the times of results are 'time.output'"},
+    KnownWord{"output", "field_times", "the times of field files are a list: 'fields' = [0, 100]"},
+    KnownWord{"output", "delimiter sep csv_separator", "what separates the cells of CSV files is 'separator'"},
+    KnownWord{"output", "decimal_separator decimal_point decimal_sign decimal_comma",
+              "the decimal sign in CSV files is 'decimal'"},
     KnownWord{"output", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
     KnownWord{"probes[]", "when", "conditions on probes are in 'events'"},

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "configured_values.hpp"
 #include "creepcontact/base/error.hpp"
 #include "cross_checks.hpp"
@@ -23,6 +26,14 @@ void require_no_study(const toml::table& document, const std::filesystem::path& 
                   file.string()));
 }
 
+/// Fields are written with the other results of their time.
+void include_field_times(Config& config) {
+  if (!config.output.field_times) return;
+  std::vector<double> all;
+  std::ranges::set_union(config.time.output, *config.output.field_times, std::back_inserter(all));
+  config.time.output = std::move(all);
+}
+
 }  // namespace
 
 Config parse(const std::string& text, const std::filesystem::path& file, const Vocabulary& vocabulary,
@@ -38,6 +49,7 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
   set_section_defaults(root, config);
   cross_check(config, root, context.errors);
   context.errors.throw_if_any();
+  include_field_times(config);
   config.file = file;
   config.functions = std::move(context.functions);
   config.values = configured_values(document, table.keys);

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tables.hpp"
+
 namespace creepcontact::config {
 namespace {
 
@@ -44,6 +46,10 @@ class SectionChecks {
                   "with analysis = \"axisymmetric\"");
     if (revolve.node && !config.output.fields)
       errors_.add(revolve.location, "no field files are written ('fields' = false)", "with 'fields' = true");
+    if (config.temperature && !is_solid())
+      for (const std::string& key : given_keys(root.child("temperature"), {"axis", "origin"}))
+        errors_.add(root.child("temperature").child(key).location,
+                    fmt::format("has no meaning with analysis = \"{}\"", name_), "with solids alone");
     const Item axial = root.child("generalized_plane_strain");
     if (axial.node && analysis_ != Analysis::generalized_plane_strain)
       errors_.add(axial.location, fmt::format("has no meaning with analysis = \"{}\"", name_),

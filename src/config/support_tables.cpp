@@ -1,5 +1,7 @@
 /// [[supports]], [generalized_plane_strain] and [temperature]
 
+#include <algorithm>
+
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -11,11 +13,65 @@ struct Displacement {
   std::optional<Function> normal;
 };
 
-struct TemperatureKeys {
-  std::optional<Function> value;
-  std::filesystem::path file;
-  double refactor_change = Temperature{}.refactor_change;
+/// What is not given, which Temperature cannot tell.
+struct TemperatureKeys : Temperature {
+  std::optional<Function> given;
+  std::map<std::string, std::optional<std::string>> names;
 };
+
+/// One path or a list of them.
+Value<std::vector<std::filesystem::path>> paths() {
+  const auto one = path();
+  const auto several = list(one);
+  Value<std::vector<std::filesystem::path>> value{
+      .type = "a path, or a list of paths", .read = {}, .brief = "path or list of paths", .json = [=] {
+        return schema_of_any({one.json(), several.json()});
+      }};
+  value.read = [=](const Item& item, Context& context) -> std::optional<std::vector<std::filesystem::path>> {
+    if (item.node->is_array()) return several.read(item, context);
+    auto found = one.read(item, context);
+    if (!found) return std::nullopt;
+    return std::vector{std::move(*found)};
+  };
+  return value;
+}
+
+using ColumnNames = std::map<std::string, std::optional<std::string>>;
+
+Value<ColumnNames> column_names() {
+  const auto of = [](const char* key, const char* meaning) {
+    return field<ColumnNames>(
+        key, [key](ColumnNames& names) -> std::optional<std::string>& { return names[key]; },
+        name("the name of a column"), meaning);
+  };
+  return written_inline(
+      table<ColumnNames>({of("x", "column of x"), of("y", "column of y"), of("z", "column of z"),
+                          of("r", "column of the distance from the axis"), of("t", "column of the time"),
+                          of("T", "column, or array of a `.vtu`, of the temperature")}));
+}
+
+void check_files(const TemperatureKeys& keys, const Item& item, Context& context) {
+  const auto report = [&](const char* key, const std::string& what, const std::string& allowed) {
+    context.errors.add(item.child(key).location, what, allowed);
+  };
+  for (const std::string& key : given_keys(item, {"times", "columns", "period", "axis", "origin"}))
+    if (!item.has("file"))
+      report(key.c_str(), "has no meaning without 'file'", "with temperatures at points: 'file' = \"...\"");
+  if (item.has("file") && keys.files.empty() && item.child("file").node->is_array())
+    report("file", "an empty list", "at least one path");
+  if (item.has("times") && item.has("file") && keys.times.size() != keys.files.size())
+    report("times", fmt::format("{} times for {} in 'file'", keys.times.size(), keys.files.size()),
+           "a list with one time per file");
+  for (std::size_t i = 1; i < keys.times.size(); ++i)
+    if (!(keys.times[i] > keys.times[i - 1]))
+      report("times", fmt::format("{} after {}", keys.times[i], keys.times[i - 1]), "times that increase");
+  const auto has_star = [](const std::filesystem::path& file) { return file.string().find('*') != std::string::npos; };
+  if (keys.files.size() > 1 && std::any_of(keys.files.begin(), keys.files.end(), has_star))
+    report("file", "a list with a '*'", "one path with a '*', or a list of paths without");
+  if (keys.files.size() == 1 && has_star(keys.files[0]) && item.has("times"))
+    report("times", "has no meaning for files of a pattern, whose names hold their times", "with a list of paths");
+  if (item.has("axis") && keys.axis == std::array<double, 3>{}) report("axis", "[0, 0, 0]", "a direction");
+}
 
 Value<Displacement> displacement_table() {
   const Value<Function> value = function(position_and_time);
@@ -80,25 +136,52 @@ Value<GeneralizedPlaneStrain> generalized_plane_strain_table() {
 
 Value<Temperature> temperature_table() {
   const auto keys = table<TemperatureKeys>({
-      field<TemperatureKeys>("value", &TemperatureKeys::value, function(position_and_time),
+      field<TemperatureKeys>("value", &TemperatureKeys::given, function(position_and_time),
                              "temperature of all bodies, or ...")
           .in("temperature"),
-      field<TemperatureKeys>("file", &TemperatureKeys::file, path(),
-                             "... temperatures at points, `.csv`, `.h5` or `.hdf5`, interpolated to all bodies")
+      field<TemperatureKeys>("file", &TemperatureKeys::files, paths(),
+                             "... temperatures at points, `.csv`, `.vtu`, `.frd`, `.h5` or `.hdf5`, interpolated to "
+                             "all bodies: one file, one per time (a list, or a pattern `t_*.csv`)")
+          .changeable(),
+      field<TemperatureKeys>("times", &TemperatureKeys::times, list(number()),
+                             "times of the files of a list, one each, increasing")
+          .in("time")
+          .changeable()
+          .otherwise("those in the files"),
+      field<TemperatureKeys>("columns", &TemperatureKeys::names, column_names(),
+                             "names of columns, where the reader does not find them itself")
+          .changeable(),
+      field<TemperatureKeys>("period", &TemperatureKeys::period, number(greater(0)),
+                             "the files repeat in time: they begin at t = 0 and end at this time or before")
+          .in("time")
+          .changeable(),
+      field<TemperatureKeys>("axis", &TemperatureKeys::axis, triple(number()),
+                             "solids: direction of the axis about which the points of a section are revolved, of any "
+                             "length")
+          .changeable()
+          .otherwise("`[0, 0, 1]` for files with columns r and z"),
+      field<TemperatureKeys>("origin", &TemperatureKeys::origin, triple(number()),
+                             "the point of that axis where z is 0")
+          .in("length")
           .changeable(),
       field<TemperatureKeys>("refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
                              "relative change of the stiffness with temperature above which it is factorised again; "
                              "affects the run time, not the results")
           .changeable(),
   });
-  return converted<
-      Temperature>(keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
-    const std::vector<std::string> given = given_keys(item, {"value", "file"});
-    if (given.size() != 1)
-      context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
-                         "exactly one of value, file");
-    return Temperature{found.value.value_or(Function()), std::move(found.file), found.refactor_change, item.location};
-  });
+  return converted<Temperature>(
+      keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
+        const std::vector<std::string> given = given_keys(item, {"value", "file"});
+        if (given.size() != 1)
+          context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
+                             "exactly one of value, file");
+        check_files(found, item, context);
+        found.value = found.given.value_or(Function());
+        for (auto& [key, name] : found.names)
+          if (name) found.columns[key] = std::move(*name);
+        found.location = item.location;
+        return Temperature(std::move(found));
+      });
 }
 
 }  // namespace creepcontact::config

@@ -72,6 +72,14 @@ std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
   return path.parent_path() / (path.stem().string() + ".previous" + path.extension().string());
 }
 
+void prepare_checkpoints() noexcept {
+  try {
+    hdf5();
+  } catch (const std::exception&) {
+    return;
+  }
+}
+
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const std::filesystem::path part = platform::aside(path);
   try {

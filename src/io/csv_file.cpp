@@ -1,10 +1,9 @@
 #include "creepcontact/io/csv_file.hpp"
 
-#include <fmt/ranges.h>
-#include <unistd.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -14,30 +13,44 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/platform/replace_file.hpp"
+#include "csv_text.hpp"
 
 namespace creepcontact::io {
 namespace {
 
-std::string header_line(const std::vector<std::string>& columns) {
-  std::vector<std::string> cells;
-  cells.reserve(columns.size());
-  for (const std::string& column : columns) cells.push_back(csv_cell(column));
-  return fmt::format("{}\n", fmt::join(cells, ","));
+std::string header_line(const std::vector<std::string>& columns, const CsvFormat& format) {
+  std::string line;
+  for (const std::string& column : columns) {
+    if (&column != columns.data()) line += format.separator;
+    line += csv_cell(column, format);
+  }
+  return line + '\n';
 }
 
-std::optional<double> time_of(std::string_view row) {
-  double time = 0;
-  const auto [end, error] = std::from_chars(row.data(), row.data() + row.size(), time);
-  if (error != std::errc() || (end != row.data() + row.size() && *end != ',')) return std::nullopt;
-  return time;
+/// Appends a cell to a line.
+struct Append {
+  const CsvFormat& format;
+  std::string& line;
+
+  void operator()(double number) const {
+    const auto begin = static_cast<std::ptrdiff_t>(line.size());
+    fmt::format_to(std::back_inserter(line), "{}", number);
+    if (format.decimal != '.') std::replace(line.begin() + begin, line.end(), '.', format.decimal);
+  }
+  void operator()(std::int64_t number) const { fmt::format_to(std::back_inserter(line), "{}", number); }
+  void operator()(std::string_view word) const { line += word; }
+};
+
+std::optional<double> time_of(std::string_view row, const CsvFormat& format) {
+  return csv_number(row.substr(0, row.find(format.separator)), format);
 }
 
 /// Length of the beginning of `text` that holds whole rows up to last_time.
-std::size_t kept_length(std::string_view text, std::size_t begin, double last_time) {
+std::size_t kept_length(std::string_view text, std::size_t begin, double last_time, const CsvFormat& format) {
   while (begin < text.size()) {
     const std::size_t end = text.find('\n', begin);
     if (end == std::string_view::npos) break;
-    const auto time = time_of(text.substr(begin, end - begin));
+    const auto time = time_of(text.substr(begin, end - begin), format);
     if (!time || *time > last_time) break;
     begin = end + 1;
   }
@@ -45,7 +58,7 @@ std::size_t kept_length(std::string_view text, std::size_t begin, double last_ti
 }
 
 /// Cuts the file of the interrupted run. @returns false if there is nothing to go on with
-bool cut(const std::filesystem::path& path, const std::string& header, double last_time) {
+bool cut(const std::filesystem::path& path, const std::string& header, double last_time, const CsvFormat& format) {
   std::ifstream stream(path, std::ios::binary);
   const std::string text = stream ? std::string(std::istreambuf_iterator<char>(stream), {}) : "";
   if (text.empty()) {
@@ -56,36 +69,42 @@ bool cut(const std::filesystem::path& path, const std::string& header, double la
   if (!text.starts_with(header)) {
     throw ConfigError(
         fmt::format("'{}' has other columns than this run: '{}' instead of '{}'; resume with the same "
-                    "probes, or start again in another directory",
+                    "probes and the same output.separator, or start again in another directory",
                     path.string(), text.substr(0, text.find('\n')), header.substr(0, header.size() - 1)));
   }
   const std::string_view rows = text;
-  platform::replace_file(path, rows.substr(0, kept_length(rows, header.size(), last_time)));
+  platform::replace_file(path, rows.substr(0, kept_length(rows, header.size(), last_time, format)));
   return true;
 }
 
 }  // namespace
 
-CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns, Continuation continuation)
-    : path_(path) {
+CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::string>& columns, Continuation continuation,
+                 CsvFormat format)
+    : path_(path), format_(format) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  const std::string header = header_line(columns);
-  const bool append = continuation.resume && cut(path, header, continuation.last_time);
+  const std::string header = header_line(columns, format_);
+  const bool append = continuation.resume && cut(path, header, continuation.last_time, format_);
   file_.reset(std::fopen(path.c_str(), append ? "ab" : "wb"));
   if (!file_) throw ConfigError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
-  if (!append) write({header.data(), header.size() - 1});
+  if (!append) write_line(header);
 }
 
-void CsvFile::write(std::string_view row) {
-  const bool written = std::fwrite(row.data(), 1, row.size(), file_.get()) == row.size() &&
-                       std::fputc('\n', file_.get()) != EOF && std::fflush(file_.get()) == 0;
+void CsvFile::write(std::span<const CsvCell> row) {
+  line_.clear();
+  for (const CsvCell& cell : row) {
+    if (&cell != row.data()) line_ += format_.separator;
+    std::visit(Append{format_, line_}, cell);
+  }
+  line_ += '\n';
+  write_line(line_);
+}
+
+void CsvFile::write_line(std::string_view line) {
+  const bool written =
+      std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() && std::fflush(file_.get()) == 0;
   if (!written) throw Error(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)), 4);
-}
-
-void CsvFile::sync() {
-  if (::fsync(::fileno(file_.get())) != 0)
-    throw Error(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)), 4);
 }
 
 }  // namespace creepcontact::io

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "creepcontact/base/error.hpp"
 #include "csv_text.hpp"
@@ -12,18 +11,16 @@
 namespace creepcontact::io {
 namespace {
 
-double number(const std::string& cell, const std::string& where) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size())
-    throw ConfigError(fmt::format("{}: '{}' is not a number", where, cell));
-  return value;
+double number(const std::string& cell, const CsvFormat& format, const std::string& where) {
+  if (const auto value = csv_number(cell, format)) return *value;
+  throw ConfigError(fmt::format("{}: '{}' is not a number", where, cell));
 }
 
 }  // namespace
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+std::string csv_cell(const std::string& text, CsvFormat format) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos && text.find(format.separator) == std::string::npos)
+    return text;
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + '"';
@@ -39,16 +36,17 @@ CsvTable parse_csv_table(std::string_view text, const std::string& name, Unended
   std::string_view line;
   if (!lines.next(line)) throw ConfigError(fmt::format("{}: no header", name));
   CsvTable table;
-  table.names = csv_cells(line);
+  const CsvFormat format = csv_format_of(line);
+  table.names = csv_cells(line, format.separator);
   table.columns.resize(table.names.size());
   for (int row = 2; lines.next(line); ++row) {
     if (!lines.ended() && unended == UnendedRow::is_left_out) break;
-    const std::vector<std::string> found = csv_cells(line);
+    const std::vector<std::string> found = csv_cells(line, format.separator);
     if (found.size() == 1 && found[0].empty()) continue;
     const std::string where = fmt::format("{}:{}", name, row);
     if (found.size() != table.names.size())
       throw ConfigError(fmt::format("{}: {} cells under {} columns", where, found.size(), table.names.size()));
-    for (std::size_t c = 0; c < found.size(); ++c) table.columns[c].push_back(number(found[c], where));
+    for (std::size_t c = 0; c < found.size(); ++c) table.columns[c].push_back(number(found[c], format, where));
   }
   return table;
 }

@@ -1,6 +1,7 @@
 #include "csv_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace creepcontact::io {
 
@@ -17,7 +18,30 @@ bool CsvLines::next(std::string_view& line) {
   return true;
 }
 
-std::vector<std::string> csv_cells(std::string_view line) {
+CsvFormat csv_format_of(std::string_view header) {
+  bool quoted = false;
+  for (const char c : header) {
+    if (c == '"') quoted = !quoted;
+    if (quoted || (c != ',' && c != ';' && c != '\t')) continue;
+    return {.separator = c, .decimal = c == ',' ? '.' : ','};
+  }
+  return {};
+}
+
+std::optional<double> csv_number(std::string_view cell, const CsvFormat& format) {
+  std::string with_point;
+  if (format.decimal == ',' && cell.find(',') != std::string_view::npos) {
+    with_point = cell;
+    *std::find(with_point.begin(), with_point.end(), ',') = '.';
+    cell = with_point;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> csv_cells(std::string_view line, char separator) {
   std::vector<std::string> all(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -25,7 +49,7 @@ std::vector<std::string> csv_cells(std::string_view line) {
       all.back() += line[++i];
     else if (line[i] == '"')
       quoted = !quoted;
-    else if (line[i] == ',' && !quoted)
+    else if (line[i] == separator && !quoted)
       all.emplace_back();
     else if (line[i] != '\r')
       all.back() += line[i];

@@ -1,9 +1,12 @@
 #pragma once
 /// Text of comma-separated values in lines and cells.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "creepcontact/base/csv_format.hpp"
 
 namespace creepcontact::io {
 
@@ -23,7 +26,14 @@ class CsvLines {
   bool ended_ = true;
 };
 
-/// Cells of a line, without the blanks around them; those in quotes (RFC 4180) may hold commas.
-std::vector<std::string> csv_cells(std::string_view line);
+/// What separates the cells of a file is the first separator of its header, outside of quotes. A decimal comma is
+/// possible wherever commas do not separate.
+CsvFormat csv_format_of(std::string_view header);
+
+/// Cells of a line, without the blanks around them; those in quotes (RFC 4180) may hold separators.
+std::vector<std::string> csv_cells(std::string_view line, char separator);
+
+/// The number that is the whole of `cell`; a point is understood as decimal in every format.
+std::optional<double> csv_number(std::string_view cell, const CsvFormat& format);
 
 }  // namespace creepcontact::io

@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
@@ -107,10 +108,17 @@ std::filesystem::path FieldWriter::write(double time, const std::vector<FieldDat
   const std::string file = file_name(first_ + entries_.size());
   platform::replace_file(directory_ / file,
                          vtu_document({time, texts_, n_points_, n_cells_, &points_, &cells_,
-                                       encode_fields(point_data, n_points_), encode_fields(cell_data, n_cells_)}));
+                                       encode_fields(point_data, n_points_), encode_fields(cell_data, n_cells_)}),
+                         platform::Durable::when_synced);
+  unsynced_.push_back(directory_ / file);
   entries_.push_back({time, file});
   write_collection();
   return directory_ / file;
+}
+
+std::vector<std::filesystem::path> FieldWriter::take_unsynced() {
+  if (!unsynced_.empty()) unsynced_.push_back(list_path());
+  return std::exchange(unsynced_, {});
 }
 
 std::string FieldWriter::file_name(std::size_t number) const {
@@ -135,7 +143,7 @@ void FieldWriter::write_collection() const {
   }
   std::ostringstream stream;
   document.save(stream, " ");
-  platform::replace_file(list_path(), std::move(stream).str());
+  platform::replace_file(list_path(), std::move(stream).str(), platform::Durable::when_synced);
 }
 
 void FieldWriter::read_collection(double last_time) {

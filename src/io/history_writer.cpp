@@ -1,9 +1,5 @@
 #include "creepcontact/io/history_writer.hpp"
 
-#include <fmt/format.h>
-
-#include <iterator>
-
 namespace creepcontact::io {
 namespace {
 
@@ -16,13 +12,12 @@ std::vector<std::string> columns(const std::vector<std::string>& probes) {
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& probes,
-                             Continuation continuation)
-    : file_(path, columns(probes), continuation) {}
+                             Continuation continuation, CsvFormat format)
+    : file_(path, columns(probes), continuation, format) {}
 
 void HistoryWriter::write(double time, std::span<const double> values) {
-  row_.clear();
-  fmt::format_to(std::back_inserter(row_), "{}", time);
-  for (double value : values) fmt::format_to(std::back_inserter(row_), ",{}", value);
+  row_.assign(1, time);
+  row_.insert(row_.end(), values.begin(), values.end());
   file_.write(row_);
 }
 

@@ -99,7 +99,9 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
                           {"material", seconds.material}, {"contact", seconds.contact},     {"output", seconds.output}};
   json["peak_memory_mb"] = summary.peak_memory_mb;
   // Text that is no UTF-8 (a title in another encoding) must not cost the summary.
-  platform::replace_file(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  platform::replace_file(
+      path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+      summary.status == Summary::Status::interrupted ? platform::Durable::when_synced : platform::Durable::at_once);
 }
 
 }  // namespace creepcontact::io

@@ -4,44 +4,21 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <optional>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "csv_text.hpp"
 #include "file_text.hpp"
+#include "frd_temperatures.hpp"
 #include "hdf5_file.hpp"
+#include "temperature_columns.hpp"
+#include "temperature_files.hpp"
 #include "temperature_rows.hpp"
+#include "vtu_temperatures.hpp"
 
 namespace creepcontact::io {
 namespace {
-
-/// Where the columns x, y, z, T and, if there is one, t stand.
-struct Columns {
-  std::array<std::size_t, 4> required;
-  std::optional<std::size_t> time;
-};
-
-Columns find_columns(const std::string& file, const std::vector<std::string>& names) {
-  const auto find = [&](std::string_view name) -> std::optional<std::size_t> {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return found - names.begin();
-  };
-  Columns columns{{}, find("t")};
-  constexpr std::array<std::string_view, 4> wanted{"x", "y", "z", "T"};
-  for (std::size_t k = 0; k < wanted.size(); ++k) {
-    const auto found = find(wanted[k]);
-    if (!found)
-      throw ModelError(fmt::format(
-          "'{}', line 1: no column '{}' among {}; the first line names the columns x, y, z, T, or x, y, z, t, T", file,
-          wanted[k], fmt::join(names, ", ")));
-    columns.required[k] = *found;
-  }
-  return columns;
-}
 
 std::string shape(const std::vector<std::size_t>& extents) {
   return fmt::format("{}", fmt::join(extents, " x "));
@@ -75,7 +52,9 @@ PointTemperatures read_datasets(const std::string& file, hid_t root) {
     const double* position = &x[3 * (i % n)];
     rows.add(i, {position[0], position[1], position[2]}, times[i / n], T[i]);
   }
-  return rows.sorted();
+  PointTemperatures result = rows.sorted();
+  result.has_times = has("times");
+  return result;
 }
 
 PointTemperatures read_hdf5(const std::filesystem::path& path) {
@@ -87,42 +66,65 @@ PointTemperatures read_hdf5(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace
-
-PointTemperatures parse_temperatures(std::string_view text, const std::string& name) {
-  CsvLines lines(text);
-  std::string_view line;
-  lines.next(line);
-  const Columns columns = find_columns(name, csv_cells(line));
-  TemperatureRows rows(name, [](std::size_t row) { return fmt::format("line {}", row); });
-  for (std::size_t number = 2; lines.next(line); ++number) {
-    const std::vector<std::string> row = csv_cells(line);
-    if (row.size() == 1 && row[0].empty()) continue;
-    const auto value = [&](std::size_t column, std::string_view of) {
-      if (column >= row.size())
-        throw ModelError(fmt::format("'{}', line {}: {} cells, none in the column '{}'", name, number, row.size(), of));
-      double result = 0;
-      const char* const end = row[column].data() + row[column].size();
-      const auto [stop, error] = std::from_chars(row[column].data(), end, result);
-      if (error != std::errc() || stop != end)
-        throw ModelError(
-            fmt::format("'{}', line {}: '{}' in the column '{}' is not a number", name, number, row[column], of));
-      return result;
-    };
-    const auto& [x, y, z, T] = columns.required;
-    rows.add(number, {value(x, "x"), value(y, "y"), value(z, "z")}, columns.time ? value(*columns.time, "t") : 0.0,
-             value(T, "T"));
-  }
-  return rows.sorted();
-}
-
-PointTemperatures read_temperatures(const std::filesystem::path& file) {
-  if (file.extension() == ".h5" || file.extension() == ".hdf5") {
+PointTemperatures read_one(const std::filesystem::path& file, const ColumnNames& columns) {
+  const std::filesystem::path kind = file.extension();
+  if (kind == ".h5" || kind == ".hdf5") {
     if (const std::string reason = why_unreadable(file); !reason.empty())
       throw ModelError(fmt::format("cannot read '{}': {}", file.string(), reason));
     return read_hdf5(file);
   }
-  return parse_temperatures(file_text<ModelError>(file), file.string());
+  const std::string text = file_text<ModelError>(file);
+  if (kind == ".frd") return parse_frd(text, file.string());
+  if (kind != ".vtu") return parse_temperatures(text, file.string(), columns);
+  const auto array = columns.find("T");
+  return parse_vtu(text, file.string(), array == columns.end() ? "" : array->second);
+}
+
+}  // namespace
+
+PointTemperatures parse_temperatures(std::string_view text, const std::string& name, const ColumnNames& given) {
+  CsvLines lines(text);
+  std::string_view line;
+  lines.next(line);
+  const CsvFormat format = csv_format_of(line);
+  const TemperatureColumns columns = find_columns(name, csv_cells(line, format.separator), given);
+  const PointTemperatures::Coordinates coordinates = columns.coordinates();
+  const bool by_radius = coordinates == PointTemperatures::Coordinates::rz;
+  TemperatureRows rows(name, [](std::size_t row) { return fmt::format("line {}", row); });
+  for (std::size_t number = 2; lines.next(line); ++number) {
+    const std::vector<std::string> row = csv_cells(line, format.separator);
+    if (row.size() == 1 && row[0].empty()) continue;
+    const auto value = [&](std::optional<std::size_t> column, std::string_view of) {
+      if (!column) return 0.0;
+      if (*column >= row.size())
+        throw ModelError(fmt::format("'{}', line {}: {} cells, none in the column '{}'", name, number, row.size(), of));
+      const auto result = csv_number(row[*column], format);
+      if (!result)
+        throw ModelError(
+            fmt::format("'{}', line {}: '{}' in the column '{}' is not a number", name, number, row[*column], of));
+      return *result;
+    };
+    const Vector3 place = by_radius ? Vector3(value(columns.r, "r"), value(columns.z, "z"), 0)
+                                    : Vector3(value(columns.x, "x"), value(columns.y, "y"), value(columns.z, "z"));
+    rows.add(number, place, value(columns.t, "t"), value(columns.T, "T"));
+  }
+  PointTemperatures result = rows.sorted();
+  result.coordinates = coordinates;
+  result.has_times = columns.t.has_value();
+  return result;
+}
+
+std::vector<std::filesystem::path> temperature_files(const TemperatureSource& source) {
+  std::vector<std::filesystem::path> paths;
+  for (const TimedFile& file : timed_files(source)) paths.push_back(file.path);
+  return paths;
+}
+
+PointTemperatures read_temperatures(const TemperatureSource& source) {
+  const std::vector<TimedFile> files = timed_files(source);
+  std::vector<PointTemperatures> read;
+  for (const TimedFile& file : files) read.push_back(read_one(file.path, source.columns));
+  return joined(files, std::move(read));
 }
 
 }  // namespace creepcontact::io

@@ -244,17 +244,17 @@ Eigen::MatrixXd ElementBlock::to_corners() const {
   return corner_matrix(reference_, rule_);
 }
 
-Eigen::MatrixXd ElementBlock::mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const {
+Eigen::MatrixXd ElementBlock::mean_stress_at_nodes(std::size_t e, const std::vector<Vector3>& nodes,
+                                                   const Eigen::Ref<const Eigen::MatrixXd>& at_points) const {
   const Eigen::MatrixXd basis = this->basis(e);
-  const Eigen::MatrixXd fit = basis.transpose() * weights(e).asDiagonal();  // coefficients from values at the points
-  const Index n = n_nodes_;
-  // The functions are linear in the place: their values at the points give those at the nodes.
-  Eigen::MatrixX4d at_points(n_points_, 4), at_nodes(n, 4);
+  const Eigen::MatrixXd fitted = basis * (basis.transpose() * (weights(e).asDiagonal() * at_points));
+  // The fit is linear in the place: its values at the points give those at the nodes.
+  Eigen::MatrixX4d points(n_points_, 4), places(n_nodes_, 4);
   const Vector3 origin = point(e, 0, nodes);
-  for (std::size_t p = 0; p < n_points_; ++p) at_points.row(p) << 1, (point(e, p, nodes) - origin).transpose();
+  for (std::size_t p = 0; p < n_points_; ++p) points.row(p) << 1, (point(e, p, nodes) - origin).transpose();
   const auto cell = this->nodes(e);
-  for (std::size_t a = 0; a < n_nodes_; ++a) at_nodes.row(a) << 1, (nodes[cell[a]] - origin).transpose();
-  return at_nodes * at_points.colPivHouseholderQr().solve(basis) * fit;
+  for (std::size_t a = 0; a < n_nodes_; ++a) places.row(a) << 1, (nodes[cell[a]] - origin).transpose();
+  return places * points.colPivHouseholderQr().solve(fitted);
 }
 
 Vector3 ElementBlock::point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const {

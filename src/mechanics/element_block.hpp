@@ -65,9 +65,11 @@ class ElementBlock {
   /// Point values to values at the corners, n_corners x n_points: least squares onto the linear functions, with the
   /// weights of the rule.
   Eigen::MatrixXd to_corners() const;
-  /// Values of the mean stress at the points to the nodes, n_nodes x n_points: the fit by linear functions, evaluated
-  /// at the nodes. @param nodes  coordinates of all nodes of the body. Precondition: a quadratic element
-  Eigen::MatrixXd mean_stress_extrapolation(std::size_t e, const std::vector<Vector3>& nodes) const;
+  /// Values of the mean stress at the nodes, n_nodes x n: the fit by linear functions, evaluated there.
+  /// @param at_points  n_points x n, of n fields @param nodes  coordinates of all nodes of the body
+  /// Precondition: a quadratic element
+  Eigen::MatrixXd mean_stress_at_nodes(std::size_t e, const std::vector<Vector3>& nodes,
+                                       const Eigen::Ref<const Eigen::MatrixXd>& at_points) const;
   /// True if the mean stress is projected where it is evaluated, but not in the stiffness of all elements.
   bool fits_mean_stress() const;
   bool has_plane_stress() const { return section_.analysis == settings::Analysis::plane_stress; }

@@ -53,19 +53,24 @@ void Discretization::to_nodes(std::span<const double> point_values, int width, s
 }
 
 void Discretization::tensors_to_nodes(std::span<const double> point_values, std::span<double> node_values) const {
-  const std::vector<double> means = reconstruction_means(point_values, 6);
-  average_at_nodes(6, node_values, [&](const ElementBlock& block, std::size_t e) -> Rows {
-    const auto at_points = rows_of(block, e, point_values, 6);
+  const std::size_t width = point_values.size() / n_points_;
+  const Index n = static_cast<Index>(width) / 6;
+  const std::vector<double> means = reconstruction_means(point_values, static_cast<int>(width));
+  const auto traces = [n](const auto& rows) {
+    Eigen::MatrixXd result(rows.rows(), n);
+    for (Index i = 0; i < n; ++i) result.col(i) = rows.middleCols(6 * i, 3).rowwise().sum();
+    return result;
+  };
+  average_at_nodes(width, node_values, [&](const ElementBlock& block, std::size_t e) -> Rows {
+    const auto at_points = rows_of(block, e, point_values, static_cast<int>(width));
     if (mesh::order(block.type()) == 1) return reconstructed(block, e, means, at_points);
     Rows at_nodes = block.extrapolation() * at_points;
     if (block.has_plane_stress()) return at_nodes;
-    Eigen::VectorXd trace;
-    if (LinearReconstruction::serves(block.type()))
-      trace = reconstructed(block, e, means, at_points).leftCols<3>().rowwise().sum();
-    else
-      trace = block.mean_stress_extrapolation(e, nodes_) * at_points.leftCols<3>().rowwise().sum();
-    const Eigen::VectorXd shift = (trace - at_nodes.leftCols<3>().rowwise().sum()) / 3;
-    at_nodes.leftCols<3>().colwise() += shift;
+    const Eigen::MatrixXd trace = LinearReconstruction::serves(block.type())
+                                      ? traces(reconstructed(block, e, means, at_points))
+                                      : block.mean_stress_at_nodes(e, nodes_, traces(at_points));
+    const Eigen::MatrixXd shift = (trace - traces(at_nodes)) / 3;
+    for (Index i = 0; i < n; ++i) at_nodes.middleCols(6 * i, 3).colwise() += shift.col(i);
     return at_nodes;
   });
 }
@@ -111,7 +116,7 @@ void Discretization::fit_mean_stress(std::span<double> stress) const {
   average_at_nodes(1, at_nodes, [&](const ElementBlock& block, std::size_t e) -> Rows {
     const auto at_points = rows_of(block, e, traces, 1);
     if (LinearReconstruction::serves(block.type())) return reconstructed(block, e, means, at_points);
-    return block.mean_stress_extrapolation(e, nodes_) * at_points;
+    return block.mean_stress_at_nodes(e, nodes_, at_points);
   });
   for (const auto& block : blocks_) {
     if (!LinearReconstruction::serves(block->type())) continue;

@@ -121,10 +121,10 @@ std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& position
   return result;
 }
 
-double ScatteredInterpolation::distance_outside(const Vector3& position) const {
+mesh::Neighbour ScatteredInterpolation::outside(const Vector3& position) const {
   const Vector3 x = cloud_->local(position);
   const Neighbours around = cloud_->neighbours(x);
-  return cloud_->is_outside(x, around) ? around.front().distance : 0.0;
+  return cloud_->is_outside(x, around) ? around.front() : mesh::Neighbour{};
 }
 
 }  // namespace creepcontact::mechanics

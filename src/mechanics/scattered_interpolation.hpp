@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "creepcontact/mesh/mesh.hpp"
+#include "creepcontact/mesh/point_tree.hpp"
 
 namespace creepcontact::mechanics {
 
@@ -30,9 +31,9 @@ class ScatteredInterpolation {
   /// Safe for any number of threads. Cost: a search in a tree of the points.
   std::vector<PointWeight> weights(const Vector3& position) const;
 
-  /// How far a place is from the points if it is so far outside that the nearest stands alone, else 0; measured within
-  /// the plane or line of the points.
-  double distance_outside(const Vector3& position) const;
+  /// The nearest point, if a place is so far outside that this point stands alone; the distance is measured within the
+  /// plane or line of the points. Otherwise the distance is 0.
+  mesh::Neighbour outside(const Vector3& position) const;
 
  private:
   struct Cloud;

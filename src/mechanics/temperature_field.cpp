@@ -1,9 +1,11 @@
 #include "creepcontact/mechanics/temperature_field.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "creepcontact/base/checksum.hpp"
 #include "scattered_interpolation.hpp"
@@ -16,7 +18,7 @@ struct TemperatureField::Definition {
   virtual std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const = 0;
   bool position = true, time = true;  // whether it depends on them
   virtual std::vector<double> breakpoints(double end) const = 0;
-  virtual double distance_outside(const Vector3& /*place*/) const { return 0; }
+  virtual PlaceOutside outside(const Vector3& /*place*/) const { return {}; }
   std::string text;
 };
 
@@ -67,9 +69,25 @@ Moment moment(const std::vector<double>& times, double t) {
 }
 
 struct Scattered {
-  explicit Scattered(ScatteredTemperatures from) : given(std::move(from)), interpolation(given.points) {}
+  explicit Scattered(ScatteredTemperatures from)
+      : given(std::move(from)),
+        interpolation(given.points),
+        times(Function::table("t", given.times, numbers(), given.period)) {}
+
+  /// Where among the points a place is.
+  Vector3 place(const Vector3& position) const { return given.axis ? given.axis->in_section(position) : position; }
+  Moment at(double t) const { return moment(given.times, given.period && t >= 0 ? std::fmod(t, *given.period) : t); }
+
   ScatteredTemperatures given;
   ScatteredInterpolation interpolation;
+  Function times;  ///< their numbers, of t: it knows their repetitions
+
+ private:
+  std::vector<double> numbers() const {
+    std::vector<double> all(given.times.size());
+    std::iota(all.begin(), all.end(), 0.0);
+    return all;
+  }
 };
 
 double weighted(std::span<const PointWeight> weights, const std::vector<double>& values) {
@@ -84,11 +102,11 @@ class ScatteredAtPositions final : public TemperatureAtPositions {
       : field_(std::move(field)), weights_(positions.size()) {
     const auto n = static_cast<std::ptrdiff_t>(positions.size());
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t p = 0; p < n; ++p) weights_[p] = field_->interpolation.weights(positions[p]);
+    for (std::ptrdiff_t p = 0; p < n; ++p) weights_[p] = field_->interpolation.weights(field_->place(positions[p]));
   }
 
   void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const override {
-    const Moment at = moment(field_->given.times, t);
+    const Moment at = field_->at(t);
     interpolate(at.before, memo.before);
     if (at.weight > 0) interpolate(at.after, memo.after);
     for (std::size_t p = 0; p < values.size(); ++p)
@@ -118,11 +136,15 @@ struct OfPoints final : TemperatureField::Definition {
     sum.add(kept.times.data(), kept.times.size());
     for (const std::vector<double>& values : kept.values) sum.add(values.data(), values.size());
     text = fmt::format("{} points at {} times, checksum {:016x}", kept.points.size(), kept.times.size(), sum.value());
+    if (kept.period) text += fmt::format(", period {}", *kept.period);
+    if (kept.axis)
+      text += fmt::format(", revolved about [{}] through [{}]", fmt::join(kept.axis->direction, ", "),
+                          fmt::join(kept.axis->origin, ", "));
   }
 
   double value(const Arguments& at) const override {
-    const std::vector<PointWeight> weights = field->interpolation.weights({at.x, at.y, at.z});
-    const Moment now = moment(field->given.times, at.t);
+    const std::vector<PointWeight> weights = field->interpolation.weights(field->place({at.x, at.y, at.z}));
+    const Moment now = field->at(at.t);
     const double before = weighted(weights, field->given.values[now.before]);
     return before + now.weight * (weighted(weights, field->given.values[now.after]) - before);
   }
@@ -132,17 +154,27 @@ struct OfPoints final : TemperatureField::Definition {
   std::vector<double> breakpoints(double end) const override {
     std::vector<double> result;
     if (!time) return result;
-    for (const double t : field->given.times)
+    for (const double t : field->times.breakpoints(end))
       if (t <= end) result.push_back(t);
     return result;
   }
 
-  double distance_outside(const Vector3& at) const override { return field->interpolation.distance_outside(at); }
+  PlaceOutside outside(const Vector3& at) const override {
+    const mesh::Neighbour nearest = field->interpolation.outside(field->place(at));
+    if (nearest.distance == 0) return {};
+    return {nearest.distance, field->given.points[nearest.point]};
+  }
 
   std::shared_ptr<const Scattered> field;
 };
 
 }  // namespace
+
+Vector3 RevolutionAxis::in_section(const Vector3& position) const {
+  const Vector3 arm = position - origin;
+  const double along = direction.dot(arm);
+  return {(arm - along * direction).norm(), along, 0};
+}
 
 TemperatureField::TemperatureField(Function value) : definition_(std::make_shared<OfFunction>(std::move(value))) {}
 TemperatureField::TemperatureField(ScatteredTemperatures given)
@@ -163,8 +195,8 @@ bool TemperatureField::depends_on_time() const {
 std::vector<double> TemperatureField::breakpoints(double end) const {
   return definition_->breakpoints(end);
 }
-double TemperatureField::distance_outside(const Vector3& position) const {
-  return definition_->distance_outside(position);
+PlaceOutside TemperatureField::outside(const Vector3& position) const {
+  return definition_->outside(position);
 }
 const std::string& TemperatureField::text() const {
   return definition_->text;

@@ -22,7 +22,7 @@ TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
           tables_[material.name].push_back({function.key.substr(table.size()), *range});
   // A temperature from a file may change; the field itself will tell.
   changes_in_time_ =
-      config.temperature && (!config.temperature->file.empty() || config.temperature->value.depends_on_time());
+      config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time());
 }
 
 void TableRangeMonitor::see(double t, const std::vector<mechanics::Body>& bodies,

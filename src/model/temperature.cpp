@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
@@ -13,44 +15,103 @@ namespace creepcontact::model {
 
 namespace {
 
+using Coordinates = io::PointTemperatures::Coordinates;
+
 /// Points of a solid, or with y and z exchanged, would give temperatures of other places without a word.
-void require_plane(const std::vector<Vector3>& points, const std::string& file) {
+void require_plane(const std::vector<Vector3>& points, const std::string& file, const std::string& why) {
   constexpr double small = 1e-6;  // of the largest coordinate
   double largest = 0;
   for (const Vector3& x : points) largest = std::max(largest, x.cwiseAbs().maxCoeff());
   for (const Vector3& x : points)
     if (std::abs(x.z()) > small * largest)
       throw ModelError(fmt::format(
-          "temperature: '{}' has a point ({:.6g}, {:.6g}, {:.6g}), but the section lies in the plane z = 0; "
-          "give the points of the section, with z = 0",
-          file, x[0], x[1], x[2]));
+          "temperature: '{}' has a point ({:.6g}, {:.6g}, {:.6g}), but {}; give the points of the section, with z = 0",
+          file, x[0], x[1], x[2], why));
+}
+
+/// The axis of a solid's temperatures if they are those of a section, whose x is then the radius.
+std::optional<mechanics::RevolutionAxis> revolution(const config::Temperature& temperature,
+                                                    const io::PointTemperatures& read, const std::string& file) {
+  if (!temperature.axis && read.coordinates == Coordinates::xyz) return std::nullopt;
+  if (!temperature.axis && read.coordinates == Coordinates::xy)
+    throw ModelError(fmt::format(
+        "temperature: '{}' has columns of x and y, but none of z; name it by columns = {{ z = \"...\" }}. If x is the "
+        "radius and y the position along the axis of a round part, give 'axis'",
+        file));
+  require_plane(read.points, file, "the section that is revolved about 'axis' lies in the plane z = 0");
+  for (const Vector3& x : read.points)
+    if (x[0] < 0)
+      throw ModelError(
+          fmt::format("temperature: '{}' has a point with the radius {:.6g}; a radius is at least 0", file, x[0]));
+  mechanics::RevolutionAxis axis;
+  axis.origin = Vector3(temperature.origin.data());
+  if (temperature.axis) axis.direction = Vector3(temperature.axis->data()).normalized();
+  return axis;
+}
+
+std::string named(const std::vector<std::filesystem::path>& files) {
+  return files.size() == 1 ? files[0].string()
+                           : fmt::format("{} ... {}", files.front().string(), files.back().string());
 }
 
 }  // namespace
 
 mechanics::TemperatureField temperature_field(const config::Temperature& temperature, const mesh::Section& section) {
-  if (temperature.file.empty()) return temperature.value;
-  io::PointTemperatures read = io::read_temperatures(temperature.file);
-  if (section.dimension() == 2) require_plane(read.points, temperature.file.string());
-  return mechanics::TemperatureField(
-      mechanics::ScatteredTemperatures{std::move(read.points), std::move(read.times), std::move(read.values)});
+  if (temperature.files.empty()) return temperature.value;
+  io::PointTemperatures read = io::read_temperatures({temperature.files, temperature.times, temperature.columns});
+  const std::string file = named(temperature.files);
+  mechanics::ScatteredTemperatures field;
+  if (section.dimension() == 2) {
+    if (read.coordinates == Coordinates::rz && !section.is_axisymmetric())
+      throw ModelError(
+          fmt::format("temperature: '{}' has columns r and z, but the section is not axisymmetric; it "
+                      "needs x and y",
+                      file));
+    require_plane(read.points, file, "the section lies in the plane z = 0");
+  } else {
+    field.axis = revolution(temperature, read, file);
+  }
+  if (temperature.period)
+    if (const std::string mistake = Function::period_error("t", read.times, *temperature.period); !mistake.empty())
+      throw ModelError(fmt::format("temperature: '{}' with period = {}: {}", file, *temperature.period, mistake));
+  field.points = std::move(read.points);
+  field.times = std::move(read.times);
+  field.values = std::move(read.values);
+  field.period = temperature.period;
+  return mechanics::TemperatureField(std::move(field));
 }
 
 void warn_of_positions_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
                                const mechanics::TemperatureField& temperature) {
-  double farthest = 0;
-  Vector3 position = Vector3::Zero();
-  for (const mechanics::Body& body : bodies)
-    for (const Vector3& x : body.discretization().point_coordinates())
-      if (const double distance = temperature.distance_outside(x); distance > farthest) {
-        farthest = distance;
-        position = x;
-      }
-  if (farthest > 0)
-    log::warning(
-        "temperature: '{}' does not cover the whole model; the worst place is ({:.6g}, {:.6g}, {:.6g}), {:.4g} from "
-        "the nearest point, whose value is used there",
-        config.temperature->file.string(), position[0], position[1], position[2], farthest);
+  std::size_t n_nodes = 0, n_outside = 0;
+  mechanics::PlaceOutside farthest;
+  Vector3 place = Vector3::Zero();
+  Eigen::AlignedBox3d box;
+  std::string by_body;
+  for (const mechanics::Body& body : bodies) {
+    const std::span<const Vector3> nodes(body.mesh().nodes.data(), body.mesh().n_cell_nodes());
+    std::size_t n = 0;
+    for (const Vector3& x : nodes) {
+      box.extend(x);
+      const mechanics::PlaceOutside outside = temperature.outside(x);
+      if (outside.distance == 0) continue;
+      ++n;
+      if (outside.distance <= farthest.distance) continue;
+      farthest = outside;
+      place = x;
+    }
+    if (n > 0) by_body += fmt::format("{}{} of {} in '{}'", n_outside > 0 ? ", " : "", n, nodes.size(), body.name());
+    n_nodes += nodes.size();
+    n_outside += n;
+  }
+  if (n_outside == 0) return;
+  log::warning(
+      "temperature: '{}' does not cover the whole model: {} of {} nodes lie far outside its points ({}); the worst "
+      "place "
+      "is ({:.6g}, {:.6g}, {:.6g}), {:.4g} (that is {:.2g} of the size of the model) from the nearest point, ({:.6g}, "
+      "{:.6g}, {:.6g}); the value of the nearest point is used there. Are units and axes the same?",
+      named(config.temperature->files), n_outside, n_nodes, by_body, place[0], place[1], place[2], farthest.distance,
+      farthest.distance / box.diagonal().norm(), farthest.nearest[0], farthest.nearest[1], farthest.nearest[2]);
 }
 
 std::optional<Interval> temperature_range(const config::Config& config, const Model& model) {

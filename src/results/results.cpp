@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "creepcontact/base/units.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/results/quantities.hpp"
 #include "field_arrays.hpp"
 #include "revolved_section.hpp"
@@ -27,11 +31,11 @@ std::map<std::string, std::string> names_with_units(const std::string& units) {
 
 Results::Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
                  std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation)
-    : probes_(std::move(probes)), surfaces_(assembly) {
+    : probes_(std::move(probes)), surfaces_(assembly), field_times_(config.output.field_times) {
   std::vector<std::string> names;
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);
-  history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation);
-  steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation);
+  history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation, config.output.csv);
+  steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation, config.output.csv);
   if (!config.output.fields) return;
   if (config.output.unit_names) names_with_units_ = names_with_units(config.units);
   io::FieldMesh mesh;
@@ -56,16 +60,18 @@ void Results::output(Snapshot& snapshot) {
   values_.clear();
   for (const auto& probe : probes_) values_.push_back(snapshot.value(*probe));
   history_->write(snapshot.time(), values_);
-  if (!fields_) return;
-  std::vector<io::FieldData> at_points = point_arrays(snapshot);
+  if (!fields_ || (field_times_ && !std::ranges::binary_search(*field_times_, snapshot.time()))) return;
+  std::vector<io::FieldData> at_points = point_arrays(snapshot), on_surfaces;
   if (contact_) {
     for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
-    contact_->write(snapshot.time(), named(surfaces_.point_arrays(snapshot.equilibrium())),
-                    named(surfaces_.cell_arrays()));
+    on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium()));
   }
-  const std::vector<io::FieldData> points = named(std::move(at_points)), cells = named(cell_arrays(snapshot));
-  fields_->write(snapshot.time(), points, cells);
-  if (revolved_) revolved_->write(snapshot.time(), section_->at_points(points), section_->at_cells(cells));
+  background_.start([this, time = snapshot.time(), points = named(std::move(at_points)),
+                     cells = named(cell_arrays(snapshot)), on_surfaces = std::move(on_surfaces)] {
+    if (contact_) contact_->write(time, on_surfaces, named(surfaces_.cell_arrays()));
+    fields_->write(time, points, cells);
+    if (revolved_) revolved_->write(time, section_->at_points(points), section_->at_cells(cells));
+  });
 }
 
 std::vector<io::FieldData> Results::named(std::vector<io::FieldData> arrays) const {
@@ -76,8 +82,11 @@ std::vector<io::FieldData> Results::named(std::vector<io::FieldData> arrays) con
 }
 
 void Results::sync() {
-  history_->sync();
-  steps_->sync();
+  background_.wait();
+  std::vector<std::filesystem::path> files{history_->path(), steps_->path()};
+  for (io::FieldWriter* const writer : {fields_.get(), contact_.get(), revolved_.get()})
+    if (writer != nullptr) std::ranges::move(writer->take_unsynced(), std::back_inserter(files));
+  platform::sync_files(files);
 }
 
 void Results::step(const ode::StepReport& report, const RunCounters& work, std::int64_t n_active_contacts) {

@@ -11,10 +11,6 @@ Tensor6 tensor_at(const std::vector<double>& values, std::size_t i) {
   return tensor::view(values, i);
 }
 
-constexpr bool is_tensor(PointField field) {
-  using enum PointField;
-  return field == stress || field == strain || field == creep_strain;
-}
 constexpr std::size_t number(PointField field) {
   return static_cast<std::size_t>(field);
 }
@@ -73,8 +69,13 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   }
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);
-  for (const PointField field : point_fields)
-    nodes_[number(field)] = to_nodes(discretization, at_points(field), is_tensor(field));
+  std::vector<double> tensors(6 * n_tensors * n_points());
+  for (std::size_t k = 0; k < n_tensors; ++k)
+    for (std::size_t p = 0; p < n_points(); ++p)
+      tensor::writable(tensors, n_tensors * p + k) = tensor_at(points_[k], p);
+  tensors_at_nodes_.resize(6 * n_tensors * discretization.n_nodes());
+  discretization.tensors_to_nodes(tensors, tensors_at_nodes_);
+  temperature_at_nodes_ = to_nodes(discretization, at_points(temperature), false);
   if (variables.empty()) return;
   state_at_points_.assign(state_width() * n_points(), 0.0);
   state_at_nodes_.assign(state_width() * discretization.n_nodes(), 0.0);
@@ -97,10 +98,10 @@ Sample BodyFields::at_node(std::size_t node) const {
   using enum PointField;
   return {body_.mesh().nodes[node],
           Eigen::Map<const Vector3>(state_.displacement.data() + 3 * node),
-          tensor_at(nodes_[number(stress)], node),
-          tensor_at(nodes_[number(strain)], node),
-          tensor_at(nodes_[number(creep_strain)], node),
-          nodes_[number(temperature)][node],
+          tensor_at(tensors_at_nodes_, n_tensors * node + number(stress)),
+          tensor_at(tensors_at_nodes_, n_tensors * node + number(strain)),
+          tensor_at(tensors_at_nodes_, n_tensors * node + number(creep_strain)),
+          temperature_at_nodes_[node],
           row(state_at_nodes_, node)};
 }
 

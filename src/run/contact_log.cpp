@@ -1,11 +1,11 @@
 #include "contact_log.hpp"
 
-#include <fmt/format.h>
+#include <array>
 
 namespace creepcontact::run {
 
-ContactLog::ContactLog(const std::filesystem::path& file)
-    : file_(file, {"time", "contact_solve", "set_change", "iteration", "method", "residual", "active"}, {}) {}
+ContactLog::ContactLog(const std::filesystem::path& file, CsvFormat format)
+    : file_(file, {"time", "contact_solve", "set_change", "iteration", "method", "residual", "active"}, {}, format) {}
 
 void ContactLog::begin_solve(double time) {
   time_ = time;
@@ -13,8 +13,9 @@ void ContactLog::begin_solve(double time) {
 }
 
 void ContactLog::record(const contact::Iteration& iteration) {
-  file_.write(fmt::format("{},{},{},{},{},{:.6g},{}", time_, solve_, iteration.set_change, iteration.iteration,
-                          iteration.method, iteration.residual, iteration.active));
+  file_.write(std::to_array<io::CsvCell>({time_, solve_, std::int64_t{iteration.set_change},
+                                          std::int64_t{iteration.iteration}, std::string_view(iteration.method),
+                                          iteration.residual, static_cast<std::int64_t>(iteration.active)}));
 }
 
 }  // namespace creepcontact::run

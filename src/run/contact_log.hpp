@@ -11,7 +11,7 @@ namespace creepcontact::run {
 class ContactLog final : public contact::IterationRecorder {
  public:
   /// @throws ConfigError if the file cannot be written
-  explicit ContactLog(const std::filesystem::path& file);
+  ContactLog(const std::filesystem::path& file, CsvFormat format);
 
   void begin_solve(double time) override;
   /// A row. @throws Error if the disk does not take it

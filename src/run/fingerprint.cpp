@@ -91,7 +91,7 @@ std::string fingerprint(const config::Config& config, const model::Model& model)
   for (const config::ConfiguredValue& value : config.values)
     if (!is_of_unused_material(value.key, config) && !is_of_unused_method(value.key, config))
       lines.add(value.key, value.text);
-  if (config.temperature && !config.temperature->file.empty())
+  if (config.temperature && !config.temperature->files.empty())
     lines.add("temperature.file", model.temperature->text());  // by its content
   return lines.text();
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -10,7 +11,9 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/platform/background.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
@@ -54,6 +57,20 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   return summary;
 }
 
+/// True at first, then once per second: writing a summary takes longer than many a step.
+class SummaryTimer {
+ public:
+  bool operator()() {
+    const auto now = std::chrono::steady_clock::now();
+    if (last_ && now - *last_ < std::chrono::seconds(1)) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  std::optional<std::chrono::steady_clock::time_point> last_;
+};
+
 Diagnosis diagnosis(const creep::CreepSystem& system) {
   Diagnosis result;
   const std::vector<double> times = system.relaxation_times(system.step_evaluation());
@@ -84,6 +101,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   auto probes = results::make_probes(config, model);  // errors in them show before anything is factored
   if (options.resume)
     if (std::string reason = nothing_left(config, model, directory); !reason.empty()) return {0, std::move(reason)};
+  platform::Background loading;  // of what the checkpoint at the end needs
+  loading.start(io::prepare_checkpoints);
   for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
   for (const mechanics::Body& body : model.bodies())
     for (const std::string& warning : model::mesh_warnings(body)) log::warning("{}", warning);
@@ -91,7 +110,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     log::info("body '{}': {} elements, {} unknowns", body.name(), body.discretization().n_elements(),
               body.constraints().n_free());
   std::optional<ContactLog> contact_log;
-  if (!options.log_contact.empty()) contact_log.emplace(options.log_contact);
+  if (!options.log_contact.empty()) contact_log.emplace(options.log_contact, config.output.csv);
   creep::EquilibriumSolver solver(model.assembly, model.solver, watch,
                                   [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
                                     require_memory(config, model, contact_bytes, [&](std::size_t b) {
@@ -128,7 +147,10 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     return summary;
   };
   // Should the run be killed, its last summary says how far it came.
-  loop.after_output = [&] { write_summary(io::Summary::Status::interrupted, "killed after the last output time"); };
+  SummaryTimer summary_due;
+  loop.after_output = [&] {
+    if (summary_due()) write_summary(io::Summary::Status::interrupted, "killed after this time was reached");
+  };
 
   const auto failed = [&](int status, const std::string& cause) {
     try {

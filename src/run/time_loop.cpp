@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
@@ -83,21 +84,33 @@ io::Checkpoint TimeLoop::checkpoint() const {
   return checkpoint;
 }
 
+void TimeLoop::finish_fields() {
+  const bool settled = std::exchange(settled_, false);
+  std::optional<io::Checkpoint> later = std::exchange(after_fields_, {});  // dropped if they fail
+  results_->wait();
+  settled_ = settled;
+  if (later) kept_ = std::move(later);
+}
+
 void TimeLoop::keep_restart_point() {
   if (!at_restart_point()) return;
+  const bool writing = results_->is_writing();
+  if (!writing) finish_fields();
   // The copy costs little against a step, but not nothing: made if the next restart point may be far, a result that
   // fails to be written may spoil the step, or rupture may end within it.
   const bool far = !integrator_->restarts_after_every_step();
   const double reach = 2 * integrator_->next_step();
   const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
-  kept_.reset();
+  std::optional<io::Checkpoint>& here = writing ? after_fields_ : kept_;
+  here.reset();
   const bool may_end = system_.has(material::damage) || events_->is_waiting();  // within the step
-  if (far || output_ahead || may_end) kept_ = checkpoint();
+  if (far || output_ahead || may_end) here = checkpoint();
 }
 
 void TimeLoop::write_checkpoint() {
   const auto lap = watch_.lap(Part::output);
   // The end is one for whoever prolongs the run.
+  finish_fields();
   const bool here = settled_ && (at_restart_point() || time_ >= config_.time.end);
   if (!here && !kept_) return;
   results_->sync();  // a checkpoint stands for all results before it
@@ -119,6 +132,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
   {
     const auto lap = watch_.lap(Part::output);
     results::Snapshot snapshot(system_, t, at);
+    finish_fields();
     results_->output(snapshot);
     last_output_ = t;
     probe_record_.output(t, results_->last_values());
@@ -169,6 +183,7 @@ TimeLoop::End TimeLoop::run() {
     } else {
       elastic_history(interrupt);
     }
+    finish_fields();
   } catch (const RecoverableError& error) {
     write_checkpoint();
     throw SolverError(error.what());
@@ -386,6 +401,7 @@ void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
     system_.apply_preloads(t, state_);
     system_.evaluate_step(t, state_);
     output(t, state_);
+    results_->wait();  // before the time, from which the run is resumed
     system_.accept(t, state_);
     time_ = t;
   }

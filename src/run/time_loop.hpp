@@ -86,6 +86,8 @@ class TimeLoop {
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
   io::Checkpoint checkpoint() const;
+  /// Waits for the field files that are being written. If they fail, the run is resumed from before them: from kept_.
+  void finish_fields();
   /// Keeps a copy where the next step may lead to no restart point.
   void keep_restart_point();
   /// The newest restart point to disk.
@@ -110,13 +112,14 @@ class TimeLoop {
   double time_ = 0;
   bool has_output_ = false;
   bool ruptured_ = false;
-  bool stopped_ = false;                   // by an event
-  double last_output_ = -1;                // time of the last row
-  bool settled_ = false;                   // integrated up to time_, and all results up to there are on disk
-  std::optional<io::Checkpoint> resumed_;  // until the integration has begun
-  std::optional<io::Checkpoint> kept_;     // the last restart point, if steps have left it
-  std::vector<double> state_;              // of output times
-  RunCounters earlier_;                    // counters of the runs before an interruption
+  bool stopped_ = false;                        // by an event
+  double last_output_ = -1;                     // time of the last row
+  bool settled_ = false;                        // integrated up to time_, and all results up to there are on disk
+  std::optional<io::Checkpoint> resumed_;       // until the integration has begun
+  std::optional<io::Checkpoint> kept_;          // the last restart point, if steps have left it
+  std::optional<io::Checkpoint> after_fields_;  // a later one, for when the field files under way are written
+  std::vector<double> state_;                   // of output times
+  RunCounters earlier_;                         // counters of the runs before an interruption
   std::vector<double>::const_iterator next_output_;
   std::vector<double>::const_iterator next_break_;
 };

@@ -19,6 +19,7 @@
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/io/csv_table.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/temperature_reader.hpp"
 #include "creepcontact/platform/child_process.hpp"
 #include "creepcontact/platform/replace_file.hpp"
 
@@ -128,6 +129,16 @@ void make_empty(const fs::path& directory) {
   if (error) throw ConfigError(fmt::format("directory of a run '{}': {}", directory.string(), error.message()));
 }
 
+/// Of files of temperatures.
+std::string checksum_lines(const std::vector<fs::path>& files) {
+  std::string lines;
+  try {
+    for (const fs::path& file : io::temperature_files({files})) lines += checksum_line(file);
+  } catch (const ModelError&) {  // a pattern without files: the run tells
+  }
+  return lines;
+}
+
 /// Whether the interrupted run of this directory can go on.
 bool resumable(const fs::path& directory) {
   const auto summary = io::read_summary(directory / "summary.json");
@@ -142,7 +153,7 @@ std::string StudyExecution::record_of(const config::PlannedRun& run) const {
   const config::Config config = config::read(study_.base, vocabulary_, overrides);
   std::string record = fmt::format("creepcontact {}\n", CREEPCONTACT_VERSION);
   record += checksum_line(study_.base) + checksum_line(config.mesh.file);
-  if (config.temperature && !config.temperature->file.empty()) record += checksum_line(config.temperature->file);
+  if (config.temperature && !config.temperature->files.empty()) record += checksum_lines(config.temperature->files);
   for (const std::string& one : overrides) record += one + '\n';
   return record;
 }

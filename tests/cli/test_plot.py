@@ -61,6 +61,13 @@ class Plot(RunTest):
             self.assertIn(f"set arrow 10 from first {times['slack']:.6g}"[:30],
                           (self.output / "plots" / f"{picture}.gp").read_text())
 
+    def test_tables_for_spreadsheets(self):
+        self.run_short("--quiet", "--set", "output.separator=;", "--set", "output.decimal=,")
+        self.assertTrue((self.output / "history.csv").read_text().startswith("time;fit_pressure;"))
+        done = self.plot("out")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("fit_pressure", self.texts(self.output / "plots" / "history.svg"))
+
     def test_directories_without_a_run(self):
         self.expect_error(self.plot("none"), 2, "no directory 'none'")
         self.output.mkdir()

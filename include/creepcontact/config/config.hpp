@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "creepcontact/base/csv_format.hpp"
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/location.hpp"
@@ -138,9 +139,17 @@ struct Load {
 
 /// [temperature]
 struct Temperature {
-  Function value;                 ///< used unless `file` is given
-  std::filesystem::path file;     ///< temperatures at points; resolved against the directory of the configuration
-  double refactor_change = 0.05;  ///< relative change of the stiffness beyond which it is factored again, 0 to 0.5
+  Function value;  ///< used unless files are given
+  /// Temperatures at points, resolved against the directory of the configuration. The name of a single one may have a
+  /// '*': all files of that form; the number there is the time.
+  std::vector<std::filesystem::path> files;
+  std::vector<double> times;                   ///< of the files, one each; empty: the files say themselves
+  std::map<std::string, std::string> columns;  ///< names of the columns of x, y, z, r, t, T, as far as given
+  std::optional<double> period;                ///< of the repetition in time
+  /// Axis about which the points of a section (radius, position along the axis) are revolved ...
+  std::optional<std::array<double, 3>> axis;
+  std::array<double, 3> origin{};  ///< ... and the point on it from which positions count
+  double refactor_change = 0.05;   ///< relative change of the stiffness beyond which it is factored again, 0 to 0.5
   Location location;
 };
 
@@ -219,10 +228,13 @@ struct Time : settings::IntegratorOptions {
 struct Output {
   /// Relative to the working directory; default: results/<stem> next to the configuration.
   std::filesystem::path directory;
-  bool fields = true;              ///< write fields.pvd, contact.pvd and their .vtu files
+  bool fields = true;  ///< write fields.pvd, contact.pvd and their .vtu files ...
+  /// ... at these times only, increasing, all among Time::output; nullopt: at all output times.
+  std::optional<std::vector<double>> field_times;
   int revolve = 0;                 ///< axisymmetric: segments of the solid in revolved.pvd; 0: none
   bool unit_names = true;          ///< their arrays carry the unit in their names
   double checkpoint_seconds = 30;  ///< wall time between checkpoints [s]; 0: after every step
+  CsvFormat csv;                   ///< of history.csv, steps.csv and the log of contact iterations
 };
 
 enum class Reduce { mean, max, min, sum };

@@ -24,6 +24,10 @@ struct Checkpoint {
 /// Name under which the checkpoint before the one at `path` is kept: checkpoint.previous.h5.
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path);
 
+/// Loads the library that write_checkpoint() needs, which takes as long as many steps; otherwise the first call does
+/// it. What fails here is an error there. May run in any thread.
+void prepare_checkpoints() noexcept;
+
 /// Written as HDF5 next to the old file, synced to disk, then renamed over it, so that a complete checkpoint exists at
 /// any moment. The old one is kept as previous_checkpoint(path). The user block of the file, which HDF5 tools skip,
 /// contains a checksum (XXH3) of the HDF5 part.

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "creepcontact/base/csv_format.hpp"
+
 namespace creepcontact::io {
 
 /// A table of numbers with named columns.
@@ -22,7 +24,8 @@ struct CsvTable {
 /// ones.
 enum class UnendedRow { counts, is_left_out };
 
-/// Names may be quoted (RFC 4180); blanks around cells and empty lines are ignored.
+/// Cells are separated by what follows the first name: a comma, a semicolon or a tab; with the latter two, numbers may
+/// have a decimal comma. Names may be quoted (RFC 4180); blanks around cells and empty lines are ignored.
 /// @throws ConfigError naming the file, the line and what was found: an unreadable file, a row whose number of cells
 /// differs from the header, or a cell that is not a number
 CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended = UnendedRow::counts);
@@ -31,6 +34,6 @@ CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended = 
 CsvTable parse_csv_table(std::string_view text, const std::string& name, UnendedRow unended = UnendedRow::counts);
 
 /// Text as a CSV cell: quoted if it contains characters with a meaning in the format (RFC 4180).
-std::string csv_cell(const std::string& text);
+std::string csv_cell(const std::string& text, CsvFormat format = {});
 
 }  // namespace creepcontact::io

@@ -46,7 +46,9 @@ struct EncodedArray {
   std::vector<std::string> component_names = {};
 };
 
-/// Writes one .vtu per output time and keeps their list <name>.pvd complete. Both get their names only when complete.
+/// Writes one .vtu per time and keeps their list <name>.pvd complete. Both get their names only when complete, so that
+/// the end of the program, however sudden, leaves no broken file; take_unsynced() names those that
+/// a power cut may still undo.
 class FieldWriter {
  public:
   /// Compresses the geometry once, for all times. A new start overwrites files of the same name but removes none;
@@ -62,6 +64,8 @@ class FieldWriter {
   /// Cost: compression of the arrays, about 50 MB/s.
   std::filesystem::path write(double time, const std::vector<FieldData>& point_data,
                               const std::vector<FieldData>& cell_data);
+  /// The files written since the last call, for platform::sync_files(); with the list, if there are any.
+  std::vector<std::filesystem::path> take_unsynced();
 
  private:
   struct Entry {
@@ -81,6 +85,7 @@ class FieldWriter {
   std::vector<EncodedArray> cells_;  // connectivity, offsets, types
   std::size_t first_ = 0;            ///< number of the first file of this list
   std::vector<Entry> entries_;
+  std::vector<std::filesystem::path> unsynced_;
 };
 
 }  // namespace creepcontact::io

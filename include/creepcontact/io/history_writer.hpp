@@ -7,20 +7,20 @@
 
 namespace creepcontact::io {
 
-/// Columns `time,<probe names>`; numbers are written with the fewest digits that read back to the same double.
+/// Columns `time,<probe names>`.
 class HistoryWriter {
  public:
   /// @throws ConfigError as CsvFile
   HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& probes,
-                Continuation continuation = {});
+                Continuation continuation = {}, CsvFormat format = {});
 
   /// @param values  one per probe, in the order of the names @throws Error if the disk cannot take the row
   void write(double time, std::span<const double> values);
-  void sync() { file_.sync(); }
+  const std::filesystem::path& path() const { return file_.path(); }
 
  private:
   CsvFile file_;
-  std::string row_;
+  std::vector<CsvCell> row_;
 };
 
 }  // namespace creepcontact::io

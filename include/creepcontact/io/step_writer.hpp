@@ -22,11 +22,11 @@ struct StepRow {
 class StepWriter {
  public:
   /// @throws ConfigError as CsvFile
-  explicit StepWriter(const std::filesystem::path& path, Continuation continuation = {});
+  explicit StepWriter(const std::filesystem::path& path, Continuation continuation = {}, CsvFormat format = {});
 
   /// @throws Error if the disk cannot take the row
   void write(const StepRow& row);
-  void sync() { file_.sync(); }
+  const std::filesystem::path& path() const { return file_.path(); }
 
  private:
   CsvFile file_;

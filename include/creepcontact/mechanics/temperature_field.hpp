@@ -12,11 +12,29 @@
 
 namespace creepcontact::mechanics {
 
+/// The axis about which a section is revolved: at a place the field is that of the section at (r, z, 0), the distance
+/// from the axis and the position along it.
+struct RevolutionAxis {
+  Vector3 origin = Vector3::Zero();      ///< where z is 0
+  Vector3 direction = Vector3::UnitZ();  ///< of length 1
+  Vector3 in_section(const Vector3& position) const;
+};
+
 /// Temperatures at scattered points; linear between the times, constant before the first and after the last.
 struct ScatteredTemperatures {
   std::vector<Vector3> points;              ///< no two equal
   std::vector<double> times;                ///< increasing; one: steady
   std::vector<std::vector<double>> values;  ///< [time][point]
+  /// The value at t is that at t modulo the period. Times then lie in [0, period], the first at 0
+  /// (Function::period_error); where the values at both ends differ, there is a jump at each period.
+  std::optional<double> period = {};
+  std::optional<RevolutionAxis> axis = {};  ///< given: the points are those of a section, (r, z, 0)
+};
+
+/// A place beyond the points of a field.
+struct PlaceOutside {
+  double distance = 0;                ///< to the nearest point; 0: not outside
+  Vector3 nearest = Vector3::Zero();  ///< that point; with an axis (r, z, 0)
 };
 
 /// Temperatures interpolated to fixed positions at the two tabulated times around the last evaluation. Owned by the
@@ -54,8 +72,8 @@ class TemperatureField {
   bool depends_on_time() const;
   /// Times up to `end` at which the field is known to jump or to have a kink (discontinuity of the slope), increasing.
   std::vector<double> breakpoints(double end) const;
-  /// Distance to the nearest point if `position` is so far outside the points that only this one counts, else 0.
-  double distance_outside(const Vector3& position) const;
+  /// The nearest point if `position` is so far outside the points that only this one counts.
+  PlaceOutside outside(const Vector3& position) const;
   /// Identifies the field: equal texts mean equal fields.
   const std::string& text() const;
 

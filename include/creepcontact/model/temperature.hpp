@@ -11,7 +11,7 @@ namespace creepcontact::model {
 mechanics::TemperatureField temperature_field(const config::Temperature& temperature,
                                               const mesh::Section& section = {});
 
-/// If integration points lie outside the points of a temperature file: one warning, with the farthest of them.
+/// If nodes lie far outside the points of temperature files: one warning that tells how many, how far, and where.
 void warn_of_positions_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,
                                const mechanics::TemperatureField& temperature);
 

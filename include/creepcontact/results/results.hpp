@@ -12,6 +12,7 @@
 #include "creepcontact/io/history_writer.hpp"
 #include "creepcontact/io/step_writer.hpp"
 #include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/platform/background.hpp"
 #include "creepcontact/results/contact_surfaces.hpp"
 #include "creepcontact/results/probes.hpp"
 
@@ -29,11 +30,17 @@ class Results {
           std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation);
   ~Results();
 
-  /// Writes a row of history.csv, and the field files of bodies and contact surfaces. @throws Error if the disk is full
+  /// Writes a row of history.csv. The field files of bodies and contact surfaces, if their time is one of those wanted,
+  /// are compressed and written while the caller goes on.
+  /// @throws Error if the disk is full, for field files with the next call of output(), wait() or sync()
   void output(Snapshot& snapshot);
+  /// True while field files are being written.
+  bool is_writing() const { return background_.busy(); }
+  /// Waits until the field files are written. @throws Error if the disk is full
+  void wait() { background_.wait(); }
   /// A row of steps.csv. @param work  of this step
   void step(const ode::StepReport& report, const RunCounters& work, std::int64_t n_active_contacts);
-  /// Waits until all rows are on the disk itself; field files are when they are written.
+  /// Waits until all rows and field files are on the disk itself. @throws Error if it cannot take them
   void sync();
   /// Values of the last row of history.csv, one per probe.
   const std::vector<double>& last_values() const { return values_; }
@@ -52,6 +59,8 @@ class Results {
   std::unique_ptr<RevolvedSection> section_;
   std::unique_ptr<io::FieldWriter> fields_, contact_, revolved_;
   std::map<std::string, std::string> names_with_units_;  // by the name without
+  std::optional<std::vector<double>> field_times_;       // nullopt: all
+  platform::Background background_;                      // ends before what it writes with
 };
 
 }  // namespace creepcontact::results

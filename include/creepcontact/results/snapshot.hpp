@@ -23,8 +23,7 @@ struct Sample {
 
 /// Fields defined at the integration points.
 enum class PointField { stress, strain, creep_strain, temperature };
-inline constexpr std::array point_fields{PointField::stress, PointField::strain, PointField::creep_strain,
-                                         PointField::temperature};
+inline constexpr std::size_t n_tensors = 3;  ///< the first of them
 
 /// A state variable of the laws of a body, n_points x width().
 struct PointState {
@@ -52,8 +51,9 @@ class BodyFields {
  private:
   const mechanics::Body& body_;
   const creep::BodyState& state_;
-  std::array<std::vector<double>, point_fields.size()> points_, nodes_;  // indexed by PointField
-  std::vector<double> state_at_points_, state_at_nodes_;  // one row as Sample::state each; empty: all zero
+  std::array<std::vector<double>, n_tensors + 1> points_;        // indexed by PointField
+  std::vector<double> tensors_at_nodes_, temperature_at_nodes_;  // n_nodes x n_tensors x 6, n_nodes
+  std::vector<double> state_at_points_, state_at_nodes_;         // one row as Sample::state each; empty: all zero
 };
 
 /// State of the model at one output time. Smoothed fields are computed at their first use.

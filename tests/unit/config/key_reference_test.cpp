@@ -82,7 +82,7 @@ TEST(KeySelection, PathWithAllBelowIt) {
 
 TEST(KeySelection, OneTable) {
   EXPECT_EQ(selected("[output]"), (Lines{"output.directory", "output.fields", "output.revolve", "output.unit_names",
-                                         "output.checkpoint_seconds"}));
+                                         "output.separator", "output.decimal", "output.checkpoint_seconds"}));
   EXPECT_EQ(selected("[bodies.shaft]"),
             (Lines{"bodies.<name>.region", "bodies.<name>.material", "bodies.<name>.thickness"}));
   const Lines material = selected("[materials.<name>]");

@@ -99,5 +99,16 @@ TEST_F(ReadBack, NoSummary) {
   EXPECT_FALSE(read_summary(file_));
 }
 
+TEST(CsvTableFormats, AreFoundInTheHeader) {
+  using Columns = std::vector<std::vector<double>>;
+  const Columns expected{{0.5, 1}, {-2, 3e-7}};
+  EXPECT_EQ(parse_csv_table("time,a\n0.5,-2\n1,3e-7\n", "t.csv").columns, expected);
+  EXPECT_EQ(parse_csv_table("time;a\n0,5;-2\n1;3e-7\n", "t.csv").columns, expected);
+  EXPECT_EQ(parse_csv_table("time;a\n0.5;-2.0\n1;3e-7\n", "t.csv").columns, expected);
+  EXPECT_EQ(parse_csv_table("time\ta\r\n0,5\t-2\r\n1\t3e-7\r\n", "t.csv").columns, expected);
+  EXPECT_EQ(parse_csv_table("\"x;y\",b;c\n1,2\n", "t.csv").names, (std::vector<std::string>{"x;y", "b;c"}));
+  EXPECT_THROW(parse_csv_table("time;a\n1,2,3;4\n", "t.csv"), ConfigError);
+}
+
 }  // namespace
 }  // namespace creepcontact::io

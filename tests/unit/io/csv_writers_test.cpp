@@ -87,6 +87,26 @@ TEST_F(CsvWriters, NamesWithCommasAndQuotesAreQuoted) {
   EXPECT_EQ(read_text(path_), "time,\"a,b\",\"c\"\"d\"\n");
 }
 
+constexpr CsvFormat german{.separator = ';', .decimal = ','};
+
+TEST_F(CsvWriters, OtherSeparatorsAndADecimalComma) {
+  HistoryWriter writer(path_, {"a;b", "c,d"}, {}, german);
+  writer.write(0.5, std::array{-1e-7, 2.0});
+  EXPECT_EQ(read_text(path_), "time;\"a;b\";\"c,d\"\n0,5;-1e-07;2\n");
+  HistoryWriter(path_, {"a"}, {}, {.separator = '\t', .decimal = '.'}).write(0.5, std::array{1.5});
+  EXPECT_EQ(read_text(path_), "time\ta\n0.5\t1.5\n");
+}
+
+TEST_F(CsvWriters, ResumingReadsADecimalComma) {
+  {
+    HistoryWriter writer(path_, {"a"}, {}, german);
+    for (double t : {0.0, 0.25, 0.5}) writer.write(t, std::array{t});
+  }
+  HistoryWriter(path_, {"a"}, {true, 0.3}, german).write(7.5, std::array{8.0});
+  EXPECT_EQ(read_text(path_), "time;a\n0;0\n0,25;0,25\n7,5;8\n");
+  EXPECT_TRUE(contains(message_of<ConfigError>([&] { HistoryWriter(path_, {"a"}, {true, 1}); }), "output.separator"));
+}
+
 TEST_F(CsvWriters, APlaceThatCannotBeWrittenIsAnError) {
   test::write_text(directory_ / "file", "");
   EXPECT_TRUE(contains(message_of<ConfigError>([&] { StepWriter(directory_ / "file/steps.csv"); }), "cannot write"));

@@ -13,7 +13,7 @@ using test::contains;
 class TemperatureReader : public testing::Test {
  protected:
   PointTemperatures csv(const std::string& text) {
-    return read_temperatures(test::write_text(directory_ / "T.csv", text));
+    return read_temperatures({{test::write_text(directory_ / "T.csv", text)}});
   }
   std::string mistake(const std::string& text) {
     return test::message_of<ModelError>([&] { csv(text); });
@@ -62,7 +62,7 @@ TEST_F(TemperatureReader, TimesColumnsAndRowsInAnyOrder) {
 }
 
 TEST_F(TemperatureReader, MistakesAreNamedWithTheirLine) {
-  expect_mistake("x,y,T\n1,2,3\n", "line 1: no column 'z' among x, y, T;");
+  expect_mistake("x,z,T\n1,2,3\n", "line 1: neither x and y nor r and z are among the columns; name them by columns");
   expect_mistake("x,y,z,T\n1,2,3,4\n1,2,3x,4\n", "line 3: '3x' in the column 'z' is not a number");
   expect_mistake("x,y,z,T\n1,2,3,\n", "line 2: '' in the column 'T' is not a number");
   expect_mistake("x,y,z,T\n1,2,3\n", "line 2: 3 cells, none in the column 'T'");
@@ -73,15 +73,15 @@ TEST_F(TemperatureReader, MistakesAreNamedWithTheirLine) {
   expect_mistake("x,y,z,t,T\n0,0,0,0,1\n1,0,0,0,1\n0,0,0,5,1\n",
                  "the point (1, 0, 0) of line 3 is missing at t = 5; the same positions");
   const auto missing = directory_ / "none.csv";
-  EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(missing); }), "No such file"));
+  EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures({{missing}}); }), "No such file"));
 }
 
 TEST_F(TemperatureReader, Hdf5) {
   const std::vector<double> positions{0, 0, 0, 1, 0, 0};
-  const auto steady = read_temperatures(hdf5({{"coordinates", {2, 3}, positions}, {"temperature", {2}, {10, 20}}}));
+  const auto steady = read_temperatures({{hdf5({{"coordinates", {2, 3}, positions}, {"temperature", {2}, {10, 20}}})}});
   EXPECT_EQ(steady.values, (std::vector<std::vector<double>>{{10, 20}}));
-  const auto changing = read_temperatures(
-      hdf5({{"coordinates", {2, 3}, positions}, {"temperature", {2, 2}, {10, 20, 30, 40}}, {"times", {2}, {0, 7}}}));
+  const auto changing = read_temperatures({{hdf5(
+      {{"coordinates", {2, 3}, positions}, {"temperature", {2, 2}, {10, 20, 30, 40}}, {"times", {2}, {0, 7}}})}});
   EXPECT_EQ(changing.times, (std::vector<double>{0, 7}));
   EXPECT_EQ(changing.values, (std::vector<std::vector<double>>{{10, 20}, {30, 40}}));
 }
@@ -90,7 +90,7 @@ TEST_F(TemperatureReader, Hdf5Mistakes) {
   const std::vector<double> positions{0, 0, 0, 1, 0, 0};
   const auto message = [&](const std::vector<Dataset>& sets) {
     const auto path = hdf5(sets);
-    return test::message_of<ModelError>([&] { read_temperatures(path); });
+    return test::message_of<ModelError>([&] { read_temperatures({{path}}); });
   };
   EXPECT_TRUE(contains(message({{"coordinates", {2, 3}, positions}}), "no dataset 'temperature' among coordinates"));
   EXPECT_TRUE(contains(message({{"coordinates", {6}, positions}, {"temperature", {2}, {1, 2}}}), "'coordinates' is 6"));
@@ -103,7 +103,7 @@ TEST_F(TemperatureReader, Hdf5Mistakes) {
   EXPECT_TRUE(contains(message({{"coordinates", {n, 3}, {}}, {"temperature", {n}, {}}}),
                        "'coordinates' claims 3298534883328 entries, more than the file can hold"));
   const auto text = test::write_text(directory_ / "bad.h5", "x,y,z,T\n");
-  EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures(text); }), "not an HDF5 file"));
+  EXPECT_TRUE(contains(test::message_of<ModelError>([&] { read_temperatures({{text}}); }), "not an HDF5 file"));
 }
 
 }  // namespace

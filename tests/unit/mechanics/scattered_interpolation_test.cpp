@@ -94,9 +94,9 @@ TEST(ScatteredInterpolation, GoesOnConstantFarOutside) {
       for (int k = 0; k <= 10; ++k) points.emplace_back(0.1 * i, 0.1 * j, 0.1 * k);
   const ScatteredInterpolation interpolation(points);
   EXPECT_DOUBLE_EQ(interpolated(points, linear, {0.5, 0.5, 3}), linear({0.5, 0.5, 1}));
-  EXPECT_NEAR(interpolation.distance_outside({0.5, 0.5, 3}), 2, 1e-9);
-  EXPECT_EQ(interpolation.distance_outside({0.53, 0.5, 0.98}), 0);
-  EXPECT_EQ(interpolation.distance_outside({0.53, 0.5, 1.02}), 0);
+  EXPECT_NEAR(interpolation.outside({0.5, 0.5, 3}).distance, 2, 1e-9);
+  EXPECT_EQ(interpolation.outside({0.53, 0.5, 0.98}).distance, 0);
+  EXPECT_EQ(interpolation.outside({0.53, 0.5, 1.02}).distance, 0);
   EXPECT_NEAR(interpolated(points, linear, {0.53, 0.51, 1.02}), linear({0.53, 0.51, 1.02}), 1e-9);
 }
 

@@ -49,7 +49,7 @@ TEST(TemperatureField, OfAFunction) {
   EXPECT_DOUBLE_EQ(at(field, 2, 3), 543);
   EXPECT_EQ(field.text(), "500 + 20*x + t");
   EXPECT_TRUE(field.depends_on_position() && field.depends_on_time());
-  EXPECT_EQ(field.distance_outside({99, 0, 0}), 0);
+  EXPECT_EQ(field.outside({99, 0, 0}).distance, 0);
   const TemperatureField uniform = Function(20.0);
   EXPECT_FALSE(uniform.depends_on_position() || uniform.depends_on_time());
 }

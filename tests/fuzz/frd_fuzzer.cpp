@@ -1,0 +1,16 @@
+/// Temperatures in results of CalculiX (.frd).
+
+#include "../../src/io/frd_temperatures.hpp"
+#include "fuzz_target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace creepcontact;
+  fuzz::may_refuse([&] {
+    const io::PointTemperatures read = io::parse_frd(fuzz::text_of(data, size), "fuzz.frd");
+    fuzz::require(!read.points.empty(), "what is accepted has points");
+    fuzz::require(read.values.size() == read.times.size(), "values at every time");
+    for (const std::vector<double>& values : read.values)
+      fuzz::require(values.size() == read.points.size(), "a value at every point");
+  });
+  return 0;
+}
