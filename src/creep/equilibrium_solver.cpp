@@ -231,7 +231,7 @@ History EquilibriumSolver::new_history() const {
   return history;
 }
 
-History EquilibriumSolver::initial_history() {
+History EquilibriumSolver::initial_history(int substeps) {
   History history = new_history();
   if (!interface_.problem().has_friction()) return history;
   Equilibrium at;
@@ -243,7 +243,7 @@ History EquilibriumSolver::initial_history() {
   forward();
   add_traces(full.gap);
   const Eigen::VectorXd unloaded = interface_.unloaded_gap();
-  const double longest = 1.0 / options_.initial_substeps, shortest = longest / 64;
+  const double longest = 1.0 / substeps, shortest = longest / 64;
   double reached = 0, step = longest;
   while (reached < 1) {
     // Equal steps end where they should in spite of round-off.

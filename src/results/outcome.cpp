@@ -5,6 +5,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/results/contact_values.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -14,15 +15,6 @@ constexpr double no_force = 1e-9;  // of the largest: round-off
 
 bool is_tied(const contact::Pair& pair) {
   return pair.coupling.type == contact::ContactType::tied;
-}
-
-/// Sum of pressure times nodal area.
-double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
-  const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
-  double force = 0;
-  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-    force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
-  return force;
 }
 
 double largest_von_mises(const std::vector<double>& stress) {

@@ -69,7 +69,9 @@ class EquilibriumSolver {
   /// SolverOptions::initial_substeps proportional steps, and interference is built up by moving the surfaces of the
   /// pair uniformly into each other. Nothing creeps meanwhile.
   /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
-  History initial_history();
+  History initial_history() { return initial_history(options_.initial_substeps); }
+  /// The same with another number of substeps, at least 1: what it changes is what the load path is resolved to.
+  History initial_history(int substeps);
   /// Makes the equilibrium of an accepted step the start of later contact iterations and, with friction, of slip.
   void accept(const Equilibrium& at, History& history) const;
   /// Stores the history and the state of this solver that evaluations depend on, for a checkpoint.
