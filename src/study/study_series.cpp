@@ -17,8 +17,8 @@ std::string last_part(const std::string& key) {
   return key.substr(key.rfind('.') + 1);
 }
 
-/// Words speak for themselves, numbers need the last part of their key, or all of it where others end so:
-/// "beta_euler", "beta = 0.5", "materials.steel.n = 5".
+/// Words speak for themselves, numbers need the last part of their key, or all of it where others end so or where
+/// it says nothing: "beta_euler", "beta = 0.5", "materials.steel.n = 5", "temperature.value = 500".
 std::string short_text(const config::Product& product, const std::string& key, const config::StudyValue& value) {
   const bool is_word = value.label != value.toml;
   if (is_word) return value.label;
@@ -26,7 +26,7 @@ std::string short_text(const config::Product& product, const std::string& key, c
   const auto ends_so = [&](const std::string& other) { return last_part(other) == last; };
   const auto others = std::ranges::count_if(product.settings, ends_so, &config::Setting::key) +
                       std::ranges::count_if(product.axes, ends_so, [](const config::Axis& a) { return a.key.name; });
-  return fmt::format("{} = {}", others > 1 ? key : last, value.label);
+  return fmt::format("{} = {}", others > 1 || last == "value" ? key : last, value.label);
 }
 
 void append(std::string& label, const std::string& part) {

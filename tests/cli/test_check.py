@@ -2,7 +2,6 @@
 
 import re
 import unittest
-import xml.etree.ElementTree
 
 from test_runs import SHORT, RunTest
 
@@ -49,21 +48,24 @@ class StartCheck(RunTest):
 
 
 class ModelView(RunTest):
-    def view(self, config, *more):
+    def view(self, *more):
         done = self.call("check", "--fields", "--output", str(self.output), *more)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done
 
-    def arrays(self, file):
-        return {array.get("Name") for array in xml.etree.ElementTree.parse(file).iter("DataArray")}
-
     def test_files_and_picture(self):
-        done = self.view("shrink_fit")
+        done = self.view()
         written = re.findall(r"(?m)^written: (.*)$", done.stdout)
         self.assertEqual(written, [str(self.output / name) for name in
                                    ("model.pvd", "groups.pvd", "plots/model.svg", "plots/model.png")])
         for name in ("model", "groups"):
             self.assertEqual(len(re.findall("<DataSet", (self.output / f"{name}.pvd").read_text())), 2)
+        arrays = {"model": ("body", "support", "load"),
+                  "groups": ("body", "group", "support", "load", "contact", "gap", "distance")}
+        for name, expected in arrays.items():
+            content = (self.output / name / f"{name}_0001.vtu").read_bytes()
+            for array in expected:
+                self.assertIn(f'Name="{array}"'.encode(), content)
         picture = (self.output / "plots" / "model.svg").read_text()
         for text in ("body ", "shaft", "support ", "symmetry_x", "contact ", "disc_bore"):
             self.assertIn(text, picture)
