@@ -143,7 +143,8 @@ class StartReport {
     if (!relaxation) return ", elastic";
     const double end = config_.time.end;
     if (std::isnan(relaxation->whole)) return ", no stress that would relax";
-    if (!std::isfinite(relaxation->fastest)) return ", does not relax at this stress";
+    if (!std::isfinite(relaxation->fastest))
+      return "; at this stress and temperature its creep never comes up to the elastic strain";
     const auto of_end = [&](double time) {
       return fmt::format("{} ({:.2g} time.end)", with_unit(time, Dimension::time), time / end);
     };
