@@ -69,7 +69,7 @@ struct Groups {
     for (std::size_t b = 0; b < model.bodies().size(); ++b) {
       const mechanics::Body& body = model.bodies()[b];
       body_names.values.push_back(body.name());
-      first_node.push_back(static_cast<std::int64_t>(mesh.points.size()));
+      first_node_.push_back(static_cast<std::int64_t>(mesh.points.size()));
       const std::size_t n = body.mesh().n_cell_nodes();
       mesh.points.insert(mesh.points.end(), body.mesh().nodes.begin(),
                          body.mesh().nodes.begin() + static_cast<std::ptrdiff_t>(n));
@@ -85,7 +85,7 @@ struct Groups {
         for (const mesh::Face& cell : cells_of_group(body.mesh(), group)) {
           add(cell);
           const std::array<double, 5> values{static_cast<double>(b), number, acting[0], acting[1], acting[2]};
-          for (std::size_t i = 0; i < values.size(); ++i) arrays[i].values.push_back(values[i]);
+          for (std::size_t i = 0; i < values.size(); ++i) arrays_[i].values.push_back(values[i]);
         }
       }
     }
@@ -102,7 +102,7 @@ struct Groups {
       const Eigen::VectorXd measured = coupling.geometric_gap;
       const Eigen::VectorXd given = pair.geometric_gap ? measured : coupling.given_gap(pair.gap, t);
       for (std::size_t i = 0; i < coupling.nodes.size(); ++i) {
-        const auto at = static_cast<std::size_t>(first_node[pair.slave_body] + coupling.nodes[i].node);
+        const auto at = static_cast<std::size_t>(first_node_[pair.slave_body] + coupling.nodes[i].node);
         gap.values[at] = given[coupling.row(i)] / coupling.area[i];
         distance.values[at] = measured[coupling.row(i)] / coupling.area[i];
       }
@@ -113,19 +113,19 @@ struct Groups {
     return {gap, distance};
   }
 
-  Arrays cells() const { return {arrays.begin(), arrays.end()}; }
+  Arrays cells() const { return {arrays_.begin(), arrays_.end()}; }
 
  private:
   void add(const mesh::Face& cell) {
     if (mesh.blocks.empty() || mesh.blocks.back().type != cell.type) mesh.blocks.push_back({cell.type, {}});
-    for (const std::int64_t node : cell.nodes) mesh.blocks.back().connectivity.push_back(first_node.back() + node);
+    for (const std::int64_t node : cell.nodes) mesh.blocks.back().connectivity.push_back(first_node_.back() + node);
   }
 
   /// Multipliers, and so gaps, are at corners only.
   void fill_between_corners(const mesh::Face& face, std::size_t body, io::FieldData& field) const {
     const auto corners = static_cast<std::size_t>(mesh::n_corners(face.type));
     const auto value = [&](std::size_t k) -> double& {
-      return field.values[static_cast<std::size_t>(first_node[body] + face.nodes[k])];
+      return field.values[static_cast<std::size_t>(first_node_[body] + face.nodes[k])];
     };
     for (std::size_t k = corners; k < std::min(2 * corners, face.nodes.size()); ++k)
       value(k) = (value(k - corners) + value((k - corners + 1) % corners)) / 2;
@@ -137,8 +137,8 @@ struct Groups {
   io::FieldMesh mesh;
 
  private:
-  std::vector<std::int64_t> first_node;  // of every body
-  std::array<io::FieldData, 5> arrays{
+  std::vector<std::int64_t> first_node_;  // of every body
+  std::array<io::FieldData, 5> arrays_{
       {{"body", 1, {}}, {"group", 1, {}}, {"support", 1, {}}, {"load", 1, {}}, {"contact", 1, {}}}};
 };
 

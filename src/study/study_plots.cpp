@@ -164,7 +164,7 @@ bool is_study_directory(const fs::path& directory) {
 std::vector<fs::path> plot_study_histories(const fs::path& directory, plot::PlotOptions options) {
   const config::Study study = config::read_study(directory / stored_study);
   if (options.directory.empty()) options.directory = directory / "plots";
-  const std::vector<fs::path> pictures = overlay(study, config::plan(study), directory, "", options);
+  std::vector<fs::path> pictures = overlay(study, config::plan(study), directory, "", options);
   if (pictures.empty())
     throw ConfigError(fmt::format("'{}': no run of this study has a history yet", directory.string()));
   return pictures;
