@@ -38,6 +38,10 @@ class CommandLine {
   /// @throws ConfigError for an unknown option (naming the nearest), a wrong or missing value
   bool parse(const Arguments& arguments, const std::string& positional, const std::string& optional = {});
 
+  /// The same with any number of positional arguments, at least one.
+  bool parse_several(const Arguments& arguments, const std::string& positional);
+
+  const std::vector<std::string>& positionals() const { return positionals_; }
   const std::string& positional() const { return positionals_.front(); }
   const std::optional<std::string>& optional() const { return optional_; }
   bool has(const std::string& option) const { return values_.count(option) > 0; }
@@ -50,6 +54,8 @@ class CommandLine {
 
  private:
   std::vector<std::string> option_names() const;
+  /// @param most  positional arguments; -1: any number
+  bool parse(const Arguments& arguments, const std::string& positional, const std::string& optional, int most);
 
   const Command& command_;
   boost::program_options::options_description options_;

@@ -22,10 +22,21 @@ std::vector<std::string> CommandLine::option_names() const {
 }
 
 bool CommandLine::parse(const Arguments& arguments, const std::string& positional, const std::string& optional) {
+  if (!parse(arguments, positional, optional, optional.empty() ? 1 : 2)) return false;
+  if (positionals_.size() > 1) optional_ = positionals_[1];
+  return true;
+}
+
+bool CommandLine::parse_several(const Arguments& arguments, const std::string& positional) {
+  return parse(arguments, positional, {}, -1);
+}
+
+bool CommandLine::parse(const Arguments& arguments, const std::string& positional, const std::string& optional,
+                        int most) {
   po::options_description all(options_);
   all.add_options()("positional", po::value(&positionals_));
   po::positional_options_description positions;
-  positions.add("positional", optional.empty() ? 1 : 2);
+  positions.add("positional", most);
   const std::string help = fmt::format("; see creepcontact {} --help", command_.name);
   try {
     // a beginning of a name is no name: it would hide mistypes and change its meaning with every new option
@@ -56,7 +67,6 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
   }
   if (positionals_.empty() || positionals_.front().empty())
     throw ConfigError(fmt::format("{} needs {}{}", command_.name, positional, help));
-  if (positionals_.size() > 1) optional_ = positionals_[1];
   return true;
 }
 

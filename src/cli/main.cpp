@@ -29,7 +29,8 @@ const std::vector<Command>& commands() {
       {"check", "CONFIG.toml [options]", "Checks a configuration and its mesh without running the analysis.", check},
       {"study", "STUDY.toml [options]", "Runs a configuration with many different settings and compares the results.",
        study},
-      {"plot", "DIR [options]", "Plots the probes and the time steps of a run as SVG and PNG (needs gnuplot).", plot},
+      {"plot", "DIR... [options]",
+       "Plots the probes and the time steps of a run, or the probes of several, as SVG and PNG (needs gnuplot).", plot},
       {"list", "(keys|study-keys|integrators|laws|elements|quantities) [KEY] [options]",
        "Lists the keys and names that a configuration or a study may use.", list,
        "KEY selects the keys to show. It is one of:\n"

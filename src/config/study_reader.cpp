@@ -59,10 +59,11 @@ void check_plot(const Study& study, Diagnostics& errors) {
 
 void check_comparison(const Study& study, const Item& root, Diagnostics& errors) {
   const bool reference = root.has("reference"), compare = root.has("compare");
-  if (reference != compare)
-    errors.add(root.child(reference ? "reference" : "compare").location,
-               reference ? "nothing is compared with it" : "nothing to compare with",
-               "[reference] and [compare] together");
+  if (reference && !compare)
+    errors.add(root.child("reference").location, "nothing is compared with it", "[reference] and [compare] together");
+  if (!reference && root.child("compare").has("norm"))
+    errors.add(root.child("compare").child("norm").location, "a norm of errors, but nothing to compare with",
+               "'norm' together with [reference]");
   if (root.child("compare").has("quantities") && study.compare.quantities.empty() && errors.empty())
     errors.add(root.child("compare").child("quantities").location, "an empty list", "at least one probe");
   if (!study.reference || study.reference->expressions.empty()) return;

@@ -103,6 +103,8 @@ Value<StudyPlot> plot_table() {
           .otherwise("`time.step`, `time.tolerance`, or the last axis of numbers"),
       field<StudyPlot>("show", &StudyPlot::show, list(choice("column", study_counts())),
                        "columns of `study.csv` to plot against these axes, in addition to the errors"),
+      field<StudyPlot>("histories", &StudyPlot::histories, boolean(),
+                       "one picture per probe of `[compare]` with the histories of all runs"),
   });
 }
 
@@ -146,8 +148,11 @@ Value<StudyReference> reference_table() {
 Value<Compare> compare_table() {
   return table<Compare>({
       field<Compare>("quantities", &Compare::quantities, list(reference("the name of a probe")),
-                     "probes that are compared with the reference", Presence::required),
-      field<Compare>("norm", &Compare::norm, choice<ErrorNorm>("norm"), "over all output times, or at the last one"),
+                     "probes whose values at the start and the end, least and largest values are given for each run, "
+                     "and that are compared with the reference, if there is one",
+                     Presence::required),
+      field<Compare>("norm", &Compare::norm, choice<ErrorNorm>("norm"),
+                     "with a reference: its errors over all output times, or at the last one"),
   });
 }
 
@@ -162,7 +167,7 @@ Value<Study> study_table() {
       field<Study>("axes", &Study::axes, tables(axis_table()), "keys to vary"),
       field<Study>("runs", &Study::runs, tables(runs_table()), "runs in addition to the combinations of the axes"),
       field<Study>("reference", &Study::reference, reference_table(),
-                   "what the runs are compared with; together with `[compare]`"),
+                   "what the runs are compared with; `[compare]` says which probes"),
       field<Study>("compare", &Study::compare, compare_table(), "what is compared, and how"),
       field<Study>("plot", &Study::plot, plot_table(), "what the pictures show"),
   });

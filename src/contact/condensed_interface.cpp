@@ -8,17 +8,14 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/contact/load_balance.hpp"
 #include "factored_flexibility.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
-constexpr double force_round_off = 1e-13;     // of the forces on a body: what sums to zero but for it
 constexpr double overlap_of_rounding = 1e-9;  // of the size of a multiplier's area
 constexpr double no_component = 1e-14;        // of the largest entry of the contact rows
-constexpr double unconstrained_work =
-    1e-8;  // of the forces on the body: rounding, or a load along an unconstrained motion
-constexpr double residual_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
 
 }  // namespace
 
@@ -62,14 +59,7 @@ void CondensedInterface::make_operator(Conditions at) {
 CondensedInterface::~CondensedInterface() = default;
 
 void CondensedInterface::make_problem() {
-  for (const Pair& pair : pairs_) {
-    const AdmissibleSet set = pair.coupling.type == ContactType::tied ? AdmissibleSet::space
-                              : pair.coupling.has_friction()          ? AdmissibleSet::cone
-                                                                      : AdmissibleSet::half_line;
-    const int width = static_cast<int>(pair.coupling.rows_per_node());
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-      problem_.add_node(set, width, static_cast<int>(pair.slave_body), static_cast<int>(pair.master_body));
-  }
+  for (const Pair& pair : pairs_) add_nodes(pair, problem_);
   problem_.rigid.setZero(n_rows(), rigid_body_modes_.held().cols());
   problem_.bodies.resize(bodies_.size());
   problem_.rigid_of_body.resize(bodies_.size());
@@ -219,41 +209,19 @@ void CondensedInterface::warn_of_held_overlaps(const InterfaceLoad& load) {
 
 ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   warn_of_held_overlaps(load);
-  const Eigen::VectorXd unconstrained = rigid_body_modes_.unconstrained().transpose() * load.work;
-  const Eigen::VectorXd force = rigid_body_modes_.unconstrained().cwiseAbs().transpose() * load.force;
-  for (Index j = 0; j < unconstrained.size(); ++j) {
-    if (std::abs(unconstrained[j]) <= unconstrained_work * force[j]) continue;
-    const std::string motion = rigid_body_modes_.describe(rigid_body_modes_.unconstrained().col(j));
-    if (std::abs(unconstrained[j]) > residual_of_meshes * force[j])
-      throw ModelError(
-          fmt::format("{}: at t = {:.6g} the loads cause this motion (generalised force {:.4g}), and neither supports "
-                      "nor contact prevent it; add a support, or balance the loads",
-                      motion, load.time, unconstrained[j]));
-    if (!residual_warned_)
-      log::warning(
-          "{}: the loads are out of balance along this motion by {:.2g} of their sum, as on a mesh that is not quite "
-          "symmetric; the motion is prevented at single nodes",
-          motion, std::abs(unconstrained[j]) / force[j]);
-    residual_warned_ = true;
-  }
-  Eigen::VectorXd resultant = rigid_body_modes_.held().transpose() * load.work;
-  const Eigen::VectorXd sum = rigid_body_modes_.held().cwiseAbs().transpose() * load.force;
-  resultant = (resultant.array().abs() > force_round_off * sum.array()).select(resultant, 0.0);
-  return {load.gap, resultant, load.friction};
+  const std::string warning = require_free_motions_unloaded(rigid_body_modes_, load.work, load.force, load.time);
+  if (!warning.empty() && !residual_warned_) log::warning("{}", warning);
+  residual_warned_ = residual_warned_ || !warning.empty();
+  return {load.gap, held_resultant(rigid_body_modes_, load.work, load.force), load.friction};
 }
 
 void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {
-  const std::string motion = rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion);
-  if (problem_.has_friction())
-    throw SlidingOff(fmt::format(
-        "{}: at t = {:.6g} the loads move the assembly along this motion, and neither contact nor friction "
-        "prevents it (generalised force that remains: {:.4g}); add a support, more friction, or a load that "
-        "presses the bodies together",
-        motion, t, unbalanced.force));
-  throw ModelError(
-      fmt::format("{}: at t = {:.6g} the loads move the assembly along this motion and no contact prevents it; add a "
-                  "support, or a load that presses the bodies together",
-                  motion, t));
+  if (!problem_.has_friction()) report_unbalanced(rigid_body_modes_, unbalanced, t);
+  throw SlidingOff(
+      fmt::format("{}: at t = {:.6g} the loads move the assembly along this motion, and neither contact nor friction "
+                  "prevents it (generalised force that remains: {:.4g}); add a support, more friction, or a load that "
+                  "presses the bodies together",
+                  rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion), t, unbalanced.force));
 }
 
 Eigen::VectorXd CondensedInterface::trace(std::size_t body, std::span<const double> y) {

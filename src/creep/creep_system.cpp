@@ -237,6 +237,16 @@ std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
   return times;
 }
 
+std::vector<std::optional<RelaxationTime>> CreepSystem::initial_relaxation(const Evaluation& at, double near) const {
+  std::vector<std::optional<RelaxationTime>> times;
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (points_[b].empty())
+      times.emplace_back();
+    else
+      times.emplace_back(relaxation_time(team(), points_[b], points_state(b, at, at.y), near));
+  return times;
+}
+
 bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation& of) const {
   if (!of.valid || of.time != t) return false;
   const std::span<const double> scale = scale_.values();

@@ -9,7 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/creep/error_scale.hpp"
 #include "creepcontact/creep/material_points.hpp"
-#include "creepcontact/numerics/point_sums.hpp"
+#include "creepcontact/creep/relaxation.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -18,25 +18,33 @@ namespace {
 constexpr double beside = 16 * std::numeric_limits<double>::epsilon();
 constexpr double max_creep = 1e12;  // of the elastic strain, over the run: no machine part lives through so much
 
-/// sigma : C sigma
-double elastic_work(const Tensor6& stress, const material::Moduli& moduli) {
-  const double trace = tensor::trace(stress);
-  return tensor::deviator(stress).squaredNorm() / (2 * moduli.mu) +
-         trace * trace / (3 * (3 * moduli.lambda + 2 * moduli.mu));
+constexpr const char* not_loaded =
+    "the bodies are not loaded: no load, support, temperature or gap causes stress at any output time";
+
+/// Start, end, and both sides of each breakpoint between them.
+std::vector<double> telling_times(double end, const std::vector<double>& breakpoints) {
+  std::vector<double> times{0.0};
+  for (const double t : breakpoints)
+    if (t > 0 && t < end) times.insert(times.end(), {just_before(t), just_after(t)});
+  times.push_back(end);
+  return times;
 }
 
-/// Creep until `end` at constant stress over the elastic strain.
-double creep_over_elastic_strain(const Team& team, const MaterialPoints& points, const PointsState& at, double end) {
-  std::vector<double> change(points.size() * points.stride(), 0.0);
-  points.add_increment(0, end, at, change);
-  const std::span<const double> weights = points.body().discretization().weights();
-  const mechanics::CreepStrainView grown{change, points.stride()};
-  const double stored = numerics::sum_over_points(points.size(), [&](std::size_t p) {
-    return weights[p] * elastic_work(tensor::view(at.stress, p), at.elastic.at(p));
-  });
-  const double spent = numerics::sum_over_points(
-      points.size(), [&](std::size_t p) { return weights[p] * tensor::view(at.stress, p).dot(grown.at(p)); });
-  return team.sum(spent) / team.sum(stored);
+bool acts(const contact::Pair& pair, double t) {
+  if (pair.preload) return true;
+  const contact::MortarCoupling& coupling = pair.coupling;
+  const Eigen::VectorXd gap = pair.geometric_gap ? coupling.geometric_gap : coupling.given_gap(pair.gap, t);
+  // Whatever is not a plain opening may load the bodies, also what is not a number.
+  if (coupling.type == contact::ContactType::tied) return !gap.isZero(0);
+  const Eigen::VectorXd normal = coupling.first_rows(gap);
+  return normal.size() > 0 && !(normal.minCoeff() >= 0);
+}
+
+bool acts(const mechanics::BodyConditions& at) {
+  const auto any = [](const std::vector<double>& values) {
+    return std::ranges::any_of(values, [](double value) { return value != 0; });
+  };
+  return any(at.external) || any(at.prescribed) || any(at.thermal_strain);
 }
 
 class Survey {
@@ -118,19 +126,29 @@ ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector
                                     const std::vector<double>& breakpoints) {
   if (!solver.assembly().creeps()) return {};
   const double end = output_times.back();
-  std::vector<double> times{0.0};
-  for (const double t : breakpoints)
-    if (t > 0 && t < end) times.insert(times.end(), {just_before(t), just_after(t)});
-  times.push_back(end);
   Survey survey(solver, end);
-  ElasticSurvey result = survey.at(times);
+  ElasticSurvey result = survey.at(telling_times(end, breakpoints));
   const auto is_zero = [](const ElasticSurvey& of) { return !(*std::ranges::max_element(of.stress) > 0); };
   // Loads that vanish at all these times may still act in between.
   if (is_zero(result)) result = survey.at(output_times);
-  if (is_zero(result))
-    throw ModelError(
-        "the bodies are not loaded: no load, support, temperature or gap causes stress at any output time");
+  if (is_zero(result)) throw ModelError(not_loaded);
   return result;
+}
+
+void require_loaded(const Assembly& assembly, const std::vector<double>& output_times,
+                    const std::vector<double>& breakpoints) {
+  if (!assembly.creeps()) return;
+  std::vector<double> times = telling_times(output_times.back(), breakpoints);
+  times.insert(times.end(), output_times.begin(), output_times.end());
+  std::vector<mechanics::BodyConditions> conditions;
+  bool loaded = false;
+  for (const double t : times) {
+    assembly.update(t, conditions);
+    for (const mechanics::BodyConditions& at : conditions) loaded = loaded || acts(at);
+    for (const contact::Pair& pair : assembly.pairs()) loaded = loaded || acts(pair, t);
+    if (assembly.team().any(loaded)) return;
+  }
+  throw ModelError(not_loaded);
 }
 
 }  // namespace creepcontact::creep

@@ -232,7 +232,7 @@ History EquilibriumSolver::new_history() const {
   return history;
 }
 
-History EquilibriumSolver::initial_history() {
+History EquilibriumSolver::initial_history(int substeps) {
   History history = new_history();
   const bool has_friction = interface_.problem().has_friction();
   const std::vector<std::size_t> preloads = preloads_due(0, history);
@@ -246,7 +246,7 @@ History EquilibriumSolver::initial_history() {
   forward();
   add_traces(full.gap);
   const Eigen::VectorXd unloaded = interface_.unloaded_gap();
-  const double longest = has_friction ? 1.0 / options_.initial_substeps : 1.0, shortest = longest / 64;
+  const double longest = has_friction ? 1.0 / substeps : 1.0, shortest = longest / 64;
   double reached = 0, step = longest;
   while (reached < 1) {
     // Equal steps end where they should in spite of round-off.

@@ -101,12 +101,16 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   }
 }
 
-Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
-  const std::filesystem::path previous = previous_checkpoint(path);
-  if (!path_exists(path) && !path_exists(previous))
+void require_checkpoint(const std::filesystem::path& path) {
+  if (!path_exists(path) && !path_exists(previous_checkpoint(path)))
     throw ConfigError(
         fmt::format("there is no checkpoint '{}' to continue from; run without --resume to start from the beginning",
                     path.string()));
+}
+
+Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
+  require_checkpoint(path);
+  const std::filesystem::path previous = previous_checkpoint(path);
   std::string damage;
   try {
     return read_checkpoint(path);

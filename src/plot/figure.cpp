@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 
@@ -226,6 +227,14 @@ void draw(const Figure& figure, const std::filesystem::path& directory, const st
   platform::replace_file(directory / (stem + ".gp"), gnuplot_script(figure, stem));
   run_gnuplot(directory, {stem + ".gp"});
   run_gnuplot(directory, {"-e", "format='png'", stem + ".gp"});
+}
+
+std::string file_stem(std::string text) {
+  constexpr std::size_t longest = 80;  // names of files are bounded
+  text.resize(std::min(text.size(), longest));
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return text;
 }
 
 std::vector<std::size_t> even_parts(std::size_t items, std::size_t most) {

@@ -36,9 +36,12 @@ io::SummaryHeading heading_of(const std::filesystem::path& run) {
 
 }  // namespace
 
+RunTables read_run_tables(const std::filesystem::path& run) {
+  return {run, read_history(run), read_steps(run), heading_of(run)};
+}
+
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {
-  const std::vector<NamedFigure> figures =
-      run_figures({run, read_history(run), read_steps(run), heading_of(run)}, options);
+  const std::vector<NamedFigure> figures = run_figures(read_run_tables(run), options);
   const std::filesystem::path directory = options.directory.empty() ? run / "plots" : options.directory;
   std::vector<std::filesystem::path> pictures;
   for (const NamedFigure& one : figures) {

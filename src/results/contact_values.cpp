@@ -36,4 +36,13 @@ ContactValues contact_values(const contact::Pair& pair, std::size_t node, const 
   return result;
 }
 
+double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
+  const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
+  if (pair.preload) return -pair.interference_gap().dot(own);
+  double force = 0;
+  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
+    force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
+  return force;
+}
+
 }  // namespace creepcontact::results

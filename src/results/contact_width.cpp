@@ -57,24 +57,29 @@ std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen
   return narrowest;
 }
 
-std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at) {
-  std::vector<std::string> lines;
+std::optional<int> elements_across(const creep::Assembly& assembly, const contact::Pair& pair,
+                                   const creep::Equilibrium& at) {
   const Eigen::VectorXd& multipliers = at.contact.multiplier;
   const double largest = multipliers.size() > 0 ? multipliers.cwiseAbs().maxCoeff() : 0.0;
   const Eigen::VectorXd pressure = (multipliers.array() > multiplier_round_off * largest).select(multipliers, 0.0);
+  const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
+  const Eigen::VectorXd force =
+      pair.coupling.first_rows(pressure.segment(pair.first_row, pair.coupling.n_rows())).cwiseProduct(area);
+  return elements_across(contact::ContactGrid(pair, assembly.bodies()[pair.slave_body].mesh()), force);
+}
+
+std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at,
+                                         const std::string& when) {
+  std::vector<std::string> lines;
   for (const contact::Pair& pair : assembly.pairs()) {
     if (pair.coupling.type == contact::ContactType::tied) continue;
-    const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
-    const Eigen::VectorXd force =
-        pair.coupling.first_rows(pressure.segment(pair.first_row, pair.coupling.n_rows())).cwiseProduct(area);
-    const contact::ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
-    const std::optional<int> width = elements_across(grid, force);
+    const std::optional<int> width = elements_across(assembly, pair, at);
     if (!width || *width >= enough) continue;
     lines.push_back(
-        fmt::format("contact '{}': at the end the contact zone is about {} element{} wide at its narrowest (elements "
+        fmt::format("contact '{}': {} the contact zone is about {} element{} wide at its narrowest (elements "
                     "of the slave surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: at "
                     "least {} elements are needed, eight are better",
-                    pair.name, *width, *width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough));
+                    pair.name, when, *width, *width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough));
   }
   return lines;
 }

@@ -5,6 +5,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/results/contact_values.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -15,16 +16,6 @@ constexpr double no_force = 1e-9;  // of the largest: round-off
 /// Tied contacts without preload have no normal force of interest.
 bool has_normal_force(const contact::Pair& pair) {
   return pair.coupling.type != contact::ContactType::tied || pair.preload;
-}
-
-/// Sum of pressure times nodal area; of a tied contact, the tension.
-double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers) {
-  const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
-  if (pair.preload) return -pair.interference_gap().dot(own);
-  double force = 0;
-  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-    force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
-  return force;
 }
 
 double largest_von_mises(const std::vector<double>& stress) {

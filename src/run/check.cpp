@@ -4,6 +4,9 @@
 
 #include <ostream>
 
+#include "checkpoints.hpp"
+#include "creepcontact/contact/load_balance.hpp"
+#include "creepcontact/creep/elastic_survey.hpp"
 #include "creepcontact/creep/state_layout.hpp"
 #include "creepcontact/mechanics/factored_body.hpp"
 #include "creepcontact/model/temperature.hpp"
@@ -11,6 +14,9 @@
 #include "creepcontact/results/probes.hpp"
 #include "gap_report.hpp"
 #include "memory_need.hpp"
+#include "model_view.hpp"
+#include "preparation.hpp"
+#include "start_report.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -35,7 +41,9 @@ std::string contact_text(const contact::Pair& pair, const config::Contact& conta
 
 }  // namespace
 
-void check(const config::Config& config, std::ostream& report) {
+void check(const config::Config& config, std::ostream& report, const CheckOptions& options) {
+  const std::filesystem::path directory = output_directory(config, options.output);
+  require_output(directory, options.resume);
   const model::Model model = model::build_model(config);
   results::make_probes(config, model);
   const creep::StateLayout layout(model.assembly);
@@ -80,6 +88,13 @@ void check(const config::Config& config, std::ostream& report) {
     text += fmt::format("warning: {}\n", shortage);
   report << text << std::flush;
   rigid_body_modes.require_contact(model.pairs());
+  contact::require_balance(model.bodies(), model.pairs(), rigid_body_modes, model.assembly.at(0), 0);
+  creep::require_loaded(model.assembly, config.time.output, model.breakpoints);
+  if (options.resume) Checkpoints(config, model, directory).read(layout.size());
+  if (options.fields)
+    for (const std::filesystem::path& file : write_model_view(config, model, directory))
+      report << fmt::format("written: {}\n", file.string());
+  if (options.start) report << start_report(config, model) << std::flush;
   report << "no mistakes found\n" << std::flush;
 }
 

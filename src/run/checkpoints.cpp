@@ -17,7 +17,7 @@ constexpr std::size_t max_differences = 5;  // named
 
 Checkpoints::Checkpoints(const config::Config& config, const model::Model& model,
                          const std::filesystem::path& directory)
-    : config_(config), path_(directory / "checkpoint.h5"), fingerprint_(fingerprint(config, model)) {}
+    : config_(config), path_(directory / checkpoint_name), fingerprint_(fingerprint(config, model)) {}
 
 io::Checkpoint Checkpoints::read(std::size_t state_size) const {
   io::Checkpoint checkpoint = io::read_last_checkpoint(path_);

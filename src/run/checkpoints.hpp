@@ -13,6 +13,8 @@
 
 namespace creepcontact::run {
 
+inline constexpr const char* checkpoint_name = "checkpoint.h5";  // in the directory of the run
+
 class Checkpoints {
  public:
   Checkpoints(const config::Config& config, const model::Model& model, const std::filesystem::path& directory);

@@ -20,7 +20,7 @@
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/check.hpp"
 #include "finished_run.hpp"
-#include "memory_need.hpp"
+#include "preparation.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
 
@@ -85,16 +85,12 @@ Diagnosis diagnosis(const creep::CreepSystem& system) {
 
 RunResult run(const config::Config& config, const RunOptions& options) {
   Stopwatch watch;
-  const std::filesystem::path directory =
-      options.output.empty() ? config.output.directory : std::filesystem::path(options.output);
+  const std::filesystem::path directory = output_directory(config, options.output);
 
   std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
   std::optional<platform::DirectoryLock> lock;
-  if (path_is_directory(directory))
-    lock.emplace(directory);
-  else if (path_exists(directory))
-    throw ConfigError(
-        fmt::format("output directory {}: is a file; choose another directory with --output", directory.string()));
+  require_output(directory, options.resume);
+  if (path_is_directory(directory)) lock.emplace(directory);
   std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
   if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
   const model::Model model = model::build_model(config);
@@ -111,13 +107,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
               body.constraints().n_free());
   std::optional<ContactLog> contact_log;
   if (!options.log_contact.empty()) contact_log.emplace(options.log_contact, config.output.csv);
-  creep::EquilibriumSolver solver(model.assembly, model.solver, watch,
-                                  [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
-                                    require_memory(config, model, contact_bytes, [&](std::size_t b) {
-                                      const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
-                                      return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
-                                    });
-                                  });
+  creep::EquilibriumSolver solver = make_solver(config, model, watch);
   if (contact_log) solver.set_recorder(&*contact_log);
   for (const contact::Pair& pair : solver.interface().pairs())
     if (pair.ties_nodes())
@@ -128,8 +118,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     log::info("contact: matrix-free, its matrices would take {:.0f} MB", solver.interface().dense_bytes() / 1e6);
   for (const std::string& motion : model.assembly.rigid_body_modes().describe_unconstrained())
     log::info("not held by supports or contact, must not be loaded: {}", motion);
-  creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
-                            config.time.tolerance, watch);
+  creep::CreepSystem system = make_system(config, model, solver, watch);
 
   interrupt.emplace();  // from here on there is something to save
   std::error_code failure;

@@ -11,6 +11,7 @@
 #include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "creepcontact/results/contact_width.hpp"
 #include "event_search.hpp"
+#include "preparation.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -20,21 +21,6 @@ constexpr double almost_ruptured = 0.5;
 constexpr int steps_between_warnings = 50;
 constexpr double no_time = 1e-9;      // relative to the time
 constexpr double failing_with = 0.9;  // damage at which steps that cannot be made mean rupture
-
-ode::IntegratorOptions integrator_options(const config::Time& time) {
-  ode::IntegratorOptions options = time;
-  options.end_time = time.end;
-  return options;
-}
-
-/// A tangent stiffness must be condensed anew with every factorisation, which iterated contact is not made for.
-void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface) {
-  if (config.time.linear_solver != settings::LinearSolver::tangent || interface.is_dense()) return;
-  throw ConfigError(
-      fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
-                  "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
-                  config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
-}
 
 }  // namespace
 
@@ -52,7 +38,6 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
       probe_record_(config.probes.size()),
       table_ranges_(config),
       state_(system.size(), 0.0) {
-  require_condensed_contact(config, system.solver().interface());
   io::Continuation continuation;
   if (resume) {
     resumed_ = checkpoints_.read(system.size());
@@ -69,8 +54,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
   results_ = std::make_unique<results::Results>(config, directory, model.assembly, std::move(probes), continuation);
   events_.emplace(config, results_->probes());
   if (resumed_) events_->restore(resumed_->arrays);
-  if (system.size() > 0)
-    integrator_ = ode::make_integrator(config.time.integrator, system, integrator_options(config.time));
+  integrator_ = make_integrator(config.time, system);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
   next_break_ = std::upper_bound(model.breakpoints.begin(), model.breakpoints.end(), time_);
 }
@@ -142,7 +126,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
     const bool is_end = t == config_.time.end || stopped_;
     if (t == 0 || is_end) see_uniqueness(at.equilibrium);
-    if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium);
+    if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium, "at the end");
     has_output_ = true;
   }
   if (after_output) after_output();

@@ -25,8 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const stored_study = "study_input.toml";
-
 /// One study a directory: the results of another one would stand beside those of this one.
 void claim(const fs::path& directory, const config::Study& study) {
   const fs::path file = directory / stored_study;
@@ -65,12 +63,16 @@ class Comparison {
     reference_.emplace(std::move(history), file.string(), study_.compare.quantities);
   }
 
-  /// Fills the errors of a row, and its message where there are none.
+  /// Fills the courses and the errors of a row, and its message where there are none.
   void compare(const fs::path& directory, StudyRow& row) const {
-    row.errors.assign(study_.compare.quantities.size(), std::numeric_limits<double>::quiet_NaN());
-    if (!row.succeeded() || !reference_) return;
+    const std::size_t n = study_.compare.quantities.size();
+    row.courses.assign(n, {});
+    if (study_.reference) row.errors.assign(n, std::numeric_limits<double>::quiet_NaN());
+    if (!row.succeeded() || n == 0) return;
     const io::CsvTable history = io::read_csv_table(directory / "history.csv");
-    for (std::size_t q = 0; q < row.errors.size(); ++q) {
+    for (std::size_t q = 0; q < n; ++q) {
+      row.courses[q] = course_of(*history.column(study_.compare.quantities[q].name));
+      if (!reference_) continue;
       const auto [value, message] =
           reference_->error(history, study_.compare.quantities[q].name, study_.compare.norm, row.status == "completed");
       row.errors[q] = value;

@@ -3,29 +3,48 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <set>
 
-#include "creepcontact/plot/curves.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/plot/overlay_plots.hpp"
+#include "creepcontact/study/study.hpp"
 
 namespace creepcontact::study {
 namespace {
 
-std::string file_part(std::string text) {
-  constexpr std::size_t longest = 80;  // names of files are bounded
-  text.resize(std::min(text.size(), longest));
-  for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return text;
-}
+namespace fs = std::filesystem;
 
 std::string described(const std::string& column) {
   if (column == "wall_seconds") return "wall-clock time (s)";
   if (column == "schwarz_iterations") return "Schwarz iterations";
   if (column == "elastic_solves") return "elastic solves";
   return column;
+}
+
+constexpr std::size_t max_overlaid = 4 * plot::max_series;  // runs: beyond, nobody reads the legends
+
+std::string title_of(const config::Study& study) {
+  return study.title.empty() ? study.file.stem().string() : study.title;
+}
+
+/// The histories of the runs that have one.
+std::vector<fs::path> overlay(const config::Study& study, const std::vector<config::PlannedRun>& runs,
+                              const fs::path& directory, const std::string& title, const plot::PlotOptions& options) {
+  const std::vector<std::string> labels = run_labels(study, runs);
+  std::vector<plot::LabelledRun> found;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (const fs::path run = directory / "runs" / runs[r].name; path_exists(run / "history.csv"))
+      found.push_back({labels[r], run});
+  if (found.size() <= max_overlaid)
+    return found.empty() ? std::vector<fs::path>{} : plot_overlay(found, title, options);
+  log::warning(
+      "{} runs are too many for pictures of their histories (at most {}); creepcontact plot draws a few of them",
+      found.size(), max_overlaid);
+  return {};
 }
 
 enum class Zero { is_linear, is_left_out };
@@ -47,10 +66,7 @@ class Pictures {
  public:
   Pictures(const config::Study& study, std::vector<StudySeries> curves, const std::vector<StudyRow>& rows,
            const std::filesystem::path& directory)
-      : title_(study.title.empty() ? study.file.stem().string() : study.title),
-        curves_(std::move(curves)),
-        rows_(rows),
-        directory_(directory) {
+      : title_(title_of(study)), curves_(std::move(curves)), rows_(rows), directory_(directory) {
     for (const StudySeries& curve : curves_)
       if (!curve.axis.empty() && std::ranges::count(axes_, curve.axis) == 0) axes_.push_back(curve.axis);
   }
@@ -92,7 +108,7 @@ class Pictures {
     return all;
   }
   void draw(const plot::Curves& picture, const std::string& column, const std::string& over) {
-    const std::string name = fmt::format("{}_over_{}", file_part(column), file_part(over));
+    const std::string name = fmt::format("{}_over_{}", plot::file_stem(column), plot::file_stem(over));
     std::string stem = name;
     for (int n = 2; !stems_.insert(stem).second; ++n) stem = fmt::format("{}__{}", name, n);
     const auto drawn = plot::draw_curves(picture, directory_, stem);
@@ -116,6 +132,12 @@ std::vector<std::filesystem::path> plot_study(const config::Study& study, const 
   Pictures pictures(study, series(study, runs), rows, directory);
   for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
     const std::string& quantity = study.compare.quantities[q].name;
+    if (!study.reference) {
+      pictures.over_settings(
+          quantity + "_end", quantity + " at the end", [&](const StudySeries& curve) { return curve.ends(rows, q); },
+          false);
+      continue;
+    }
     const std::string column = "error_" + quantity, label = fmt::format("relative error of {}", quantity);
     const auto errors = [&](const StudySeries& curve) { return curve.errors(rows, q); };
     pictures.over_settings(column, label, errors, true);
@@ -124,7 +146,28 @@ std::vector<std::filesystem::path> plot_study(const config::Study& study, const 
   for (const std::string& column : study.plot.show)
     pictures.over_settings(
         column, described(column), [&](const StudySeries& curve) { return curve.counts(rows, column); }, false);
-  return pictures.files();
+  std::vector<fs::path> files;
+  if (study.plot.histories && !study.compare.quantities.empty()) {
+    plot::PlotOptions options{.directory = directory};
+    for (const config::Reference& quantity : study.compare.quantities) options.probes.push_back(quantity.name);
+    files = overlay(study, runs, directory, title_of(study), options);
+  }
+  const std::vector<fs::path> others = pictures.files();
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
+}
+
+bool is_study_directory(const fs::path& directory) {
+  return path_exists(directory / stored_study);
+}
+
+std::vector<fs::path> plot_study_histories(const fs::path& directory, plot::PlotOptions options) {
+  const config::Study study = config::read_study(directory / stored_study);
+  if (options.directory.empty()) options.directory = directory / "plots";
+  std::vector<fs::path> pictures = overlay(study, config::plan(study), directory, "", options);
+  if (pictures.empty())
+    throw ConfigError(fmt::format("'{}': no run of this study has a history yet", directory.string()));
+  return pictures;
 }
 
 }  // namespace creepcontact::study

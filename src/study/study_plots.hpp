@@ -8,8 +8,10 @@
 
 namespace creepcontact::study {
 
-/// Files `<column>_over_<column>` (.svg, .png, .gp, .dat) by the columns of study.csv, one for each key that curves run
-/// along. A curve has the same colour and marker in all of them, if there are no more curves than a picture takes.
+/// If the study compares probes: `history_<probe>`, the histories of all runs; without a reference also
+/// `<probe>_end_over_<key>`. Files `<column>_over_<column>` (.svg, .png, .gp, .dat) by the columns of study.csv, one
+/// for each key that curves run along. A curve has the same colour and marker in all of them, if there are no more
+/// curves than a picture takes.
 /// @returns the SVG files
 /// @throws ConfigError or Error as plot::draw()
 std::vector<std::filesystem::path> plot_study(const config::Study& study, const std::vector<config::PlannedRun>& runs,

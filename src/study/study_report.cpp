@@ -66,21 +66,31 @@ std::string rule(std::size_t columns) {
 
 Cells head(const config::Study& study) {
   Cells cells = keys(study);
-  for (const config::Reference& quantity : study.compare.quantities) cells.push_back("error_" + quantity.name);
+  if (study.reference)
+    for (const config::Reference& quantity : study.compare.quantities) cells.push_back("error_" + quantity.name);
+  for (const config::Reference& quantity : study.compare.quantities)
+    for (const char* const part : {"start", "end", "min", "max"})
+      cells.push_back(fmt::format("{}_{}", quantity.name, part));
   cells.insert(cells.end(), {"status", "message"});
   for (const std::string& name : config::study_counts()) cells.push_back(name);
   return cells;
 }
 
-/// Cells under head(). @param digits  significant ones of errors and seconds; 0: all
+/// Cells under head(). @param digits  significant ones of errors and seconds, two less than those of probes; 0: all
 Cells body(const config::Study& study, const config::PlannedRun& run, const StudyRow& row, int digits) {
-  const auto number = [&](double value) {
+  const auto with_digits = [&](double value, int more) {
     if (!std::isfinite(value)) return std::string();
-    return digits > 0 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{}", value);
+    return digits > 0 ? fmt::format("{:.{}g}", value, digits + more) : fmt::format("{}", value);
   };
+  const auto number = [&](double value) { return with_digits(value, 0); };
   Cells cells;
   for (const std::string& key : keys(study)) cells.push_back(value_of(run, key));
   for (const double error : row.errors) cells.push_back(number(error));
+  for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {
+    const ProbeCourse course = q < row.courses.size() ? row.courses[q] : ProbeCourse{};
+    for (const double value : {course.start, course.end, course.min, course.max})
+      cells.push_back(with_digits(value, 2));
+  }
   cells.push_back(row.status);
   cells.push_back(one_line(row.message));
   for (const std::string& name : config::study_counts()) {
@@ -113,6 +123,7 @@ std::string reference_text(const config::Study& study, const std::optional<Study
 
 std::string orders_text(const config::Study& study, const std::vector<StudySeries>& all,
                         const std::vector<StudyRow>& rows) {
+  if (!study.reference) return "";
   std::string text;
   for (const StudySeries& one : all) {
     for (std::size_t q = 0; q < study.compare.quantities.size(); ++q) {

@@ -11,7 +11,8 @@
 
 namespace creepcontact::study {
 
-/// One row per run: values of all keys that are varied; errors; status, message, costs.
+/// One row per run: values of all keys that are varied; errors; start, end, least and largest values of the probes;
+/// status, message, costs.
 std::string study_csv(const config::Study& study, const std::vector<config::PlannedRun>& runs,
                       const std::vector<StudyRow>& rows);
 

@@ -17,8 +17,8 @@ std::string last_part(const std::string& key) {
   return key.substr(key.rfind('.') + 1);
 }
 
-/// Words speak for themselves, numbers need the last part of their key, or all of it where others end so:
-/// "beta_euler", "beta = 0.5", "materials.steel.n = 5".
+/// Words speak for themselves, numbers need the last part of their key, or all of it where others end so or where
+/// it says nothing: "beta_euler", "beta = 0.5", "materials.steel.n = 5", "temperature.value = 500".
 std::string short_text(const config::Product& product, const std::string& key, const config::StudyValue& value) {
   const bool is_word = value.label != value.toml;
   if (is_word) return value.label;
@@ -26,7 +26,7 @@ std::string short_text(const config::Product& product, const std::string& key, c
   const auto ends_so = [&](const std::string& other) { return last_part(other) == last; };
   const auto others = std::ranges::count_if(product.settings, ends_so, &config::Setting::key) +
                       std::ranges::count_if(product.axes, ends_so, [](const config::Axis& a) { return a.key.name; });
-  return fmt::format("{} = {}", others > 1 ? key : last, value.label);
+  return fmt::format("{} = {}", others > 1 || last == "value" ? key : last, value.label);
 }
 
 void append(std::string& label, const std::string& part) {
@@ -47,13 +47,19 @@ std::string label_of(const config::Product& product, const config::PlannedRun& r
 }
 
 /// A legend has no two entries alike, and none without a name beside others.
-void tell_apart(std::vector<StudySeries>& all) {
-  std::map<std::string, int> seen;
-  for (StudySeries& one : all) {
-    if (one.label.empty() && all.size() > 1) one.label = "as the base";
-    if (const int before = seen[one.label]++; before > 0) one.label += fmt::format(" ({})", before + 1);
+class Legend {
+ public:
+  explicit Legend(std::size_t entries) : entries_(entries) {}
+  std::string entry(const std::string& label) {
+    const std::string text = label.empty() && entries_ > 1 ? "as the base" : label;
+    const int before = seen_[text]++;
+    return before > 0 ? fmt::format("{} ({})", text, before + 1) : text;
   }
-}
+
+ private:
+  std::size_t entries_;
+  std::map<std::string, int> seen_;
+};
 
 }  // namespace
 
@@ -76,6 +82,13 @@ std::vector<double> StudySeries::counts(const std::vector<StudyRow>& rows, const
   return all;
 }
 
+std::vector<double> StudySeries::ends(const std::vector<StudyRow>& rows, std::size_t quantity) const {
+  std::vector<double> all;
+  for (const std::size_t run : runs)
+    all.push_back(quantity < rows[run].courses.size() ? rows[run].courses[quantity].end : unknown);
+  return all;
+}
+
 std::vector<StudySeries> series(const config::Study& study, const std::vector<config::PlannedRun>& runs) {
   std::vector<StudySeries> all;
   const std::vector<config::Product> products = config::products(study);
@@ -91,8 +104,27 @@ std::vector<StudySeries> series(const config::Study& study, const std::vector<co
     one.x.push_back(axis ? config::numbers(*axis)[runs[r].point[*along]] : unknown);
     one.runs.push_back(r);
   }
-  tell_apart(all);
+  Legend legend(all.size());
+  for (StudySeries& one : all) one.label = legend.entry(one.label);
   return all;
+}
+
+std::vector<std::string> run_labels(const config::Study& study, const std::vector<config::PlannedRun>& runs) {
+  const std::vector<config::Product> all = config::products(study);
+  Legend legend(runs.size());
+  std::vector<std::string> labels;
+  for (const config::PlannedRun& run : runs) labels.push_back(legend.entry(label_of(all[run.product], run, nullptr)));
+  return labels;
+}
+
+ProbeCourse course_of(const std::vector<double>& values) {
+  ProbeCourse course{.start = values.front(), .end = values.back()};
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    course.min = std::isnan(course.min) ? value : std::min(course.min, value);
+    course.max = std::isnan(course.max) ? value : std::max(course.max, value);
+  }
+  return course;
 }
 
 std::vector<double> observed_orders(const std::vector<double>& x, const std::vector<double>& errors) {

@@ -14,8 +14,9 @@ class StudyRuns(StudyTest):
         self.assertIn("4 of 5 runs succeeded", done.stdout)
         self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("info: run_")]), 5)
         rows = self.rows()
-        self.assertEqual(list(rows[0]), ["time.integrator", "time.step", "error_stress", "status", "message", "steps",
-                                         "elastic_solves", "schwarz_iterations", "wall_seconds", "rejected_steps",
+        self.assertEqual(list(rows[0]), ["time.integrator", "time.step", "error_stress", "stress_start", "stress_end",
+                                         "stress_min", "stress_max", "status", "message", "steps", "elastic_solves",
+                                         "schwarz_iterations", "wall_seconds", "rejected_steps",
                                          "convergence_failures"])
         self.assertEqual([row["status"] for row in rows], ["completed"] * 4 + ["failed"])
         self.assertEqual([row["steps"] for row in rows[:4]], ["80", "160", "80", "160"])
@@ -66,6 +67,36 @@ axes = [{ key = "time.tolerance", values = [1e-3, 1e-4] }]
         solves = (self.output / "error_stress_over_elastic_solves.svg").read_text()
         for curve in ("explicit_euler", "beta_euler", "Adams &amp; more"):
             self.assertIn(curve, solves)
+
+    def test_results_are_compared_without_a_reference(self):
+        text = ('base = "cube.toml"\nset = { output.fields = false }\n[[axes]]\nkey = "supports.3.displacement.x"\n'
+                'values = [0.1, 0.05]\n') + COMPARE
+        done = self.study(text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = self.rows()
+        self.assertNotIn("error_stress", rows[0])
+        for row, start in zip(rows, (200, 100)):
+            values = [float(row[f"stress_{part}"]) for part in ("start", "end", "min", "max")]
+            self.assertAlmostEqual(values[0], start, delta=1e-6 * start)
+            end = (start**-4 + 4 * 3.125e-14 * 200e3 * 0.4)**-0.25
+            self.assertAlmostEqual(values[1], end, delta=1e-3 * end)
+            self.assertEqual(values[2:], [values[1], values[0]])
+        text = (self.output / "study.md").read_text()
+        self.assertNotIn("Reference", text)
+        for name in ("history_stress", "stress_end_over_supports_3_displacement_x"):
+            self.assertIn(f"![{name}]({name}.svg)", text)
+        self.assertIn("x = 0.05", (self.output / "history_stress.svg").read_text())
+
+        done = self.call("plot", str(self.output))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.split(), [str(self.output / f"plots/history_stress.{kind}") for kind in ("svg", "png")])
+        self.assertIn("x = 0.05", (self.output / "plots" / "history_stress.svg").read_text())
+        done = self.call("plot", *(str(self.output / "runs" / name) for name in ("run_001", "run_002")))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.split(), ["plots/history_stress.svg", "plots/history_stress.png"])
+        picture = (self.directory / "plots" / "history_stress.svg").read_text()
+        self.assertTrue("run_001" in picture and "run_002" in picture)
+        self.expect_error(self.call("plot", str(self.output), "cube"), 2, "is the directory of a study: plot it alone")
 
     def test_a_csv_as_reference(self):
         self.assertEqual(self.study().returncode, 0)

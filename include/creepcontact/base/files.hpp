@@ -18,6 +18,10 @@ bool path_is_directory(const std::filesystem::path& path);
 /// or pipe.
 std::string why_unreadable(const std::filesystem::path& path);
 
+/// Why no files can be made in a directory that exists or may be made: "Permission denied", "'a' is not a directory".
+/// Empty if they can, as far as permissions tell. Makes nothing. @throws as path_exists()
+std::string why_unwritable(const std::filesystem::path& directory);
+
 /// Content of a file, or why it could not be read.
 struct FileBytes {
   std::string bytes;

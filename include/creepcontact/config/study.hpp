@@ -1,5 +1,5 @@
 #pragma once
-/// A study: many runs of one configuration, compared with a reference. Its keys and their defaults.
+/// A study: many runs of one configuration, compared with each other or with a reference. Its keys and their defaults.
 
 #include <filesystem>
 #include <map>
@@ -62,7 +62,8 @@ constexpr auto names_of(ErrorNorm) {
 
 /// [compare]
 struct Compare {
-  std::vector<Reference> quantities;  ///< probes to compare
+  std::vector<Reference>
+      quantities;  ///< probes to give for each run, and to compare with the reference if there is one
   ErrorNorm norm = ErrorNorm::max;
 };
 
@@ -73,6 +74,7 @@ const std::vector<std::string>& study_counts();
 struct StudyPlot {
   std::vector<Reference> over;    ///< keys of axes; empty: see axis_of_curves()
   std::vector<std::string> show;  ///< of study_counts(), in addition to the errors
+  bool histories = true;          ///< of the compared probes, of all runs in one picture
 };
 
 /// A study that has been read and checked.

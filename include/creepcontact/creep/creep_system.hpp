@@ -14,6 +14,7 @@
 #include "creepcontact/creep/material_points.hpp"
 #include "creepcontact/creep/material_tangent.hpp"
 #include "creepcontact/creep/point_preconditioner.hpp"
+#include "creepcontact/creep/relaxation.hpp"
 #include "creepcontact/creep/state_layout.hpp"
 #include "creepcontact/creep/tangent_system.hpp"
 #include "creepcontact/ode/system.hpp"
@@ -94,6 +95,9 @@ class CreepSystem final : public ode::System,
   /// Shortest relaxation time per body, 1 / (largest eigenvalue of C H over its points); infinity if nothing creeps.
   /// Collective.
   std::vector<double> relaxation_times(const Evaluation& at) const;
+  /// Times in which the bodies would relax at the stress of an evaluation at t = 0, from its creep at constant stress;
+  /// nullopt for elastic bodies. @param near  see relaxation_time() Collective.
+  std::vector<std::optional<RelaxationTime>> initial_relaxation(const Evaluation& at, double near) const;
 
   /// Stores what later evaluations depend on in addition to their arguments: the history and the error scale.
   void save(Memory& memory) const;

@@ -26,4 +26,11 @@ struct ElasticSurvey {
 ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector<double>& output_times,
                                     const std::vector<double>& breakpoints);
 
+/// Without a solve: refuses a creeping model on which nothing acts at any of these times, neither a force, a prescribed
+/// displacement, a thermal strain nor an overlap of a contact. Some models that survey_elastic_stress() refuses pass,
+/// such as free bodies that only get warmer.
+/// @throws ModelError as survey_elastic_stress(), and as Body::at()
+void require_loaded(const Assembly& assembly, const std::vector<double>& output_times,
+                    const std::vector<double>& breakpoints);
+
 }  // namespace creepcontact::creep

@@ -70,7 +70,9 @@ class EquilibriumSolver {
   /// up by moving the surfaces of the pair uniformly into each other; preloads grow in proportion. Nothing creeps
   /// meanwhile.
   /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
-  History initial_history();
+  History initial_history() { return initial_history(options_.initial_substeps); }
+  /// The same with another number of substeps, at least 1: what it changes is what the load path is resolved to.
+  History initial_history(int substeps);
   /// True if preloads not yet applied are due at t.
   bool has_preload_due(double t, const History& history) const;
   /// Finds the interferences with which the preloads that are due at t have their forces, under the loads at `at` and

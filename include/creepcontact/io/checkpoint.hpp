@@ -37,6 +37,9 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 /// @throws ConfigError if the file is missing, truncated, damaged or not a checkpoint of this program
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
+/// @throws ConfigError if there is neither a checkpoint at `path` nor the previous one
+void require_checkpoint(const std::filesystem::path& path);
+
 /// Reads the checkpoint at `path`. If that fails, warns why and reads the previous one, which then replaces it.
 /// @throws ConfigError with both reasons if neither can be read
 Checkpoint read_last_checkpoint(const std::filesystem::path& path);

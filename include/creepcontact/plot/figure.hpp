@@ -63,6 +63,9 @@ std::string gnuplot_data(const Figure& figure);
 /// fails
 void draw(const Figure& figure, const std::filesystem::path& directory, const std::string& stem);
 
+/// A stem for names of files: of letters, digits and '_', with other characters replaced.
+std::string file_stem(std::string text);
+
 /// Divides `items` things into the smallest number of parts with at most `most` each, as evenly as possible.
 /// @returns the sizes of the parts
 std::vector<std::size_t> even_parts(std::size_t items, std::size_t most);

@@ -33,6 +33,10 @@ struct RunTables {
   io::SummaryHeading heading;
 };
 
+/// Reads the tables in the output directory of a run; without summary.json there are a warning, no title and no units.
+/// @throws ConfigError if the directory or its history.csv does not exist or cannot be read
+RunTables read_run_tables(const std::filesystem::path& run);
+
 /// A figure and the name of its files.
 struct NamedFigure {
   std::string name;  ///< without extension

@@ -19,4 +19,8 @@ struct ContactValues {
 
 ContactValues contact_values(const contact::Pair& pair, std::size_t node, const creep::Equilibrium& at);
 
+/// Sum of pressure times nodal area over the pair; of a preloaded tied contact the tension across it. @param
+/// multipliers  of all pairs
+double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers);
+
 }  // namespace creepcontact::results

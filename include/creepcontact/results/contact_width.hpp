@@ -21,7 +21,12 @@ namespace creepcontact::results {
 /// @returns nullopt if nothing is in contact, or no zone has an edge since the contact covers the surface
 std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row);
 
-/// One message per unilateral contact with a zone narrower than four slave elements.
-std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at);
+/// The same of a unilateral pair in some state.
+std::optional<int> elements_across(const creep::Assembly& assembly, const contact::Pair& pair,
+                                   const creep::Equilibrium& at);
+
+/// One message per unilateral contact with a zone narrower than four slave elements. @param when  "at the end"
+std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at,
+                                         const std::string& when);
 
 }  // namespace creepcontact::results

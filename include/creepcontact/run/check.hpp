@@ -9,9 +9,20 @@
 
 namespace creepcontact::run {
 
-/// Prints bodies, unknowns, contact pairs, rigid-body modes and estimated memory. Nothing is factored or solved.
-/// @throws ModelError with all errors found; a body that can move freely is found when the report is written
-void check(const config::Config& config, std::ostream& report);
+/// Options that are not part of the configuration.
+struct CheckOptions {
+  std::string output = {};  ///< directory that the run would use; empty: that of the configuration
+  bool resume = false;      ///< whether the run would continue from the checkpoint there
+  bool start = false;       ///< solve t = 0 and print what comes out
+  bool fields = false;      ///< write the model for ParaView, and a picture of it, into the directory
+};
+
+/// Prints bodies, unknowns, contact pairs with the distances in the mesh, rigid-body modes and estimated memory, and
+/// with `start` the state at t = 0. What a run would refuse before its first step is refused with the same message;
+/// without `start` only what shows without a solve. Files are written with `fields` only: model.pvd, groups.pvd and
+/// plots/model.svg and .png.
+/// @throws Error as run(); an output directory or a checkpoint before meshing, a body that moves after the report
+void check(const config::Config& config, std::ostream& report, const CheckOptions& options = {});
 
 /// Warnings about settings that are allowed but unsuitable in combination; also issued by run().
 std::vector<std::string> settings_warnings(const config::Config& config);

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "creepcontact/config/study.hpp"
 #include "creepcontact/config/vocabulary.hpp"
+#include "creepcontact/plot/run_plots.hpp"
 
 namespace creepcontact::study {
 
@@ -30,5 +32,14 @@ struct StudyResult {
 /// @throws ConfigError with all errors found before the first run, or if the directory contains another study
 /// @throws SolverError if the reference run does not finish
 StudyResult run_study(const config::Study& study, const config::Vocabulary& vocabulary, const StudyOptions& options);
+
+/// True if a study was run in this directory.
+bool is_study_directory(const std::filesystem::path& directory);
+
+/// Draws `history_<probe>` of all runs in the directory of a study, with the values of the axes as legend.
+/// @param options  the directory of the pictures: `plots` in that of the study, unless given
+/// @returns the SVG files @throws ConfigError if no run has a history, and as plot::plot_overlay()
+std::vector<std::filesystem::path> plot_study_histories(const std::filesystem::path& directory,
+                                                        plot::PlotOptions options);
 
 }  // namespace creepcontact::study

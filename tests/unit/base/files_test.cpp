@@ -59,6 +59,14 @@ TEST_F(Files, WhyOneCannotBeRead) {
   EXPECT_EQ(why_unreadable("/dev/zero"), "is a device or a socket; expected a file");
 }
 
+TEST_F(Files, WhyNothingCanBeWritten) {
+  EXPECT_EQ(why_unwritable(directory_), "");
+  EXPECT_EQ(why_unwritable(directory_ / "none" / "below"), "") << "can be made";
+  const std::string file = (directory_ / "file").string();
+  EXPECT_EQ(why_unwritable(file), "'" + file + "' is not a directory");
+  EXPECT_EQ(why_unwritable(directory_ / "file" / "below" / "it"), "'" + file + "' is not a directory");
+}
+
 TEST_F(Files, AreReadWholeUpToTheirBound) {
   std::ofstream(directory_ / "long") << std::string(200'000, 'x');
   EXPECT_EQ(read_file(directory_ / "long").bytes, std::string(200'000, 'x'));

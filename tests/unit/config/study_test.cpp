@@ -178,7 +178,8 @@ TEST(StudyMistakes, AtTheirPlaces) {
   expect_complaint(head + one + one, "studies/cost.toml:7:7: axes[1].key: 'time.step' already has an axis, in line 4");
   expect_complaint(head + axis("a", "[1, 2]", "zip = \"z\"\n") + axis("b", "[1]", "zip = \"z\"\n"),
                    "studies/cost.toml:7:1: axes[1]: 1 values of 'b' and 2 of 'a', ");
-  expect_complaint(head + one + "[compare]\nquantities = [\"q\"]\n", "studies/cost.toml:6:1: compare: nothing to");
+  expect_complaint(head + one + "[compare]\nquantities = [\"q\"]\nnorm = \"max\"\n",
+                   "studies/cost.toml:8:8: compare.norm: a norm of errors, but nothing to compare with");
   expect_complaint(head + one + "[reference]\nset = {}\n", "studies/cost.toml:6:1: reference: nothing is compared");
   expect_complaint(head + one + "[reference]\n[compare]\nquantities = [\"q\"]\n",
                    "studies/cost.toml:6:1: reference: no reference; allowed: one of 'set', 'csv', 'expressions'");

@@ -193,10 +193,41 @@ TEST_F(StudyTables, PicturesOfErrorsAndCounts) {
 TEST_F(StudyTables, Csv) {
   const std::string text = study_csv(study_, runs_, rows_);
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            "time.integrator,time.step,time.beta,error_q,status,message,steps,elastic_solves,schwarz_iterations,"
-            "wall_seconds,rejected_steps,convergence_failures");
-  EXPECT_NE(text.find("\nu,0.4,,0.4,completed,,5,6,7,0.5,2,1\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\nw,,0.5,,failed,\"gave up, \"\"really\"\"\",,,,,,\n"), std::string::npos) << text;
+            "time.integrator,time.step,time.beta,error_q,q_start,q_end,q_min,q_max,status,message,steps,elastic_solves,"
+            "schwarz_iterations,wall_seconds,rejected_steps,convergence_failures");
+  EXPECT_NE(text.find("\nu,0.4,,0.4,,,,,completed,,5,6,7,0.5,2,1\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nw,,0.5,,,,,,failed,\"gave up, \"\"really\"\"\",,,,,,\n"), std::string::npos) << text;
+}
+
+TEST_F(StudyTables, WithoutReferenceTheProbesAreCompared) {
+  study_.reference.reset();
+  for (StudyRow& row : rows_) {
+    row.errors.clear();
+    if (row.succeeded()) row.courses = {course_of({3, 1, 4, 1.234567891})};
+  }
+  const std::string csv = study_csv(study_, runs_, rows_);
+  EXPECT_EQ(csv.substr(0, csv.find(",status")), "time.integrator,time.step,time.beta,q_start,q_end,q_min,q_max");
+  EXPECT_NE(csv.find("\nu,0.4,,3,1.234567891,1,4,completed,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nw,,0.5,,,,,failed,"), std::string::npos) << csv;
+  const std::string markdown = study_markdown(study_, runs_, rows_, {}, {});
+  EXPECT_NE(markdown.find("| 3 | 1.2346 | 1 | 4 | completed |"), std::string::npos) << markdown;
+  EXPECT_EQ(markdown.find("order"), std::string::npos) << markdown;
+  const io::test::TemporaryDirectory directory;
+  const auto pictures = plot_study(study_, runs_, rows_, directory.path());
+  ASSERT_EQ(pictures.size(), 1u) << "and no histories, since no run has one here";
+  EXPECT_EQ(pictures.front().filename(), "q_end_over_time_step.svg");
+}
+
+TEST_F(StudyTables, CoursesLeaveOutWhatIsNotFinite) {
+  const ProbeCourse course = course_of({std::nan(""), 2, 5, 3});
+  EXPECT_TRUE(std::isnan(course.start));
+  EXPECT_EQ((std::array{course.end, course.min, course.max}), (std::array{3.0, 2.0, 5.0}));
+}
+
+TEST_F(StudyTables, EveryRunHasANameOfItsOwn) {
+  const std::vector<std::string> labels = run_labels(study_, runs_);
+  EXPECT_EQ(labels.front(), "u, step = 0.4");
+  EXPECT_EQ(std::set(labels.begin(), labels.end()).size(), runs_.size());
 }
 
 TEST_F(StudyTables, Markdown) {

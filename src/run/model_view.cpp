@@ -1,0 +1,91 @@
+#include "model_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "creepcontact/mesh/cell_faces.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+std::string held_directions(const config::Support& support) {
+  std::string text;
+  const std::array<const char*, 3> names{"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (const auto& value = support.displacement[i])
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", names[i], value->text());
+  if (support.normal) text += fmt::format("{}normal = {}", text.empty() ? "" : ", ", support.normal->text());
+  return text;
+}
+
+}  // namespace
+
+std::vector<Mark> marks(const config::Config& config, const model::Model& model) {
+  std::vector<Mark> all;
+  for (std::size_t i = 0; i < config.supports.size(); ++i) {
+    const config::Support& support = config.supports[i];
+    all.push_back({Mark::Kind::support, i, fmt::format("support '{}': {}", support.on.name, held_directions(support)),
+                   support.on.name, support.body.name});
+  }
+  for (std::size_t i = 0; i < config.loads.size(); ++i) {
+    const config::Load& load = config.loads[i];
+    Mark mark{Mark::Kind::load, i, "", load.on.name, load.body.name};
+    if (const auto* force = std::get_if<config::PointForce>(&load.kind)) {
+      mark.position = Vector3(force->at[0], force->at[1], force->at[2]);
+      mark.name = fmt::format("load: force at ({:.6g}, {:.6g}, {:.6g})", force->at[0], force->at[1], force->at[2]);
+    } else if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) {
+      mark.name = fmt::format("load '{}': pressure = {}", load.on.name, pressure->value.text());
+    } else if (load.on.given()) {
+      mark.name = fmt::format("load '{}': traction", load.on.name);
+    } else {
+      continue;
+    }
+    all.push_back(mark);
+  }
+  for (std::size_t i = 0; i < config.contacts.size() && i < model.pairs().size(); ++i) {
+    const contact::Pair& pair = model.pairs()[i];
+    if (pair.ties_nodes()) continue;
+    for (const bool slave : {true, false})
+      all.push_back({Mark::Kind::contact, i,
+                     fmt::format("contact '{}': {} '{}'", pair.name, slave ? "slave" : "master",
+                                 slave ? pair.slave_surface : pair.master_surface),
+                     slave ? pair.slave_surface : pair.master_surface,
+                     model.bodies()[slave ? pair.slave_body : pair.master_body].name()});
+  }
+  return all;
+}
+
+std::vector<mesh::Face> cells_of_group(const mesh::Mesh& mesh, const mesh::Group& group) {
+  std::vector<mesh::Face> cells;
+  for (const auto& [block, number] : group.cells) {
+    const std::span<const std::int64_t> nodes = mesh.blocks[block].cell(number);
+    cells.push_back({mesh.blocks[block].type, {nodes.begin(), nodes.end()}});
+  }
+  return cells;
+}
+
+std::set<std::int64_t> corners_of(const mesh::Face& face) {
+  return {face.nodes.begin(), face.nodes.begin() + mesh::n_corners(face.type)};
+}
+
+std::vector<mesh::Face> outer_faces(const mesh::Mesh& mesh) {
+  std::map<std::set<std::int64_t>, std::pair<mesh::Face, int>> found;
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (!mesh.is_bulk(block.type)) continue;
+    for (std::size_t i = 0; i < block.size(); ++i)
+      for (const mesh::LocalFace& local : mesh::cell_faces(block.type)) {
+        mesh::Face face{local.type, {}};
+        for (const int node : local.nodes) face.nodes.push_back(block.cell(i)[node]);
+        auto& [first, count] = found[corners_of(face)];
+        if (count++ == 0) first = std::move(face);
+      }
+  }
+  std::vector<mesh::Face> faces;
+  for (auto& [corners, one] : found)
+    if (one.second == 1) faces.push_back(std::move(one.first));
+  return faces;
+}
+
+}  // namespace creepcontact::run

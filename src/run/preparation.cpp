@@ -1,0 +1,64 @@
+#include "preparation.hpp"
+
+#include <fmt/format.h>
+
+#include "checkpoints.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "memory_need.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+/// A tangent stiffness must be condensed anew with every factorisation, which iterated contact is not made for.
+void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface) {
+  if (config.time.linear_solver != settings::LinearSolver::tangent || interface.is_dense()) return;
+  throw ConfigError(
+      fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
+                  "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
+                  config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
+}
+
+}  // namespace
+
+std::filesystem::path output_directory(const config::Config& config, const std::string& output) {
+  return output.empty() ? config.output.directory : std::filesystem::path(output);
+}
+
+void require_output(const std::filesystem::path& directory, bool resume) {
+  if (path_exists(directory) && !path_is_directory(directory))
+    throw ConfigError(
+        fmt::format("output directory {}: is a file; choose another directory with --output", directory.string()));
+  if (const std::string reason = why_unwritable(directory); !reason.empty())
+    throw ConfigError(
+        fmt::format("output directory {}: no files can be written there: {}; choose another directory "
+                    "with --output",
+                    directory.string(), reason));
+  if (resume) io::require_checkpoint(directory / checkpoint_name);
+}
+
+creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model, Stopwatch& watch) {
+  return creep::EquilibriumSolver(model.assembly, model.solver, watch,
+                                  [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
+                                    require_memory(config, model, contact_bytes, [&](std::size_t b) {
+                                      const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
+                                      return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
+                                    });
+                                  });
+}
+
+creep::CreepSystem make_system(const config::Config& config, const model::Model& model,
+                               creep::EquilibriumSolver& solver, Stopwatch& watch) {
+  require_condensed_contact(config, solver.interface());
+  return creep::CreepSystem(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
+                            config.time.tolerance, watch);
+}
+
+std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, creep::CreepSystem& system) {
+  if (system.size() == 0) return nullptr;
+  ode::IntegratorOptions options = time;
+  options.end_time = time.end;
+  return ode::make_integrator(time.integrator, system, options);
+}
+
+}  // namespace creepcontact::run

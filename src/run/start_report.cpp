@@ -1,0 +1,171 @@
+#include "start_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/units.hpp"
+#include "creepcontact/results/contact_values.hpp"
+#include "creepcontact/results/contact_width.hpp"
+#include "preparation.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+/// The state of one contact in a few numbers.
+struct ContactStart {
+  double force = 0, peak = 0, slip = 0;
+};
+
+ContactStart contact_start(const contact::Pair& pair, const creep::Equilibrium& at) {
+  ContactStart start{.force = results::normal_force(pair, at.contact.multiplier)};
+  for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+    const results::ContactValues here = results::contact_values(pair, i, at);
+    start.peak = std::max(start.peak, here.pressure);
+    start.slip = std::max(start.slip, here.slip);
+  }
+  return start;
+}
+
+class StartReport {
+ public:
+  StartReport(const config::Config& config, const model::Model& model)
+      : config_(config),
+        solver_(make_solver(config, model, watch_)),
+        system_(make_system(config, model, solver_, watch_)),
+        at_(solved(model)) {}
+
+  std::string text() {
+    std::string text = "start (t = 0):\n";
+    const creep::Assembly& assembly = solver_.assembly();
+    const std::optional<creep::Equilibrium> finer = with_finer_substeps();
+    for (const contact::Pair& pair : assembly.pairs())
+      if (!pair.ties_nodes()) text += contact_lines(pair, finer);
+    for (const std::string& warning : results::narrow_contacts(assembly, at_.equilibrium, "at the start"))
+      text += "  warning: " + warning + "\n";
+    const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
+    for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
+    return text;
+  }
+
+ private:
+  /// As the time loop begins.
+  const creep::Evaluation& solved(const model::Model& model) {
+    const auto first = std::ranges::upper_bound(model.breakpoints, 0.0);
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const std::vector<double> no_creep(system_.size(), 0.0);
+    try {
+      const auto integrator = make_integrator(config_.time, system_);
+      system_.begin_segment(-never, first != model.breakpoints.end() ? *first : config_.time.end);
+      system_.evaluate_output(0, no_creep);
+      if (integrator) integrator->initialize(0, no_creep);
+      if (integrator && system_.singular_rate() == nullptr) {
+        std::vector<double> rate(system_.size());
+        system_.rate(0, no_creep, rate);
+      }
+      return system_.evaluate_output(0, no_creep);
+    } catch (const RecoverableError& error) {
+      throw SolverError(error.what());
+    }
+  }
+
+  /// With friction; nullopt also where the finer load path finds no state.
+  std::optional<creep::Equilibrium> with_finer_substeps() {
+    if (!system_.has_friction()) return std::nullopt;
+    const std::vector<mechanics::CreepStrainView> no_creep(solver_.assembly().bodies().size());
+    creep::Equilibrium finer;
+    try {
+      const creep::History history = solver_.initial_history(2 * config_.contact_solver.initial_substeps);
+      solver_.solve(0, no_creep, history, finer);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+    return finer;
+  }
+
+  std::string with_unit(double value, Dimension dimension) const {
+    const std::string unit = unit_of(dimension, config_.units);
+    return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+  }
+
+  std::string contact_lines(const contact::Pair& pair, const std::optional<creep::Equilibrium>& finer) const {
+    const ContactStart start = contact_start(pair, at_.equilibrium);
+    const bool tied = pair.coupling.type == contact::ContactType::tied;
+    std::string text = fmt::format("  contact '{}': ", pair.name);
+    if (!tied && !(start.force > 0)) return text + "open, no force\n";
+    text += fmt::format("normal force {}, peak pressure {}", with_unit(start.force, Dimension::force),
+                        with_unit(start.peak, Dimension::stress));
+    if (tied) return text + " (tied; tension is negative)\n";
+    if (const auto width = results::elements_across(solver_.assembly(), pair, at_.equilibrium))
+      text +=
+          fmt::format(", contact zone about {} slave element{} wide at its narrowest", *width, *width == 1 ? "" : "s");
+    else
+      text += ", the whole surface is in contact";
+    if (!pair.coupling.has_friction()) return text + "\n";
+    text += fmt::format(", largest slip {}\n", with_unit(start.slip, Dimension::length));
+    const int substeps = config_.contact_solver.initial_substeps;
+    if (!finer)
+      return text + fmt::format("    no state was found with contact_solver.initial_substeps = {}\n", 2 * substeps);
+    const ContactStart other = contact_start(pair, *finer);
+    const auto change = [](double from, double to) {
+      constexpr double noticed = 1e-4;
+      if (std::abs(to - from) <= noticed * std::abs(from)) return std::string("less than 0.01 %");
+      return fmt::format("{:+.2g} %", 100 * (to / from - 1));
+    };
+    return text + fmt::format(
+                      "    contact_solver.initial_substeps = {} instead of {} changes the normal force by {}, the peak "
+                      "pressure by {}, the largest slip by {}\n",
+                      2 * substeps, substeps, change(start.force, other.force), change(start.peak, other.peak),
+                      change(start.slip, other.slip));
+  }
+
+  std::string body_line(std::size_t b, const std::optional<creep::RelaxationTime>& relaxation) const {
+    const mechanics::Body& body = solver_.assembly().bodies()[b];
+    const std::vector<double>& stress = at_.equilibrium.bodies[b].stress;
+    double largest = 0;
+    std::size_t where = 0;
+    for (std::size_t p = 0; 6 * p < stress.size(); ++p)
+      if (const double here = tensor::von_mises(tensor::view(stress, p)); here > largest) largest = here, where = p;
+    std::string text =
+        fmt::format("  body '{}': largest von Mises stress {}", body.name(), with_unit(largest, Dimension::stress));
+    if (largest > 0) {
+      const Vector3& x = body.discretization().point_coordinates()[where];
+      text += fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
+    }
+    return text + relaxation_text(relaxation) + "\n";
+  }
+
+  std::string relaxation_text(const std::optional<creep::RelaxationTime>& relaxation) const {
+    if (!relaxation) return ", elastic";
+    const double end = config_.time.end;
+    if (std::isnan(relaxation->whole)) return ", no stress that would relax";
+    if (!std::isfinite(relaxation->fastest))
+      return "; at this stress and temperature its creep never comes up to the elastic strain";
+    const auto of_end = [&](double time) {
+      return fmt::format("{} ({:.2g} time.end)", with_unit(time, Dimension::time), time / end);
+    };
+    const std::string whole = std::isfinite(relaxation->whole) ? "; relaxes within " + of_end(relaxation->whole)
+                                                               : std::string("; does not relax as a whole");
+    const Vector3& x = relaxation->place;
+    return whole + fmt::format(", fastest within {} at ({:.6g}, {:.6g}, {:.6g})", of_end(relaxation->fastest), x.x(),
+                               x.y(), x.z());
+  }
+
+  const config::Config& config_;
+  Stopwatch watch_;
+  creep::EquilibriumSolver solver_;
+  creep::CreepSystem system_;
+  const creep::Evaluation& at_;
+};
+
+}  // namespace
+
+std::string start_report(const config::Config& config, const model::Model& model) {
+  return StartReport(config, model).text();
+}
+
+}  // namespace creepcontact::run

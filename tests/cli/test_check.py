@@ -1,0 +1,78 @@
+"""creepcontact check --start and --fields: the state at t = 0, the refusals of a run, the files and the picture."""
+
+import re
+import unittest
+
+from test_runs import SHORT, RunTest
+
+
+class StartCheck(RunTest):
+    def test_says_what_the_run_begins_with(self):
+        done = self.call("check", "--start")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(list(self.directory.iterdir()), [])
+        self.run_short("--quiet")
+        summary = self.summary()
+        force = re.search(r"contact 'fit': normal force ([\d.e+]+) N, peak pressure ([\d.]+) MPa, the whole surface is in",
+                          done.stdout)
+        initial = summary["contacts"]["fit"]["initial_normal_force"]
+        self.assertAlmostEqual(float(force[1]), initial, delta=1e-3 * initial)
+        self.assertGreaterEqual(float(force[2]), 0.999 * self.table("history.csv")[0]["fit_pressure"])
+        for body, results in summary["bodies"].items():
+            stress = re.search(rf"body '{body}': largest von Mises stress ([\d.]+) MPa at .*; relaxes within ([\d.e+]+) h "
+                               r"\((\S+) time.end\), fastest within ([\d.e+]+) h", done.stdout)
+            initial = results["initial_von_mises"]
+            self.assertAlmostEqual(float(stress[1]), initial, delta=1e-3 * initial)
+            self.assertAlmostEqual(float(stress[2]) / 1e6, float(stress[3]), delta=0.06 * float(stress[3]))
+            self.assertLess(float(stress[4]), float(stress[2]))
+
+    def test_run_and_check_refuse_the_same(self):
+        (self.directory / "file").write_text("")
+        out = ("--output", str(self.output))
+        for status, options in ((3, (*out, "--set", "contacts.0.gap=0")),
+                                (2, ("--output", "file")), (2, ("--output", "file/below")),
+                                (2, (*out, "--resume")), (2, (*out, "--threads", "0"))):
+            refused = [self.call(command, *options, *more) for command, more in
+                       (("run", ()), ("check", ()), ("check", ("--start",)))]
+            errors = [[line for line in done.stderr.splitlines() if line.startswith("error: ")] for done in refused]
+            self.assertEqual([done.returncode for done in refused], [status] * 3, errors)
+            self.assertTrue(errors[0])
+            self.assertEqual(errors, errors[:1] * 3)
+        self.assertFalse(self.output.exists())
+
+    def test_resume_from_a_checkpoint(self):
+        self.run_short("--quiet")
+        options = ("--output", str(self.output), *SHORT, "--resume")
+        self.assertEqual(self.call("check", *options).returncode, 0)
+        self.expect_error(self.call("check", *options, "--set", "contacts.0.gap=-0.08"), 2, "belongs to another model")
+
+
+class ModelView(RunTest):
+    def view(self, *more):
+        done = self.call("check", "--fields", "--output", str(self.output), *more)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done
+
+    def test_files_and_picture(self):
+        done = self.view()
+        written = re.findall(r"(?m)^written: (.*)$", done.stdout)
+        self.assertEqual(written, [str(self.output / name) for name in
+                                   ("model.pvd", "groups.pvd", "plots/model.svg", "plots/model.png")])
+        for name in ("model", "groups"):
+            self.assertEqual(len(re.findall("<DataSet", (self.output / f"{name}.pvd").read_text())), 2)
+        arrays = {"model": ("body", "support", "load"),
+                  "groups": ("body", "group", "support", "load", "contact", "gap", "distance")}
+        for name, expected in arrays.items():
+            content = (self.output / name / f"{name}_0001.vtu").read_bytes()
+            for array in expected:
+                self.assertIn(f'Name="{array}"'.encode(), content)
+        picture = (self.output / "plots" / "model.svg").read_text()
+        for text in ("body ", "shaft", "support ", "symmetry_x", "contact ", "disc_bore"):
+            self.assertIn(text, picture)
+        self.assertEqual((self.output / "plots" / "model.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual({path.name for path in self.output.iterdir()},
+                         {"model.pvd", "model", "groups.pvd", "groups", "plots"})
+
+
+if __name__ == "__main__":
+    unittest.main()
