@@ -125,7 +125,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
   {
     const auto lap = watch_.lap(Part::output);
     results::Snapshot snapshot(system_, t, at);
-    finish_fields();
+    if (after_fields_) finish_fields();  // a restart point before this output
     results_->output(snapshot);
     life_.output(at);
     outcome_.output(t, at.equilibrium);
