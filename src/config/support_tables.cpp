@@ -163,7 +163,8 @@ Value<Temperature> temperature_table() {
       field<TemperatureKeys>("origin", &TemperatureKeys::origin, triple(number()),
                              "the point of that axis where z is 0")
           .in("length")
-          .changeable(),
+          .changeable()
+          .otherwise("`[0, 0, 0]`"),
       field<TemperatureKeys>("refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
                              "relative change of the stiffness with temperature above which it is factorised again; "
                              "affects the run time, not the results")

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -129,7 +130,7 @@ std::filesystem::path FieldWriter::list_path() const {
   return directory_ / (name_ + ".pvd");
 }
 
-void FieldWriter::write_collection() const {
+void FieldWriter::write_collection() {
   pugi::xml_document document;
   pugi::xml_node file = document.append_child("VTKFile");
   file.append_attribute("type") = "Collection";
@@ -143,7 +144,12 @@ void FieldWriter::write_collection() const {
   }
   std::ostringstream stream;
   document.save(stream, " ");
-  platform::replace_file(list_path(), std::move(stream).str(), platform::Durable::when_synced);
+  std::string text = std::move(stream).str();
+  const std::size_t same = std::ranges::mismatch(listed_, text).in1 - listed_.begin();
+  const bool longer = !listed_.empty() && text.size() >= listed_.size();
+  if (!longer || !platform::rewrite_end(list_path(), same, std::string_view(text).substr(same)))
+    platform::replace_file(list_path(), text, platform::Durable::when_synced);
+  listed_ = std::move(text);
 }
 
 void FieldWriter::read_collection(double last_time) {

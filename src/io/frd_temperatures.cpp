@@ -95,9 +95,9 @@ class FrdReader {
     while (next()) {
       if (is(" -3")) return;
       if (is(" -4")) {
-        const std::string result(trimmed(line_.substr(3, std::min<std::size_t>(line_.size(), 13) - 3)));
-        const std::string_view name = trimmed(std::string_view(result).substr(0, result.find(' ')));
-        results_.insert(std::string(name));
+        std::string_view name = trimmed(line_.substr(3, std::min<std::size_t>(line_.size(), 13) - 3));
+        name = name.substr(0, name.find(' '));
+        results_.emplace(name);
         if (name != "NDTEMP") continue;
         step = &steps_[time];
         step->clear();

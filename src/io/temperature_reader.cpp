@@ -123,6 +123,7 @@ std::vector<std::filesystem::path> temperature_files(const TemperatureSource& so
 PointTemperatures read_temperatures(const TemperatureSource& source) {
   const std::vector<TimedFile> files = timed_files(source);
   std::vector<PointTemperatures> read;
+  read.reserve(files.size());
   for (const TimedFile& file : files) read.push_back(read_one(file.path, source.columns));
   return joined(files, std::move(read));
 }

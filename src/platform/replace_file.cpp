@@ -73,6 +73,13 @@ void replace_file(const std::filesystem::path& path, std::string_view content, D
     rename_aside(path);
 }
 
+bool rewrite_end(const std::filesystem::path& path, std::size_t begin, std::string_view end) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const ssize_t written = ::pwrite(file, end.data(), end.size(), static_cast<off_t>(begin));
+  return ::close(file) == 0 && written == static_cast<ssize_t>(end.size());
+}
+
 void sync_files(std::span<const std::filesystem::path> paths) {
   // All are on their way before the first is waited for: then the others take no time of their own.
   for (const std::filesystem::path& path : paths)

@@ -116,7 +116,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
   {
     const auto lap = watch_.lap(Part::output);
     results::Snapshot snapshot(system_, t, at);
-    finish_fields();
+    if (after_fields_) finish_fields();  // a restart point before this output
     results_->output(snapshot);
     last_output_ = t;
     probe_record_.output(t, results_->last_values());

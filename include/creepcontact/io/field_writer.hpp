@@ -74,7 +74,7 @@ class FieldWriter {
   };
   std::string file_name(std::size_t number) const;
   std::filesystem::path list_path() const;
-  void write_collection() const;
+  void write_collection();
   void read_collection(double last_time);
 
   std::filesystem::path directory_;
@@ -85,6 +85,7 @@ class FieldWriter {
   std::vector<EncodedArray> cells_;  // connectivity, offsets, types
   std::size_t first_ = 0;            ///< number of the first file of this list
   std::vector<Entry> entries_;
+  std::string listed_;  ///< the list on disk; empty: not written yet
   std::vector<std::filesystem::path> unsynced_;
 };
 

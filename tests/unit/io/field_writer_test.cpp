@@ -195,5 +195,23 @@ TEST_P(VtkOrder, MidNodesLieWhereVtkExpectsThem) {
 INSTANTIATE_TEST_SUITE_P(Cells, VtkOrder, testing::ValuesIn(mesh::volume_cell_types()),
                          [](const auto& type) { return std::string(mesh::name(type.param)); });
 
+/// Replaced as a whole, it would make the file system wait for the disk at every output time.
+TEST_F(Fields, TheListGrowsInPlace) {
+  FieldWriter writer(directory_.path(), "ring", field_mesh({CellType::tet4}), "");
+  const auto list = directory_ / "ring.pvd";
+  const std::vector<double> values(4, 1.0);
+  writer.write(0, {{"a", 1, values}}, {});
+  std::filesystem::create_hard_link(list, directory_ / "same");
+  writer.write(0.5, {{"a", 1, values}}, {});
+  EXPECT_EQ(test::read_text(directory_ / "same"), test::read_text(list));
+  EXPECT_TRUE(contains(test::read_text(list), "timestep=\"0.5\""));
+  EXPECT_TRUE(test::read_text(list).ends_with("</VTKFile>\n"));
+  std::filesystem::remove(list);  // a user who tidies up
+  writer.write(1, {{"a", 1, values}}, {});
+  EXPECT_TRUE(contains(test::read_text(list), "timestep=\"0.5\""));
+  EXPECT_EQ(writer.take_unsynced().size(), 4U);
+  EXPECT_TRUE(writer.take_unsynced().empty());
+}
+
 }  // namespace
 }  // namespace creepcontact::io
