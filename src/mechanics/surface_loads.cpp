@@ -147,6 +147,12 @@ class NodalForces final : public SpatialIntegral {
     const double factor = f({.t = t});
     for (std::size_t i = 0; i < nodes_.size(); ++i) Eigen::Map<Vector3>(&values[3 * i]) += factor * forces_[i];
   }
+  std::vector<FieldPoint> points_beyond(const Cut& cut) const override {
+    std::vector<FieldPoint> points;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      points.push_back({cut.mesh().nodes[nodes_[i]], cut.node_share(nodes_[i]) * forces_[i]});
+    return points;
+  }
 
  private:
   std::vector<std::int64_t> nodes_;

@@ -79,10 +79,11 @@ std::vector<NamedCurves> overlaid(const std::vector<RunTables>& runs, const std:
       one.curves.series.push_back({labels[r], runs[r].history.columns[0], *values});
     }
     const auto kept = heading->probes.find(probe);
-    const QuantityKind kind = kind_of(kept == heading->probes.end() ? io::SummaryProbe{} : kept->second);
+    const QuantityKind kind =
+        kind_of(kept == heading->probes.end() ? io::SummaryProbe{} : kept->second, heading->units);
     one.curves.title = title.empty() ? probe : fmt::format("{}: {}", title, probe);
     one.curves.x = {labelled("time", Dimension::time, heading->units), log_time, true};
-    one.curves.y = {labelled(kind.name, kind.dimension, heading->units)};
+    one.curves.y = {kind.unit ? with_unit(kind.name, *kind.unit) : labelled(kind.name, kind.dimension, heading->units)};
     one.name = "history_" + file_stem(probe);
     for (int n = 2; !names.insert(one.name).second; ++n) one.name = fmt::format("history_{}__{}", file_stem(probe), n);
     all.push_back(std::move(one));
