@@ -25,9 +25,8 @@ constexpr std::array words{
               "the word is 'generalized_plane_strain', with a z"},
     KnownWord{"analysis=", "3d three_dimensional full",
               "models in three dimensions are 'analysis' = \"solid\", which need not be given"},
-    KnownWord{"", "cyclic_symmetry sector sectors periodic", "cyclic symmetry is '[[cyclic]]'"},
-    KnownWord{"", "rigid_bodies rigid_body rigid_surfaces coupling",
-              "a surface that moves as a rigid body is '[[rigid]]'"},
+    KnownWord{"", "cyclic_symmetry sector sectors periodic", "cyclic symmetry is 'cyclic'"},
+    KnownWord{"", "rigid_bodies rigid_body rigid_surfaces coupling", "a surface that moves as a rigid body is 'rigid'"},
     KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
@@ -100,7 +99,7 @@ constexpr std::array words{
     KnownWord{"loads[]", "preload pretension bolt_preload bolt",
               "a bolt is tightened by 'preload' of a contact: under its head, or a tied one that cuts its shank"},
     KnownWord{"loads[]", "moment torque",
-              "not in this version; a rigid surface ('[[rigid]]') takes a moment, or use a 'traction' that varies over "
+              "not in this version; a surface made 'rigid' takes a moment, or use a 'traction' that varies over "
               "the surface"},
     KnownWord{"loads[]", "surface group set face", "the surface of a load is 'on'"},
     KnownWord{"loads[]", "node point", "the point where a force acts is 'at'"},

@@ -117,6 +117,11 @@ rotation = { angular_velocity = 1, density = 1 }
 value = 20
 [[contacts]]
 between = ["a", "b"]
+[[cyclic]]
+between = ["low", "high"]
+angle = 30
+[[rigid]]
+on = "end"
 [time]
 end = 10
 [[probes]]

@@ -194,7 +194,7 @@ class ModelErrors(RunTest):
 
     def test_missing_group_of_a_probe(self):
         self.expect_model_error("probes.0.on=shaft_bore", "probes.1.at=[0, 0, 5]", texts=[
-            "shrink_fit.toml:", "probes[0]: surface 'shaft_bore' is in no contact; surfaces in contact: 'disc_bore', "
+            "shrink_fit.toml:", "probes[0]: surface 'shaft_bore' is in no contact, nor part of a surface that is; surfaces in contact: 'disc_bore', "
             "'shaft_outer'", "probes[1]: the point (0, 0, 5) lies outside body 'disc'"])
 
     def test_free_body(self):

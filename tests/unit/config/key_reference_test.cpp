@@ -34,8 +34,8 @@ TEST(KeySections, TablesAsInTheFile) {
   for (const KeySection& section : sections()) titles.push_back(section.title);
   EXPECT_EQ(titles, (Lines{"", "[mesh]", "[bodies.<name>]", "[materials.<name>]", "[[materials.<name>.creep]]",
                            "[materials.<name>.rupture]", "[[supports]]", "[[loads]]", "[generalized_plane_strain]",
-                           "[temperature]", "[[contacts]]", "[contact_solver]", "[time]", "[output]", "[[probes]]",
-                           "[[events]]"}));
+                           "[temperature]", "[[contacts]]", "[[cyclic]]", "[[rigid]]", "[contact_solver]", "[time]",
+                           "[output]", "[[probes]]", "[[events]]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {

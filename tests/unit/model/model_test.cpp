@@ -203,7 +203,8 @@ TEST(FreeBodies, NeedAContactThatHoldsThem) {
   const std::vector<std::string> loose{"supports.3.on=bottom", "supports.3.displacement.z=0",
                                        "supports.1.on=symmetry_x", "supports.1.displacement={x=0}"};
   std::ostringstream report;
-  check(blocks.config("", loose), report);
+  const std::string unloaded = message_of<ModelError>([&] { check(blocks.config("", loose), report); });
+  EXPECT_TRUE(contains(unloaded, "the bodies are not loaded")) << unloaded;
   for (const char* part :
        {"rigid-body modes: translation along y\n", "rigid-body modes: translation along y, translation along z",
         "rigid-body motions held by contact only: 2\n",
