@@ -164,7 +164,7 @@ Value<Temperature> temperature_table() {
                              "the point of that axis where z is 0")
           .in("length")
           .changeable()
-          .otherwise("`[0, 0, 0]`"),
+          .otherwise("the origin of the coordinates"),
       field<TemperatureKeys>("refactor_change", &TemperatureKeys::refactor_change, number({.min = 0, .max = 0.5}),
                              "relative change of the stiffness with temperature above which it is factorised again; "
                              "affects the run time, not the results")
