@@ -113,6 +113,7 @@ std::vector<std::string> run_labels(const config::Study& study, const std::vecto
   const std::vector<config::Product> all = config::products(study);
   Legend legend(runs.size());
   std::vector<std::string> labels;
+  labels.reserve(runs.size());
   for (const config::PlannedRun& run : runs) labels.push_back(legend.entry(label_of(all[run.product], run, nullptr)));
   return labels;
 }
