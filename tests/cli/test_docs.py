@@ -117,6 +117,7 @@ rotation = { angular_velocity = 1, density = 1 }
 value = 20
 [[contacts]]
 between = ["a", "b"]
+preload = { force = 1 }
 [[cyclic]]
 between = ["low", "high"]
 angle = 30

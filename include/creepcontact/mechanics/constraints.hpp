@@ -57,7 +57,7 @@ class Constraints {
       const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const;
   /// Number of held directions at a node, 0 to 3: the leading columns of its frame.
   int n_held(std::int64_t node) const;
-  /// Conditions q . (t, s w) = 0 of the links on a rigid motion t + w x (x - centre) of all nodes; s is a length.
+  /// Conditions q . (t, s w) = 0 of the links on a rigid-body mode t + w x (x - centre) of all nodes; s is a length.
   Eigen::Matrix<double, Eigen::Dynamic, 6> conditions_on_motions(const std::vector<Vector3>& nodes,
                                                                  const Vector3& centre, double size) const;
   const NodeLinks& links() const { return links_; }
