@@ -67,8 +67,8 @@ std::vector<Support> with_supports_of_the_axis(const std::vector<Support>& suppo
   for (const NodeLinks::Turned& turned : links.turned) {
     if (turned.node != turned.of) continue;
     const Vector3 axis = Eigen::AngleAxisd(turned.rotation).axis(), across = axis.unitOrthogonal();
-    for (const Vector3& direction : {across, Vector3(axis.cross(across))})
-      all.push_back({"cyclic symmetry", {turned.node}, {direction}, 0.0});
+    const std::array<Vector3, 2> directions{across, axis.cross(across)};
+    for (const Vector3& direction : directions) all.push_back({"cyclic symmetry", {turned.node}, {direction}, 0.0});
   }
   return all;
 }
