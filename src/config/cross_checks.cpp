@@ -124,6 +124,16 @@ void check_preloads(const Config& config, Diagnostics& errors) {
                  fmt::format("'at' between 0 and time.end = {:.6g}", config.time.end));
 }
 
+/// Sectors are those of one structure: contacts reach from each of them into the next ones.
+void check_cyclic(const Config& config, Diagnostics& errors) {
+  for (const Cyclic& cyclic : config.cyclic) {
+    const Cyclic& first = config.cyclic.front();
+    if (cyclic.axis == first.axis && cyclic.origin == first.origin && cyclic.angle == first.angle) continue;
+    errors.add(cyclic.location, fmt::format("the sector differs from that of {}", first.location.key),
+               "the same 'axis', 'origin' and 'angle' in every [[cyclic]]");
+  }
+}
+
 }  // namespace
 
 void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
@@ -138,6 +148,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_unique(config.contacts, errors);
   check_pairs(config.contacts, errors);
   check_preloads(config, errors);
+  check_cyclic(config, errors);
   check_unique(config.probes, errors);
   check_unique(config.events, errors);
   check_expressions(config, errors);

@@ -157,6 +157,17 @@ std::vector<std::string> RigidBodyModes::describe_unconstrained() const {
   return result;
 }
 
+namespace {
+
+double largest_displacement(const RigidMotion& motion, const Pair& pair, const mesh::Mesh& slave) {
+  double largest = 0;
+  for (const MultiplierNode& at : pair.coupling.nodes)
+    largest = std::max(largest, motion.displacement(slave.nodes[at.node]).norm());
+  return largest;
+}
+
+}  // namespace
+
 std::vector<std::vector<RigidMotion>> RigidBodyModes::sliding(std::span<const Pair> pairs) const {
   std::vector<std::vector<RigidMotion>> result(pairs.size());
   if (size() == 0) return result;
@@ -172,7 +183,10 @@ std::vector<std::vector<RigidMotion>> RigidBodyModes::sliding(std::span<const Pa
       const auto master = part(pairs[p].master_body), slave = part(pairs[p].slave_body);
       if (!master || !slave) continue;
       const RigidMotion relative = RigidMotion::combination({*master, *slave}, Eigen::Vector2d(1, -1));
-      if (relative.translation.norm() + relative.rotation.norm() > 0) result[p].push_back(relative);
+      const mesh::Mesh& mesh = bodies_[pairs[p].slave_body].mesh();
+      const double size = largest_displacement(*master, pairs[p], mesh) + largest_displacement(*slave, pairs[p], mesh);
+      // Bodies that move together do so to within the rate of what facets resist; the rest has no direction.
+      if (largest_displacement(relative, pairs[p], mesh) > sliding_rate * size) result[p].push_back(relative);
     }
   return result;
 }

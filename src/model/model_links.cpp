@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -19,17 +20,10 @@ Vector3 vector(const std::array<double, 3>& from) {
   return {from[0], from[1], from[2]};
 }
 
-/// The rotation of one sector onto the next.
-struct Turn {
-  Matrix3 rotation;
-  Vector3 origin;
-
-  Turn(const config::Cyclic& cyclic, double sign = 1)
-      : rotation(Eigen::AngleAxisd(sign * cyclic.angle * std::numbers::pi / 180, vector(cyclic.axis).normalized())
-                     .toRotationMatrix()),
-        origin(vector(cyclic.origin)) {}
-  Vector3 operator()(const Vector3& x) const { return origin + rotation * (x - origin); }
-};
+contact::Sector sector_of(const config::Cyclic& cyclic) {
+  const Eigen::AngleAxisd turn(cyclic.angle * std::numbers::pi / 180, vector(cyclic.axis).normalized());
+  return {turn.toRotationMatrix(), vector(cyclic.origin), static_cast<int>(std::lround(360 / cyclic.angle))};
+}
 
 bool has_group(const mesh::Mesh& mesh, const std::string& group) {
   const auto found = mesh.groups.find(group);
@@ -44,15 +38,16 @@ double size_of(const mesh::Mesh& mesh) {
 
 /// Nodes of `second` at the turned positions of those of `first`.
 std::vector<mechanics::NodeLinks::Turned> matches(const mesh::Mesh& mesh, const std::vector<std::int64_t>& first,
-                                                  const std::vector<std::int64_t>& second, const Turn& turn) {
+                                                  const std::vector<std::int64_t>& second,
+                                                  const contact::Sector& sector) {
   std::vector<Vector3> positions;
   for (const std::int64_t node : second) positions.push_back(mesh.nodes[node]);
   const mesh::PointTree tree(positions);
   const double tolerance = same_position * size_of(mesh);
   std::vector<mechanics::NodeLinks::Turned> result;
   for (const std::int64_t node : first) {
-    const mesh::Neighbour nearest = tree.nearest(turn(mesh.nodes[node]), 1).front();
-    if (nearest.distance <= tolerance) result.push_back({second[nearest.point], node, turn.rotation});
+    const mesh::Neighbour nearest = tree.nearest(sector.turned(mesh.nodes[node]), 1).front();
+    if (nearest.distance <= tolerance) result.push_back({second[nearest.point], node, sector.rotation});
   }
   return result;
 }
@@ -114,7 +109,7 @@ class LinkMaker {
     const mesh::Mesh& mesh = meshes_[b];
     const auto first = mesh::group_nodes(mesh, cyclic.between[0].name),
                second = mesh::group_nodes(mesh, cyclic.between[1].name);
-    std::vector<mechanics::NodeLinks::Turned> found = matches(mesh, first, second, Turn(cyclic));
+    std::vector<mechanics::NodeLinks::Turned> found = matches(mesh, first, second, sector_of(cyclic));
     std::set<std::int64_t> linked;
     for (const auto& one : found) linked.insert(one.node);
     if (found.size() == first.size() && linked.size() == second.size()) {
@@ -123,9 +118,10 @@ class LinkMaker {
         if (linked.contains(old.node) || linked.contains(old.of))
           throw ModelError(fmt::format("nodes of '{}' belong to two faces of cyclic symmetry", cyclic.between[1].name));
       turned.insert(turned.end(), found.begin(), found.end());
+      for (const config::Reference& face : cyclic.between) links_.of_body[b].turned_faces.push_back(face.name);
       return;
     }
-    if (matches(mesh, first, second, Turn(cyclic, -1)).size() > found.size())
+    if (matches(mesh, second, first, sector_of(cyclic)).size() > found.size())
       throw ModelError(fmt::format("'{}' is '{}' turned by {:.6g} degrees, not by {:.6g}: exchange the two faces",
                                    cyclic.between[1].name, cyclic.between[0].name, -cyclic.angle, cyclic.angle));
     log::info("body '{}': {} of the {} nodes of '{}' match nodes of '{}'; the faces are tied by the mortar method",
@@ -140,6 +136,11 @@ class LinkMaker {
 };
 
 }  // namespace
+
+std::optional<contact::Sector> sector(const config::Config& config) {
+  if (config.cyclic.empty()) return std::nullopt;
+  return sector_of(config.cyclic.front());
+}
 
 ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
                       ErrorCollector& errors) {
@@ -171,27 +172,16 @@ void append_sector_ties(const config::Config& config, const ModelLinks& links, c
     const config::Cyclic& cyclic = config.cyclic[index];
     errors.collect(cyclic.location, [&] {
       const mechanics::Body& body = bodies[b];
-      const Turn turn(cyclic);
-      mesh::Mesh turned = body.mesh();
-      for (Vector3& x : turned.nodes) x = turn(x);
-      const auto surface = [&](const std::string& name, const mesh::Mesh& mesh) {
-        return contact::Surface{name, &mesh, &body.constraints(), mesh::boundary_faces(mesh, name), 1};
+      const auto surface = [&](const std::string& name) {
+        return contact::Surface{name, &body.mesh(),  &body.constraints(), mesh::boundary_faces(body.mesh(), name),
+                                1,    sector(config)};
       };
       contact::Pair pair;
       pair.name =
           fmt::format("faces '{}' and '{}' of body '{}'", cyclic.between[0].name, cyclic.between[1].name, body.name());
       pair.slave_body = pair.master_body = b;
-      pair.coupling = contact::mortar_coupling(surface(cyclic.between[1].name, body.mesh()),
-                                               surface(cyclic.between[0].name, turned), contact::ContactType::tied);
-      // The displacements of the master turn with its positions.
-      std::vector<Eigen::Triplet<double>> blocks;
-      for (Index node = 0; node < std::ssize(turned.nodes); ++node)
-        for (Index i = 0; i < 3; ++i)
-          for (Index j = 0; j < 3; ++j)
-            blocks.emplace_back(static_cast<int>(3 * node + i), static_cast<int>(3 * node + j), turn.rotation(i, j));
-      contact::RowMatrix rotation(pair.coupling.master_rows.cols(), pair.coupling.master_rows.cols());
-      rotation.setFromTriplets(blocks.begin(), blocks.end());
-      pair.coupling.master_rows = pair.coupling.master_rows * rotation;
+      pair.coupling = contact::mortar_coupling(surface(cyclic.between[1].name), surface(cyclic.between[0].name),
+                                               contact::ContactType::tied);
       pairs.push_back(std::move(pair));
     });
   }

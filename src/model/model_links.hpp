@@ -1,8 +1,10 @@
 #pragma once
 /// [[cyclic]] and [[rigid]]: links between the nodes of a body, and ties between faces of a sector whose meshes differ.
 
+#include <optional>
 #include <vector>
 
+#include "creepcontact/contact/geometry/sector.hpp"
 #include "creepcontact/mechanics/node_links.hpp"
 #include "model_parts.hpp"
 
@@ -18,6 +20,9 @@ struct ModelLinks {
   std::vector<std::size_t> body_of_rigid;  ///< by [[rigid]]
 };
 
+/// Of the whole model: all [[cyclic]] have the same axis and angle. Empty without.
+std::optional<contact::Sector> sector(const config::Config& config);
+
 /// Nodes of the second face match if each lies within 1e-6 of the model's size of the turned position of one of the
 /// first. Errors name the place in the configuration.
 ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
@@ -25,7 +30,7 @@ ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, con
 
 void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors);
 
-/// Ties unmatched faces by the mortar method, the first face turned onto the second.
+/// Ties unmatched faces by the mortar method: the second face is the slave.
 void append_sector_ties(const config::Config& config, const ModelLinks& links, const Bodies& bodies,
                         std::vector<contact::Pair>& pairs, ErrorCollector& errors);
 

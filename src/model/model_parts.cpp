@@ -8,6 +8,7 @@
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/mesh/group_kind.hpp"
+#include "model_links.hpp"
 #include "shared_nodes.hpp"
 
 namespace creepcontact::model {
@@ -129,6 +130,7 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
     surfaces[side].mesh = &owner.mesh();
     surfaces[side].constraints = &owner.constraints();
     surfaces[side].faces = mesh::boundary_faces(owner.mesh(), contact.between[side].name);
+    surfaces[side].sector = sector(config);
     surfaces[side].young_modulus = owner.material().young_modulus({.T = owner.material().reference_temperature});
   }
   const bool first_is_slave =

@@ -83,9 +83,11 @@ std::array<std::size_t, 2> contact_bodies(const config::Contact& contact, const 
     body[1] = owners[1].back();
   else if (owners[0].size() > 1)
     body[0] = owners[0].back();
-  else
-    throw ModelError(fmt::format("surfaces '{}' and '{}' belong to the same body '{}'; contact is between two bodies",
-                                 contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
+  else if (config.cyclic.empty() || contact.between[0].name == contact.between[1].name)
+    throw ModelError(
+        fmt::format("surfaces '{}' and '{}' belong to the same body '{}'; contact is between two bodies, "
+                    "or across sectors of cyclic symmetry",
+                    contact.between[0].name, contact.between[1].name, config.bodies[body[0]].name));
   return body;
 }
 
@@ -114,6 +116,7 @@ void SharedNodes::cover(const config::Contact& contact, const config::Config& co
     return bodies_on(config, whole, meshes, contact.between[side].name, {}, whole.section.dimension() - 1);
   };
   const std::array<std::size_t, 2> sides = contact_bodies(contact, config, {owners(0), owners(1)});
+  if (sides[0] == sides[1]) return;
   std::array<std::set<std::int64_t>, 2> surface;
   for (std::size_t side = 0; side < 2; ++side) {
     const auto nodes = mesh::group_nodes(meshes[sides[side]], contact.between[side].name);

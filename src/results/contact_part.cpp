@@ -36,11 +36,8 @@ struct SurfacePart {
     }
     return sum;
   }
-  std::vector<double> shares() const {
-    std::vector<double> all(mesh.nodes.size(), 0.0);
-    for (const auto& [node, share] : node_shares(faces, [&](const mesh::Face& face) { return area(face); }))
-      all[node] = share;
-    return all;
+  std::map<std::int64_t, FaceArea> areas() const {
+    return areas_around(faces, [&](const mesh::Face& face) { return area(face); });
   }
   /// By node: on a selected face, where the condition holds.
   std::vector<char> nodes_within() const {
@@ -65,6 +62,10 @@ double opposite_share(const contact::Pair& pair, std::size_t multiplier, const s
   return whole != 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;
 }
 
+double share(const FaceArea& area) {
+  return area.whole > 0 ? area.part / area.whole : 0;
+}
+
 ContactPart part_of(std::size_t number, const contact::Pair& pair, bool is_slave, const SurfacePart& surface) {
   constexpr double most = 0.5;
   ContactPart part{.pair = number,
@@ -72,11 +73,20 @@ ContactPart part_of(std::size_t number, const contact::Pair& pair, bool is_slave
                    .is_slave = is_slave,
                    .multiplier_shares = {},
                    .lies_within = {},
-                   .node_shares = surface.shares()};
-  const std::vector<char> within = surface.nodes_within();
+                   .node_shares = std::vector<double>(surface.mesh.nodes.size(), 0.0)};
+  std::map<std::int64_t, FaceArea> areas = surface.areas();
+  for (const auto& [node, area] : areas) part.node_shares[node] = share(area);
+  std::vector<char> within = surface.nodes_within();
+  if (is_slave)
+    for (const contact::MortarCoupling::Image& image : pair.coupling.images) {
+      const std::int64_t node = pair.coupling.nodes[image.of].node;
+      areas[node].part += areas[image.at.node].part;
+      areas[node].whole += areas[image.at.node].whole;
+      within[node] = static_cast<char>(within[node] != 0 || within[image.at.node] != 0);
+    }
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
     const std::int64_t node = pair.coupling.nodes[i].node;
-    part.multiplier_shares.push_back(is_slave ? part.node_shares[node] : opposite_share(pair, i, part.node_shares));
+    part.multiplier_shares.push_back(is_slave ? share(areas[node]) : opposite_share(pair, i, part.node_shares));
     part.lies_within.push_back(is_slave ? within[node] : static_cast<char>(part.multiplier_shares.back() >= most));
   }
   return part;

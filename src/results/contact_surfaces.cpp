@@ -66,13 +66,18 @@ const mesh::Mesh& ContactSurfaces::body(const Surface& surface) const {
 ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const creep::Equilibrium& at) const {
   const contact::Pair& contact = pair(surface);
   Values result(surface.nodes.size(), ContactValues{.gap = unknown});
-  for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i) {
-    const std::size_t k =
-        std::ranges::lower_bound(surface.nodes, contact.coupling.nodes[i].node) - surface.nodes.begin();
-    const ContactValues here = contact_values(contact, i, at);
+  const auto show = [&](std::int64_t node, const ContactValues& here) {
+    const std::size_t k = std::ranges::lower_bound(surface.nodes, node) - surface.nodes.begin();
     // At a crease a node has several multipliers; the one that presses most is shown.
-    if (!std::isnan(result[k].gap) && std::abs(here.pressure) <= std::abs(result[k].pressure)) continue;
+    if (!std::isnan(result[k].gap) && std::abs(here.pressure) <= std::abs(result[k].pressure)) return;
     result[k] = here;
+  };
+  for (std::size_t i = 0; i < contact.coupling.nodes.size(); ++i)
+    show(contact.coupling.nodes[i].node, contact_values(contact, i, at));
+  for (const contact::MortarCoupling::Image& image : contact.coupling.images) {
+    ContactValues here = contact_values(contact, image.of, at);
+    here.traction = contact.coupling.sector->rotation * here.traction;
+    show(image.at.node, here);
   }
   for (const mesh::Face& face : surface.faces) fill_between_corners(face, result);
   return result;

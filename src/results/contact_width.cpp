@@ -65,7 +65,8 @@ std::optional<int> elements_across(const creep::Assembly& assembly, const contac
   const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
   const Eigen::VectorXd force =
       pair.coupling.first_rows(pressure.segment(pair.first_row, pair.coupling.n_rows())).cwiseProduct(area);
-  return elements_across(contact::ContactGrid(pair, assembly.bodies()[pair.slave_body].mesh()), force);
+  const contact::ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
+  return elements_across(grid, grid.of_all(force));
 }
 
 std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at,

@@ -37,6 +37,12 @@ std::vector<mesh::Face> supported_faces(const mesh::Mesh& mesh, const std::strin
   }
 }
 
+/// By node of a surface.
+std::map<std::int64_t, FaceArea> areas_beyond(const mechanics::Cut& cut, const std::string& surface) {
+  return areas_around(supported_faces(cut.mesh(), surface),
+                      [&](const mesh::Face& face) { return area_beyond(cut, face); });
+}
+
 /// The part of a reaction that acts beyond the plane, as a linear map of it; by node. A node may have several supports,
 /// each with the reaction along its own direction: at the edge of a plane of symmetry, that of the plane and others.
 std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, const mechanics::Body& body) {
@@ -44,18 +50,25 @@ std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, cons
     Matrix3 beyond = Matrix3::Zero(), whole = Matrix3::Zero();
   };
   std::map<std::int64_t, Sums> sums;
+  const auto add = [&](std::int64_t node, const FaceArea& area, const Matrix3& directions) {
+    sums[node].beyond += area.part * directions;
+    sums[node].whole += area.whole * directions;
+  };
   for (const mechanics::Support& support : body.supports()) {
-    const auto areas = areas_around(supported_faces(body.mesh(), support.on),
-                                    [&](const mesh::Face& face) { return area_beyond(cut, face); });
+    const std::map<std::int64_t, FaceArea> areas = areas_beyond(cut, support.on);
     for (std::size_t i = 0; i < support.nodes.size(); ++i) {
       const std::int64_t node = support.nodes[i];
       const Vector3& along = support.directions[support.directions.size() == 1 ? 0 : i];
       const auto spread = areas.find(node);
-      const FaceArea area = spread != areas.end() ? spread->second : FaceArea{cut.node_share(node), 1};
-      sums[node].beyond += area.part * along * along.transpose();
-      sums[node].whole += area.whole * along * along.transpose();
+      add(node, spread != areas.end() ? spread->second : FaceArea{cut.node_share(node), 1}, along * along.transpose());
     }
   }
+  // Surfaces whose nodes are linked exert forces of any direction.
+  const mechanics::NodeLinks& links = body.constraints().links();
+  std::vector<std::string> linked = links.turned_faces;
+  for (const mechanics::NodeLinks::Rigid& rigid : links.rigid) linked.push_back(rigid.on);
+  for (const std::string& surface : linked)
+    for (const auto& [node, area] : areas_beyond(cut, surface)) add(node, area, Matrix3::Identity());
   std::map<std::int64_t, Matrix3> maps;
   for (const auto& [node, sum] : sums) {
     const Matrix3 inverse = sum.whole.completeOrthogonalDecomposition().pseudoInverse();

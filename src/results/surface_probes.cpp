@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <deque>
+#include <set>
 
 #include "contact_part.hpp"
 #include "creepcontact/base/index.hpp"
@@ -118,22 +119,41 @@ class ContactProbe final : public Probe {
   Vector3 origin_;
 };
 
+/// Forces at the nodes of one body, some of them turned.
+struct NodalSum {
+  std::size_t body = 0;
+  std::vector<std::pair<std::int64_t, Matrix3>> nodes;
+};
+
+/// What supports exert on these nodes. What a sector exerts on the next one is no reaction: forces at nodes that follow
+/// others by cyclic symmetry count there.
+NodalSum reactions_at(std::size_t body, const mechanics::NodeLinks& links, const std::vector<std::int64_t>& nodes) {
+  NodalSum sum{body, {}};
+  std::set<std::int64_t> own(nodes.begin(), nodes.end());
+  for (const mechanics::NodeLinks::Turned& link : links.turned)
+    if (link.node != link.of) own.erase(link.node);
+  for (const std::int64_t node : own) sum.nodes.emplace_back(node, Matrix3::Identity());
+  for (const mechanics::NodeLinks::Turned& link : links.turned)
+    if (link.node != link.of && own.contains(link.of)) sum.nodes.emplace_back(link.node, link.rotation.transpose());
+  return sum;
+}
+
 class ReactionProbe final : public Probe {
  public:
-  ReactionProbe(std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes, int component)
-      : nodes_(std::move(nodes)), component_(component) {}
+  ReactionProbe(std::vector<NodalSum> sums, int component) : sums_(std::move(sums)), component_(component) {}
 
   double value(Snapshot& snapshot) const override {
     double sum = 0;
-    for (const auto& [body, nodes] : nodes_) {
+    for (const auto& [body, nodes] : sums_) {
       const std::vector<double>& forces = snapshot.reactions(body);
-      for (const std::int64_t node : nodes) sum += forces[3 * node + component_];
+      for (const auto& [node, rotation] : nodes)
+        sum += rotation.row(component_).dot(Eigen::Map<const Vector3>(forces.data() + 3 * node));
     }
     return snapshot.assembly().team().sum(sum);
   }
 
  private:
-  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes_;
+  std::vector<NodalSum> sums_;
   int component_;
 };
 
@@ -148,7 +168,7 @@ std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Mo
 }
 
 std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model) {
-  std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> nodes;
+  std::vector<NodalSum> sums;
   const ProbePart where(probe);
   double found = 0;
   for (const std::size_t b : probe_bodies(probe, model)) {
@@ -156,10 +176,10 @@ std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::M
     std::vector<std::int64_t> held = mesh::group_nodes(mesh, probe.on.name);
     std::erase_if(held, [&](std::int64_t node) { return !where.holds(mesh.nodes[node]); });
     if (!held.empty()) found = 1;
-    nodes.emplace_back(b, std::move(held));
+    sums.push_back(reactions_at(b, model.bodies()[b].constraints().links(), held));
   }
   if (!where.is_whole()) where.require(model.assembly.team().max(found) > 0, fmt::format("'{}'", probe.on.name));
-  return std::make_unique<ReactionProbe>(std::move(nodes), quantity(probe.quantity).component);
+  return std::make_unique<ReactionProbe>(std::move(sums), quantity(probe.quantity).component);
 }
 
 }  // namespace creepcontact::results

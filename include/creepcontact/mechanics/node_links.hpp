@@ -27,6 +27,7 @@ struct NodeLinks {
   };
 
   std::vector<Turned> turned;
+  std::vector<std::string> turned_faces;  ///< groups of their nodes
   std::vector<Rigid> rigid;
 
   bool empty() const { return turned.empty() && rigid.empty(); }

@@ -59,7 +59,7 @@ void ContactArea::add_inside(const ContactGrid::Facet& facet, const Eigen::Vecto
     centre.hats[i] = share;
   }
   const auto add = [&](const std::array<double, 4>& integrals, Eigen::VectorXd& sums) {
-    for (std::size_t i = 0; i < facet.n_corners; ++i) sums[facet.rows[i]] += integrals[i];
+    for (std::size_t i = 0; i < facet.n_corners; ++i) sums[grid_.own(facet.rows[i])] += integrals[i];
   };
   for (std::size_t i = 0; i < facet.n_corners; ++i) {
     const std::array<Corner, 3> piece{corners[i], corners[(i + 1) % facet.n_corners], centre};
@@ -75,10 +75,10 @@ double ContactArea::value(const Eigen::VectorXd& pressure, const Eigen::VectorXd
 
 Eigen::VectorXd ContactArea::of_nodes(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
   const Eigen::VectorXd level = edge_.distances(pressure, gap);
-  Eigen::VectorXd inside = Eigen::VectorXd::Zero(level.size()), whole = inside;
+  Eigen::VectorXd inside = Eigen::VectorXd::Zero(grid_.n_own), whole = inside;
   for (const ContactGrid::Facet& facet : grid_.facets) add_inside(facet, level, inside, whole);
-  Eigen::VectorXd areas(level.size());
-  for (Index row = 0; row < level.size(); ++row)
+  Eigen::VectorXd areas(inside.size());
+  for (Index row = 0; row < areas.size(); ++row)
     // A row without a facet that is covered at all its corners has no edge to be seen.
     areas[row] = coupling_.area[static_cast<std::size_t>(row)] *
                  (whole[row] > 0 ? inside[row] / whole[row] : static_cast<double>(pressure[row] > 0));

@@ -128,11 +128,11 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
   Eigen::VectorXd gaps = Eigen::VectorXd::Zero(n + 1);
   for (Index k = 0; k < n; ++k) {
     const int other = fitted[k];
-    for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, other); it; ++it) {
-      const double d = from_punch(coupling_.gap_points[it.col()]);
+    for (contact::RowMatrix::InnerIterator it(coupling_.gap_weights, grid_.own(other)); it; ++it) {
+      const double d = from_punch(grid_.image_near(other, coupling_.gap_points[it.col()]));
       if (d > 0) matrix.row(k) += it.value() * std::sqrt(d) * Eigen::RowVector3d(d, 1, d * d);
     }
-    matrix.row(k) /= coupling_.area[other];
+    matrix.row(k) /= coupling_.area[grid_.own(other)];
     const bool next = std::ranges::any_of(grid_.around(other), [&](int r) { return state.is_closed(r); });
     const double d = from_punch(grid_.position(other)), weight = (next ? weight_next : 1) / (d * std::sqrt(d));
     matrix.row(k) *= weight;
@@ -182,16 +182,17 @@ double ContactEdge::far_distance() const {
 
 Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
   const double far = far_distance();
-  State state{std::vector<char>(grid_.positions.size()), gap};
-  Eigen::VectorXd distance(pressure.size());
-  for (Index i = 0; i < pressure.size(); ++i) {
-    state.closed[i] = pressure[i] > 0 ? 1 : 0;
-    state.gap[i] /= coupling_.area[i];
-    distance[i] = pressure[i] > 0 ? far : -far;
+  const Eigen::Map<const Eigen::VectorXd> area(coupling_.area.data(), gap.size());
+  State state{std::vector<char>(grid_.positions.size()), grid_.of_all(gap.cwiseQuotient(area))};
+  const Eigen::VectorXd pressure_of_all = grid_.of_all(pressure);
+  Eigen::VectorXd distance(pressure_of_all.size());
+  for (Index i = 0; i < distance.size(); ++i) {
+    state.closed[i] = pressure_of_all[i] > 0 ? 1 : 0;
+    distance[i] = state.is_closed(static_cast<int>(i)) ? far : -far;
   }
   std::vector<std::pair<int, Vector3>> known;
   std::map<int, Edge> edges;
-  for (int row = 0; row < std::ssize(pressure); ++row) {
+  for (int row = 0; row < distance.size(); ++row) {
     if (state.is_closed(row) ||
         std::ranges::none_of(grid_.around(row), [&](int other) { return state.is_closed(other); }))
       continue;

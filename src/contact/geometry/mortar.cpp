@@ -6,9 +6,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 #include <span>
 
 #include "contact_geometry.hpp"
+#include "continued_surface.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 
@@ -68,28 +71,114 @@ Strip common_strip(const Surface& slave, const Surface& master) {
   return strip;
 }
 
+/// Rows that are hardly covered are added to the nearest kept row: dropping them breaks the patch test by 2-5 %. The
+/// kept row shares a facet with them (forces must not wander); where there is none, the best covered row is kept.
+class Gathering {
+ public:
+  struct Neighbour {
+    int row = -1;
+    double distance = 0;
+    Matrix3 turned = Matrix3::Identity();  // from the node of the neighbour to the own one, where a link of cyclic
+                                           // symmetry lies between
+  };
+
+  /// By row: those that share a facet with it.
+  Gathering(std::vector<std::vector<Neighbour>> neighbours, const std::vector<double>& covered,
+            const std::vector<double>& full)
+      : target_(covered.size()) {
+    const auto part = [&](int i) { return covered[i] / full[i]; };
+    for (int i = 0; i < std::ssize(covered); ++i)
+      if (covered[i] > 0) order_.push_back(i);
+    std::stable_sort(order_.begin(), order_.end(), [&](int i, int j) { return part(i) > part(j); });
+    for (const int i : order_) {
+      target_[i] = {i, 0, Matrix3::Identity()};
+      if (part(i) >= min_cover_of_row) continue;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Neighbour& other : neighbours[i]) {
+        if (other.row == i || target_[other.row].row != other.row || other.distance >= nearest) continue;
+        nearest = other.distance;
+        target_[i] = other;
+      }
+    }
+    for (std::size_t i = 0; i < target_.size(); ++i)
+      if (target_[i].row == static_cast<int>(i)) kept_.push_back(target_[i].row);
+  }
+
+  const std::vector<int>& kept() const { return kept_; }
+  /// kept rows x all rows, in blocks. @param block  (target, i): its entries for the rows of multiplier i, width square
+  template <typename Block>
+  RowMatrix matrix(int width, const Block& block) const {
+    Triplets entries;
+    for (const int i : order_) {
+      const auto position = static_cast<int>(std::ranges::lower_bound(kept_, target_[i].row) - kept_.begin());
+      const Matrix3 values = block(target_[i], i);
+      for (int a = 0; a < width; ++a)
+        for (int b = 0; b < width; ++b)
+          if (values(a, b) != 0) entries.emplace_back(width * position + a, width * i + b, values(a, b));
+    }
+    return sparse(width * std::ssize(kept_), width * std::ssize(target_), entries);
+  }
+
+ private:
+  std::vector<Neighbour> target_;  // the row that each is added to; itself if kept, -1 if not covered
+  std::vector<int> order_, kept_;
+};
+
+/// The multiplier that acts at a corner of a facet: one of the corner's node, or that of the node which this one
+/// follows by cyclic symmetry, turned.
+struct Acting {
+  int row = 0;
+  const mechanics::NodeLinks::Turned* link = nullptr;
+
+  Matrix3 rotation() const { return link != nullptr ? link->rotation : Matrix3::Identity(); }
+};
+
+/// By the multipliers of the normals.
+std::vector<Acting> acting_multipliers(const SurfaceNormals& normals, const ContinuedSurface& slave) {
+  std::map<std::int64_t, std::vector<int>> of_node;
+  const auto n = static_cast<int>(normals.multipliers.size());
+  for (int i = 0; i < n; ++i) of_node[normals.multipliers[i].node].push_back(i);
+  std::vector<Acting> result;
+  for (int i = 0; i < n; ++i) {
+    result.push_back({i});
+    const MultiplierNode& at = normals.multipliers[i];
+    const mechanics::NodeLinks::Turned* link = slave.link_or_null(at.node);
+    const auto followed = link != nullptr ? of_node.find(link->of) : of_node.end();
+    if (followed == of_node.end()) continue;
+    const Vector3 normal = link->rotation.transpose() * at.normal;
+    const auto less = [&](int a, int b) {
+      return normals.multipliers[a].normal.dot(normal) < normals.multipliers[b].normal.dot(normal);
+    };
+    result.back() = {*std::ranges::max_element(followed->second, less), link};
+  }
+  return result;
+}
+
 class Assembler {
  public:
   Assembler(const Surface& slave, const Surface& master, ContactType type,
             std::span<const mechanics::RigidMotion> sliding, bool friction)
-      : type_(type),
+      : slave_(slave),
+        master_(master),
+        type_(type),
         n_tangents_(friction ? slave.mesh->section.dimension() - 1 : 0),
-        slave_facets_(make_facets(*slave.mesh, slave.faces, common_strip(slave, master))),
-        master_facets_(make_facets(*master.mesh, master.faces, common_strip(slave, master))),
-        normals_(surface_normals(slave_facets_, *slave.constraints)),
+        slave_facets_(make_facets(slave_.mesh(), slave_.faces(), common_strip(slave, master))),
+        master_facets_(make_facets(master_.mesh(), master_.faces(), common_strip(slave, master))),
+        normals_(surface_normals(slave_facets_, slave_.constraints())),
+        acting_(acting_multipliers(normals_, slave_)),
         segmentation_(slave_facets_, master_facets_),
-        geometry_(slave_facets_, normals_, master_facets_, surface_normals(master_facets_, *master.constraints),
+        geometry_(slave_facets_, normals_, master_facets_, surface_normals(master_facets_, master_.constraints()),
                   sliding) {
     covered_.assign(normals_.multipliers.size(), 0.0);
     full_.assign(normals_.multipliers.size(), 0.0);
     geometric_.setZero(normals_.multipliers.size());
     if (friction)
       for (const MultiplierNode& node : normals_.multipliers)
-        tangents_.push_back(tangents(node, *slave.mesh, *slave.constraints));
+        tangents_.push_back(tangents(node, slave_.mesh(), slave_.constraints()));
   }
 
   void integrate() {
-    for (std::size_t f = 0; f < slave_facets_.size(); ++f) {
+    for (std::size_t f = 0; f < slave_.n_own_faces(); ++f) {
       add_full_area(f);
       const std::vector<Segment> segments = segmentation_.segments(f);
       if (!segments.empty()) add_facet(f, segments);
@@ -107,34 +196,45 @@ class Assembler {
       const Vector3 xi = rule.points.row(q).transpose();
       const HatVector hats = hat_values(facet, xi);
       const double area = rule.weights[q] * facet.area_vector(xi).norm() * facet.area_ratio(facet.position(xi));
-      for (int i = 0; i < facet.n_corners(); ++i) full_[multiplier(f, i)] += area * hats[i];
+      for (int i = 0; i < facet.n_corners(); ++i) full_[acting(f, i).row] += area * hats[i];
     }
   }
 
   void add_facet(std::size_t f, const std::vector<Segment>& segments);
   int rows_per_multiplier() const { return type_ == ContactType::tied ? 3 : 1 + n_tangents_; }
+  Matrix3 turned(const Acting& at, const Vector3& normal) const;
   Directions directions(std::size_t f, const ContactPoint& point) const;
   void add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point);
   HatMatrix dual_transformation(std::size_t f, const std::vector<Segment>& segments) const;
-  Matrix3 turned_directions(int of, int in) const;
+  std::vector<std::vector<Gathering::Neighbour>> neighbours() const;
+  Matrix3 turned_directions(const Gathering::Neighbour& of, int in) const;
+  std::vector<MortarCoupling::Image> images(const std::vector<int>& kept) const;
 
   static HatVector hat_values(const Facet& facet, const Vector3& xi) {
     HatVector hats(facet.n_corners());
     facet.corner_element().shape(xi, hats);
     return hats;
   }
-  std::size_t multiplier(std::size_t f, int corner) const { return normals_.multiplier_of_corner[f][corner]; }
+  const Acting& acting(std::size_t f, int corner) const { return acting_[normals_.multiplier_of_corner[f][corner]]; }
+  /// Of the multipliers that act at the corners of a facet.
+  std::vector<int> rows(std::size_t f) const {
+    std::vector<int> result;
+    for (const int multiplier : normals_.multiplier_of_corner[f]) result.push_back(acting_[multiplier].row);
+    return result;
+  }
 
+  ContinuedSurface slave_, master_;
   ContactType type_;
   int n_tangents_;  // rows per multiplier
   std::vector<std::array<Vector3, 2>> tangents_;
   std::vector<Facet> slave_facets_, master_facets_;
   SurfaceNormals normals_;
+  std::vector<Acting> acting_;  // by multiplier of normals_
   Segmentation segmentation_;
   ContactGeometry geometry_;
   std::vector<double> covered_, full_;  // area of each multiplier: the covered part, and all
   // Rows are multipliers (tied: three each), columns the components of the nodes.
-  Triplets slave_, master_, gap_;
+  Triplets on_slave_, on_master_, gap_;
   std::vector<Vector3> gap_points_;
   std::vector<double> gap_distances_;
   Eigen::VectorXd geometric_;  // weighted gap as measured from the meshes
@@ -196,7 +296,7 @@ Matrix3 rotation(const Vector3& from, const Vector3& to) {
 
 void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   const Facet& facet = slave_facets_[f];
-  const std::span<const int> rows = normals_.multiplier_of_corner[f];
+  const std::vector<int> rows = this->rows(f);
   const HatMatrix dual = dual_transformation(f, segments);
   const int width = rows_per_multiplier(), n_rows = width * facet.n_corners();
   Products on_slave(facet, -1.0, n_rows);
@@ -212,9 +312,16 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
       on_master.add(point.master_xi, directions, weights);
       add_gap(f, weighted, point);
     }
-    on_master.emit(rows, width, master_);
+    on_master.emit(rows, width, on_master_);
   }
-  on_slave.emit(rows, width, slave_);
+  on_slave.emit(rows, width, on_slave_);
+}
+
+/// From the directions of a multiplier at its node to those at a point with this normal.
+Matrix3 Assembler::turned(const Acting& at, const Vector3& normal) const {
+  const Vector3& own = normals_.multipliers[at.row].normal;
+  if (at.link == nullptr) return rotation(own, normal);
+  return rotation(at.link->rotation * own, normal) * at.link->rotation;
 }
 
 /// A multiplier turns with the normal on its way from its node: a traction that is constant along a curved surface is
@@ -223,21 +330,21 @@ Directions Assembler::directions(std::size_t f, const ContactPoint& point) const
   const int n = slave_facets_[f].n_corners(), width = rows_per_multiplier();
   Directions result(3, width * n);
   for (int i = 0; i < n; ++i) {
-    const std::size_t at = multiplier(f, i);
+    const Acting& at = acting(f, i);
     if (type_ == ContactType::tied) {
-      result.middleCols<3>(Index{3} * i) = rotation(normals_.multipliers[at].normal, point.normal);
+      result.middleCols<3>(Index{3} * i) = turned(at, point.normal);
       continue;
     }
     result.col(Index{width} * i) = point.normal;
     if (n_tangents_ == 0) continue;
-    const Matrix3 turned = rotation(normals_.multipliers[at].normal, point.normal);
-    for (int k = 0; k < n_tangents_; ++k) result.col(Index{width} * i + 1 + k) = turned * tangents_[at][k];
+    const Matrix3 turn = turned(at, point.normal);
+    for (int k = 0; k < n_tangents_; ++k) result.col(Index{width} * i + 1 + k) = turn * tangents_[at.row][k];
   }
   return result;
 }
 
 void Assembler::add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point) {
-  const std::span<const int> rows = normals_.multiplier_of_corner[f];
+  const std::vector<int> rows = this->rows(f);
   const auto column = static_cast<int>(gap_points_.size());
   gap_points_.push_back(slave_facets_[f].in_section(point.on_slave));
   gap_distances_.push_back(point.gap);
@@ -249,79 +356,59 @@ void Assembler::add_gap(std::size_t f, const HatVector& weighted, const ContactP
   }
 }
 
-/// Rows that are hardly covered are added to the nearest kept row: dropping them breaks the patch test by 2-5 %. The
-/// kept row shares a facet with them (forces must not wander); where there is none, the best covered row is kept.
-class Gathering {
- public:
-  Gathering(const SurfaceNormals& normals, const std::vector<Vector3>& nodes, const std::vector<double>& covered,
-            const std::vector<double>& full)
-      : neighbours_(covered.size()), target_(covered.size(), -1) {
-    for (const std::vector<int>& corners : normals.multiplier_of_corner)
-      for (const int i : corners) neighbours_[i].insert(neighbours_[i].end(), corners.begin(), corners.end());
-    const auto part = [&](int i) { return covered[i] / full[i]; };
-    for (int i = 0; i < std::ssize(covered); ++i)
-      if (covered[i] > 0) order_.push_back(i);
-    std::stable_sort(order_.begin(), order_.end(), [&](int i, int j) { return part(i) > part(j); });
-    const auto position = [&](int i) { return nodes[normals.multipliers[i].node]; };
-    for (const int i : order_) {
-      target_[i] = i;
-      if (part(i) >= min_cover_of_row) continue;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const int k : neighbours_[i]) {
-        const double distance = (position(k) - position(i)).norm();
-        if (k == i || target_[k] != k || distance >= nearest) continue;
-        nearest = distance;
-        target_[i] = k;
+std::vector<std::vector<Gathering::Neighbour>> Assembler::neighbours() const {
+  std::vector<std::vector<Gathering::Neighbour>> result(covered_.size());
+  for (std::size_t f = 0; f < slave_.n_own_faces(); ++f) {
+    const Facet& facet = slave_facets_[f];
+    for (int i = 0; i < facet.n_corners(); ++i)
+      for (int j = 0; j < facet.n_corners(); ++j) {
+        const Acting &own = acting(f, i), &other = acting(f, j);
+        result[own.row].push_back({other.row, (facet.node_position(j) - facet.node_position(i)).norm(),
+                                   own.rotation().transpose() * other.rotation()});
       }
-    }
-    for (std::size_t i = 0; i < target_.size(); ++i)
-      if (target_[i] == static_cast<int>(i)) kept_.push_back(target_[i]);
   }
-
-  const std::vector<int>& kept() const { return kept_; }
-  /// kept rows x all rows, in blocks. @param block  (target, i): its entries for the rows of multiplier i, width square
-  template <typename Block>
-  RowMatrix matrix(int width, const Block& block) const {
-    Triplets entries;
-    for (const int i : order_) {
-      const auto position = static_cast<int>(std::lower_bound(kept_.begin(), kept_.end(), target_[i]) - kept_.begin());
-      const Matrix3 values = block(target_[i], i);
-      for (int a = 0; a < width; ++a)
-        for (int b = 0; b < width; ++b)
-          if (values(a, b) != 0) entries.emplace_back(width * position + a, width * i + b, values(a, b));
-    }
-    return sparse(width * std::ssize(kept_), width * std::ssize(target_), entries);
-  }
-
- private:
-  std::vector<std::vector<int>> neighbours_;  // share a facet
-  std::vector<int> target_;                   // the row that each is added to; itself if kept, -1 if not covered
-  std::vector<int> order_, kept_;
-};
+  return result;
+}
 
 /// The directions of one multiplier in those of another, as they arrive there: entry (a, b) is direction a of `of`
 /// times direction b of `in`.
-Matrix3 Assembler::turned_directions(int of, int in) const {
+Matrix3 Assembler::turned_directions(const Gathering::Neighbour& of, int in) const {
+  if (of.row == in) return Matrix3::Identity();
+  if (type_ == ContactType::tied) return of.turned.transpose();
   Matrix3 result = Matrix3::Identity();
-  if (n_tangents_ == 0 || of == in) return result;
-  const Matrix3 turned = rotation(normals_.multipliers[of].normal, normals_.multipliers[in].normal);
+  if (n_tangents_ == 0) return result;
+  const Matrix3 turned =
+      rotation(of.turned * normals_.multipliers[of.row].normal, normals_.multipliers[in].normal) * of.turned;
   for (int a = 0; a < n_tangents_; ++a)
-    for (int b = 0; b < n_tangents_; ++b) result(1 + a, 1 + b) = tangents_[in][b].dot(turned * tangents_[of][a]);
+    for (int b = 0; b < n_tangents_; ++b) result(1 + a, 1 + b) = tangents_[in][b].dot(turned * tangents_[of.row][a]);
+  return result;
+}
+
+std::vector<MortarCoupling::Image> Assembler::images(const std::vector<int>& kept) const {
+  std::set<int> on_own_faces;
+  for (std::size_t f = 0; f < slave_.n_own_faces(); ++f)
+    on_own_faces.insert(normals_.multiplier_of_corner[f].begin(), normals_.multiplier_of_corner[f].end());
+  std::vector<MortarCoupling::Image> result;
+  for (const int i : on_own_faces) {
+    const auto of = std::ranges::lower_bound(kept, acting_[i].row);
+    if (acting_[i].link == nullptr || of == kept.end() || *of != acting_[i].row) continue;
+    result.push_back({normals_.multipliers[i], static_cast<std::size_t>(of - kept.begin())});
+  }
   return result;
 }
 
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
-  const Gathering gathering(normals_, slave.mesh->nodes, covered_, full_);
+  const Gathering gathering(neighbours(), covered_, full_);
   const std::vector<int>& kept = gathering.kept();
-  const RowMatrix gather = gathering.matrix(1, [](int, int) { return Matrix3(Matrix3::Identity()); });
+  const RowMatrix gather = gathering.matrix(1, [](const auto&, int) { return Matrix3(Matrix3::Identity()); });
   if (kept.empty())
     throw ModelError(
         fmt::format("contact between '{}' and '{}': the surfaces do not face each other anywhere; check "
                     "the groups and the distance between them",
                     slave.name, master.name));
   const Index n = covered_.size();
-  const Index n_slave = slave.mesh->nodes.size();
-  const Index n_master = master.mesh->nodes.size();
+  const Index n_slave = slave_.mesh().nodes.size();
+  const Index n_master = master_.mesh().nodes.size();
 
   MortarCoupling result;
   result.type = type_;
@@ -331,13 +418,16 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
     result.area.push_back(areas[k]);
     if (n_tangents_ > 0) result.tangents.push_back(tangents_[kept[k]]);
   }
+  result.images = images(kept);
+  result.sector = slave.sector;
   result.gap_points = gap_points_;
   result.gap_distances = gap_distances_;
   result.gap_weights = gather * sparse(n, gap_points_.size(), gap_);
   const int width = rows_per_multiplier();
-  const RowMatrix gather_rows = gathering.matrix(width, [&](int of, int in) { return turned_directions(of, in); });
-  result.slave_rows = gather_rows * sparse(width * n, 3 * n_slave, slave_);
-  result.master_rows = gather_rows * sparse(width * n, 3 * n_master, master_);
+  const RowMatrix gather_rows =
+      gathering.matrix(width, [&](const Gathering::Neighbour& of, int in) { return turned_directions(of, in); });
+  result.slave_rows = slave_.on_own_nodes(gather_rows * sparse(width * n, 3 * n_slave, on_slave_));
+  result.master_rows = master_.on_own_nodes(gather_rows * sparse(width * n, 3 * n_master, on_master_));
   result.geometric_gap = normal_gaps(result, gather * geometric_);
   return result;
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "continued_surface.hpp"
 #include "creepcontact/contact/geometry/mortar.hpp"
 #include "segments.hpp"
 
@@ -12,7 +13,10 @@ struct Facing {
   double covered = 0;   ///< part of its facets' area that the other surface covers
 };
 
-Facing facing(const std::vector<Facet>& facets, const std::vector<Facet>& others) {
+Facing facing(const Surface& surface, const Surface& other, const Strip& strip) {
+  const ContinuedSurface all(other);  // in the adjacent sectors too
+  const std::vector<Facet> facets = make_facets(*surface.mesh, surface.faces, strip);
+  const std::vector<Facet> others = make_facets(all.mesh(), all.faces(), strip);
   const Segmentation segmentation(facets, others);
   Facing result;
   double count = 0, area = 0;
@@ -53,9 +57,7 @@ bool first_is_better_slave(const Surface& first, const Surface& second) {
   constexpr double sticks_out = 0.5;
   if (const bool first_held = is_held(first); first_held != is_held(second)) return !first_held;
   const Strip strip = strip_of(*first.mesh, first.faces);
-  const std::vector<Facet> a = make_facets(*first.mesh, first.faces, strip);
-  const std::vector<Facet> b = make_facets(*second.mesh, second.faces, strip);
-  const Facing of_first = facing(a, b), of_second = facing(b, a);
+  const Facing of_first = facing(first, second, strip), of_second = facing(second, first, strip);
   // Facets that stick out far over the other surface are too coarse to show where it presses.
   if (of_first.covered < sticks_out * of_second.covered) return false;
   if (of_second.covered < sticks_out * of_first.covered) return true;

@@ -27,9 +27,9 @@ class ContactEdge {
   /// @param coupling, grid  of the pair; must outlive the object
   ContactEdge(const contact::MortarCoupling& coupling, const ContactGrid& grid) : coupling_(coupling), grid_(grid) {}
 
-  /// Signed distance per row: positive inside, negative outside. Rows more than two rows away from the edge get plus or
-  /// minus the size of the surface.
-  /// @param pressure, gap  of all rows; the gaps are weighted
+  /// Signed distance per row of the grid: positive inside, negative outside. Rows more than two rows away from the edge
+  /// get plus or minus the size of the surface.
+  /// @param pressure, gap  of the rows of the pair; the gaps are weighted
   /// Cost: the quadrature points of the rows near the edge, for each open row next to it.
   Eigen::VectorXd distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
 

@@ -4,12 +4,14 @@
 
 #include <Eigen/SparseCore>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/contact/geometry/sector.hpp"
 #include "creepcontact/contact/geometry/surface_normals.hpp"
 #include "creepcontact/mechanics/rigid_motion.hpp"
 #include "creepcontact/settings/contact_settings.hpp"
@@ -27,6 +29,8 @@ struct Surface {
   const mechanics::Constraints* constraints = nullptr;
   std::vector<mesh::Face> faces;
   double young_modulus = 0;  ///< a typical value, used to choose the slave
+  /// With cyclic symmetry: the surface continues in the adjacent sectors. The same for both surfaces of a pair.
+  std::optional<Sector> sector = std::nullopt;
 };
 
 /// gap = initial gap + slave_rows u_s + master_rows u_m   (weighted, [length^3]; >= 0 where the surfaces are apart).
@@ -39,11 +43,20 @@ struct Surface {
 /// Along a curved surface the directions of a node turn with the normal, so that a constant pressure is transmitted as
 /// on a flat one. rows^T lambda are the nodal forces: equal and opposite on the two bodies. The traction on the master
 /// body is the sum of multipliers times directions.
-/// Source: Wohlmuth (2000) dual multipliers; Puso and Laursen (2004) segments; Cichosz and Bischoff (2011) partly
-/// covered facets.
+/// With cyclic symmetry the master may lie in the sectors adjacent to that of the slave, and the two nodes that a link
+/// makes one in the full circle have one multiplier. Source: Wohlmuth (2000) dual multipliers; Puso and Laursen (2004)
+/// segments; Cichosz and Bischoff (2011) partly covered facets.
 struct MortarCoupling {
+  /// A node of the slave that has the multiplier of the node that it follows by cyclic symmetry.
+  struct Image {
+    MultiplierNode at;
+    std::size_t of = 0;  ///< index into nodes
+  };
+
   ContactType type = ContactType::unilateral;
   std::vector<MultiplierNode> nodes;
+  std::vector<Image> images;
+  std::optional<Sector> sector = std::nullopt;  ///< that the surfaces are part of
   /// With friction: two unit vectors per node, orthogonal to its normal and to each other, the first along a direction
   /// that a support of the slave holds, if there is one. In sections only the first has a row. Empty without friction.
   std::vector<std::array<Vector3, 2>> tangents;
@@ -81,7 +94,7 @@ struct MortarCoupling {
 /// turning on its shaft. At every point the component of the normal along their displacement is removed. A motion is
 /// ignored at points where its displacement vanishes or is closer to the normal than to the surface.
 /// @throws ModelError if the surfaces do not face each other anywhere
-/// Cost: O(n log n) for n facets, plus about 50 points per segment.
+/// Cost: O(n log n) for n facets, plus about 50 points per segment; with a sector three times the facets.
 MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
                                std::span<const mechanics::RigidMotion> sliding = {}, bool friction = false);
 
