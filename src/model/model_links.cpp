@@ -110,23 +110,33 @@ class LinkMaker {
     const auto first = mesh::group_nodes(mesh, cyclic.between[0].name),
                second = mesh::group_nodes(mesh, cyclic.between[1].name);
     std::vector<mechanics::NodeLinks::Turned> found = matches(mesh, first, second, sector_of(cyclic));
-    std::set<std::int64_t> linked;
-    for (const auto& one : found) linked.insert(one.node);
-    if (found.size() == first.size() && linked.size() == second.size()) {
-      auto& turned = links_.of_body[b].turned;
-      for (const auto& old : turned)
-        if (linked.contains(old.node) || linked.contains(old.of))
-          throw ModelError(fmt::format("nodes of '{}' belong to two faces of cyclic symmetry", cyclic.between[1].name));
-      turned.insert(turned.end(), found.begin(), found.end());
-      for (const config::Reference& face : cyclic.between) links_.of_body[b].turned_faces.push_back(face.name);
-      return;
-    }
+    const auto nodes = [&] {
+      std::set<std::int64_t> linked;
+      for (const auto& one : found) linked.insert(one.node);
+      return linked;
+    };
+    if (found.size() == first.size() && nodes().size() == second.size()) return add(found, nodes(), cyclic, b);
     if (matches(mesh, second, first, sector_of(cyclic)).size() > found.size())
       throw ModelError(fmt::format("'{}' is '{}' turned by {:.6g} degrees, not by {:.6g}: exchange the two faces",
                                    cyclic.between[1].name, cyclic.between[0].name, -cyclic.angle, cyclic.angle));
     log::info("body '{}': {} of the {} nodes of '{}' match nodes of '{}'; the faces are tied by the mortar method",
-              config_.bodies[b].name, linked.size(), second.size(), cyclic.between[1].name, cyclic.between[0].name);
+              config_.bodies[b].name, nodes().size(), second.size(), cyclic.between[1].name, cyclic.between[0].name);
+    // Inside the face nodes that match by chance are left to the mortar method. At its border, where other surfaces
+    // begin, the sector is joined to the next one as exactly as it can be.
+    const std::set<std::int64_t> border = mesh::border_nodes(mesh::boundary_faces(mesh, cyclic.between[1].name));
+    std::erase_if(found, [&](const auto& one) { return !border.contains(one.node); });
+    add(found, nodes(), cyclic, b);
     links_.unmatched.push_back({index, b});
+  }
+
+  void add(const std::vector<mechanics::NodeLinks::Turned>& found, const std::set<std::int64_t>& linked,
+           const config::Cyclic& cyclic, std::size_t b) {
+    mechanics::NodeLinks& links = links_.of_body[b];
+    for (const auto& old : links.turned)
+      if (linked.contains(old.node) || linked.contains(old.of))
+        throw ModelError(fmt::format("nodes of '{}' belong to two faces of cyclic symmetry", cyclic.between[1].name));
+    links.turned.insert(links.turned.end(), found.begin(), found.end());
+    for (const config::Reference& face : cyclic.between) links.turned_faces.push_back(face.name);
   }
 
   const config::Config& config_;
@@ -166,22 +176,38 @@ void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodi
   }
 }
 
+namespace {
+
+/// Nodes of a body that links or multipliers of contacts act on.
+std::vector<std::int64_t> constrained_otherwise(const mechanics::Body& body, std::size_t number,
+                                                const std::vector<contact::Pair>& pairs) {
+  std::set<std::int64_t> nodes;
+  for (const mechanics::NodeLinks::Turned& link : body.constraints().links().turned) nodes.insert(link.node);
+  for (const contact::Pair& pair : pairs)
+    if (pair.slave_body == number)
+      for (const contact::MultiplierNode& at : pair.coupling.nodes) nodes.insert(at.node);
+  return {nodes.begin(), nodes.end()};
+}
+
+}  // namespace
+
 void append_sector_ties(const config::Config& config, const ModelLinks& links, const Bodies& bodies,
                         std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
-  for (const auto& [index, b] : links.unmatched) {
-    const config::Cyclic& cyclic = config.cyclic[index];
+  for (const ModelLinks::UnmatchedFace& unmatched : links.unmatched) {
+    const config::Cyclic& cyclic = config.cyclic[unmatched.cyclic];
     errors.collect(cyclic.location, [&] {
-      const mechanics::Body& body = bodies[b];
+      const mechanics::Body& body = bodies[unmatched.body];
       const auto surface = [&](const std::string& name) {
         return contact::Surface{name, &body.mesh(),  &body.constraints(), mesh::boundary_faces(body.mesh(), name),
                                 1,    sector(config)};
       };
+      contact::Surface slave = surface(cyclic.between[1].name);
+      slave.joining = constrained_otherwise(body, unmatched.body, pairs);
       contact::Pair pair;
       pair.name =
           fmt::format("faces '{}' and '{}' of body '{}'", cyclic.between[0].name, cyclic.between[1].name, body.name());
-      pair.slave_body = pair.master_body = b;
-      pair.coupling = contact::mortar_coupling(surface(cyclic.between[1].name), surface(cyclic.between[0].name),
-                                               contact::ContactType::tied);
+      pair.slave_body = pair.master_body = unmatched.body;
+      pair.coupling = contact::mortar_coupling(slave, surface(cyclic.between[0].name), contact::ContactType::tied);
       pairs.push_back(std::move(pair));
     });
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
@@ -24,10 +25,30 @@ struct Ring {
   double from, skew;  // [rad] of the first cut: at the inner radius, and what the outer end lies further
   int along, across;  // elements of a sector
   bool separate = false;
+  double uneven = 1;  // elements of the first cut grow by this factor
+  int layers = 0;     // along z, each as thick as one; 0: a section
 };
 
+/// Groups of the solid above these quadrilaterals, whose curves are the low, the outer, the high and the inner one.
+std::string extruded(const Ring& ring, int sectors, int first_surface) {
+  std::string geo = "volumes[] = {}; inner[] = {}; outer[] = {}; low[] = {}; high[] = {};\n";
+  for (int s = 0; s < sectors; ++s)
+    geo += fmt::format(
+        "out[] = Extrude {{0, 0, {0}}} {{ Surface{{{1}}}; Layers{{{0}}}; Recombine; }};\nvolumes[] += out[1]; low[] += "
+        "out[2]; outer[] += out[3]; high[] += out[4]; inner[] += out[5];\n",
+        ring.layers, first_surface + s);
+  geo += fmt::format(
+      "Physical Volume(\"{0}\") = {{volumes[]}}; Physical Surface(\"{0}_in\") = {{inner[]}};\n"
+      "Physical Surface(\"{0}_out\") = {{outer[]}}; Physical Surface(\"{0}_z0\") = {{{1}:{2}}};\n",
+      ring.name, first_surface, first_surface + sectors - 1);
+  if (sectors < full)
+    geo += fmt::format("Physical Surface(\"{0}_low\") = {{low[]}}; Physical Surface(\"{0}_high\") = {{high[]}};\n",
+                       ring.name);
+  return geo;
+}
+
 /// Groups: <name>, <name>_in, <name>_out; <name>_low and <name>_high of a single sector. Separate sectors: the same of
-/// <name>0, <name>1 and so on.
+/// <name>0, <name>1 and so on. Solids also: <name>_z0.
 std::string ring_geo(const Ring& ring, int sectors, int first) {
   const auto at = [](double radius, double angle) {
     return fmt::format("{{{:.15g}, {:.15g}, 0}}", radius * std::cos(angle), radius * std::sin(angle));
@@ -36,10 +57,11 @@ std::string ring_geo(const Ring& ring, int sectors, int first) {
   const bool closed = sectors == full;
   for (int s = 0; s <= sectors - (closed ? 1 : 0); ++s) {
     const double angle = ring.from + pitch * s;
-    geo +=
-        fmt::format("Point({0}) = {1}; Point({2}) = {3}; Line({4}) = {{{0}, {2}}}; Transfinite Curve{{{4}}} = {5};\n",
-                    first + 100 + s, at(ring.inner, angle), first + 200 + s, at(ring.outer, angle + ring.skew),
-                    first + 300 + s, ring.across + 1);
+    geo += fmt::format(
+        "Point({0}) = {1}; Point({2}) = {3}; Line({4}) = {{{0}, {2}}}; Transfinite Curve{{{4}}} = {5} Using "
+        "Progression {6:g};\n",
+        first + 100 + s, at(ring.inner, angle), first + 200 + s, at(ring.outer, angle + ring.skew), first + 300 + s,
+        ring.across + 1, s == 0 ? ring.uneven : 1.0);
   }
   for (int s = 0; s < sectors; ++s) {
     const int next = closed ? (s + 1) % full : s + 1;
@@ -57,6 +79,7 @@ std::string ring_geo(const Ring& ring, int sectors, int first) {
     geo += fmt::format("Physical Curve(\"{}{}_high\") = {{{}}};\n", ring.name, s, first + 300 + next);
   }
   if (ring.separate) return geo;
+  if (ring.layers > 0) return geo + extruded(ring, sectors, first + 600);
   geo += fmt::format(
       "Physical Surface(\"{0}\") = {{{1}:{2}}}; Physical Curve(\"{0}_in\") = {{{3}:{4}}};\n"
       "Physical Curve(\"{0}_out\") = {{{5}:{6}}};\n",
@@ -115,6 +138,29 @@ INSTANTIATE_TEST_SUITE_P(Slaves, PressFitOfSectors,
                          testing::Values("slave = \"hub_out\"\n", "slave = \"ring_in\"\n",
                                          "slave = \"ring_in\"\nfriction = 0.05\n"));
 
+/// Friction in three dimensions, and loads that change around the circle and along the axis.
+TEST(CyclicContact, SolidSectorIsAPartOfTheSolid) {
+  const Ring below{"hub", 4, 6, 0.35, -0.2, 4, 2, false, 1, 2}, above{"ring", 6, 8, 0, 0.3, 3, 2, false, 1, 3};
+  const std::string toml =
+      "[mesh]\nfile = \"case.geo\"\norder = 2\n" + test::body("hub", 1000, 0.3) +
+      test::body("ring", 800, 0.3, 1e-7, 3) + test::support("hub_z0", "z") + test::support("hub_in", "x") +
+      test::support("hub_in", "y") +
+      "[time]\nend = 1000\n[[contacts]]\nname = \"fit\"\nbetween = [\"hub_out\", \"ring_in\"]\nslave = \"ring_in\"\n"
+      "friction = 0.2\ngap = -0.03\n[[loads]]\non = \"ring_out\"\npressure = \"2 + z + sin(6*atan2(y, x))\"\n"
+      "[[loads]]\non = \"ring_out\"\ntraction = [\"-0.01*y\", \"0.01*x\", 0.2]\n[[loads]]\nbody = \"ring\"\nrotation = "
+      "{ angular_velocity = 0.2, density = 0.1 }\n" +
+      test::probe("mean", "contact_pressure", "on = \"ring_in\"\nreduce = \"mean\"") +
+      test::probe("max", "contact_pressure", "on = \"ring_in\"\nreduce = \"max\"") +
+      test::probe("shear", "contact_shear", "on = \"ring_in\"\nreduce = \"max\"") +
+      test::probe("axial", "contact_force_z", "on = \"ring_in\"\nwhere = \"z > 1.5\"") +
+      test::probe("held", "reaction_z", "on = \"hub_z0\"") +
+      test::probe("part", "contact_pressure", "on = \"ring_in\"\nreduce = \"mean\"\nwhere = \"z > 1.5\"") +
+      test::probe("stress", "von_mises", "body = \"ring\"\nreduce = \"max\"");
+  const test::Outcome all = test::run_case(toml, both(below, above, full));
+  const test::Outcome one = test::run_case(toml + cyclic("hub") + cyclic("ring"), both(below, above, 1));
+  expect_same(one.history, all.history, {"mean", "max", "shear", "part", "stress"}, {"axial", "held"}, 1e-7);
+}
+
 /// Contact opens over a part of each sector, at both of its faces.
 TEST(CyclicContact, OpensAsInTheFullCircle) {
   const std::string toml = press_fit("gap = \"-0.002 + 0.02*cos(6*atan2(y, x))\"\nslave = \"ring_in\"\n",
@@ -124,6 +170,21 @@ TEST(CyclicContact, OpensAsInTheFullCircle) {
   expect_same(one.history, all.history, {"max", "stress"}, {"area"});
   EXPECT_EQ(all.history.at("min", 0), 0);
   EXPECT_LT(all.history.at("area", 0), 24) << "of 37.7";
+}
+
+/// Faces whose nodes do not match are tied, up to the surfaces in contact.
+TEST(CyclicContact, FacesThatDoNotMatch) {
+  Ring uneven_hub = hub, uneven_ring = ring;
+  uneven_hub.uneven = uneven_ring.uneven = 1.3;
+  const std::string toml = press_fit("gap = \"-0.03*(1 + 0.4*sin(6*atan2(y, x)))\"\nslave = \"ring_in\"\n",
+                                     "[[loads]]\non = \"ring_out\"\npressure = \"2 + sin(6*atan2(y, x))\"\n");
+  const test::Outcome all = test::run_case(toml, both(hub, ring, full));
+  const test::Outcome one = test::run_case(toml + cyclic("hub") + cyclic("ring"), both(uneven_hub, uneven_ring, 1));
+  for (const double t : {0.0, 1000.0}) {
+    EXPECT_RELATIVE(one.history.at("mean", t), all.history.at("mean", t), 1e-3) << t;
+    EXPECT_RELATIVE(one.history.at("max", t), all.history.at("max", t), 0.03) << t << ": the mesh differs";
+    EXPECT_RELATIVE(full * one.history.at("area", t), all.history.at("area", t), 1e-6) << t;
+  }
 }
 
 /// Segments around a hub press on it and, at skew faces, on each other.

@@ -15,10 +15,10 @@ namespace creepcontact::io {
 
 /// What a column of history.csv contains.
 struct SummaryProbe {
-  std::string quantity;
-  std::string label;            ///< for axes: "contact pressure"
-  std::string dimension;        ///< "stress", "length", ...; empty: none
-  std::string integrated_over;  ///< "surface" or "body" if the values are sums over it; else empty
+  std::string quantity = {};
+  std::string label = {};            ///< for axes: "contact pressure"
+  std::string dimension = {};        ///< "stress", "length", ...; empty: none
+  std::string integrated_over = {};  ///< "surface" or "body" if the values are sums over it; else empty
   /// Of the values as they are in history.csv, "" if they have none or it is not known; nullopt: a file without it.
   std::optional<std::string> unit = {};
   std::string expression = {};  ///< of other probes; then it has no quantity

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -78,6 +79,9 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions);
 /// Faces of the cells of this mesh that lie on a surface group (in sections: a curve), oriented outward.
 /// @throws ModelError if a surface cell is not a face of any volume cell, or lies between two volume cells
 std::vector<Face> boundary_faces(const Mesh& mesh, const std::string& surface);
+
+/// Nodes at the border of a surface: on edges that one face alone has; in sections the ends of a curve.
+std::set<std::int64_t> border_nodes(const std::vector<Face>& faces);
 
 /// Number of faces of a surface group that are not faces of any volume cell. Cost: one pass over all cells.
 std::size_t n_orphan_faces(const Mesh& mesh, const std::string& surface);

@@ -59,7 +59,7 @@ std::int64_t ContinuedSurface::number(Node node) {
   return place->second;
 }
 
-RowMatrix ContinuedSurface::on_own_nodes(RowMatrix rows) const {
+RowMatrix ContinuedSurface::on_own_nodes(const RowMatrix& rows) const {
   if (!continued_) return rows;
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < continued_->nodes.size(); ++i) {

@@ -23,7 +23,7 @@ class ContinuedSurface {
   }
   std::size_t n_own_faces() const { return own_.faces.size(); }
   /// Rows on the displacements of all nodes as rows on those of the own ones.
-  RowMatrix on_own_nodes(RowMatrix rows) const;
+  RowMatrix on_own_nodes(const RowMatrix& rows) const;
   /// How an own node follows another one by cyclic symmetry; nullptr if it does not.
   const mechanics::NodeLinks::Turned* link_or_null(std::int64_t node) const;
 

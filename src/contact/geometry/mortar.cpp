@@ -14,16 +14,16 @@
 #include "continued_surface.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "row_gathering.hpp"
 
 namespace creepcontact::contact {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
 using HatMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
 using HatVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1>;
 
-constexpr double min_cover_of_dual_facet = 1e-3;  // below it the dual hats would oscillate wildly: standard ones
 constexpr double min_cover_of_row = 0.1;          // of a multiplier's area
+constexpr double min_cover_of_dual_facet = 1e-3;  // below it the dual hats would oscillate wildly: standard ones
 
 /// Sums of one slave facet before its dual hats are known: rows are standard hats.
 struct FacetSums {
@@ -58,71 +58,12 @@ Eigen::VectorXd normal_gaps(const MortarCoupling& coupling, const Eigen::VectorX
   return gaps;
 }
 
-RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
-  RowMatrix matrix(rows, columns);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
 /// Plates of different thickness touch over the smaller one.
 Strip common_strip(const Surface& slave, const Surface& master) {
   Strip strip = strip_of(*slave.mesh, slave.faces);
   strip.section.thickness = std::min(strip.section.thickness, master.mesh->section.thickness);
   return strip;
 }
-
-/// Rows that are hardly covered are added to the nearest kept row: dropping them breaks the patch test by 2-5 %. The
-/// kept row shares a facet with them (forces must not wander); where there is none, the best covered row is kept.
-class Gathering {
- public:
-  struct Neighbour {
-    int row = -1;
-    double distance = 0;
-    Matrix3 turned = Matrix3::Identity();  // from the node of the neighbour to the own one, where a link of cyclic
-                                           // symmetry lies between
-  };
-
-  /// By row: those that share a facet with it.
-  Gathering(std::vector<std::vector<Neighbour>> neighbours, const std::vector<double>& covered,
-            const std::vector<double>& full)
-      : target_(covered.size()) {
-    const auto part = [&](int i) { return covered[i] / full[i]; };
-    for (int i = 0; i < std::ssize(covered); ++i)
-      if (covered[i] > 0) order_.push_back(i);
-    std::stable_sort(order_.begin(), order_.end(), [&](int i, int j) { return part(i) > part(j); });
-    for (const int i : order_) {
-      target_[i] = {i, 0, Matrix3::Identity()};
-      if (part(i) >= min_cover_of_row) continue;
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const Neighbour& other : neighbours[i]) {
-        if (other.row == i || target_[other.row].row != other.row || other.distance >= nearest) continue;
-        nearest = other.distance;
-        target_[i] = other;
-      }
-    }
-    for (std::size_t i = 0; i < target_.size(); ++i)
-      if (target_[i].row == static_cast<int>(i)) kept_.push_back(target_[i].row);
-  }
-
-  const std::vector<int>& kept() const { return kept_; }
-  /// kept rows x all rows, in blocks. @param block  (target, i): its entries for the rows of multiplier i, width square
-  template <typename Block>
-  RowMatrix matrix(int width, const Block& block) const {
-    Triplets entries;
-    for (const int i : order_) {
-      const auto position = static_cast<int>(std::ranges::lower_bound(kept_, target_[i].row) - kept_.begin());
-      const Matrix3 values = block(target_[i], i);
-      for (int a = 0; a < width; ++a)
-        for (int b = 0; b < width; ++b)
-          if (values(a, b) != 0) entries.emplace_back(width * position + a, width * i + b, values(a, b));
-    }
-    return sparse(width * std::ssize(kept_), width * std::ssize(target_), entries);
-  }
-
- private:
-  std::vector<Neighbour> target_;  // the row that each is added to; itself if kept, -1 if not covered
-  std::vector<int> order_, kept_;
-};
 
 /// The multiplier that acts at a corner of a facet: one of the corner's node, or that of the node which this one
 /// follows by cyclic symmetry, turned.
@@ -206,8 +147,8 @@ class Assembler {
   Directions directions(std::size_t f, const ContactPoint& point) const;
   void add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point);
   HatMatrix dual_transformation(std::size_t f, const std::vector<Segment>& segments) const;
-  std::vector<std::vector<Gathering::Neighbour>> neighbours() const;
-  Matrix3 turned_directions(const Gathering::Neighbour& of, int in) const;
+  std::vector<std::vector<RowGathering::Neighbour>> neighbours(const std::vector<char>& joins) const;
+  Matrix3 turned_directions(const RowGathering::Neighbour& of, int in) const;
   std::vector<MortarCoupling::Image> images(const std::vector<int>& kept) const;
 
   static HatVector hat_values(const Facet& facet, const Vector3& xi) {
@@ -356,13 +297,14 @@ void Assembler::add_gap(std::size_t f, const HatVector& weighted, const ContactP
   }
 }
 
-std::vector<std::vector<Gathering::Neighbour>> Assembler::neighbours() const {
-  std::vector<std::vector<Gathering::Neighbour>> result(covered_.size());
+std::vector<std::vector<RowGathering::Neighbour>> Assembler::neighbours(const std::vector<char>& joins) const {
+  std::vector<std::vector<RowGathering::Neighbour>> result(covered_.size());
   for (std::size_t f = 0; f < slave_.n_own_faces(); ++f) {
     const Facet& facet = slave_facets_[f];
     for (int i = 0; i < facet.n_corners(); ++i)
       for (int j = 0; j < facet.n_corners(); ++j) {
         const Acting &own = acting(f, i), &other = acting(f, j);
+        if (joins[own.row] == 0) continue;
         result[own.row].push_back({other.row, (facet.node_position(j) - facet.node_position(i)).norm(),
                                    own.rotation().transpose() * other.rotation()});
       }
@@ -372,7 +314,7 @@ std::vector<std::vector<Gathering::Neighbour>> Assembler::neighbours() const {
 
 /// The directions of one multiplier in those of another, as they arrive there: entry (a, b) is direction a of `of`
 /// times direction b of `in`.
-Matrix3 Assembler::turned_directions(const Gathering::Neighbour& of, int in) const {
+Matrix3 Assembler::turned_directions(const RowGathering::Neighbour& of, int in) const {
   if (of.row == in) return Matrix3::Identity();
   if (type_ == ContactType::tied) return of.turned.transpose();
   Matrix3 result = Matrix3::Identity();
@@ -398,7 +340,13 @@ std::vector<MortarCoupling::Image> Assembler::images(const std::vector<int>& kep
 }
 
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
-  const Gathering gathering(neighbours(), covered_, full_);
+  std::vector<double> parts(covered_.size());
+  std::vector<char> joins(covered_.size());
+  for (std::size_t i = 0; i < covered_.size(); ++i) {
+    if (covered_[i] > 0) parts[i] = covered_[i] / full_[i];
+    joins[i] = parts[i] < min_cover_of_row || std::ranges::binary_search(slave.joining, normals_.multipliers[i].node);
+  }
+  const RowGathering gathering(neighbours(joins), parts, joins);
   const std::vector<int>& kept = gathering.kept();
   const RowMatrix gather = gathering.matrix(1, [](const auto&, int) { return Matrix3(Matrix3::Identity()); });
   if (kept.empty())
@@ -425,7 +373,7 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
   result.gap_weights = gather * sparse(n, gap_points_.size(), gap_);
   const int width = rows_per_multiplier();
   const RowMatrix gather_rows =
-      gathering.matrix(width, [&](const Gathering::Neighbour& of, int in) { return turned_directions(of, in); });
+      gathering.matrix(width, [&](const RowGathering::Neighbour& of, int in) { return turned_directions(of, in); });
   result.slave_rows = slave_.on_own_nodes(gather_rows * sparse(width * n, 3 * n_slave, on_slave_));
   result.master_rows = master_.on_own_nodes(gather_rows * sparse(width * n, 3 * n_master, on_master_));
   result.geometric_gap = normal_gaps(result, gather * geometric_);

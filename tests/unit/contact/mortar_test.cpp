@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <set>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
@@ -152,6 +153,25 @@ TEST(Mortar, HeldSurfaceIsNoSlave) {
                          movable = assembly.surface(assembly.bodies()[1], "z0");
   EXPECT_FALSE(contact::first_is_better_slave(held, movable)) << "though it is coarser";
   EXPECT_TRUE(contact::first_is_better_slave(movable, held));
+}
+
+/// Rows that join others leave their part of every rigid motion, and of the area, to them.
+TEST(Mortar, RowsThatJoinOthers) {
+  const test::Boxes assembly({.divisions = {3, 3, 1}}, {.divisions = {2, 2, 1}}, true, 0.0);
+  contact::Surface slave = assembly.surface(assembly.bodies()[0], "z1");
+  const contact::Surface master = assembly.surface(assembly.bodies()[1], "z0");
+  const auto all = contact::mortar_coupling(slave, master, ContactType::tied);
+  const std::set<std::int64_t> border = mesh::border_nodes(slave.faces);
+  EXPECT_EQ(border.size(), 12U);
+  slave.joining = {border.begin(), border.end()};
+  const auto inner = contact::mortar_coupling(slave, master, ContactType::tied);
+  EXPECT_EQ(inner.nodes.size(), 4U);
+  for (const contact::MultiplierNode& at : inner.nodes) EXPECT_FALSE(border.contains(at.node));
+  const Eigen::VectorXd force = Eigen::VectorXd::Ones(all.n_rows());
+  EXPECT_LT((all.slave_rows.transpose() * force - inner.slave_rows.transpose() * force.head(inner.n_rows())).norm(),
+            1e-14);
+  EXPECT_LT((all.master_rows.transpose() * force - inner.master_rows.transpose() * force.head(inner.n_rows())).norm(),
+            1e-14);
 }
 
 /// A foot so small on a large face that it covers no multiplier of that face by a tenth.

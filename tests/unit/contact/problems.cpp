@@ -126,8 +126,9 @@ void expect_friction_solved(const ContactProblem& problem, const ContactLoad& lo
   }
   if (problem.n_motions() > 0) {
     const Eigen::VectorXd left = problem.rigid.transpose() * state.multiplier + load.resultant;
-    EXPECT_LE(left.cwiseAbs().maxCoeff(), tolerance * state.multiplier.cwiseAbs().sum() +
-                                              contact::multiplier_rounding(problem, load) * problem.n_rows());
+    EXPECT_LE(left.cwiseAbs().maxCoeff(),
+              tolerance * state.multiplier.cwiseAbs().sum() +
+                  contact::multiplier_rounding(problem, load) * static_cast<double>(problem.n_rows()));
   }
 }
 

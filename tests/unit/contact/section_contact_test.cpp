@@ -97,7 +97,9 @@ TEST_P(SectionPatch, NonMatchingEdgesTransmitUniformPressure) {
   expect_uniform(found, GetParam().analysis, 1e-10);
   const bool tied = GetParam().contact == ContactType::tied;
   for (Index i = 0; i < coupling.n_rows(); ++i)
-    if (!tied || i % 3 == 1) EXPECT_NEAR(std::abs(found.result.state.multiplier[i]), pressure, 1e-10 * pressure);
+    if (!tied || i % 3 == 1) {
+      EXPECT_NEAR(std::abs(found.result.state.multiplier[i]), pressure, 1e-10 * pressure);
+    }
 }
 
 TEST_P(SectionPatch, WithoutDenseMatrices) {

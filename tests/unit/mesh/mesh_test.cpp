@@ -131,6 +131,16 @@ TEST(BoundaryFaces, PointOutOfEachOfTwoBodiesThatShareNodes) {
   }
 }
 
+TEST(BorderNodes, OfFacesAndOfCurves) {
+  // Two quadrilaterals beside each other; 8 to 14 between the corners.
+  const std::vector<Face> faces{{CellType::quad8, {0, 1, 4, 3, 8, 9, 10, 11}},
+                                {CellType::quad8, {1, 2, 5, 4, 12, 13, 14, 9}}};
+  EXPECT_EQ(border_nodes(faces), (std::set<std::int64_t>{0, 1, 2, 3, 4, 5, 8, 10, 11, 12, 13, 14}));
+  const std::vector<Face> curve{
+      {CellType::line3, {0, 1, 5}}, {CellType::line3, {1, 2, 6}}, {CellType::line3, {2, 3, 7}}};
+  EXPECT_EQ(border_nodes(curve), (std::set<std::int64_t>{0, 3}));
+}
+
 TEST(BoundaryFaces, FacesOfNoElementAreCounted) {
   Mesh mesh = two_blocks();
   EXPECT_EQ(n_orphan_faces(mesh, "ends"), 0u);

@@ -31,6 +31,9 @@ struct Surface {
   double young_modulus = 0;  ///< a typical value, used to choose the slave
   /// With cyclic symmetry: the surface continues in the adjacent sectors. The same for both surfaces of a pair.
   std::optional<Sector> sector = std::nullopt;
+  /// Nodes where something else ties or presses the slave: their rows join those of the nearest other nodes, for two
+  /// conditions on the same displacement would be one too many. Ascending.
+  std::vector<std::int64_t> joining = {};
 };
 
 /// gap = initial gap + slave_rows u_s + master_rows u_m   (weighted, [length^3]; >= 0 where the surfaces are apart).
