@@ -41,7 +41,7 @@ Value<std::string> column_name() {
 
 /// A condition on the position: true where it is not 0.
 Value<Function> part() {
-  const std::string type = "a condition on x, y, z, as in \"x*x + z*z < 40^2\"";
+  const std::string type = "a condition on x, y, z, as in \"x*x + z*z < 40^2 && y > 0\"";
   return converted<Function>(
       name(type), [type](const std::string& found, const Item& item, Context& context) -> std::optional<Function> {
         try {

@@ -32,7 +32,7 @@ class EveryExample(RunTest):
 
     COARSE = {"bolted_flange": dict(n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
-              "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10)}
+              "bladed_disc": dict(size=16, n_width=4), "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10)}
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):
         for config in sorted(CONFIGS.glob("*.toml")):
@@ -136,6 +136,23 @@ class BladeRoot(ExampleTest):
             towards = math.pi if angle == math.pi / 2 else 9 / 8 * math.pi
             moment -= segment * (centre + distance * math.sin(towards))
         return 110 * half_width[-1] * width + 8.2e-9 * 523.6**2 * width * moment
+
+
+class BladedDisc(ExampleTest):
+    """One sector: what it exerts on the next one cancels in every sum."""
+    COARSE = dict(size=16, n_width=4)
+
+    def test_key_carries_the_torque_of_the_gas(self):
+        for row in self.history("bladed_disc.toml", **self.COARSE):
+            self.expect_close(row["key_force"], 0.3 * 30 * (265.92266**2 - 203.89914**2) / 2 / 80, 1e-4)
+
+    def test_shrouds_push_each_other_outwards(self):
+        tight = self.history("bladed_disc.toml", **self.COARSE)
+        apart = self.history("bladed_disc.toml", {"contacts[0].gap": "1"}, **self.COARSE)
+        for row, without in zip(tight, apart):
+            self.assertEqual(without["shroud_force"], 0)
+            pushed = row["blade_force"] - without["blade_force"]
+            self.expect_close(pushed, 2 * row["shroud_force"] * math.sin(math.radians(5)), 0.01)  # and friction
 
 
 class ShrinkFitSection(ExampleTest):
