@@ -66,6 +66,12 @@ std::string ring(const std::string& more) {
          corner_probes() + more;
 }
 
+/// A plane through the axis.
+std::string section_at(double angle) {
+  return fmt::format("body = \"ring\"\nsection = {{ origin = [0, 0, 0], normal = [{:.15g}, {:.15g}, 0] }}",
+                     -std::sin(angle), std::cos(angle));
+}
+
 /// Loads with the period of a sector, without a plane of symmetry.
 const std::string loads =
     "[[loads]]\non = \"rim\"\npressure = \"8 + 3*sin(6*atan2(y, x))\"\n"
@@ -100,6 +106,28 @@ TEST(Cyclic, RigidRimTurnsTheSector) {
   const test::Table loaded =
       test::run_case(elastic + fmt::format("moment = [0, 0, {:.12g}]\n", torque), ring_geo(1)).history;
   EXPECT_RELATIVE(round(loaded, 1), angle * outer, 1e-3);
+}
+
+/// Half of a rotating ring pulls at its two sections with rho omega^2 (b^3 - a^3)/3 each; the cut faces of the sector
+/// carry it on.
+TEST(Cyclic, SectionOfASectorCarriesTheHoopForce) {
+  constexpr double angle = 0.7, density = 0.1, velocity = 0.5;
+  const test::Table history =
+      test::run_case(
+          test::section_of("plane_strain") + test::body("ring", modulus, poisson_ratio) +
+              fmt::format("[time]\nend = 1\n[[loads]]\nbody = \"ring\"\nrotation = {{ angular_velocity = {}, "
+                          "density = {} }}\n",
+                          velocity, density) +
+              "[[supports]]\non = \"origin\"\ndisplacement = { y = 0 }\n" + sector_keys +
+              test::probe("x", "section_force_x", section_at(angle)) +
+              test::probe("y", "section_force_y", section_at(angle)) +
+              test::probe("held", "reaction_y", "on = \"origin\""),
+          ring_geo(1) + "Physical Point(\"origin\") = {100};\n")
+          .history;
+  const double force = density * velocity * velocity * (std::pow(outer, 3) - std::pow(inner, 3)) / 3;
+  EXPECT_RELATIVE(history.at("x", 1), -force * std::sin(angle), 2e-5);
+  EXPECT_RELATIVE(history.at("y", 1), force * std::cos(angle), 2e-5);
+  EXPECT_NEAR(history.at("held", 1), 0, 1e-9 * force) << "of a node that the cut passes through";
 }
 
 TEST(Cyclic, MotionsOfASectorAreRecognised) {

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
-#include <fstream>
-#include <iterator>
-
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
+#include "verification/interrupted.hpp"
 #include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
 
@@ -57,39 +54,14 @@ TEST(FrictionRuns, IntegratorsAgree) {
 }
 
 /// Interrupts a run as Ctrl-C does.
-class Interrupter final : public run::RunObserver {
- public:
-  explicit Interrupter(double after) : after_(after) {}
-  void step(double time, const RunCounters& /*work*/) override {
-    if (time >= after_ && !done_) std::raise(SIGINT);
-    done_ = done_ || time >= after_;
-  }
-  void before_message() override {}
-
- private:
-  double after_;
-  bool done_ = false;
-};
-
-std::string text(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 class FrictionResume : public testing::TestWithParam<std::string> {};
 
 TEST_P(FrictionResume, RepeatsTheUninterruptedRun) {
   const test::CaseDirectory directory(geo());
   config::Config config = directory.config(pulled_block(GetParam()), {});
   config.output.fields = false;
+  test::expect_same_when_resumed(config, directory.path(), {1.5, 5});
   const std::filesystem::path whole = directory.path() / "whole", parts = directory.path() / "parts";
-  ASSERT_EQ(run::run(config, {.output = whole.string()}).exit_status, 0);
-  Interrupter first(1.5), second(5);
-  ASSERT_EQ(run::run(config, {.output = parts.string(), .observer = &first}).exit_status, 130);
-  ASSERT_EQ(run::run(config, {.output = parts.string(), .resume = true, .observer = &second}).exit_status, 130);
-  ASSERT_EQ(run::run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
-  EXPECT_EQ(text(parts / "history.csv"), text(whole / "history.csv"));
-  EXPECT_EQ(text(parts / "steps.csv"), text(whole / "steps.csv"));
   const test::SummaryFile resumed(parts / "summary.json"), at_once(whole / "summary.json");
   for (const char* key : {"dissipated_energy", "largest_slip"}) {
     const std::string name = std::string("contacts/block_y0~1foot_y1/") + key;

@@ -7,6 +7,8 @@
 #include "creepcontact/base/error.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
+#include "verification/interrupted.hpp"
+#include "verification/plane_regions.hpp"
 #include "verification/rings.hpp"
 
 namespace creepcontact {
@@ -105,6 +107,50 @@ TEST(Preload, WithFrictionAndAGrowingContact) {
     EXPECT_RELATIVE(outcome.history.at("wall", 0), 500, 1e-8) << friction;
     EXPECT_RELATIVE(outcome.history.at("wall", 1), 500, 1e-8) << friction;
   }
+}
+
+/// A plate that a bar presses on a base near its end; the other end lifts.
+std::string eccentric(const std::string& more) {
+  std::string toml = test::section_of("plane_strain");
+  for (const char* name : {"base", "plate", "bar"}) toml += test::body(name, modulus, 0.3, 1e-14, 4);
+  for (const char* wall : {"base_y0", "bar_y1"}) toml += test::support(wall, "x") + test::support(wall, "y");
+  return toml + test::contact_table("base_y1", "plate_y0", "friction = 0.1") + more +
+         test::probe("bolt", "contact_force_y", "on = \"bar_y0\"") +
+         test::probe("seat", "contact_area", "on = \"plate_y0\"");
+}
+
+std::string eccentric_geo(double from) {
+  return test::regions_geo({{"base", {0, 10, 20}, {0, 2, 4}},
+                            {"plate", {0, 10, 20}, {2, 3, 2}},
+                            {"bar", {from, from + 1, 4}, {3, 6, 6}},
+                            {"nut", {1, 2, 4}, {3, 6, 6}}});
+}
+
+TEST(Preload, OfAnEccentricBolt) {
+  const std::string bolt = test::contact_table("plate_y1", "bar_y0", "friction = 0.1\npreload = { force = 100 }");
+  for (const double from : {4.5, 7.5, 8.5, 9.0}) {
+    const test::Outcome outcome = test::run_case(eccentric(bolt + "[time]\nend = 1\n"), eccentric_geo(from));
+    EXPECT_RELATIVE(outcome.history.at("bolt", 0), 100, 1e-8) << from;
+    if (from < 9) {
+      EXPECT_LT(outcome.history.at("seat", 0), 7) << from;
+    }
+  }
+}
+
+TEST(Preload, OneAfterTheOtherIsResumed) {
+  std::string toml =
+      eccentric(test::contact_table("plate_y1", "bar_y0", "friction = 0.1\npreload = { force = 100 }") +
+                test::contact_table("plate_y1", "nut_y0", "friction = 0.1\npreload = { force = 80, at = 10 }"));
+  toml += test::body("nut", modulus, 0.3, 1e-14, 4) + test::support("nut_y1", "x") + test::support("nut_y1", "y") +
+          "[time]\nend = 30\nintegrator = \"arkode_erk\"\noutput = [5, 10, 20]\n" +
+          test::probe("nut", "contact_force_y", "on = \"nut_y0\"");
+  const test::CaseDirectory directory(eccentric_geo(8));
+  config::Config config = directory.config(toml, {});
+  config.output.fields = false;
+  test::expect_same_when_resumed(config, directory.path(), {3, 15});
+  const test::Table history(directory.path() / "parts" / "history.csv");
+  EXPECT_LT(history.at("nut", 5), 40);
+  EXPECT_RELATIVE(history.at("nut", 10), 80, 1e-8);
 }
 
 void expect_unreachable(const std::string& toml, const std::string& geo, const std::string& contact,
