@@ -31,6 +31,8 @@ class EveryExample(RunTest):
     """To its end with the settings that the file leaves alone, on a coarse mesh where that saves seconds."""
 
     COARSE = {"bolted_flange": dict(n_around=2, n_hole=2, n_face=2, n_seat=2, n_bearing=1, n_thickness=2, n_shank=2),
+              "casing_flange": dict(n_side=2, n_middle=2, n_seat=2, n_bearing=2, n_wall=2, n_height=3, n_ring=4, n_shank=2,
+                                    n_nut=1, n_heel=2, n_land=1),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
               "bladed_disc": dict(size=16, n_width=4), "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10)}
 
@@ -63,6 +65,38 @@ class BoltedFlange(ExampleTest):
         forces = [row["head_force"] for row in rows]
         self.assertEqual(forces, sorted(forces, reverse=True))
         self.assertGreater(forces[-1], 1e4)
+
+
+class CasingFlange(ExampleTest):
+    COARSE = EveryExample.COARSE["casing_flange"]
+
+    def test_forces_balance(self):
+        rows = self.history("casing_flange.toml", {"time.output": "[4, 8, 16, 30]"}, **self.COARSE)
+        for row in rows:
+            steam = 4 * min(1, row["time"] / 8) * 300 * 70
+            self.expect_close(row["nut_force"], row["bolt_force"], 1e-8)
+            self.assertAlmostEqual(row["bolt_force"] - row["seal_force"] - row["heel_force"], steam, delta=1e-3)
+            self.expect_close(row["seal_pressure"], row["seal_force"] / self.seal_area(), 1e-6)
+            self.expect_close(row["seal_at_bolt"] + row["seal_between_bolts"], 2 * row["seal_pressure"], 0.02)
+        self.expect_close(rows[0]["bolt_force"], 4e5, 1e-8)
+        self.assertGreater(rows[1]["bolt_force"], 1.2 * rows[0]["bolt_force"])  # the bolt lags behind
+        self.assertLess(rows[-1]["bolt_force"], rows[3]["bolt_force"])          # and creeps
+
+    def test_hot_forces_follow_the_modulus(self):
+        changes = {"loads": "[]", "temperature.value": '"20 + 480*min(1, t/8)"', "time.end": "16", "time.output": "[8]",
+                   "materials.casing_steel.creep": "[]", "materials.bolt_steel.creep": "[]"}
+        cold, warm, late = self.history("casing_flange.toml", changes, **self.COARSE)
+        for name in ("bolt_force", "seal_force", "heel_force"):
+            self.expect_close(warm[name], cold[name] * 1.75 / 2.11, 1e-3)
+            self.expect_close(late[name], warm[name], 1e-6)
+
+    def test_leak_is_an_event(self):
+        self.history("casing_flange.toml", {"time.end": "2e4", "time.output": "[]", "time.tolerance": "1e-3"}, **self.COARSE)
+        self.expect_close(self.summary()["events"]["leak"], 10.7e3, 0.1)
+
+    @staticmethod
+    def seal_area():
+        return (math.sqrt((300 + 60 + 25)**2 - (160 + 25 - 4)**2) - 300) * 70
 
 
 class PressFitTorque(ExampleTest):

@@ -12,7 +12,7 @@ import jsonschema
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CONFIGS = sorted([*ROOT.glob("configs/*.toml"), *ROOT.glob("docs/tutorial/*.toml")])
+CONFIGS = sorted([*ROOT.glob("configs/*.toml"), *ROOT.glob("docs/tutorial*/*.toml")])
 STUDIES = sorted(ROOT.glob("studies/*/*.toml"))
 
 

@@ -1,4 +1,4 @@
-"""docs/tutorial.md done word by word: its files are written, its commands run, and they print what it quotes."""
+"""The tutorials done word by word: their files are written, their commands run, and they print what is quoted."""
 
 import os
 import pathlib
@@ -79,23 +79,25 @@ def first_difference(quoted, printed):
 
 
 class Tutorial(unittest.TestCase):
+    page, directory_name, pictures = "tutorial", "press_fit", 2
+
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.directory = pathlib.Path(scratch.name)
-        self.text = (DOCS / "tutorial.md").read_text(encoding="utf-8")
+        self.text = (DOCS / f"{self.page}.md").read_text(encoding="utf-8")
 
     def run_command(self, command):
         environment = {**os.environ, "OMP_NUM_THREADS": "1", "PATH": f"{self.directory / 'bin'}:{os.environ['PATH']}"}
-        return subprocess.run(["bash", "-c", command], cwd=self.directory / "press_fit", env=environment, text=True,
+        return subprocess.run(["bash", "-c", command], cwd=self.directory / self.directory_name, env=environment, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=200)
 
     def test_commands_print_what_is_quoted(self):
-        for name in ("bin", "press_fit"):
+        for name in ("bin", self.directory_name):
             (self.directory / name).mkdir()
         (self.directory / "bin" / "creepcontact").symlink_to(PROGRAM)
         for name, content in files(self.text).items():
-            (self.directory / "press_fit" / name).write_text(content)
+            (self.directory / self.directory_name / name).write_text(content)
         number = 0
         for language, _, content in blocks(self.text):
             for command, quoted in commands(content) if language == "console" else []:
@@ -109,12 +111,12 @@ class Tutorial(unittest.TestCase):
         self.assertGreater(number, 10)
 
     def test_files_are_those_of_the_directory(self):
-        there = {path.name: path.read_text(encoding="utf-8") for path in (DOCS / "tutorial").iterdir()}
+        there = {path.name: path.read_text(encoding="utf-8") for path in (DOCS / self.page).iterdir()}
         self.assertEqual(files(self.text), there)
 
     def test_pictures_and_pages_exist(self):
         pictures = re.findall(r"!\[[^\]]+\]\(([^)]+)\)", self.text)
-        self.assertEqual(len(pictures), 2)
+        self.assertEqual(len(pictures), self.pictures)
         for name in pictures:
             content = (DOCS / name).read_bytes()
             self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
@@ -122,6 +124,10 @@ class Tutorial(unittest.TestCase):
             self.assertTrue(600 < width < 1600 and 300 < height < 1600, (width, height))
         for name in re.findall(r"\]\(([^):#]+)(?:#[^)]*)?\)", self.text):
             self.assertTrue((DOCS / name).exists(), name)
+
+
+class BoltedJointTutorial(Tutorial):
+    page, directory_name, pictures = "tutorial_bolted_joint", "bolted_joint", 1
 
 
 class Comparison(unittest.TestCase):
