@@ -72,6 +72,11 @@ std::optional<std::string> gap_warning(const model::Model& model, const contact:
         "contact '{}': {} the surfaces {} in the mesh, more than a thousandth of body '{}' ({:.4g}), but they are tied "
         "as if they touched; if this is not intended, correct the geometry",
         pair.name, where, in_mesh, smaller.name(), size_of(smaller));
+  if (pair.preload)
+    return fmt::format(
+        "contact '{}': {} the surfaces {} in the mesh, more than a thousandth of body '{}' ({:.4g}), but the preload "
+        "begins as if they touched; if this is not intended, correct the geometry",
+        pair.name, where, in_mesh, smaller.name(), size_of(smaller));
   return fmt::format(
       "contact '{}': {} the surfaces {} in the mesh, but the gap given there is {:.4g}; they differ by more than a "
       "thousandth of body '{}' ({:.4g}). The given gap is used; gap = \"geometric\" uses that of the mesh",

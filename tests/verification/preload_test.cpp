@@ -153,36 +153,79 @@ TEST(Preload, OneAfterTheOtherIsResumed) {
   EXPECT_RELATIVE(history.at("nut", 10), 80, 1e-8);
 }
 
-void expect_unreachable(const std::string& toml, const std::string& geo, const std::string& contact,
-                        const std::string& largest) {
+std::string three_bars_geo() {
+  return test::boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
+                          {"middle", {0, 0, 1}, {1, 1, 1}, {2, 2, 2}},
+                          {"high", {0, 0, 2}, {1, 1, 1}, {2, 2, 2}}});
+}
+
+/// A bar that rests on another one.
+std::string resting() {
+  std::string toml = bar("preload = { force = 100 }");
+  const std::string held = test::support("high_z1", "z");
+  return toml.erase(toml.find(held), held.size());
+}
+
+/// Without contacts; the ends are held.
+std::string three_bars() {
+  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n";
+  for (const char* name : {"low", "middle", "high"})
+    toml += test::body(name, modulus, 0) + test::support(std::string(name) + "_x0", "x") +
+            test::support(std::string(name) + "_y0", "y");
+  return toml + test::support("low_z0", "z") + test::support("high_z1", "z");
+}
+
+void expect_unreachable(const std::string& toml, const std::string& geo, const std::string& expected) {
   std::string message;
   try {
     test::run_case(toml + "[time]\nend = 1\n", geo);
   } catch (const ModelError& error) {
     message = error.what();
   }
-  EXPECT_NE(message.find(fmt::format(
-                "contact '{}': the preload of 100 cannot be reached at t = 0; the largest normal force is {}", contact,
-                largest)),
-            std::string::npos)
-      << message;
+  EXPECT_NE(message.find(expected), std::string::npos) << message;
 }
 
 TEST(Preload, ThatCannotBeReachedIsAnErrorWithTheLargestForce) {
   // Held by supports on both sides of the cut.
   const std::string held = test::support("low_z1", "z") + test::support("high_z0", "z");
-  expect_unreachable(bar("preload = { force = 100 }") + held, bar_geo(), "low_z1/high_z0", "0");
+  const std::string unreachable = "the preload of 100 cannot be reached at t = 0; the ";
+  expect_unreachable(bar("preload = { force = 100 }") + held, bar_geo(),
+                     "contact 'low_z1/high_z0': " + unreachable + "largest normal force is 0");
   // The upper half hangs on the cut and rests on the lower one: it lifts off at its weight.
-  const std::string geo = test::boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}},
-                                           {"middle", {0, 0, 1}, {1, 1, 1}, {2, 2, 2}},
-                                           {"high", {0, 0, 2}, {1, 1, 1}, {2, 2, 2}}});
-  std::string toml = "[mesh]\nfile = \"case.geo\"\norder = 2\n";
-  for (const char* name : {"low", "middle", "high"}) toml += test::body(name, modulus, 0);
-  for (const char* wall : {"low_z0", "high_z1"})
-    for (const char* component : {"x", "y", "z"}) toml += test::support(wall, component);
+  std::string toml = three_bars();
   toml += test::contact_table("middle_z1", "high_z0", "type = \"tied\"\npreload = { force = 100 }") +
           test::contact_table("low_z1", "middle_z0") + "[[loads]]\nbody = \"middle\"\nbody_force = [0, 0, -40]\n";
-  expect_unreachable(toml, geo, "middle_z1/high_z0", "40");
+  expect_unreachable(toml, three_bars_geo(),
+                     "contact 'middle_z1/high_z0': " + unreachable + "largest normal force is 40");
+}
+
+TEST(Preload, ThatLoadsAloneExceedIsAnErrorWithTheSmallestForce) {
+  expect_unreachable(
+      resting() + "[[loads]]\nbody = \"high\"\nbody_force = [0, 0, -300]\n", bar_geo(),
+      "contact 'low_z1/high_z0': the preload of 100 cannot be reached at t = 0; the largest normal force is "
+      "1500: it does not depend on the interference");
+  // A load of 300 lifts the middle part off the lower one and presses it on the upper one.
+  std::string toml = three_bars() + test::contact_table("low_z1", "middle_z0") +
+                     test::contact_table("middle_z1", "high_z0", "preload = { force = 100 }");
+  expect_unreachable(
+      toml + "[[loads]]\nbody = \"middle\"\nbody_force = [0, 0, 300]\n", three_bars_geo(),
+      "contact 'middle_z1/high_z0': the preload of 100 cannot be reached at t = 0; the smallest normal force "
+      "is 300: the loads that act at this time press the contact with as much");
+}
+
+TEST(Preload, OfContactsInSeriesNamesThem) {
+  const std::string geo = three_bars_geo(), toml = three_bars();
+  const auto preloads = [&](int second) {
+    return test::contact_table("low_z1", "middle_z0", "preload = { force = 100 }") +
+           test::contact_table("middle_z1", "high_z0", fmt::format("preload = {{ force = {} }}", second));
+  };
+  expect_unreachable(
+      toml + preloads(90), geo,
+      "the preloads at t = 0 cannot all be reached: 100 of 'low_z1/middle_z0', 90 of 'middle_z1/high_z0'; "
+      "one force passes through these contacts");
+  const test::Outcome same = test::run_case(
+      toml + preloads(100) + "[time]\nend = 1\n" + test::probe("wall", "reaction_z", "on = \"low_z0\""), geo);
+  EXPECT_RELATIVE(same.history.at("wall", 0), 100, 1e-8);
 }
 
 }  // namespace
