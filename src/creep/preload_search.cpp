@@ -13,7 +13,7 @@ namespace {
 
 constexpr double tolerance = 1e-9;     // of the force
 constexpr double loosely_held = 1e-6;  // of the stiffness with all rows closed: the contact is open, or gives way
-constexpr double not_held = 1e-9;      // of the stiffness of the single rows
+constexpr double not_held = 1e-9;      // of the stiffness of a single row
 constexpr double overshoot = 0.9;      // of the first slope
 constexpr double shortest = 1e-9;      // part of a step
 constexpr double same_force = 1e-6;    // of the product of two stiffnesses
@@ -90,15 +90,24 @@ Eigen::VectorXd PreloadSearch::find(Eigen::VectorXd interference) const {
   contact::ContactState state = solve(interference);
   Eigen::VectorXd present = forces_of(state);
   Failure failure(*this, present);
-  const Eigen::MatrixXd closed_stiffness = stiffness(closed(state));
+  const contact::ContactState all_closed = closed(state);
+  const Eigen::MatrixXd closed_stiffness = stiffness(all_closed);
   const Eigen::VectorXd stiffest = closed_stiffness.diagonal();
+  // Where nothing resists, the stiffness is round-off of that of a single row.
+  Eigen::VectorXd of_single_row(forces.size());
+  for (Index p = 0; p < forces.size(); ++p) {
+    Index row = 0;
+    gaps.col(p).cwiseAbs().maxCoeff(&row);
+    const Eigen::VectorXd gap = gaps(row, p) * Eigen::VectorXd::Unit(gaps.rows(), row);
+    of_single_row[p] = std::abs(gap.dot(change(all_closed, gap)));
+  }
   double growth = 1;
   for (int iteration = 0;; ++iteration) {
     const Eigen::VectorXd missing = forces - present;
     Index worst = 0;
     if (missing.cwiseQuotient(forces).cwiseAbs().maxCoeff(&worst) <= tolerance) return interference;
     for (Index p = 0; p < forces.size(); ++p)
-      if (!(stiffest[p] > not_held * stiffest.maxCoeff()) && std::abs(missing[p]) > tolerance * forces[p])
+      if (!(stiffest[p] > not_held * of_single_row[p]) && std::abs(missing[p]) > tolerance * forces[p])
         failure.raise_constant(p, present[p]);
     const double far = largest_interference * forces[worst] / stiffest[worst];
     if (iteration == max_iterations || !(std::abs(interference[worst]) < far))

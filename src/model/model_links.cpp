@@ -41,6 +41,7 @@ std::vector<mechanics::NodeLinks::Turned> matches(const mesh::Mesh& mesh, const 
                                                   const std::vector<std::int64_t>& second,
                                                   const contact::Sector& sector) {
   std::vector<Vector3> positions;
+  positions.reserve(second.size());
   for (const std::int64_t node : second) positions.push_back(mesh.nodes[node]);
   const mesh::PointTree tree(positions);
   const double tolerance = same_position * size_of(mesh);

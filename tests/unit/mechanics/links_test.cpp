@@ -7,6 +7,7 @@
 #include <random>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "creepcontact/mechanics/constraints.hpp"
 
 namespace creepcontact::mechanics {
