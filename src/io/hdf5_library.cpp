@@ -2,8 +2,11 @@
 
 #include <dlfcn.h>
 
+#include <new>
 #include <string>
 #include <type_traits>
+
+#include "creepcontact/platform/memory.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -13,6 +16,12 @@ namespace {
   std::string reason = given == nullptr ? "unknown reason" : given;
   if (reason.find("failed to map segment") != std::string::npos) reason += " (too little memory)";
   throw Hdf5Error("cannot load the HDF5 library: " + reason);
+}
+
+/// Libraries that begin without memory may crash. Nothing is reserved to find out: BLAS waits for ever for its own.
+void require_memory() {
+  constexpr double needed = 160 * 1048576.0;  // of HDF5, of libraries it is linked to, and of a thread
+  if (platform::address_space().bytes < needed) throw std::bad_alloc();
 }
 
 class Loader {
@@ -40,6 +49,7 @@ class Loader {
 };
 
 Hdf5Library load() {
+  require_memory();
   const Loader loader;
   if (loader.function<decltype(::H5open)>("H5open")() < 0) throw Hdf5Error("cannot start the HDF5 library");
   Hdf5Library all{};

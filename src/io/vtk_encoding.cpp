@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <stdexcept>
+#include <new>
 #include <vector>
 
 namespace creepcontact::io {
@@ -35,7 +35,7 @@ std::uint64_t append_compressed(std::span<const std::byte> block, std::string& d
   data.resize(begin + length);
   if (::compress2(reinterpret_cast<Bytef*>(data.data() + begin), &length, reinterpret_cast<const Bytef*>(block.data()),
                   block.size(), level_for(block)) != Z_OK)
-    throw std::runtime_error("zlib could not compress a field");
+    throw std::bad_alloc();  // zlib knows no other failure here
   data.resize(begin + length);
   return length;
 }

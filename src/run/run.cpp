@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -98,7 +99,11 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (options.resume)
     if (std::string reason = nothing_left(config, model, directory); !reason.empty()) return {0, std::move(reason)};
   platform::Background loading;  // of what the checkpoint at the end needs
-  loading.start(io::prepare_checkpoints);
+  // Where address space is short, it must not vanish between the check of the memory and its use.
+  if (std::isfinite(platform::address_space().bytes))
+    io::prepare_checkpoints();
+  else
+    loading.start(io::prepare_checkpoints);
   for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
   for (const mechanics::Body& body : model.bodies())
     for (const std::string& warning : model::mesh_warnings(body)) log::warning("{}", warning);
