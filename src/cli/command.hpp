@@ -23,6 +23,7 @@ int run(const Command& self, const Arguments& arguments);
 int check(const Command& self, const Arguments& arguments);
 int study(const Command& self, const Arguments& arguments);
 int plot(const Command& self, const Arguments& arguments);
+int import(const Command& self, const Arguments& arguments);
 int list(const Command& self, const Arguments& arguments);
 
 /// Arguments of one command: options, one positional argument that must be given, and one that may be.

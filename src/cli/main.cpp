@@ -31,6 +31,7 @@ const std::vector<Command>& commands() {
        study},
       {"plot", "DIR... [options]",
        "Plots the probes and the time steps of a run, or the probes of several, as SVG and PNG (needs gnuplot).", plot},
+      {"import", "DECK.inp [options]", "Makes a configuration and its mesh of a deck of CalculiX or Abaqus.", import},
       {"list", "(keys|study-keys|integrators|laws|elements|quantities) [KEY] [options]",
        "Lists the keys and names that a configuration or a study may use.", list,
        "KEY selects the keys to show. It is one of:\n"

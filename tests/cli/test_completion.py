@@ -32,6 +32,7 @@ class CompletionTest(unittest.TestCase):
         (self.directory / "case.toml").write_text(CONFIG, encoding="utf-8")
         (self.directory / "two words.toml").write_text("", encoding="utf-8")
         (self.directory / "case.geo").write_text("", encoding="utf-8")
+        (self.directory / "deck.inp").write_text("", encoding="utf-8")
         (self.directory / "results").mkdir()
 
 
@@ -51,7 +52,7 @@ class Completion(CompletionTest):
         return sorted(done.stdout.splitlines())
 
     def test_commands(self):
-        self.assertEqual(self.complete(""), ["--help", "--version", "check", "list", "plot", "run", "study"])
+        self.assertEqual(self.complete(""), ["--help", "--version", "check", "import", "list", "plot", "run", "study"])
         self.assertEqual(self.complete("pl"), ["plot"])
 
     def test_every_command_of_the_program(self):
@@ -67,6 +68,7 @@ class Completion(CompletionTest):
         self.assertEqual(self.complete("run "), ["case.toml", "results", "two words.toml"])
         self.assertEqual(self.complete("check --set time.end=1 c"), ["case.toml"])
         self.assertEqual(self.complete("plot "), ["results"])
+        self.assertEqual(self.complete("import "), ["deck.inp", "results"])
         self.assertEqual(self.complete("run --output "), ["results"])
         self.assertEqual(self.complete("run --output=res"), ["results"])
         self.assertEqual(self.complete("run --log-contact case."), ["case.geo", "case.toml"])

@@ -1,0 +1,119 @@
+#pragma once
+/// What a deck says, card by card, before it becomes a model. Names of sets are those of the deck in upper case.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "creepcontact/base/tensor.hpp"
+#include "creepcontact/deck/cards.hpp"
+#include "creepcontact/deck/elements.hpp"
+
+namespace creepcontact::deck {
+
+using Numbers = std::vector<std::int64_t>;
+
+/// Elements of one type; `nodes` are numbers of the deck, element by element, in its order.
+struct ElementBlock {
+  ElementType type;
+  Numbers numbers, nodes;
+};
+
+struct Set {
+  std::string name;  ///< as written
+  Numbers members;   ///< in the order of the deck; those listed one by one may repeat
+};
+
+/// "set, S3" or "12, S3"; of a surface of nodes without a face.
+struct SurfaceEntry {
+  std::string target;
+  int face = 0;
+  Place place;
+};
+struct Surface {
+  std::string name;  ///< as written
+  bool of_nodes = false;
+  std::vector<SurfaceEntry> entries;
+};
+
+/// A property over the temperature: rows of values, the last of which is the temperature where the card has one.
+struct Table {
+  Place place;
+  std::vector<std::vector<double>> rows;
+};
+struct Material {
+  std::string name;  ///< as written
+  Place place;
+  std::optional<Table> elastic, expansion, density, creep;
+  double expansion_zero = 0;
+  std::string creep_law = "NORTON";
+};
+
+struct Section {
+  std::string elements, material;  ///< names in upper case
+  double thickness = 1;
+  Place place;
+};
+
+struct Amplitude {
+  std::string name;
+  bool total_time = false;
+  std::vector<std::pair<double, double>> points;  ///< time, factor
+};
+
+/// A card that comes with its data as they are: what becomes of it depends on the rest of the deck.
+struct RawCard {
+  Card card;
+  std::vector<std::vector<std::string>> data;
+  std::vector<Place> places;  ///< of the data
+};
+
+/// *STEP to *END STEP.
+struct Step {
+  Place place;
+  bool is_creep = false;  ///< *VISCO
+  bool nonlinear_geometry = false;
+  double period = 1;
+  std::vector<RawCard> cards;  ///< supports, loads, temperatures, output
+};
+
+/// A card that leaves no trace in the model, or makes it impossible.
+struct Note {
+  Place place;
+  std::string card, consequence;
+};
+
+struct Deck {
+  Numbers node_numbers;
+  std::vector<Vector3> positions;  ///< by node_numbers
+  std::vector<ElementBlock> elements;
+  std::map<std::string, Set> node_sets, element_sets;  ///< by name in upper case
+  std::map<std::string, Surface> surfaces;
+  std::map<std::string, Material> materials;
+  std::map<std::string, Amplitude> amplitudes;
+  std::vector<Section> sections;
+  std::vector<RawCard> cards;  ///< before the steps: supports, contacts, ties, initial conditions, constraints
+  std::vector<Step> steps;
+  std::vector<Note> left_out, impossible;
+
+  std::unordered_map<std::int64_t, std::size_t> node_of_number;  ///< index into positions
+  struct ElementPlace {
+    std::size_t block = 0, element = 0;
+  };
+  std::unordered_map<std::int64_t, ElementPlace> element_of_number;
+};
+
+/// Reads a deck and the files that it includes. Parts and instances of Abaqus are made one model: each instance has its
+/// own nodes and elements, moved as it says, and its sets are named "INSTANCE.SET".
+/// @throws ConfigError with every mistake, a line each, "file:line: *CARD: what": fields that are not numbers, nodes
+/// and sets that do not exist, elements without all their nodes, a deck that is cut off or has no elements Cost: linear
+/// in the size of the text. Memory: the nodes and elements, twice where instances are made of parts.
+Deck read_deck(const std::filesystem::path& path);
+/// The same of a text. @param name  for messages; the directory of this name is that of the files it includes
+Deck read_deck(std::istream& text, const std::filesystem::path& name);
+
+}  // namespace creepcontact::deck

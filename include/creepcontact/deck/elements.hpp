@@ -1,0 +1,35 @@
+#pragma once
+/// Element types of decks: what they become, and the numbers of their nodes and faces.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "creepcontact/mesh/cell_type.hpp"
+
+namespace creepcontact::deck {
+
+enum class Family { solid, axisymmetric, plane_strain, plane_stress, generalized_plane_strain };
+
+/// "C3D20R" is a C3D20: hex20, solid, with the variant R.
+struct ElementType {
+  std::string name;  ///< as written
+  mesh::CellType cell{};
+  Family family{};
+  std::string variant = {};  ///< letters after the number: R (reduced integration), H (hybrid), I (incompatible modes)
+};
+
+/// nullopt if the program has no such element: shells, beams, springs, coupled fields.
+std::optional<ElementType> element_type(std::string_view name);
+
+/// Of a type, the node of the deck (from 0) at each place of the cell in Gmsh's order.
+const std::vector<int>& gmsh_order(mesh::CellType cell);
+
+/// Face S1, S2, ... of an element: places of its corners, then of the nodes between them, in the order of the deck.
+/// In sections an edge. Faces of decks point outwards or inwards, as it happens.
+/// @param number  from 1; nullptr if there is no such face
+const std::vector<int>* face(mesh::CellType cell, int number);
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,21 @@
+#pragma once
+/// From a deck to a configuration and its mesh.
+
+#include <string>
+#include <vector>
+
+#include "creepcontact/deck/deck.hpp"
+
+namespace creepcontact::deck {
+
+struct Import {
+  std::string toml;                   ///< configuration, with comments on what each table comes from
+  std::string msh;                    ///< content of the mesh file
+  std::vector<std::string> left_out;  ///< one line per card that is not taken into account: place, card, consequence
+};
+
+/// @param name  of the mesh file, which the configuration names, and of its results
+/// @throws ConfigError with all reasons, a line each, why the deck makes no model
+Import import_deck(const Deck& deck, const std::string& name);
+
+}  // namespace creepcontact::deck

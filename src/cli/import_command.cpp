@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+
+#include "command.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/deck/import.hpp"
+#include "creepcontact/platform/replace_file.hpp"
+
+namespace creepcontact::cli {
+
+int import(const Command& self, const Arguments& arguments) {
+  namespace po = boost::program_options;
+  std::string output;
+  CommandLine line(self);
+  line.add_options()("output,o", po::value(&output)->value_name("DIR"),
+                     "directory of the configuration and the mesh (default: the working directory)");
+  if (!line.parse(arguments, "DECK.inp")) return 0;
+  const std::filesystem::path path = line.positional(), directory = output.empty() ? "." : output;
+  const deck::Deck deck = deck::read_deck(path);
+  const std::string name = path.stem().string();
+  const deck::Import made = deck::import_deck(deck, name);
+  if (const std::string reason = why_unwritable(directory); !reason.empty())
+    throw ConfigError(
+        fmt::format("output directory {}: no files can be written there: {}; choose another directory "
+                    "with --output",
+                    directory.string(), reason));
+  std::filesystem::create_directories(directory);
+  const std::filesystem::path configuration = directory / (name + ".toml"), mesh = directory / (name + ".msh");
+  for (const std::filesystem::path& file : {configuration, mesh})
+    if (path_exists(file))
+      throw ConfigError(
+          fmt::format("{} exists already; remove it, or choose another directory with --output", file.string()));
+  platform::replace_file(mesh, made.msh);
+  platform::replace_file(configuration, made.toml);
+  for (const std::string& left_out : made.left_out) std::cout << "left out: " << left_out << '\n';
+  std::cout << configuration.string() << '\n' << mesh.string() << '\n';
+  return 0;
+}
+
+}  // namespace creepcontact::cli

@@ -1,0 +1,26 @@
+#pragma once
+/// Bodies of a deck: elements that share nodes, split by the material of their sections.
+
+#include <string>
+#include <vector>
+
+#include "creepcontact/deck/deck.hpp"
+
+namespace creepcontact::deck {
+
+struct DeckBody {
+  std::string name;      ///< of an element set that holds these elements alone, or of its section
+  std::string material;  ///< in upper case
+  double thickness = 1;
+  Numbers elements;
+};
+
+struct Bodies {
+  std::vector<DeckBody> bodies;
+  bool share_nodes = false;  ///< two materials meet at nodes
+};
+
+/// @param impossible  gets elements without a section, and sections whose material is not defined
+Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible);
+
+}  // namespace creepcontact::deck

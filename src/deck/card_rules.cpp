@@ -1,0 +1,151 @@
+/// The cards of decks, and what becomes of each.
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <utility>
+
+#include "deck_reader.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+std::string without_blanks(const std::string& name) {
+  std::string result;
+  std::ranges::copy_if(name, std::back_inserter(result), [](char c) { return c != ' '; });
+  return result;
+}
+
+}  // namespace
+
+const DeckReader::Rule* DeckReader::rule_or_null(const std::string& name) {
+  // Blanks in names count for nothing: *ENDSTEP is *END STEP.
+  static const std::map<std::string, const Rule*> by_letters = [] {
+    std::map<std::string, const Rule*> all;
+    for (const auto& [full, rule] : rules()) all[without_blanks(full)] = &rule;
+    return all;
+  }();
+  const auto found = by_letters.find(without_blanks(name));
+  return found == by_letters.end() ? nullptr : found->second;
+}
+
+const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
+  using Kind = Rule::Kind;
+  static const std::map<std::string, Rule> all = [] {
+    std::map<std::string, Rule> result;
+    const auto read = [&](const char* name, void (DeckReader::*handler)(const Card&)) {
+      result[name] = {Kind::read, {}, handler};
+    };
+    const auto add = [&](Kind kind, const std::string& text, std::initializer_list<const char*> names) {
+      for (const char* name : names) result[name] = {kind, text, nullptr};
+    };
+
+    read("NODE", &DeckReader::node);
+    read("ELEMENT", &DeckReader::element);
+    read("NSET", &DeckReader::node_set);
+    read("ELSET", &DeckReader::element_set);
+    read("SURFACE", &DeckReader::surface);
+    read("SOLID SECTION", &DeckReader::solid_section);
+    read("MATERIAL", &DeckReader::material);
+    read("ELASTIC", &DeckReader::elastic);
+    read("EXPANSION", &DeckReader::expansion);
+    read("DENSITY", &DeckReader::density);
+    read("CREEP", &DeckReader::creep);
+    read("AMPLITUDE", &DeckReader::amplitude);
+    read("STEP", &DeckReader::step);
+    read("END STEP", &DeckReader::end_step);
+    read("STATIC", &DeckReader::statics);
+    read("VISCO", &DeckReader::visco);
+    read("RESTART", &DeckReader::restart);
+    read("PART", &DeckReader::part);
+    read("END PART", &DeckReader::end_part);
+    read("INSTANCE", &DeckReader::instance);
+    read("END INSTANCE", &DeckReader::end_instance);
+
+    add(Kind::kept, "",
+        {"BOUNDARY",
+         "CLOAD",
+         "DLOAD",
+         "DSLOAD",
+         "TEMPERATURE",
+         "INITIAL CONDITIONS",
+         "CONTACT PAIR",
+         "SURFACE INTERACTION",
+         "SURFACE BEHAVIOR",
+         "FRICTION",
+         "CHANGE FRICTION",
+         "CLEARANCE",
+         "TIE",
+         "CYCLIC SYMMETRY MODEL",
+         "EQUATION",
+         "MPC",
+         "TRANSFORM",
+         "PRE-TENSION SECTION",
+         "RIGID BODY",
+         "NODE PRINT",
+         "EL PRINT",
+         "MODEL CHANGE"});
+    add(Kind::silent, "",
+        {"HEADING",
+         "PREPRINT",
+         "PHYSICAL CONSTANTS",
+         "NODE FILE",
+         "EL FILE",
+         "NODE OUTPUT",
+         "ELEMENT OUTPUT",
+         "CONTACT OUTPUT",
+         "ENERGY OUTPUT",
+         "CONTACT FILE",
+         "CONTACT PRINT",
+         "FACE PRINT",
+         "OUTPUT",
+         "SECTION PRINT",
+         "NORMAL",
+         "CONTROLS",
+         "TIME POINTS",
+         "MONITOR",
+         "PRINT",
+         "FILE FORMAT",
+         "ASSEMBLY",
+         "END ASSEMBLY",
+         "ORIENTATION",
+         "DIAGNOSTICS",
+         "NO ANALYSIS",
+         "NODE RESPONSE",
+         "ELEMENT RESPONSE",
+         "CONTACT RESPONSE",
+         "OBJECTIVE",
+         "DESIGN VARIABLES"});
+    add(Kind::left_out, "damping does not act in static and creep steps",
+        {"DAMPING", "MODAL DAMPING", "CONTACT DAMPING"});
+    add(Kind::left_out, "residual stresses at the start are not taken into account", {"INITIAL STRESS"});
+    add(Kind::left_out, "heat conduction is not computed; give the temperature as a field",
+        {"CONDUCTIVITY", "SPECIFIC HEAT", "FILM", "RADIATE", "DFLUX", "CFLUX", "FILM PROPERTY", "GAP CONDUCTANCE",
+         "GAP HEAT GENERATION"});
+
+    add(Kind::impossible, "shells and membranes are not known",
+        {"SHELL SECTION", "MEMBRANE SECTION", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
+    add(Kind::impossible, "beams and trusses are not known", {"BEAM SECTION", "BEAM GENERAL SECTION", "TRUSS SECTION"});
+    add(Kind::kept, "", {"CHANGE SURFACE BEHAVIOR"});
+    add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",
+        {"SPRING", "DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
+    add(Kind::impossible, "plasticity is not known",
+        {"PLASTIC", "CYCLIC HARDENING", "DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
+    add(Kind::impossible, "large elastic strains are not known", {"HYPERELASTIC", "HYPERFOAM", "HYPO ELASTIC"});
+    add(Kind::impossible, "user materials and elements are not known",
+        {"USER MATERIAL", "DEPVAR", "USER ELEMENT", "SUBSTRUCTURE GENERATE"});
+    add(Kind::impossible,
+        "viscoelasticity by *VISCOELASTIC is not known; the laws 'maxwell', 'hereditary' and others are",
+        {"VISCOELASTIC"});
+    add(Kind::impossible, "only *STATIC and *VISCO steps are known",
+        {"DYNAMIC", "FREQUENCY", "COMPLEX FREQUENCY", "MODAL DYNAMIC", "STEADY STATE DYNAMICS", "BUCKLE",
+         "HEAT TRANSFER", "COUPLED TEMPERATURE-DISPLACEMENT", "UNCOUPLED TEMPERATURE-DISPLACEMENT", "ELECTROMAGNETICS",
+         "CFD", "GREEN", "SENSITIVITY", "FEASIBLE DIRECTION", "CRACK PROPAGATION", "SUBMODEL"});
+    add(Kind::impossible, "fluid networks are not known",
+        {"FLUID SECTION", "FLUID CONSTANTS", "SPECIFIC GAS CONSTANT", "VALUES AT INFINITY"});
+    return result;
+  }();
+  return all;
+}
+
+}  // namespace creepcontact::deck

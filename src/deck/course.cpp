@@ -1,0 +1,70 @@
+#include "course.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace creepcontact::deck {
+
+void Course::add(double time, double value) {
+  if (!points_.empty() && points_.back() == std::pair(time, value)) return;
+  points_.emplace_back(time, value);
+}
+
+bool Course::is_zero() const {
+  return std::ranges::all_of(points_, [](const auto& point) { return point.second == 0; });
+}
+
+bool Course::is_constant() const {
+  return std::ranges::all_of(points_, [&](const auto& point) { return point.second == points_.front().second; });
+}
+
+Course Course::scaled(double factor) const {
+  Course result = *this;
+  for (auto& [time, value] : result.points_) value *= factor;
+  return result;
+}
+
+/// At most two points at one time; what happens within t = 0 has happened before the run.
+std::vector<std::pair<double, double>> Course::tidied() const {
+  std::vector<std::pair<double, double>> result;
+  for (const auto& point : points_) {
+    const std::size_t n = result.size();
+    if (point.first == 0 && n == 1) {
+      result.back() = point;
+      continue;
+    }
+    if (n >= 2 && result[n - 1].first == point.first && result[n - 2].first == point.first)
+      result.back() = point;
+    else
+      result.push_back(point);
+  }
+  return result;
+}
+
+std::string Course::toml() const {
+  if (points_.empty()) return "0";
+  if (is_constant()) return fmt::format("{:.15g}", last());
+  std::string times, values;
+  for (const auto& [time, value] : tidied()) {
+    times += fmt::format("{}{:.15g}", times.empty() ? "" : ", ", time);
+    values += fmt::format("{}{:.15g}", values.empty() ? "" : ", ", value);
+  }
+  return fmt::format("{{ t = [{}], values = [{}] }}", times, values);
+}
+
+std::string Course::toml(const std::string& wrap) const {
+  if (points_.empty() || is_constant()) return fmt::format("\"{}({:.15g})\"", wrap, last());
+  const auto points = tidied();
+  std::string text = fmt::format("{:.15g}", points.back().second);
+  for (std::size_t i = points.size(); i-- > 1;) {
+    const auto [t0, v0] = points[i - 1];
+    const auto [t1, v1] = points[i];
+    const std::string piece = t1 > t0 ? fmt::format("{:.15g} + {:.15g}*(t - {:.15g})", v0, (v1 - v0) / (t1 - t0), t0)
+                                      : fmt::format("{:.15g}", v0);
+    text = fmt::format("(t < {:.15g} ? {} : {})", t1, piece, text);
+  }
+  return fmt::format("\"{}(max(0, {}))\"", wrap, text);
+}
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,31 @@
+#pragma once
+/// A value over the time of the run, linear between its points; two points at one time are a jump.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace creepcontact::deck {
+
+class Course {
+ public:
+  /// Value at the end of what is known; 0 at first.
+  double last() const { return points_.empty() ? 0 : points_.back().second; }
+  /// Appends a point; times do not decrease.
+  void add(double time, double value);
+  bool is_zero() const;
+  bool operator==(const Course&) const = default;
+  /// Number, or table in t.
+  std::string toml() const;
+  /// The same as an expression of the value: "sqrt(<value>)" with wrap = "sqrt". Jumps are conditions on t.
+  std::string toml(const std::string& wrap) const;
+  Course scaled(double factor) const;
+
+ private:
+  bool is_constant() const;
+  std::vector<std::pair<double, double>> tidied() const;
+
+  std::vector<std::pair<double, double>> points_;
+};
+
+}  // namespace creepcontact::deck

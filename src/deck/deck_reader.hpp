@@ -1,0 +1,104 @@
+#pragma once
+/// Cards of a deck, one after the other, into a Deck.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "creepcontact/deck/deck.hpp"
+
+namespace creepcontact::deck {
+
+class DeckReader {
+ public:
+  DeckReader();
+
+  void card(const Card& card);
+  void data(const DataLine& line);
+  /// What was read. @throws ConfigError with all mistakes
+  Deck finish();
+
+  /// What becomes of a card.
+  struct Rule {
+    enum class Kind {
+      read,        ///< by `handler`
+      kept,        ///< with its data, for what makes the model
+      silent,      ///< it changes no result
+      left_out,    ///< with a consequence
+      impossible,  ///< with a reason
+    };
+    Kind kind = Kind::kept;
+    std::string text = {};  ///< consequence or reason
+    void (DeckReader::*handler)(const Card&) = nullptr;
+  };
+  static const std::map<std::string, Rule>& rules();
+  static const Rule* rule_or_null(const std::string& name);
+
+ private:
+  struct Instance {
+    std::int64_t node_offset = 0, element_offset = 0;
+  };
+
+  // Geometry
+  void node(const Card& card);
+  void element(const Card& card);
+  void node_set(const Card& card);
+  void element_set(const Card& card);
+  void surface(const Card& card);
+  void solid_section(const Card& card);
+  // Materials
+  void material(const Card& card);
+  void elastic(const Card& card);
+  void expansion(const Card& card);
+  void density(const Card& card);
+  void creep(const Card& card);
+  void amplitude(const Card& card);
+  // Steps
+  void step(const Card& card);
+  void end_step(const Card& card);
+  void statics(const Card& card);
+  void visco(const Card& card);
+  void restart(const Card& card);
+  // Parts
+  void part(const Card& card);
+  void end_part(const Card& card);
+  void instance(const Card& card);
+  void end_instance(const Card& card);
+
+  void procedure(const Card& card, bool is_creep);
+  void table(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
+  void read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets);
+  void add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
+                   const std::map<std::string, Set>& sets, std::int64_t offset);
+  void add_node(const DataLine& line, Set* set);
+  void add_to_element(const DataLine& line);
+  void finish_card();
+  void merge_instance();
+  std::string required(const Card& card, const std::string& parameter);
+  std::optional<double> real(const DataLine& line, std::size_t field);
+  void mistake(const std::string& message);
+  void mistake(const Place& place, const std::string& what);
+  bool in_step() const { return step_open_; }
+
+  Deck deck_;
+  std::map<std::string, Deck> parts_;
+  Deck* into_ = &deck_;  // or a part, or the instance that is being made
+  Deck instance_deck_;
+  std::string instance_name_;
+  std::vector<std::vector<double>> instance_moves_;
+  std::map<std::string, Instance> instances_;
+
+  Card current_;
+  std::function<void(const DataLine&)> on_data_;
+  Material* material_ = nullptr;
+  bool step_open_ = false;
+  ElementBlock* block_ = nullptr;
+  Set* element_set_ = nullptr;
+  Numbers pending_;  // number and nodes of an element that goes on in the next line
+  Place pending_place_;
+  std::vector<std::string> mistakes_;
+  std::size_t n_mistakes_ = 0;
+};
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,121 @@
+/// Parts and instances of Abaqus as one model.
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "deck_reader.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+std::int64_t largest(const Numbers& numbers) {
+  return numbers.empty() ? 0 : *std::ranges::max_element(numbers);
+}
+
+/// The two data lines of *INSTANCE: a translation, and a rotation in degrees about an axis through two points.
+Eigen::Affine3d motion(const std::vector<std::vector<double>>& lines) {
+  Eigen::Affine3d result = Eigen::Affine3d::Identity();
+  const auto at = [&](std::size_t line, std::size_t i) { return i < lines[line].size() ? lines[line][i] : 0.0; };
+  if (!lines.empty()) result.translate(Vector3(at(0, 0), at(0, 1), at(0, 2)));
+  if (lines.size() > 1) {
+    const Vector3 a(at(1, 0), at(1, 1), at(1, 2)), b(at(1, 3), at(1, 4), at(1, 5));
+    if ((b - a).norm() > 0) {
+      const Eigen::AngleAxisd turn(at(1, 6) * std::numbers::pi / 180, (b - a).normalized());
+      result = Eigen::Translation3d(a) * turn * Eigen::Translation3d(-a) * result;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void DeckReader::part(const Card& card) {
+  if (into_ != &deck_) return mistake(card.place, "the part or instance before it does not end");
+  into_ = &parts_[upper_case(required(card, "NAME"))];
+}
+
+void DeckReader::end_part(const Card& /*card*/) {
+  into_ = &deck_;
+}
+
+void DeckReader::instance(const Card& card) {
+  if (into_ != &deck_) return mistake(card.place, "the part or instance before it does not end");
+  const std::string part = required(card, "PART"), name = required(card, "NAME");
+  const auto found = parts_.find(upper_case(part));
+  if (found == parts_.end()) return mistake(card.place, fmt::format("there is no part '{}'", part));
+  instance_deck_ = found->second;
+  instance_name_ = upper_case(name);
+  instance_moves_.clear();
+  into_ = &instance_deck_;
+  on_data_ = [this](const DataLine& line) {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < line.fields.size(); ++i) numbers.push_back(real(line, i).value_or(0));
+    instance_moves_.push_back(std::move(numbers));
+  };
+}
+
+void DeckReader::end_instance(const Card& card) {
+  if (into_ != &instance_deck_) return mistake(card.place, "there is no *INSTANCE before it");
+  into_ = &deck_;
+  merge_instance();
+}
+
+void DeckReader::merge_instance() {
+  const std::string prefix = instance_name_ + ".";
+  Numbers all_elements;
+  for (const ElementBlock& block : deck_.elements)
+    all_elements.insert(all_elements.end(), block.numbers.begin(), block.numbers.end());
+  const Instance offsets{largest(deck_.node_numbers), largest(all_elements)};
+  if (!instances_.emplace(instance_name_, offsets).second)
+    mistake(current_.place, fmt::format("the instance '{}' exists already", instance_name_));
+  const Eigen::Affine3d moved = motion(instance_moves_);
+  for (std::size_t i = 0; i < instance_deck_.positions.size(); ++i) {
+    const std::int64_t number = instance_deck_.node_numbers[i] + offsets.node_offset;
+    deck_.node_of_number[number] = deck_.positions.size();
+    deck_.node_numbers.push_back(number);
+    deck_.positions.emplace_back(moved * instance_deck_.positions[i]);
+  }
+  for (const ElementBlock& block : instance_deck_.elements) {
+    auto into =
+        std::ranges::find_if(deck_.elements, [&](const ElementBlock& one) { return one.type.name == block.type.name; });
+    if (into == deck_.elements.end()) into = deck_.elements.insert(into, {block.type, {}, {}});
+    for (const std::int64_t number : block.numbers) {
+      deck_.element_of_number[number + offsets.element_offset] = {
+          static_cast<std::size_t>(into - deck_.elements.begin()), into->numbers.size()};
+      into->numbers.push_back(number + offsets.element_offset);
+    }
+    for (const std::int64_t node : block.nodes) into->nodes.push_back(node + offsets.node_offset);
+  }
+  const auto add_sets = [&](const std::map<std::string, Set>& from, std::map<std::string, Set>& to,
+                            std::int64_t offset) {
+    for (const auto& [name, set] : from) {
+      Set& made = to[prefix + name];
+      made.name = prefix + set.name;
+      for (const std::int64_t member : set.members) made.members.push_back(member + offset);
+    }
+  };
+  add_sets(instance_deck_.node_sets, deck_.node_sets, offsets.node_offset);
+  add_sets(instance_deck_.element_sets, deck_.element_sets, offsets.element_offset);
+  for (const auto& [name, surface] : instance_deck_.surfaces) {
+    Surface& made = deck_.surfaces[prefix + name];
+    made = surface;
+    made.name = prefix + surface.name;
+    const std::int64_t offset = surface.of_nodes ? offsets.node_offset : offsets.element_offset;
+    for (SurfaceEntry& entry : made.entries) {
+      const auto number = whole_number(entry.target);
+      entry.target = number ? std::to_string(*number + offset) : prefix + upper_case(entry.target);
+    }
+  }
+  for (Section section : instance_deck_.sections) {
+    section.elements = prefix + section.elements;
+    deck_.sections.push_back(std::move(section));
+  }
+  for (const Note& note : instance_deck_.left_out) deck_.left_out.push_back(note);
+  for (const Note& note : instance_deck_.impossible) deck_.impossible.push_back(note);
+  instance_deck_ = {};
+}
+
+}  // namespace creepcontact::deck

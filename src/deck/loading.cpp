@@ -1,0 +1,285 @@
+#include "loading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace creepcontact::deck {
+namespace {
+
+/// A load or support of one node, face or group of elements, with what acts on it at present.
+struct Entry {
+  Course course;
+  double target = 0;  // value without amplitude, at the end of the present step
+  const Amplitude* amplitude = nullptr;
+  bool is_new = false;      // given in the present step
+  bool is_dropped = false;  // by OP=NEW
+  bool was_free = false;    // a support that does not act in some step
+};
+
+struct Key {
+  char kind = 0;  // b: support, c: force, p: pressure, l: body load
+  std::int64_t of = 0;
+  int part = 0;
+  auto operator<=>(const Key&) const = default;
+};
+
+class Joiner {
+ public:
+  Joiner(const Deck& deck, std::vector<Note>& impossible, std::vector<Note>& left_out)
+      : deck_(deck), resolver_(deck), impossible_(impossible), left_out_(left_out) {
+    creeps_ = std::ranges::any_of(deck.steps, [](const Step& step) { return step.is_creep; });
+  }
+
+  Loading join() {
+    for (const RawCard& raw : deck_.cards)
+      if (raw.card.name == "BOUNDARY") boundary(raw);
+    for (auto& [key, entry] : entries_) entry.is_new = false;
+    double time = 0, total = 0;
+    for (const Step& step : deck_.steps) {
+      if (step.nonlinear_geometry && !warned_of_geometry_) {
+        left_out_.push_back({step.place, "STEP", "NLGEOM: displacements are taken as small"});
+        warned_of_geometry_ = true;
+      }
+      for (const RawCard& raw : step.cards) {
+        if (raw.card.name == "BOUNDARY") boundary(raw);
+        if (raw.card.name == "CLOAD") concentrated(raw);
+        if (raw.card.name == "DLOAD") distributed(raw);
+      }
+      const double duration = creeps_ && !step.is_creep ? 0 : step.period;
+      for (auto& [key, entry] : entries_) advance(entry, step, time, duration, total);
+      time += duration;
+      total += step.period;
+      loading_.step_ends.push_back(time);
+    }
+    loading_.end = time;
+    for (auto& [key, entry] : entries_) store(key, entry);
+    std::erase_if(loading_.bodies, [](const Loading::Body& body) { return body.course.is_zero(); });
+    return std::move(loading_);
+  }
+
+ private:
+  void impossible(const RawCard& raw, std::size_t line, const std::string& why) {
+    impossible_.push_back({line < raw.places.size() ? raw.places[line] : raw.card.place, raw.card.name, why});
+  }
+  std::string field(const RawCard& raw, std::size_t line, std::size_t i) {
+    return i < raw.data[line].size() ? raw.data[line][i] : "";
+  }
+  double value(const RawCard& raw, std::size_t line, std::size_t i) {
+    const std::string text = field(raw, line, i);
+    if (text.empty()) return 0;
+    const std::optional<double> found = number(text);
+    if (!found) impossible(raw, line, fmt::format("'{}' is not a number", text));
+    return found.value_or(0);
+  }
+  const Amplitude* amplitude(const RawCard& raw) {
+    const std::string name = raw.card.value("AMPLITUDE");
+    if (name.empty()) return nullptr;
+    if (raw.card.has("TIMEDELAY")) impossible(raw, raw.places.size(), "TIME DELAY is not known");
+    const auto found = deck_.amplitudes.find(upper_case(name));
+    if (found == deck_.amplitudes.end() || found->second.points.empty()) {
+      impossible(raw, raw.places.size(), fmt::format("there is no amplitude '{}'", name));
+      return nullptr;
+    }
+    return &found->second;
+  }
+  bool replaces(const RawCard& raw) { return upper_case(raw.card.value("OP")) == "NEW"; }
+  /// OP=NEW takes back what earlier steps gave, at the first card of its kind in a step.
+  void drop(char kind) {
+    for (auto& [key, entry] : entries_)
+      if (key.kind == kind && !entry.is_new) entry.is_dropped = true;
+  }
+  void give(const Key& key, double target, const Amplitude* amplitude) {
+    const auto [found, is_first] = entries_.try_emplace(key);
+    Entry& entry = found->second;
+    if (is_first && !loading_.step_ends.empty()) {
+      entry.was_free = true;
+      entry.course.add(0, 0);
+      entry.course.add(loading_.step_ends.back(), 0);
+    }
+    entry.target = target;
+    entry.amplitude = amplitude;
+    entry.is_new = true;
+    entry.is_dropped = false;
+  }
+
+  void boundary(const RawCard& raw) {
+    if (raw.card.has("FIXED")) impossible(raw, raw.places.size(), "FIXED: holding what was reached is not known");
+    if (const std::string type = upper_case(raw.card.value("TYPE")); !type.empty() && type != "DISPLACEMENT")
+      impossible(raw, raw.places.size(), fmt::format("TYPE={} is not known", type));
+    if (replaces(raw)) drop('b');
+    const Amplitude* factors = amplitude(raw);
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const Numbers nodes = resolver_.nodes(field(raw, line, 0));
+      if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
+      static const std::map<std::string, std::vector<int>> named{
+          {"ENCASTRE", {1, 2, 3}}, {"PINNED", {1, 2, 3}}, {"XSYMM", {1}},     {"YSYMM", {2}},
+          {"ZSYMM", {3}},          {"XASYMM", {2, 3}},    {"YASYMM", {1, 3}}, {"ZASYMM", {1, 2}}};
+      std::vector<int> directions;
+      if (const auto found = named.find(upper_case(field(raw, line, 1))); found != named.end()) {
+        directions = found->second;
+      } else {
+        const auto first = whole_number(field(raw, line, 1));
+        const auto last = field(raw, line, 2).empty() ? first : whole_number(field(raw, line, 2));
+        if (!first || !last || *first < 1 || *last < *first) {
+          impossible(raw, line, fmt::format("'{}' is not a degree of freedom", field(raw, line, 1)));
+          continue;
+        }
+        if (*last > 6) impossible(raw, line, fmt::format("degree of freedom {} is not known", *last));
+        for (auto k = *first; k <= std::min<std::int64_t>(*last, 3); ++k) directions.push_back(static_cast<int>(k));
+      }
+      for (const std::int64_t node : nodes)
+        for (const int direction : directions) give({'b', node, direction}, value(raw, line, 3), factors);
+    }
+  }
+
+  void concentrated(const RawCard& raw) {
+    if (replaces(raw)) drop('c');
+    const Amplitude* factors = amplitude(raw);
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const Numbers nodes = resolver_.nodes(field(raw, line, 0));
+      const auto direction = whole_number(field(raw, line, 1));
+      if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
+      if (!direction || *direction < 1 || *direction > 3) {
+        impossible(raw, line, fmt::format("'{}' is not a direction of a force", field(raw, line, 1)));
+        continue;
+      }
+      for (const std::int64_t node : nodes)
+        give({'c', node, static_cast<int>(*direction)}, value(raw, line, 2), factors);
+    }
+  }
+
+  void distributed(const RawCard& raw) {
+    if (replaces(raw)) {
+      drop('p');
+      drop('l');
+    }
+    const Amplitude* factors = amplitude(raw);
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const Numbers elements = resolver_.elements(field(raw, line, 0));
+      if (elements.empty()) {
+        impossible(raw, line, fmt::format("there is no element or set '{}'", field(raw, line, 0)));
+        continue;
+      }
+      const std::string label = upper_case(field(raw, line, 1));
+      const auto face = label.size() == 2 && label[0] == 'P' ? whole_number(label.substr(1)) : std::nullopt;
+      if (face && *face >= 1 && *face <= 6) {
+        for (const std::int64_t element : elements)
+          give({'p', element, static_cast<int>(*face)}, value(raw, line, 2), factors);
+      } else if (label == "CENTRIF" || label == "GRAV") {
+        BodyLoad load{label == "GRAV" ? BodyLoad::Kind::gravity : BodyLoad::Kind::centrifugal, {}};
+        for (std::size_t i = 3; i < (label == "GRAV" ? 6U : 9U); ++i) load.geometry.push_back(value(raw, line, i));
+        auto found = std::ranges::find_if(
+            loading_.bodies, [&](const Loading::Body& one) { return one.load == load && one.elements == elements; });
+        if (found == loading_.bodies.end()) found = loading_.bodies.insert(found, {load, elements, {}});
+        give({'l', found - loading_.bodies.begin(), 0}, value(raw, line, 2), factors);
+      } else {
+        impossible(raw, line, fmt::format("loads of type {} are not known", label));
+      }
+    }
+  }
+
+  static double factor(const Amplitude& amplitude, double time) {
+    const auto& points = amplitude.points;
+    if (time <= points.front().first) return points.front().second;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      if (time < points[i].first) {
+        const double part = (time - points[i - 1].first) / (points[i].first - points[i - 1].first);
+        return points[i - 1].second + part * (points[i].second - points[i - 1].second);
+      }
+    return points.back().second;
+  }
+
+  /// @param total  of the deck at the begin of the step
+  void advance(Entry& entry, const Step& step, double time, double duration, double total) {
+    const double old = entry.course.last(), end = time + duration;
+    if (entry.is_dropped) {
+      entry.was_free = true;
+      entry.amplitude = nullptr;
+      entry.target = 0;
+      entry.is_new = true;
+    }
+    if (entry.amplitude != nullptr && (entry.is_new || entry.amplitude->total_time)) {
+      const Amplitude& amplitude = *entry.amplitude;
+      const double begin = amplitude.total_time ? total : 0;
+      std::set<double> times{0, step.period};
+      for (const auto& [point, unused] : amplitude.points)
+        if (point > begin && point < begin + step.period) times.insert(point - begin);
+      for (const double within : times)
+        entry.course.add(time + within / step.period * duration, entry.target * factor(amplitude, begin + within));
+    } else if (!entry.is_new) {
+      entry.course.add(time, old);
+      entry.course.add(end, old);
+    } else if (step.is_creep) {
+      entry.course.add(time, old);
+      entry.course.add(time, entry.target);
+      entry.course.add(end, entry.target);
+    } else {
+      entry.course.add(time, old);
+      entry.course.add(end, entry.target);
+    }
+    entry.is_new = false;
+  }
+
+  void store(const Key& key, Entry& entry) {
+    switch (key.kind) {
+      case 'b':
+        if (entry.was_free && !released_) {
+          impossible_.push_back({deck_.steps.back().place, "BOUNDARY",
+                                 fmt::format("node {} is held in direction {} in some steps only; supports act in the "
+                                             "whole run",
+                                             key.of, key.part)});
+          released_ = true;
+        }
+        loading_.supports[key.of][key.part] = entry.course;
+        break;
+      case 'c':
+        if (!entry.course.is_zero()) loading_.forces[key.of][key.part] = entry.course;
+        break;
+      case 'p':
+        if (!entry.course.is_zero()) loading_.pressures[{key.of, key.part}] = entry.course;
+        break;
+      default:
+        loading_.bodies[static_cast<std::size_t>(key.of)].course = entry.course;
+    }
+  }
+
+  const Deck& deck_;
+  Resolver resolver_;
+  std::vector<Note>&impossible_, &left_out_;
+  std::map<Key, Entry> entries_;
+  Loading loading_;
+  bool creeps_ = false, warned_of_geometry_ = false, released_ = false;
+};
+
+Numbers resolved(const std::string& target, const std::map<std::string, Set>& sets) {
+  if (const auto own = whole_number(target)) return {*own};
+  const auto found = sets.find(upper_case(target));
+  if (found == sets.end()) return {};
+  Numbers unique = found->second.members;
+  std::ranges::sort(unique);
+  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
+  return unique;
+}
+
+}  // namespace
+
+Numbers Resolver::nodes(const std::string& target) const {
+  Numbers found = resolved(target, deck_.node_sets);
+  std::erase_if(found, [&](std::int64_t node) { return !deck_.node_of_number.contains(node); });
+  return found;
+}
+
+Numbers Resolver::elements(const std::string& target) const {
+  Numbers found = resolved(target, deck_.element_sets);
+  std::erase_if(found, [&](std::int64_t element) { return !deck_.element_of_number.contains(element); });
+  return found;
+}
+
+Loading join_steps(const Deck& deck, std::vector<Note>& impossible, std::vector<Note>& left_out) {
+  return Joiner(deck, impossible, left_out).join();
+}
+
+}  // namespace creepcontact::deck

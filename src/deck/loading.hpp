@@ -1,0 +1,58 @@
+#pragma once
+/// Supports and loads of all steps as courses over the time of one run.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "course.hpp"
+#include "creepcontact/deck/deck.hpp"
+
+namespace creepcontact::deck {
+
+/// Sets and surfaces of a deck as the nodes, elements and faces that they hold.
+class Resolver {
+ public:
+  explicit Resolver(const Deck& deck) : deck_(deck) {}
+  /// Of a number or the name of a set; also "INSTANCE.SET". Empty if there is none.
+  Numbers nodes(const std::string& target) const;
+  Numbers elements(const std::string& target) const;
+
+ private:
+  const Deck& deck_;
+};
+
+struct ElementFace {
+  std::int64_t element = 0;
+  int face = 0;
+  auto operator<=>(const ElementFace&) const = default;
+};
+
+/// Of *DLOAD on elements as a whole.
+struct BodyLoad {
+  enum class Kind { centrifugal, gravity };
+  Kind kind{};
+  std::vector<double> geometry;  ///< point and direction of the axis; direction of gravity
+  bool operator==(const BodyLoad&) const = default;
+};
+
+struct Loading {
+  double end = 0;
+  std::vector<double> step_ends;
+  std::map<std::int64_t, std::map<int, Course>> supports;  ///< by node and direction 1, 2, 3
+  std::map<std::int64_t, std::map<int, Course>> forces;
+  std::map<ElementFace, Course> pressures;
+  struct Body {
+    BodyLoad load;
+    Numbers elements;
+    Course course;  ///< of omega^2, or of the acceleration
+  };
+  std::vector<Body> bodies;
+};
+
+/// Joins the steps: *STATIC steps ramp, *VISCO steps begin with their loads. If the deck has *VISCO steps, only these
+/// take time, for in the others nothing creeps.
+/// @param impossible  gets what cannot be done; @param left_out  what is not taken into account
+Loading join_steps(const Deck& deck, std::vector<Note>& impossible, std::vector<Note>& left_out);
+
+}  // namespace creepcontact::deck

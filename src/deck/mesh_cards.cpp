@@ -1,0 +1,195 @@
+/// Nodes, elements, sets, surfaces and sections.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "deck_reader.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+/// Of a set, made if there is none; its name is that of the first card.
+template <class T>
+T& named(std::map<std::string, T>& all, const std::string& name) {
+  T& found = all[upper_case(name)];
+  if (found.name.empty()) found.name = name;
+  return found;
+}
+
+}  // namespace
+
+void DeckReader::node(const Card& card) {
+  Set* set = card.value("NSET").empty() ? nullptr : &named(into_->node_sets, card.value("NSET"));
+  on_data_ = [this, set](const DataLine& line) { add_node(line, set); };
+}
+
+void DeckReader::add_node(const DataLine& line, Set* set) {
+  const std::optional<std::int64_t> own = whole_number(line.field(0));
+  if (!own) return mistake(line.place, fmt::format("'{}' is not a node number", line.field(0)));
+  if (line.fields.size() > 7)
+    return mistake(line.place, fmt::format("{} fields; a node has a number and coordinates", line.fields.size()));
+  Vector3 position = Vector3::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<double> coordinate = real(line, k + 1);
+    if (!coordinate) return;
+    position[static_cast<Eigen::Index>(k)] = *coordinate;
+  }
+  const auto [found, is_new] = into_->node_of_number.try_emplace(*own, into_->positions.size());
+  if (is_new) {
+    into_->node_numbers.push_back(*own);
+    into_->positions.push_back(position);
+  } else {
+    into_->positions[found->second] = position;
+  }
+  if (set != nullptr) set->members.push_back(*own);
+}
+
+void DeckReader::element(const Card& card) {
+  const std::string name = required(card, "TYPE");
+  if (name.empty()) return;
+  element_set_ = card.value("ELSET").empty() ? nullptr : &named(into_->element_sets, card.value("ELSET"));
+  const std::optional<ElementType> type = element_type(name);
+  if (!type) {
+    into_->impossible.push_back(
+        {card.place, card.name,
+         fmt::format("elements of type {}: only solid elements and sections of solids are known", name)});
+    return;
+  }
+  auto block = std::ranges::find_if(into_->elements, [&](const ElementBlock& one) {
+    return one.type.cell == type->cell && one.type.family == type->family &&
+           upper_case(one.type.name) == upper_case(name);
+  });
+  if (block == into_->elements.end()) block = into_->elements.insert(block, {*type, {}, {}});
+  block_ = &*block;
+  on_data_ = [this](const DataLine& line) { add_to_element(line); };
+}
+
+void DeckReader::add_to_element(const DataLine& line) {
+  if (pending_.empty()) pending_place_ = line.place;
+  const auto n_nodes = static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
+  for (const std::string_view field : line.fields) {
+    const std::optional<std::int64_t> own = whole_number(field);
+    if (!own) {
+      pending_.clear();
+      return mistake(line.place, fmt::format("'{}' is not the number of an element or a node", field));
+    }
+    if (pending_.size() > n_nodes) break;
+    pending_.push_back(*own);
+  }
+  const std::size_t given = pending_.size();
+  if (given < n_nodes + 1) return;
+  const std::int64_t number = pending_.front();
+  const Deck::ElementPlace place{static_cast<std::size_t>(block_ - into_->elements.data()), block_->numbers.size()};
+  if (!into_->element_of_number.emplace(number, place).second) {
+    pending_.clear();
+    return mistake(line.place, fmt::format("element {} exists already", number));
+  }
+  block_->numbers.push_back(number);
+  block_->nodes.insert(block_->nodes.end(), pending_.begin() + 1, pending_.end());
+  if (element_set_ != nullptr) element_set_->members.push_back(number);
+  pending_.clear();
+}
+
+void DeckReader::node_set(const Card& card) {
+  read_set(card, "NSET", &Deck::node_sets);
+}
+
+void DeckReader::element_set(const Card& card) {
+  read_set(card, "ELSET", &Deck::element_sets);
+}
+
+void DeckReader::read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets) {
+  const std::string name = required(card, key);
+  if (name.empty()) return;
+  std::map<std::string, Set>& all = into_->*sets;
+  Set& set = named(all, name);
+  const bool generate = card.has("GENERATE");
+  std::string scope;
+  std::int64_t offset = 0;
+  if (const std::string instance = upper_case(card.value("INSTANCE")); !instance.empty()) {
+    const auto found = instances_.find(instance);
+    if (found == instances_.end())
+      return mistake(card.place, fmt::format("there is no instance '{}'", card.value("INSTANCE")));
+    scope = instance + ".";
+    offset = sets == &Deck::node_sets ? found->second.node_offset : found->second.element_offset;
+  }
+  on_data_ = [this, &set, generate, scope, &all, offset](const DataLine& line) {
+    add_members(set, line, generate, scope, all, offset);
+  };
+}
+
+void DeckReader::add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
+                             const std::map<std::string, Set>& sets, std::int64_t offset) {
+  if (generate) {
+    const auto first = whole_number(line.field(0));
+    const auto last = line.fields.size() > 1 ? whole_number(line.field(1)) : first;
+    const auto step = line.fields.size() > 2 ? whole_number(line.field(2)) : 1;
+    if (!first || !last || !step || *first < 0 || *step < 1 || *last < *first)
+      return mistake(line.place, "expected the first number, the last one and the step");
+    constexpr std::int64_t most = 10'000'000;
+    if ((*last - *first) / *step > most) return mistake(line.place, fmt::format("more than {} members", most));
+    for (std::int64_t i = *first; i <= *last; i += *step) set.members.push_back(offset + i);
+    return;
+  }
+  for (const std::string_view field : line.fields) {
+    if (field.empty()) continue;
+    if (const auto own = whole_number(field)) {
+      set.members.push_back(offset + *own);
+      continue;
+    }
+    const auto other = sets.find(scope + upper_case(field));
+    if (other == sets.end()) {
+      mistake(line.place, fmt::format("there is no set '{}' before this line", field));
+      continue;
+    }
+    if (&other->second == &set) continue;
+    std::unordered_set<std::int64_t> known(set.members.begin(), set.members.end());
+    for (const std::int64_t member : other->second.members)
+      if (known.insert(member).second) set.members.push_back(member);
+  }
+}
+
+void DeckReader::surface(const Card& card) {
+  const std::string name = required(card, "NAME");
+  if (name.empty()) return;
+  const std::string type = upper_case(card.value("TYPE"));
+  if (!type.empty() && type != "ELEMENT" && type != "NODE") {
+    into_->left_out.push_back({card.place, card.name, fmt::format("surfaces of type {} are not known", type)});
+    return;
+  }
+  Surface& surface = named(into_->surfaces, name);
+  surface.of_nodes = type == "NODE";
+  on_data_ = [this, &surface](const DataLine& line) {
+    SurfaceEntry entry{std::string(line.field(0)), 0, line.place};
+    const std::string label = upper_case(line.field(1));
+    if (label == "SPOS" || label == "SNEG") {
+      into_->impossible.push_back(
+          {line.place, "SURFACE", fmt::format("{}: a side of a shell; shells are not known", label)});
+      return;
+    }
+    if (!surface.of_nodes && !label.empty()) {
+      const auto face =
+          label.size() > 1 && (label[0] == 'S' || label[0] == 'P') ? whole_number(label.substr(1)) : std::nullopt;
+      if (!face || *face < 1 || *face > 6)
+        return mistake(line.place, fmt::format("'{}' is not a face of an element: S1 to S6", line.field(1)));
+      entry.face = static_cast<int>(*face);
+    }
+    surface.entries.push_back(std::move(entry));
+  };
+}
+
+void DeckReader::solid_section(const Card& card) {
+  Section section{upper_case(required(card, "ELSET")), upper_case(required(card, "MATERIAL")), 1, card.place};
+  if (section.elements.empty() || section.material.empty()) return;
+  if (!into_->element_sets.contains(section.elements))
+    return mistake(card.place, fmt::format("there is no element set '{}'", card.value("ELSET")));
+  into_->sections.push_back(std::move(section));
+  on_data_ = [this](const DataLine& line) {
+    if (const auto thickness = line.field(0).empty() ? std::nullopt : real(line, 0))
+      into_->sections.back().thickness = *thickness;
+  };
+}
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,180 @@
+"""Decks of CalculiX and Abaqus become runs: exact answers of little decks, and values of CalculiX' own examples."""
+
+import collections
+import gzip
+import pathlib
+import re
+import subprocess
+import unittest
+
+from process_case import PROGRAM
+from test_runs import RunTest
+
+EXAMPLES = pathlib.Path("/usr/share/doc/calculix-ccx-test/examples/test")
+
+CUBE = """*NODE, NSET=Nall
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 0, 0, 1
+6, 1, 0, 1
+7, 1, 1, 1
+8, 0, 1, 1
+*ELEMENT, TYPE=C3D8R, ELSET=Cube
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*NSET, NSET=x0
+1, 4, 5, 8
+*NSET, NSET=y0
+1, 2, 5, 6
+*NSET, NSET=z0
+1, 2, 3, 4
+*BOUNDARY
+x0, 1
+y0, 2
+z0, 3
+*MATERIAL, NAME=Steel
+*ELASTIC
+1e5, 0.
+*SOLID SECTION, ELSET=Cube, MATERIAL=Steel
+"""
+
+
+def deck_text(name):
+    path = EXAMPLES / f"{name}.inp"
+    if path.exists():
+        return path.read_text(errors="replace")
+    return gzip.decompress((EXAMPLES / f"{name}.inp.gz").read_bytes()).decode(errors="replace")
+
+
+class ImportTest(RunTest):
+    def import_deck(self, name, text, status=0):
+        deck = self.directory / f"{name}.inp"
+        deck.write_text(text)
+        done = subprocess.run([PROGRAM, "import", str(deck), "--output", str(self.directory / "imported")],
+                              capture_output=True, text=True, timeout=50)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def run_imported(self, name, probes=""):
+        path = self.directory / "imported" / f"{name}.toml"
+        text = path.read_text()
+        if probes:
+            path.write_text(text[:(text + "[[probes]]").index("[[probes]]")] + probes)
+        done = subprocess.run([PROGRAM, "run", str(path), "--output", str(self.output)], cwd=self.directory,
+                              capture_output=True, text=True, timeout=100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.table("history.csv")
+
+    def expect_close(self, value, reference, relative):
+        self.assertAlmostEqual(value, reference, delta=relative * abs(reference))
+
+
+class Import(ImportTest):
+    def test_creep_in_visco_steps_alone(self):
+        """100 MPa, then 200 MPa at once, which creep at 1e-6 q^2 for one unit of time."""
+        done = self.import_deck("creep", CUBE.replace("*SOLID", "*CREEP\n1e-6, 2, 0\n*SOLID") +
+                                "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*END STEP\n"
+                                "*STEP\n*VISCO, CETOL=1e-4\n0.1, 1.\n*DLOAD\nCube, P2, -200.\n"
+                                "*NODE PRINT, NSET=Nall\nU\n*END STEP\n")
+        self.assertEqual(done.stdout.splitlines(), [str(self.directory / "imported" / f"creep.{end}") for end in ("toml", "msh")])
+        rows = self.run_imported("creep")
+        self.assertEqual([row["time"] for row in rows], [0, 1])
+        self.expect_close(rows[0]["uz_node_7"], 0.002, 1e-9)  # after the jump
+        self.expect_close(rows[1]["uz_node_7"], 0.002 + 0.04, 1e-6)
+
+    def test_time_of_a_hardening_law_includes_static_steps(self):
+        self.import_deck("hardening", CUBE.replace("*SOLID", "*CREEP\n1e-6, 2, 1.\n*SOLID") +
+                         "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*END STEP\n*STEP\n*VISCO\n0.1, 2.\n"
+                         "*NODE PRINT, NSET=Nall\nU\n*END STEP\n")
+        # integral of 0.01 t from 1 to 3
+        self.expect_close(self.run_imported("hardening")[-1]["uz_node_7"], 0.001 + 0.01 * (9 - 1) / 2, 1e-5)
+
+    def test_loads_ramp_and_follow_amplitudes(self):
+        self.import_deck("ramps", CUBE + "*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0, 0, 4, 2\n*STEP\n*STATIC\n1., 2.\n"
+                         "*DLOAD\nCube, P2, -100.\n*CLOAD, AMPLITUDE=A\n6, 1, 10.\n*NODE PRINT, NSET=Nall\nU\n*END STEP\n"
+                         "*STEP\n*STATIC\n1., 2.\n*DLOAD, OP=NEW\n*END STEP\n")
+        text = (self.directory / "imported" / "ramps.toml").read_text()
+        self.assertIn("pressure = { t = [0, 2, 4], values = [0, -100, 0] }", text)
+        self.assertIn("force = [{ t = [0, 2, 4], values = [0, 10, 20] }, 0, 0]", text)
+        rows = self.run_imported("ramps")
+        self.assertEqual([row["time"] for row in rows], [0, 2, 4])
+        self.assertAlmostEqual(sum(rows[1][f"uz_node_{n}"] for n in (5, 6, 7, 8)) / 4, 0.001, delta=1e-9)
+        self.assertAlmostEqual(sum(rows[2][f"uz_node_{n}"] for n in (5, 6, 7, 8)) / 4, 0, delta=1e-9)
+
+    def test_contact_with_friction_and_ties(self):
+        """A second cube on the first one, pressed; its nodes do not match by number, but in place."""
+        above = "*NODE\n" + "".join(f"{n + 10}, {x}, {y}, {z + 1}\n" for n, (x, y, z) in enumerate(
+            [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]))
+        text = (CUBE + above + "*ELEMENT, TYPE=C3D8, ELSET=Above\n2, 10, 11, 12, 13, 14, 15, 16, 17\n"
+                "*SOLID SECTION, ELSET=Above, MATERIAL=steel\n*NSET, NSET=foot\n10, 11, 12, 13\n"
+                "*SURFACE, NAME=Foot, TYPE=NODE\nfoot\n*SURFACE, NAME=Top\nCube, S2\n"
+                "*BOUNDARY\n10, 1, 2\n13, 1\n{}*STEP\n*STATIC\n*DLOAD\nAbove, P2, 50.\n*END STEP\n")
+        contact = "*CONTACT PAIR, INTERACTION=I\nFoot, Top\n*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={}\n1e7,\n*FRICTION\n0.2, 1e6\n"
+        probe = '[[probes]]\nname = "u"\nquantity = "displacement_z"\nat = [1, 1, 2]\nbody = "Above"\n'
+        hard = self.import_deck("linear", text.format(contact.format("LINEAR")))
+        self.assertIn("*SURFACE BEHAVIOR: LINEAR: contact is hard here", hard.stdout)
+        self.assertIn("friction = 0.2", (self.directory / "imported" / "linear.toml").read_text())
+        self.expect_close(self.run_imported("linear", probe)[-1]["u"], -0.001, 1e-8)
+        self.import_deck("tie", text.format("*TIE, NAME=T, POSITION TOLERANCE=0.1\nFoot, Top\n"))
+        self.assertIn('type = "tied"', (self.directory / "imported" / "tie.toml").read_text())
+        self.expect_close(self.run_imported("tie", probe)[-1]["u"], -0.001, 1e-8)
+
+    def test_what_makes_no_model(self):
+        done = self.import_deck("impossible", CUBE + "*PLASTIC\n200\n*EQUATION\n2\n1, 1, 1., 2, 1, -1.\n*STEP\n*DYNAMIC\n*END STEP\n", 2)
+        for line, reason in ((26, "*PLASTIC: plasticity is not known"), (28, "*EQUATION: linear constraints are not known"),
+                             (32, "*DYNAMIC: only *STATIC and *VISCO steps are known")):
+            self.assertIn(f"impossible.inp:{line}: {reason}", done.stderr)
+        self.assertFalse((self.directory / "imported").exists())
+        self.assertIn("cannot read", self.import_missing().stderr)
+
+    def import_missing(self):
+        return subprocess.run([PROGRAM, "import", "none.inp"], capture_output=True, text=True, timeout=50)
+
+    def test_nothing_is_overwritten(self):
+        text = CUBE + "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*END STEP\n"
+        self.import_deck("twice", text)
+        self.assertIn("exists already", self.import_deck("twice", text, 2).stderr)
+
+
+@unittest.skipUnless(EXAMPLES.exists(), "needs the Debian package calculix-ccx-test")
+class ImportOfCalculix(ImportTest):
+    """Values of the .dat.ref files that come with the decks."""
+
+    @staticmethod
+    def position(text, number):
+        nodes = re.findall(r"(?ims)^\*node\s*(?:,[^\n]*)?\n(.*?)(?=^\*[^*])", text)
+        line = next(line for block in nodes for line in block.splitlines() if line.split(",")[0].strip() == str(number))
+        return [float(field) for field in (line.split(",") + ["0"])[1:4]]
+
+    def test_values(self):
+        """At nodes at the end of the last step."""
+        for name, node, component, body, value, relative in (
+                ("planestrain2", 3, "y", "Eall", 4.333333e-4, 1e-5),
+                ("beam20p", 5, "y", "B1", 0.0872254, 0.01),  # 27 integration points there, 8 here
+                ("c3d15", 112, "z", None, -1.034483e-6, 1e-5),
+                ("achtelc", 40, "z", None, 1.942302e-5, 1e-4),
+                ("axial", 12, "x", None, 6.804776e-5, 0.005),
+                ("contactenergy", 3, "z", "Emast", -1.904762e-5, 1e-4)):
+            with self.subTest(name):
+                text = deck_text(name)
+                self.import_deck(name, text)
+                of_body = f'body = "{body}"\n' if body else ""
+                probe = f'[[probes]]\nname = "u"\nquantity = "displacement_{component}"\nat = {self.position(text, node)}\n'
+                self.expect_close(self.run_imported(name, probe + of_body)[-1]["u"], value, relative)
+
+    def test_every_deck_becomes_a_model_or_is_refused_with_reasons(self):
+        statuses = collections.Counter()
+        for path in sorted([*EXAMPLES.glob("*.inp"), *EXAMPLES.glob("*.inp.gz")]):
+            name = path.name.split(".inp")[0]
+            (self.directory / f"{name}.inp").write_text(deck_text(name))
+            done = subprocess.run([PROGRAM, "import", f"{name}.inp", "--output", "all"], cwd=self.directory,
+                                  capture_output=True, text=True, timeout=20)
+            self.assertIn(done.returncode, (0, 2), f"{name}: {done.stderr}")
+            self.assertEqual(done.returncode == 2, done.stderr.startswith("error: "), name)
+            statuses[done.returncode] += 1
+        self.assertEqual(statuses, {0: 54, 2: 301})
+
+
+if __name__ == "__main__":
+    unittest.main()

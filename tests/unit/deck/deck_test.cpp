@@ -1,0 +1,164 @@
+/// Decks: what is read of them, and what is refused.
+
+#include "creepcontact/deck/deck.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+using creepcontact::test::message_of;
+using creepcontact::test::says;
+
+Deck read(const std::string& text) {
+  std::istringstream stream(text);
+  return read_deck(stream, "deck.inp");
+}
+
+std::string refusal(const std::string& text) {
+  return message_of<ConfigError>([&] { read(text); });
+}
+
+const std::string square =
+    "*NODE, NSET=Nall\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*ELEMENT, TYPE=CPE4, ELSET=Eall\n7, 1, 2, 3, 4\n";
+
+TEST(Deck, NodesElementsAndSets) {
+  const Deck deck = read(square +
+                         "*NSET, NSET=Left\n1, 4,\n*NSET, NSET=few, GENERATE\n1, 3, 2\n2\n*NSET, NSET=LEFT\nfew\n"
+                         "*NSET, NSET=some, UNSORTED\nnall, Left\n*ELSET,ELSET=All\nEALL\n");
+  EXPECT_EQ(deck.node_numbers, (Numbers{1, 2, 3, 4}));
+  EXPECT_EQ(deck.positions[2], Vector3(1, 1, 0));
+  ASSERT_EQ(deck.elements.size(), 1U);
+  EXPECT_EQ(deck.elements[0].type.family, Family::plane_strain);
+  EXPECT_EQ(deck.elements[0].nodes, (Numbers{1, 2, 3, 4}));
+  EXPECT_EQ(deck.node_sets.at("LEFT").name, "Left");
+  EXPECT_EQ(deck.node_sets.at("LEFT").members, (Numbers{1, 4, 3, 2}));
+  EXPECT_EQ(deck.node_sets.at("SOME").members, (Numbers{1, 2, 3, 4}));
+  EXPECT_EQ(deck.element_sets.at("ALL").members, Numbers{7});
+}
+
+/// The lines of an element end where its nodes do, whatever commas say.
+TEST(Deck, ElementsOverSeveralLines) {
+  std::string text = "*NODE\n";
+  for (int i = 1; i <= 20; ++i) text += std::to_string(i) + ", 0, 0, 0\n";
+  const Deck deck = read(
+      text +
+      "*ELEMENT, TYPE=c3d20r\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,\n11, 12, 13, 14, 15, 16,\n"
+      "** a comment in between\n17, 18, 19, 20,\n2, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11\n12, 13, 14, 15, 16, 17, 18, "
+      "19, 20\n");
+  ASSERT_EQ(deck.elements.size(), 1U);
+  EXPECT_EQ(deck.elements[0].numbers, (Numbers{1, 2}));
+  EXPECT_EQ(deck.elements[0].nodes.size(), 40U);
+  EXPECT_EQ(deck.elements[0].type.variant, "R");
+}
+
+TEST(Deck, SurfacesSectionsAndMaterials) {
+  const Deck deck = read(square +
+                         "*SURFACE, NAME=Top\nEall, S3\n7, s2\n*SURFACE, NAME=Nodes, TYPE=NODE\nNall\n"
+                         "*MATERIAL, NAME=Steel\n*ELASTIC\n210000,.3,20\n150000.,.3,600.\n*EXPANSION, ZERO=20\n1.2E-5\n"
+                         "*CREEP, LAW=NORTON\n1e-20, 5, 0, 500\n*SOLID SECTION, ELSET=eall, MATERIAL=STEEL\n2.5\n");
+  EXPECT_EQ(deck.surfaces.at("TOP").entries[1].target, "7");
+  EXPECT_EQ(deck.surfaces.at("TOP").entries[1].face, 2);
+  EXPECT_TRUE(deck.surfaces.at("NODES").of_nodes);
+  const Material& steel = deck.materials.at("STEEL");
+  EXPECT_EQ(steel.name, "Steel");
+  EXPECT_EQ(steel.elastic->rows, (std::vector<std::vector<double>>{{210000, 0.3, 20}, {150000, 0.3, 600}}));
+  EXPECT_EQ(steel.expansion_zero, 20);
+  EXPECT_EQ(steel.creep->rows[0], (std::vector<double>{1e-20, 5, 0, 500}));
+  ASSERT_EQ(deck.sections.size(), 1U);
+  EXPECT_EQ(deck.sections[0].thickness, 2.5);
+}
+
+TEST(Deck, StepsKeepTheirCards) {
+  const Deck deck = read(square +
+                         "*BOUNDARY\nNall, 1\n*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 1., 1.,\n2., 0.5\n"
+                         "*STEP, NLGEOM\n*STATIC\n*CLOAD, OP=NEW\n3, 2, 5.\n*END STEP\n"
+                         "*STEP\n*VISCO, CETOL=1e-5\n1., 100.\n*DLOAD\nEall, P3, 2.\n*NODE FILE\nU\n*END STEP\n");
+  ASSERT_EQ(deck.cards.size(), 1U);
+  EXPECT_EQ(deck.cards[0].data[0], (std::vector<std::string>{"Nall", "1"}));
+  EXPECT_EQ(deck.amplitudes.at("A").points.size(), 3U);
+  EXPECT_TRUE(deck.amplitudes.at("A").total_time);
+  ASSERT_EQ(deck.steps.size(), 2U);
+  EXPECT_TRUE(deck.steps[0].nonlinear_geometry);
+  EXPECT_EQ(deck.steps[0].period, 1);
+  EXPECT_EQ(deck.steps[0].cards[0].card.value("OP"), "NEW");
+  EXPECT_TRUE(deck.steps[1].is_creep);
+  EXPECT_EQ(deck.steps[1].period, 100);
+  ASSERT_EQ(deck.steps[1].cards.size(), 1U) << "output files of CalculiX change nothing";
+}
+
+TEST(Deck, PartsAndInstances) {
+  const Deck deck = read(
+      "*HEADING\n*Part, name=Plate\n*Node\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n*Element, type=CPS4\n1, 1, "
+      "2, 3, 4\n"
+      "*Nset, nset=corner\n3\n*Elset, elset=all\n1\n*Surface, name=top\nall, S3\n*Solid Section, elset=all, "
+      "material=m\n*End Part\n"
+      "*Assembly, name=A\n*Instance, name=Plate-1, part=Plate\n*End Instance\n"
+      "*Instance, name=Plate-2, part=PLATE\n10, 0, 0\n10, 0, 0, 10, 0, 1, 90\n*End Instance\n"
+      "*Nset, nset=both, instance=Plate-1\ncorner\n*Nset, nset=both, instance=Plate-2\n3\n*End Assembly\n");
+  EXPECT_EQ(deck.node_numbers, (Numbers{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_LT((deck.positions[5] - Vector3(10, 1, 0)).norm(), 1e-14) << "moved, then turned about its corner";
+  EXPECT_EQ(deck.elements[0].nodes, (Numbers{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(deck.node_sets.at("BOTH").members, (Numbers{3, 7}));
+  EXPECT_EQ(deck.node_sets.at("PLATE-2.CORNER").members, Numbers{7});
+  EXPECT_EQ(deck.surfaces.at("PLATE-2.TOP").entries[0].target, "PLATE-2.ALL");
+  ASSERT_EQ(deck.sections.size(), 2U);
+  EXPECT_EQ(deck.sections[1].elements, "PLATE-2.ALL");
+}
+
+TEST(Deck, WhatIsLeftOutAndWhatIsImpossible) {
+  const Deck deck = read(square +
+                         "*PLASTIC\n200, 0\n*ELEMENT, TYPE=S8R, ELSET=SHELL\n8, 1, 2, 3, 4, 1, 2, 3, 4\n"
+                         "*CONDUCTIVITY\n50\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
+  ASSERT_EQ(deck.impossible.size(), 3U);
+  EXPECT_EQ(deck.impossible[0].card, "PLASTIC");
+  EXPECT_EQ(deck.impossible[0].place.line, 8U);
+  EXPECT_TRUE(says(deck.impossible[1].consequence, {"elements of type S8R"}));
+  EXPECT_TRUE(says(deck.impossible[2].consequence, {"only *STATIC and *VISCO steps"}));
+  ASSERT_EQ(deck.left_out.size(), 2U);
+  EXPECT_TRUE(says(deck.left_out[1].consequence, {"an unknown card", "did you mean 'BOUNDARY'?"}));
+}
+
+TEST(Deck, EveryMistakeIsNamedWithItsPlace) {
+  EXPECT_TRUE(says(
+      refusal(
+          square +
+          "*NSET, NSET=A\nnone\n*NSET\n1\n*NODE\nx, 1\n5, 1, a\n*ELEMENT, TYPE=CPE4\n7, 1, 2, 3, 4\n8, 1, 2, 3, 99\n"
+          "*ELASTIC\n1, 0\n*AMPLITUDE, NAME=T\n1, 0, 0, 1\n*SURFACE, NAME=S\nEall, S9\n*STEP\n*STATIC\n1, -1\n"),
+      {"deck.inp:9: *NSET: there is no set 'none' before this line", "deck.inp:10: *NSET: NSET is missing",
+       "deck.inp:13: *NODE: 'x' is not a node number", "deck.inp:14: *NODE: 'a' is not a number",
+       "deck.inp:16: *ELEMENT: element 7 exists already", "deck.inp:18: *ELASTIC: it belongs to a material",
+       "deck.inp:21: *AMPLITUDE: the times of an amplitude must increase",
+       "deck.inp:23: *SURFACE: 'S9' is not a face of an element", "deck.inp:26: *STATIC: the step lasts -1",
+       "the step has no *END STEP; the deck may be cut off", "element 8 has the node 99, which no *NODE defines"}));
+  EXPECT_TRUE(says(refusal("*NODE\n1, 0\n*ELEMENT, TYPE=CPE8\n3, 1, 1, 1,\n*STEP\n*END STEP\n"),
+                   {"deck.inp:4", "element 3 of type CPE8 has 3 of its 8 nodes"}));
+  EXPECT_TRUE(says(refusal("*NODE\n1, 0\n"), {"the deck has no elements"}));
+  EXPECT_TRUE(says(refusal("*PART, NAME=A\n*NODE\n1, 0\n"), {"does not end; the deck may be cut off"}));
+  EXPECT_TRUE(says(refusal("*INSTANCE, NAME=I, PART=P\n"), {"there is no part 'P'"}));
+  EXPECT_TRUE(says(refusal(square + "*NSET, NSET=X, GENERATE\n1, 1000000000000\n"), {"more than 10000000 members"}));
+  std::string many = square + "*NODE\n";
+  for (int i = 0; i < 80; ++i) many += "x\n";
+  EXPECT_TRUE(says(refusal(many), {"and 30 more"}));
+}
+
+TEST(ElementTypes, NamesVariantsAndFaces) {
+  EXPECT_EQ(element_type("c3d10m")->cell, mesh::CellType::tet10);
+  EXPECT_EQ(element_type("CAX8RH")->variant, "RH");
+  EXPECT_EQ(element_type("CPEG8")->family, Family::generalized_plane_strain);
+  for (const char* name : {"C3D8T", "S8R", "B32", "C3D", "C3D27", "CPE8P", ""})
+    EXPECT_FALSE(element_type(name)) << name;
+  EXPECT_EQ(*face(mesh::CellType::hex20, 2), (std::vector<int>{4, 7, 6, 5, 15, 14, 13, 12}));
+  EXPECT_EQ(*face(mesh::CellType::tet10, 3), (std::vector<int>{1, 3, 2, 8, 9, 5}));
+  EXPECT_EQ(*face(mesh::CellType::quad8, 4), (std::vector<int>{3, 0, 7}));
+  EXPECT_EQ(face(mesh::CellType::wedge15, 6), nullptr);
+  EXPECT_EQ(face(mesh::CellType::tet4, 0), nullptr);
+}
+
+}  // namespace
+}  // namespace creepcontact::deck
