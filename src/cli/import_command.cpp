@@ -28,15 +28,16 @@ int import(const Command& self, const Arguments& arguments) {
                     "with --output",
                     directory.string(), reason));
   std::filesystem::create_directories(directory);
-  const std::filesystem::path configuration = directory / (name + ".toml"), mesh = directory / (name + ".msh");
-  for (const std::filesystem::path& file : {configuration, mesh})
+  std::vector<std::pair<std::filesystem::path, const std::string*>> files{{directory / (name + ".msh"), &made.msh}};
+  if (!made.temperatures.empty()) files.emplace_back(directory / (name + "_temperature.csv"), &made.temperatures);
+  files.emplace_back(directory / (name + ".toml"), &made.toml);
+  for (const auto& [file, content] : files)
     if (path_exists(file))
       throw ConfigError(
           fmt::format("{} exists already; remove it, or choose another directory with --output", file.string()));
-  platform::replace_file(mesh, made.msh);
-  platform::replace_file(configuration, made.toml);
+  for (const auto& [file, content] : files) platform::replace_file(file, *content);
   for (const std::string& left_out : made.left_out) std::cout << "left out: " << left_out << '\n';
-  std::cout << configuration.string() << '\n' << mesh.string() << '\n';
+  for (auto file = files.rbegin(); file != files.rend(); ++file) std::cout << file->first.string() << '\n';
   return 0;
 }
 

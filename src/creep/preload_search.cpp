@@ -41,8 +41,8 @@ class Failure {
   }
   [[noreturn]] void raise_constant(Index which, double present) const {
     raise(which, "largest", present,
-          "it does not depend on the interference, since supports hold both surfaces or the other loads alone "
-          "determine it");
+          "it does not depend on the interference, since supports hold both surfaces, or the other loads alone "
+          "determine it, such as on a body that nothing else holds");
   }
 
  private:

@@ -114,7 +114,8 @@ class Reader {
     if (!std::getline(file, line)) return false;
     ++place.line;
     if (line.size() > longest_line || line.find('\0') != std::string::npos)
-      throw ConfigError(fmt::format("{}: this is not text; a deck is a text file of cards such as *NODE", place.text()));
+      throw ConfigError(
+          fmt::format("{}: this is not text; a deck is a text file of cards such as *NODE", place.text()));
     if (place.line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
     return true;
   }
@@ -131,7 +132,7 @@ class Reader {
       }
       text += trimmed(line);
     }
-    const std::vector<std::string_view> fields = split(std::string_view(text).substr(1));
+    const std::vector<std::string_view> fields = split(std::string_view{text}.substr(1));
     Card card{card_name(fields.front()), {}, begin};
     if (card.name.empty()) throw ConfigError(fmt::format("{}: a card without a name", begin.text()));
     for (std::size_t i = 1; i < fields.size(); ++i) {

@@ -15,6 +15,17 @@ bool Course::is_zero() const {
   return std::ranges::all_of(points_, [](const auto& point) { return point.second == 0; });
 }
 
+double Course::at(double time) const {
+  const auto points = tidied();
+  for (std::size_t i = points.size(); i-- > 0;) {
+    if (time < points[i].first) continue;
+    if (i + 1 == points.size()) return points[i].second;
+    const double part = (time - points[i].first) / (points[i + 1].first - points[i].first);
+    return points[i].second + part * (points[i + 1].second - points[i].second);
+  }
+  return points.empty() ? 0 : points.front().second;
+}
+
 bool Course::is_constant() const {
   return std::ranges::all_of(points_, [&](const auto& point) { return point.second == points_.front().second; });
 }

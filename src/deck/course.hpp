@@ -14,6 +14,10 @@ class Course {
   /// Appends a point; times do not decrease.
   void add(double time, double value);
   bool is_zero() const;
+  /// Before the first point its value, after the last one that; at a jump the value after it.
+  double at(double time) const;
+  /// Without the points that count for nothing: at most two at one time.
+  std::vector<std::pair<double, double>> points() const { return tidied(); }
   bool operator==(const Course&) const = default;
   /// Number, or table in t.
   std::string toml() const;

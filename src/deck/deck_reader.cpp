@@ -15,6 +15,7 @@ constexpr std::size_t most_mistakes = 50;
 
 std::vector<std::string> names(const std::map<std::string, DeckReader::Rule>& rules) {
   std::vector<std::string> result;
+  result.reserve(rules.size());
   for (const auto& [name, rule] : rules) result.push_back(name);
   return result;
 }

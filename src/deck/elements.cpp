@@ -99,6 +99,7 @@ Faces faces_of(CellType cell) {
   Faces result;
   for (const std::vector<int>& corners : corners_of_faces(cell)) {
     std::vector<int> face;
+    face.reserve(2 * corners.size());
     for (const int corner : corners) face.push_back(corner - 1);
     const std::size_t n = face.size();
     const std::size_t n_edges = n == 2 ? 1 : n;

@@ -91,7 +91,7 @@ class Importer {
     write_time();
     write_probes();
     raise();
-    Import result{text_, mesh_.msh(), {}};
+    Import result{text_, mesh_.msh(), temperatures_, {}};
     for (const Note& note : left_out_)
       result.left_out.push_back(fmt::format("{}*{}: {}", place(note.place), note.card, note.consequence));
     return result;
@@ -117,7 +117,6 @@ class Importer {
   void refuse_what_changes_the_model() {
     const std::map<std::string, std::string> refused{
         {"DSLOAD", "loads on surfaces are not known; *DLOAD on elements is"},
-        {"TEMPERATURE", "temperatures of steps are not known"},
         {"CLEARANCE", "clearances are not known"},
         {"CYCLIC SYMMETRY MODEL", "cyclic symmetry is not known in decks"},
         {"EQUATION", "linear constraints are not known"},
@@ -178,6 +177,7 @@ class Importer {
     add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function(*material.elastic, 0, 2),
                     function(*material.elastic, 1, 2)));
     varies_ = varies_ || material.elastic->rows.size() > 1;
+    write_expansion(material);
     if (!material.creep) return;
     if (material.creep_law != "NORTON") {
       impossible_.push_back(
@@ -258,12 +258,13 @@ class Importer {
 
   bool is_section() const { return family_ != Family::solid; }
 
-  /// Some element has the node.
-  bool is_used(std::int64_t node) {
+  /// Nodes that elements have.
+  const std::set<std::int64_t>& used() {
     if (used_.empty())
       for (const ElementBlock& block : deck_.elements) used_.insert(block.nodes.begin(), block.nodes.end());
-    return used_.contains(node);
+    return used_;
   }
+  bool is_used(std::int64_t node) { return used().contains(node); }
 
   void write_loads() {
     for (const auto& [node, directions] : loading_.forces) {
@@ -417,23 +418,75 @@ class Importer {
     }
   }
 
+  const Course& temperature_of(std::int64_t node) const {
+    const auto found = loading_.temperatures.find(node);
+    return found == loading_.temperatures.end() ? at_rest_ : found->second;
+  }
+
   void write_temperature() {
-    std::optional<double> common;
-    for (const RawCard& raw : deck_.cards) {
-      if (raw.card.name != "INITIAL CONDITIONS") continue;
-      if (const std::string type = upper_case(raw.card.value("TYPE")); type != "TEMPERATURE") {
-        left_out_.push_back({raw.card.place, raw.card.name, fmt::format("TYPE={} is not taken into account", type)});
-        continue;
-      }
-      for (const std::vector<std::string>& line : raw.data) {
-        const std::optional<double> value = line.size() > 1 ? number(line[1]) : std::nullopt;
-        if (!value || (common && *common != *value))
-          refuse(raw, "temperatures that differ from node to node are not known");
-        common = value;
+    if (loading_.temperatures.empty() && !varies_) return;
+    at_rest_.add(0, loading_.initial_temperature);
+    const std::set<std::int64_t>& nodes = used();
+    std::vector<std::pair<double, double>> jumps;
+    bool same = true;
+    std::set<double> times;
+    for (const std::int64_t node : nodes) {
+      const Course& own = temperature_of(node);
+      same = same && own.toml() == temperature_of(*nodes.begin()).toml();
+      double before = -1;
+      for (const auto& [time, value] : own.points()) {
+        times.insert(time);
+        if (time == before) jumps.emplace_back(time, value);
+        before = time;
       }
     }
-    if (varies_)
-      add(fmt::format("\n[temperature]                # *INITIAL CONDITIONS\nvalue = {:.15g}\n", common.value_or(0)));
+    add("\n[temperature]                # *INITIAL CONDITIONS, *TEMPERATURE\n");
+    if (same) {
+      add(fmt::format("value = {}\n", temperature_of(*nodes.begin()).toml()));
+      return;
+    }
+    if (!jumps.empty())
+      impossible_.push_back(
+          {Place(), "TEMPERATURE",
+           fmt::format("temperatures that differ from node to node and jump at t = {:g}", jumps.front().first)});
+    add(fmt::format("file = {}\n", toml_string(name_ + "_temperature.csv")));
+    temperatures_ = "t,x,y,z,T\n";
+    for (const double time : times)
+      for (const std::int64_t node : nodes) {
+        const Vector3& x = deck_.positions[deck_.node_of_number.at(node)];
+        temperatures_ += fmt::format("{:.15g},{:.15g},{:.15g},{:.15g},{:.15g}\n", time, x[0], x[1], x[2],
+                                     temperature_of(node).at(time));
+      }
+  }
+
+  /// The thermal strain of CalculiX is alpha(T)(T - ZERO) - alpha(T0)(T0 - ZERO), here it is alpha(T)(T - T0).
+  void write_expansion(const Material& material) {
+    if (!material.expansion || material.expansion->rows.empty() || loading_.temperatures.empty()) return;
+    constexpr int steps = 40;  // between two rows
+    const double initial = loading_.initial_temperature, zero = material.expansion_zero;
+    const auto& rows = material.expansion->rows;
+    std::string alpha = function(*material.expansion, 0, 1);
+    if (rows.size() > 1 && zero != initial) {
+      const auto temperature = [&](std::size_t i) { return rows[i].size() > 1 ? rows[i][1] : 0.0; };
+      const auto strain = [&](double T) {
+        std::size_t i = 1;
+        while (i + 1 < rows.size() && temperature(i) < T) ++i;
+        const double part = std::clamp((T - temperature(i - 1)) / (temperature(i) - temperature(i - 1)), 0.0, 1.0);
+        return (rows[i - 1][0] + part * (rows[i][0] - rows[i - 1][0])) * (T - zero);
+      };
+      std::string temperatures, values;
+      for (std::size_t i = 1; i < rows.size(); ++i)
+        for (int k = i == 1 ? 0 : 1; k <= steps; ++k) {
+          const double T = temperature(i - 1) + (temperature(i) - temperature(i - 1)) * k / steps;
+          const double small = 1e-4 * (temperature(i) - temperature(i - 1));
+          const double secant = std::abs(T - initial) > small ? (strain(T) - strain(initial)) / (T - initial)
+                                                              : (strain(T + small) - strain(T - small)) / (2 * small);
+          temperatures += fmt::format("{}{:.15g}", temperatures.empty() ? "" : ", ", T);
+          values += fmt::format("{}{:.15g}", values.empty() ? "" : ", ", secant);
+        }
+      alpha = fmt::format("{{ T = [{}], values = [{}] }}", temperatures, values);
+    }
+    add(fmt::format("thermal_expansion = {}\nreference_temperature = {:.15g}\n", alpha, initial));
   }
 
   void write_time() {
@@ -491,10 +544,12 @@ class Importer {
   Bodies bodies_;
   Loading loading_;
   Family family_ = Family::solid;
-  std::set<std::int64_t> used_;                  // nodes that elements have
+  std::set<std::int64_t> used_;
   std::map<std::string, std::string> surfaces_;  // written, by name in upper case: name of the group
   bool varies_ = false;                          // something depends on the temperature
   double last_ = 0;
+  Course at_rest_;  // temperature of nodes that no step gives one
+  std::string temperatures_;
 };
 
 }  // namespace

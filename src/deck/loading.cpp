@@ -12,6 +12,7 @@ namespace {
 /// A load or support of one node, face or group of elements, with what acts on it at present.
 struct Entry {
   Course course;
+  double rest = 0;    // value before anything was given
   double target = 0;  // value without amplitude, at the end of the present step
   const Amplitude* amplitude = nullptr;
   bool is_new = false;      // given in the present step
@@ -20,7 +21,7 @@ struct Entry {
 };
 
 struct Key {
-  char kind = 0;  // b: support, c: force, p: pressure, l: body load
+  char kind = 0;  // b: support, c: force, p: pressure, l: body load, t: temperature
   std::int64_t of = 0;
   int part = 0;
   auto operator<=>(const Key&) const = default;
@@ -34,8 +35,10 @@ class Joiner {
   }
 
   Loading join() {
-    for (const RawCard& raw : deck_.cards)
+    for (const RawCard& raw : deck_.cards) {
       if (raw.card.name == "BOUNDARY") boundary(raw);
+      if (raw.card.name == "INITIAL CONDITIONS") initial(raw);
+    }
     for (auto& [key, entry] : entries_) entry.is_new = false;
     double time = 0, total = 0;
     for (const Step& step : deck_.steps) {
@@ -47,6 +50,7 @@ class Joiner {
         if (raw.card.name == "BOUNDARY") boundary(raw);
         if (raw.card.name == "CLOAD") concentrated(raw);
         if (raw.card.name == "DLOAD") distributed(raw);
+        if (raw.card.name == "TEMPERATURE") temperature(raw);
       }
       const double duration = creeps_ && !step.is_creep ? 0 : step.period;
       for (auto& [key, entry] : entries_) advance(entry, step, time, duration, total);
@@ -94,10 +98,11 @@ class Joiner {
   void give(const Key& key, double target, const Amplitude* amplitude) {
     const auto [found, is_first] = entries_.try_emplace(key);
     Entry& entry = found->second;
+    if (is_first && key.kind == 't') entry.rest = loading_.initial_temperature;
+    if (is_first) entry.course.add(0, entry.rest);
     if (is_first && !loading_.step_ends.empty()) {
       entry.was_free = true;
-      entry.course.add(0, 0);
-      entry.course.add(loading_.step_ends.back(), 0);
+      entry.course.add(loading_.step_ends.back(), entry.rest);
     }
     entry.target = target;
     entry.amplitude = amplitude;
@@ -181,6 +186,32 @@ class Joiner {
     }
   }
 
+  void initial(const RawCard& raw) {
+    if (const std::string type = upper_case(raw.card.value("TYPE")); type != "TEMPERATURE") {
+      left_out_.push_back({raw.card.place, raw.card.name, fmt::format("TYPE={} is not taken into account", type)});
+      return;
+    }
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const double own = value(raw, line, 1);
+      if (has_initial_ && own != loading_.initial_temperature)
+        impossible(raw, line, "initial temperatures that differ from node to node are not known");
+      loading_.initial_temperature = own;
+      has_initial_ = true;
+    }
+  }
+
+  void temperature(const RawCard& raw) {
+    if (raw.card.has("FILE"))
+      impossible(raw, raw.places.size(), "FILE: temperatures of other results; see [temperature]");
+    if (replaces(raw)) drop('t');
+    const Amplitude* factors = amplitude(raw);
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const Numbers nodes = resolver_.nodes(field(raw, line, 0));
+      if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
+      for (const std::int64_t node : nodes) give({'t', node, 0}, value(raw, line, 1), factors);
+    }
+  }
+
   static double factor(const Amplitude& amplitude, double time) {
     const auto& points = amplitude.points;
     if (time <= points.front().first) return points.front().second;
@@ -198,7 +229,7 @@ class Joiner {
     if (entry.is_dropped) {
       entry.was_free = true;
       entry.amplitude = nullptr;
-      entry.target = 0;
+      entry.target = entry.rest;
       entry.is_new = true;
     }
     if (entry.amplitude != nullptr && (entry.is_new || entry.amplitude->total_time)) {
@@ -238,6 +269,9 @@ class Joiner {
       case 'c':
         if (!entry.course.is_zero()) loading_.forces[key.of][key.part] = entry.course;
         break;
+      case 't':
+        loading_.temperatures[key.of] = entry.course;
+        break;
       case 'p':
         if (!entry.course.is_zero()) loading_.pressures[{key.of, key.part}] = entry.course;
         break;
@@ -251,7 +285,7 @@ class Joiner {
   std::vector<Note>&impossible_, &left_out_;
   std::map<Key, Entry> entries_;
   Loading loading_;
-  bool creeps_ = false, warned_of_geometry_ = false, released_ = false;
+  bool has_initial_ = false, creeps_ = false, warned_of_geometry_ = false, released_ = false;
 };
 
 Numbers resolved(const std::string& target, const std::map<std::string, Set>& sets) {

@@ -48,6 +48,9 @@ struct Loading {
     Course course;  ///< of omega^2, or of the acceleration
   };
   std::vector<Body> bodies;
+  /// Of nodes that a step gives a temperature. The others keep the initial one.
+  std::map<std::int64_t, Course> temperatures;
+  double initial_temperature = 0;
 };
 
 /// Joins the steps: *STATIC steps ramp, *VISCO steps begin with their loads. If the deck has *VISCO steps, only these

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -53,9 +54,47 @@ std::vector<mechanics::NodeLinks::Turned> matches(const mesh::Mesh& mesh, const 
   return result;
 }
 
+double largest_edge(const std::vector<mesh::Face>& faces, const mesh::Mesh& mesh) {
+  double largest = 0;
+  for (const mesh::Face& face : faces) {
+    const auto corners = static_cast<std::size_t>(mesh::n_corners(face.type));
+    for (std::size_t i = 0; i < corners; ++i)
+      largest = std::max(largest, (mesh.nodes[face.nodes[i]] - mesh.nodes[face.nodes[(i + 1) % corners]]).norm());
+  }
+  return largest;
+}
+
+/// Of the mean position, about the axis and in degrees.
+double mean_angle(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes, const config::Cyclic& cyclic) {
+  const Vector3 axis = vector(cyclic.axis).normalized(), across = axis.unitOrthogonal();
+  Vector3 mean = Vector3::Zero();
+  for (const std::int64_t node : nodes) mean += mesh.nodes[node] - vector(cyclic.origin);
+  return std::atan2(axis.cross(across).dot(mean), across.dot(mean)) * 180 / std::numbers::pi;
+}
+
+/// Faces that are tied must lie on each other, whatever their meshes.
+void require_same_place(const mesh::Mesh& mesh, const config::Cyclic& cyclic, const std::vector<std::int64_t>& first,
+                        const std::vector<std::int64_t>& second) {
+  const contact::Sector sector = sector_of(cyclic);
+  std::vector<Vector3> turned;
+  for (const std::int64_t node : first) turned.push_back(sector.turned(mesh.nodes[node]));
+  const mesh::PointTree tree(turned);
+  double farthest = 0;
+  for (const std::int64_t node : second)
+    farthest = std::max(farthest, tree.nearest(mesh.nodes[node], 1).front().distance);
+  const double edge = std::max(largest_edge(mesh::boundary_faces(mesh, cyclic.between[0].name), mesh),
+                               largest_edge(mesh::boundary_faces(mesh, cyclic.between[1].name), mesh));
+  if (farthest <= edge) return;
+  const double between = std::remainder(mean_angle(mesh, second, cyclic) - mean_angle(mesh, first, cyclic), 360);
+  throw ModelError(
+      fmt::format("'{}' turned by {:.6g} degrees does not lie on '{}': it is up to {:.4g} away; the angle "
+                  "between the two faces is about {:.6g} degrees",
+                  cyclic.between[0].name, cyclic.angle, cyclic.between[1].name, farthest, between));
+}
+
 class LinkMaker {
  public:
-  LinkMaker(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes)
+  LinkMaker(const config::Config& config, const mesh::Mesh& whole, BodyMeshes& meshes)
       : config_(config), whole_(whole), meshes_(meshes) {
     links_.of_body.resize(meshes.size());
   }
@@ -116,10 +155,15 @@ class LinkMaker {
       for (const auto& one : found) linked.insert(one.node);
       return linked;
     };
-    if (found.size() == first.size() && nodes().size() == second.size()) return add(found, nodes(), cyclic, b);
+    if (found.size() == first.size() && nodes().size() == second.size()) {
+      log::info("body '{}': all {} nodes of '{}' match those of '{}'", config_.bodies[b].name, second.size(),
+                cyclic.between[1].name, cyclic.between[0].name);
+      return add(found, nodes(), cyclic, b);
+    }
     if (matches(mesh, second, first, sector_of(cyclic)).size() > found.size())
       throw ModelError(fmt::format("'{}' is '{}' turned by {:.6g} degrees, not by {:.6g}: exchange the two faces",
                                    cyclic.between[1].name, cyclic.between[0].name, -cyclic.angle, cyclic.angle));
+    require_same_place(mesh, cyclic, first, second);
     log::info("body '{}': {} of the {} nodes of '{}' match nodes of '{}'; the faces are tied by the mortar method",
               config_.bodies[b].name, nodes().size(), second.size(), cyclic.between[1].name, cyclic.between[0].name);
     // Inside the face nodes that match by chance are left to the mortar method. At its border, where other surfaces
@@ -137,12 +181,16 @@ class LinkMaker {
       if (linked.contains(old.node) || linked.contains(old.of))
         throw ModelError(fmt::format("nodes of '{}' belong to two faces of cyclic symmetry", cyclic.between[1].name));
     links.turned.insert(links.turned.end(), found.begin(), found.end());
+    // To the last bit: otherwise the rotation about the axis would strain the sector.
+    const contact::Sector sector = sector_of(cyclic);
+    for (const auto& one : found)
+      if (one.node != one.of) meshes_[b].nodes[one.node] = sector.turned(meshes_[b].nodes[one.of]);
     for (const config::Reference& face : cyclic.between) links.turned_faces.push_back(face.name);
   }
 
   const config::Config& config_;
   const mesh::Mesh& whole_;
-  const BodyMeshes& meshes_;
+  BodyMeshes& meshes_;
   ModelLinks links_;
 };
 
@@ -153,7 +201,7 @@ std::optional<contact::Sector> sector(const config::Config& config) {
   return sector_of(config.cyclic.front());
 }
 
-ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, BodyMeshes& meshes,
                       ErrorCollector& errors) {
   LinkMaker maker(config, whole, meshes);
   for (std::size_t i = 0; i < config.cyclic.size(); ++i)

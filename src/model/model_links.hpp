@@ -24,8 +24,8 @@ struct ModelLinks {
 std::optional<contact::Sector> sector(const config::Config& config);
 
 /// Nodes of the second face match if each lies within 1e-6 of the model's size of the turned position of one of the
-/// first. Errors name the place in the configuration.
-ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+/// first; it is then moved there exactly. Errors name the place in the configuration.
+ModelLinks make_links(const config::Config& config, const mesh::Mesh& whole, BodyMeshes& meshes,
                       ErrorCollector& errors);
 
 void add_rigid_loads(const config::Config& config, const ModelLinks& links, Bodies& bodies, ErrorCollector& errors);

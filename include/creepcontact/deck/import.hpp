@@ -11,10 +11,12 @@ namespace creepcontact::deck {
 struct Import {
   std::string toml;                   ///< configuration, with comments on what each table comes from
   std::string msh;                    ///< content of the mesh file
+  std::string temperatures = {};      ///< content of the table of temperatures, if there is one
   std::vector<std::string> left_out;  ///< one line per card that is not taken into account: place, card, consequence
 };
 
-/// @param name  of the mesh file, which the configuration names, and of its results
+/// @param name  of the mesh file, which the configuration names, and of its results: <name>.msh,
+/// <name>_temperature.csv
 /// @throws ConfigError with all reasons, a line each, why the deck makes no model
 Import import_deck(const Deck& deck, const std::string& name);
 
