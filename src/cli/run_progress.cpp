@@ -49,17 +49,18 @@ void RunProgress::step(double time, const RunCounters& work) {
   const double share = share_done(time);
   const double end = output_times_.back();
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double left = share > 0 ? elapsed * (1 - share) / share : 0;
+  constexpr double enough = 0.01;  // of the run; before that the first tiny steps would promise years
+  const std::string left = share < enough ? "" : clock_text(elapsed * (1 - share) / share) + " left";
   if (!terminal_) {
-    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves, about {} left", time, end, work.steps,
-              work.elastic_solves, clock_text(left));
+    log::info("t = {:.6g} of {:.6g}, {} steps, {} elastic solves{}{}", time, end, work.steps, work.elastic_solves,
+              left.empty() ? "" : ", about ", left);
     return;
   }
   const int full = static_cast<int>(share * bar_width);
   const std::string bar = std::string(full, '#') + std::string(bar_width - full, '.');
   // fmt::print throws where the terminal is gone.
-  const std::string line = fmt::format("\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {} left\033[K", bar, time,
-                                       end, work.steps, work.elastic_solves, clock_text(left));
+  const std::string line = fmt::format("\r[{}] t = {:.5g} of {:.5g}  {} steps  {} solves  {}\033[K", bar, time, end,
+                                       work.steps, work.elastic_solves, left);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   drawn_ = true;

@@ -18,11 +18,12 @@ std::string without_blanks(const std::string& name) {
 
 }  // namespace
 
-const DeckReader::Rule* DeckReader::rule_or_null(const std::string& name) {
+const std::pair<const std::string, DeckReader::Rule>* DeckReader::rule_or_null(const std::string& name) {
   // Blanks in names count for nothing: *ENDSTEP is *END STEP.
-  static const std::map<std::string, const Rule*> by_letters = [] {
-    std::map<std::string, const Rule*> all;
-    for (const auto& [full, rule] : rules()) all[without_blanks(full)] = &rule;
+  using Named = std::pair<const std::string, Rule>;
+  static const std::map<std::string, const Named*> by_letters = [] {
+    std::map<std::string, const Named*> all;
+    for (const Named& rule : rules()) all[without_blanks(rule.first)] = &rule;
     return all;
   }();
   const auto found = by_letters.find(without_blanks(name));

@@ -24,17 +24,19 @@ std::vector<std::string> names(const std::map<std::string, DeckReader::Rule>& ru
 
 DeckReader::DeckReader() = default;
 
-void DeckReader::card(const Card& card) {
+void DeckReader::card(const Card& given) {
   finish_card();
-  current_ = card;
-  const Rule* found = rule_or_null(card.name);
+  current_ = given;
+  const auto* found = rule_or_null(given.name);
   if (found == nullptr) {
     deck_.left_out.push_back(
-        {card.place, card.name,
-         fmt::format("an unknown card{}; it is not taken into account", did_you_mean(card.name, names(rules())))});
+        {given.place, given.name,
+         fmt::format("an unknown card{}; it is not taken into account", did_you_mean(given.name, names(rules())))});
     return;
   }
-  const Rule& rule = *found;
+  current_.name = found->first;
+  const Card& card = current_;
+  const Rule& rule = found->second;
   switch (rule.kind) {
     case Rule::Kind::read:
       (this->*rule.handler)(card);

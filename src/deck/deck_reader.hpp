@@ -33,7 +33,8 @@ class DeckReader {
     void (DeckReader::*handler)(const Card&) = nullptr;
   };
   static const std::map<std::string, Rule>& rules();
-  static const Rule* rule_or_null(const std::string& name);
+  /// With its name as it is usually written.
+  static const std::pair<const std::string, Rule>* rule_or_null(const std::string& name);
 
  private:
   struct Instance {

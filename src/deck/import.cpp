@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "bodies.hpp"
@@ -449,6 +450,15 @@ class Importer {
       impossible_.push_back(
           {Place(), "TEMPERATURE",
            fmt::format("temperatures that differ from node to node and jump at t = {:g}", jumps.front().first)});
+    std::map<std::array<double, 3>, std::string> at;  // of several nodes at one place
+    for (const std::int64_t node : nodes) {
+      const Vector3& x = deck_.positions[deck_.node_of_number.at(node)];
+      const std::string own = temperature_of(node).toml();
+      if (at.try_emplace({x[0], x[1], x[2]}, own).first->second == own) continue;
+      impossible_.push_back(
+          {Place(), "TEMPERATURE", fmt::format("node {} has another temperature than one at the same place", node)});
+      break;
+    }
     add(fmt::format("file = {}\n", toml_string(name_ + "_temperature.csv")));
     temperatures_ = "t,x,y,z,T\n";
     for (const double time : times)

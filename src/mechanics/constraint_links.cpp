@@ -129,7 +129,7 @@ void Constraints::hold_rigid_surfaces(const std::vector<Vector3>& nodes, const s
       if (error > same_value * (values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0))
         throw ModelError(fmt::format(
             "the rigid surface '{}' cannot follow all that is prescribed for it at t = {:g} (by {:.3g}): its "
-            "own motion, and the supports of its nodes; remove some of them",
+            "own motion, the supports of its nodes and cyclic symmetry contradict each other; remove some of them",
             links_.rigid[s].on, t, error));
     }
   }

@@ -75,11 +75,13 @@ TEST(Deck, SurfacesSectionsAndMaterials) {
 }
 
 TEST(Deck, StepsKeepTheirCards) {
-  const Deck deck = read(square +
-                         "*BOUNDARY\nNall, 1\n*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 1., 1.,\n2., 0.5\n"
-                         "*STEP, NLGEOM\n*STATIC\n*CLOAD, OP=NEW\n3, 2, 5.\n*END STEP\n"
-                         "*STEP\n*VISCO, CETOL=1e-5\n1., 100.\n*DLOAD\nEall, P3, 2.\n*NODE FILE\nU\n*END STEP\n");
-  ASSERT_EQ(deck.cards.size(), 1U);
+  const Deck deck =
+      read(square +
+           "*BOUNDARY\nNall, 1\n*RIGIDBODY, NSET=Nall\n*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 1., 1.,\n2., 0.5\n"
+           "*STEP, NLGEOM\n*STATIC\n*CLOAD, OP=NEW\n3, 2, 5.\n*END STEP\n"
+           "*STEP\n*VISCO, CETOL=1e-5\n1., 100.\n*DLOAD\nEall, P3, 2.\n*NODE FILE\nU\n*END STEP\n");
+  ASSERT_EQ(deck.cards.size(), 2U);
+  EXPECT_EQ(deck.cards[1].card.name, "RIGID BODY");
   EXPECT_EQ(deck.cards[0].data[0], (std::vector<std::string>{"Nall", "1"}));
   EXPECT_EQ(deck.amplitudes.at("A").points.size(), 3U);
   EXPECT_TRUE(deck.amplitudes.at("A").total_time);
