@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -37,7 +38,8 @@ int import(const Command& self, const Arguments& arguments) {
           fmt::format("{} exists already; remove it, or choose another directory with --output", file.string()));
   for (const auto& [file, content] : files) platform::replace_file(file, *content);
   for (const std::string& left_out : made.left_out) std::cout << "left out: " << left_out << '\n';
-  for (auto file = files.rbegin(); file != files.rend(); ++file) std::cout << file->first.string() << '\n';
+  std::ranges::reverse(files);  // the configuration first
+  for (const auto& [file, content] : files) std::cout << file.string() << '\n';
   return 0;
 }
 

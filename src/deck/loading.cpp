@@ -24,7 +24,7 @@ struct Key {
   char kind = 0;  // b: support, c: force, p: pressure, l: body load, t: temperature
   std::int64_t of = 0;
   int part = 0;
-  auto operator<=>(const Key&) const = default;
+  auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
 };
 
 class Joiner {

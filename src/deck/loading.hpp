@@ -25,7 +25,7 @@ class Resolver {
 struct ElementFace {
   std::int64_t element = 0;
   int face = 0;
-  auto operator<=>(const ElementFace&) const = default;
+  auto operator<=>(const ElementFace&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
 };
 
 /// Of *DLOAD on elements as a whole.

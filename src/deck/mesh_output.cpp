@@ -108,7 +108,7 @@ void MeshOutput::add_body(const DeckBody& body) {
 }
 
 std::string MeshOutput::add_nodes(const std::string& wanted, const Numbers& nodes) {
-  const std::string name = free_name(wanted);
+  std::string name = free_name(wanted);
   io::MshContent::Elements& into = new_group(0, name, gmsh_type(CellType::point1));
   for (const std::int64_t node : nodes) {
     into.tags.push_back(next_tag_++);
@@ -118,7 +118,7 @@ std::string MeshOutput::add_nodes(const std::string& wanted, const Numbers& node
 }
 
 std::string MeshOutput::add_faces(const std::string& wanted, const std::vector<ElementFace>& faces) {
-  const std::string name = free_name(wanted);
+  std::string name = free_name(wanted);
   std::map<CellType, std::vector<ElementFace>> by_type;
   for (const ElementFace& face : faces) {
     const Found own = element(deck_, face.element);

@@ -183,8 +183,7 @@ bool Constraints::prescribed_at_links(double t, std::span<double> full) const {
 Eigen::Matrix<double, Eigen::Dynamic, 6> Constraints::conditions_on_motions(const std::vector<Vector3>& nodes,
                                                                             const Vector3& centre, double size) const {
   std::vector<Row6> rows;
-  for (std::size_t i = 0; i < links_.turned.size(); ++i) {
-    const NodeLinks::Turned& turned = links_.turned[i];
+  for (const NodeLinks::Turned& turned : links_.turned) {
     const Motion difference =
         motion_at(nodes[turned.node] - centre, size) - turned.rotation * motion_at(nodes[turned.of] - centre, size);
     for (int k = 0; k < 3; ++k) rows.emplace_back(difference.row(k));

@@ -77,6 +77,7 @@ void require_same_place(const mesh::Mesh& mesh, const config::Cyclic& cyclic, co
                         const std::vector<std::int64_t>& second) {
   const contact::Sector sector = sector_of(cyclic);
   std::vector<Vector3> turned;
+  turned.reserve(first.size());
   for (const std::int64_t node : first) turned.push_back(sector.turned(mesh.nodes[node]));
   const mesh::PointTree tree(turned);
   double farthest = 0;
