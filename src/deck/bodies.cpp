@@ -4,27 +4,14 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
+
+#include "creepcontact/base/disjoint_sets.hpp"
 
 namespace creepcontact::deck {
 namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-/// Sets of elements that are joined by nodes.
-class Components {
- public:
-  explicit Components(std::size_t n) : root_(n) { std::iota(root_.begin(), root_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t i) {
-    while (root_[i] != i) i = root_[i] = root_[root_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { root_[of(a)] = of(b); }
-
- private:
-  std::vector<std::size_t> root_;
-};
 
 /// A name that TOML and messages take, and that is not used yet.
 std::string free_name(const std::string& wanted, std::set<std::string>& used) {
@@ -47,7 +34,7 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
 
   Numbers elements;
   std::vector<std::size_t> section;
-  Components components(deck.element_of_number.size());
+  DisjointSets components(deck.element_of_number.size());
   std::unordered_map<std::int64_t, std::map<std::size_t, std::size_t>> first_at;  // by node and section: an element
   Bodies result;
   for (const ElementBlock& block : deck.elements) {
@@ -79,8 +66,8 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
   std::map<std::size_t, Numbers> members;
   std::map<std::size_t, std::size_t> section_of_body;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    members[components.of(i)].push_back(elements[i]);
-    section_of_body.try_emplace(components.of(i), section[i]);
+    members[components.find(i)].push_back(elements[i]);
+    section_of_body.try_emplace(components.find(i), section[i]);
   }
   std::map<Numbers, std::string> set_of;  // by sorted members
   for (const auto& [key, set] : deck.element_sets) {

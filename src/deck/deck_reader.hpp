@@ -68,6 +68,8 @@ class DeckReader {
   void end_instance(const Card& card);
 
   void procedure(const Card& card, bool is_creep);
+  /// Otherwise the model is impossible.
+  bool is_isotropic(const Card& card, const std::string& property);
   void table(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
   void read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets);
   void add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,

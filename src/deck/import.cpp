@@ -11,26 +11,12 @@
 
 #include "bodies.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/settings/enum_names.hpp"
 #include "loading.hpp"
 #include "mesh_output.hpp"
 
 namespace creepcontact::deck {
 namespace {
-
-std::string analysis_of(Family family) {
-  switch (family) {
-    case Family::axisymmetric:
-      return "axisymmetric";
-    case Family::plane_strain:
-      return "plane_strain";
-    case Family::plane_stress:
-      return "plane_stress";
-    case Family::generalized_plane_strain:
-      return "generalized_plane_strain";
-    default:
-      return "solid";
-  }
-}
 
 std::string toml_string(const std::string& text) {
   std::string result = "\"";
@@ -53,17 +39,24 @@ std::string place(const Place& at) {
   return at.file.empty() ? "" : at.text() + ": ";
 }
 
-/// A column of a table over the temperature, which is the column `of_temperature`.
-std::string function(const Table& table, std::size_t column, std::size_t of_temperature, double factor = 1,
-                     double shift = 0) {
-  const auto value = [&](const std::vector<double>& row, std::size_t i) { return i < row.size() ? row[i] : 0.0; };
+/// A function of T by its points: a number if there is one alone.
+std::string function(const std::vector<std::pair<double, double>>& points) {
   std::string temperatures, values;
-  for (const std::vector<double>& row : table.rows) {
-    temperatures += fmt::format("{}{:.15g}", temperatures.empty() ? "" : ", ", value(row, of_temperature));
-    values += fmt::format("{}{:.15g}", values.empty() ? "" : ", ", factor * value(row, column) + shift);
+  for (const auto& [temperature, value] : points) {
+    temperatures += fmt::format("{}{:.15g}", temperatures.empty() ? "" : ", ", temperature);
+    values += fmt::format("{}{:.15g}", values.empty() ? "" : ", ", value);
   }
-  if (table.rows.size() == 1) return values;
+  if (points.size() == 1) return values;
   return fmt::format("{{ T = [{}], values = [{}] }}", temperatures, values);
+}
+
+/// A column of a table over the temperature, which is the column `of_temperature`.
+std::string function(const Table& table, std::size_t column, std::size_t of_temperature) {
+  const auto value = [&](const std::vector<double>& row, std::size_t i) { return i < row.size() ? row[i] : 0.0; };
+  std::vector<std::pair<double, double>> points;
+  points.reserve(table.rows.size());
+  for (const std::vector<double>& row : table.rows) points.emplace_back(value(row, of_temperature), value(row, column));
+  return function(points);
 }
 
 class Importer {
@@ -134,11 +127,11 @@ class Importer {
     for (const RawCard& raw : deck_.cards) look(raw);
     for (const Step& step : deck_.steps)
       for (const RawCard& raw : step.cards) look(raw);
-    std::set<Family> families;
-    for (const ElementBlock& block : deck_.elements) families.insert(block.type.family);
-    if (families.size() > 1)
+    std::set<settings::Analysis> analyses;
+    for (const ElementBlock& block : deck_.elements) analyses.insert(block.type.analysis);
+    if (analyses.size() > 1)
       impossible_.push_back({Place(), "ELEMENT", "solids and sections, or sections of different kinds, in one model"});
-    if (!families.empty()) family_ = *families.begin();
+    if (!analyses.empty()) analysis_ = *analyses.begin();
   }
 
   void add(const std::string& text) { text_ += text; }
@@ -149,11 +142,11 @@ class Importer {
     for (const Note& note : left_out_)
       add(fmt::format("# Left out: {}*{}: {}\n", place(note.place), note.card, note.consequence));
     add(fmt::format("title = {}\n", toml_string(name_)));
-    if (family_ != Family::solid) add(fmt::format("analysis = \"{}\"\n", analysis_of(family_)));
+    if (analysis_ != settings::Analysis::solid) add(fmt::format("analysis = \"{}\"\n", settings::name_of(analysis_)));
     add(fmt::format("\n[mesh]\nfile = {}\nallow_locking = true      # the elements are those of the deck\n",
                     toml_string(name_ + ".msh")));
     if (bodies_.share_nodes) add("share_nodes = \"tie\"       # sections of different materials that share nodes\n");
-    if (family_ != Family::solid && family_ != Family::axisymmetric) {
+    if (analysis_ != settings::Analysis::solid && analysis_ != settings::Analysis::axisymmetric) {
       const double thickness = bodies_.bodies.empty() ? 1 : bodies_.bodies.front().thickness;
       add(fmt::format("thickness = {:.15g}\n", thickness));
       for (const DeckBody& body : bodies_.bodies)
@@ -163,9 +156,9 @@ class Importer {
   }
 
   void write(const DeckBody& body) {
-    mesh_.add_body(body);
+    const std::string region = mesh_.add_body(body);
     const auto material = deck_.materials.find(body.material);
-    add(fmt::format("\n[bodies.{}]\nregion = {}\nmaterial = {}\n", key(body.name), toml_string(body.name),
+    add(fmt::format("\n[bodies.{}]\nregion = {}\nmaterial = {}\n", key(body.name), toml_string(region),
                     toml_string(material == deck_.materials.end() ? body.material : material->second.name)));
   }
 
@@ -233,31 +226,24 @@ class Importer {
   }
 
   void write_supports() {
-    std::map<std::string, std::pair<Numbers, std::map<int, Course>>> groups;  // by what is prescribed
+    std::map<std::string, Numbers> nodes_of;  // by what is prescribed
     for (const auto& [node, directions] : loading_.supports) {
       if (!is_used(node)) continue;
-      std::string signature;
-      for (const auto& [direction, course] : directions)
-        if (!is_section() || direction < 3) signature += fmt::format("{}={};", direction, course.toml());
-      if (signature.empty()) continue;
-      auto& group = groups[signature];
-      group.first.push_back(node);
-      group.second = directions;
-    }
-    int number = 0;
-    for (auto& [signature, group] : groups) {
-      std::ranges::sort(group.first);
-      const std::string name = mesh_.add_nodes(name_for(group.first, fmt::format("support_{}", ++number)), group.first);
       std::string components;
-      for (const auto& [direction, course] : group.second)
+      for (const auto& [direction, course] : directions)
         if (!is_section() || direction < 3)
           components += fmt::format("{}{} = {}", components.empty() ? "" : ", ", "xyz"[direction - 1], course.toml());
+      if (!components.empty()) nodes_of[components].push_back(node);
+    }
+    int number = 0;
+    for (const auto& [components, nodes] : nodes_of) {
+      const std::string name = mesh_.add_nodes(name_for(nodes, fmt::format("support_{}", ++number)), nodes);
       add(fmt::format("\n[[supports]]                 # *BOUNDARY\non = {}\ndisplacement = {{ {} }}\n",
                       toml_string(name), components));
     }
   }
 
-  bool is_section() const { return family_ != Family::solid; }
+  bool is_section() const { return analysis_ != settings::Analysis::solid; }
 
   /// Nodes that elements have.
   const std::set<std::int64_t>& used() {
@@ -280,21 +266,19 @@ class Importer {
           "\n[[loads]]                    # *CLOAD, node {}\nat = [{:.15g}, {:.15g}, {:.15g}]\nforce = [{}, {}, {}]\n",
           node, x[0], x[1], x[2], force[0], force[1], force[2]));
     }
-    std::map<std::string, std::pair<std::vector<ElementFace>, Course>> pressures;
+    std::map<std::string, std::vector<ElementFace>> pressures;  // by the pressure
     for (const auto& [face, course] : loading_.pressures) {
       const Deck::ElementPlace at = deck_.element_of_number.at(face.element);
       if (deck::face(deck_.elements[at.block].type.cell, face.face) == nullptr) {
         impossible_.push_back({Place(), "DLOAD", fmt::format("element {} has no face P{}", face.element, face.face)});
         return;
       }
-      auto& group = pressures[course.toml()];
-      group.first.push_back(face);
-      group.second = course;
+      pressures[course.toml()].push_back(face);
     }
     int number = 0;
-    for (const auto& [text, group] : pressures)
+    for (const auto& [pressure, faces] : pressures)
       add(fmt::format("\n[[loads]]                    # *DLOAD\non = {}\npressure = {}\n",
-                      toml_string(mesh_.add_faces(fmt::format("pressure_{}", ++number), group.first)), text));
+                      toml_string(mesh_.add_faces(fmt::format("pressure_{}", ++number), faces)), pressure));
     for (const Loading::Body& load : loading_.bodies) write(load);
   }
 
@@ -333,7 +317,7 @@ class Importer {
 
   struct Interaction {
     std::string friction;
-    bool tied = false, given = false;
+    bool tied = false;
   };
 
   std::map<std::string, Interaction> interactions() {
@@ -342,7 +326,6 @@ class Importer {
     for (const RawCard& raw : deck_.cards) {
       if (raw.card.name == "SURFACE INTERACTION") own = &all[upper_case(raw.card.value("NAME"))];
       if (raw.card.name == "SURFACE BEHAVIOR" && own != nullptr) {
-        own->given = true;
         const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
         own->tied = kind == "TIED";
         if (kind != "HARD" && kind != "TIED")
@@ -429,11 +412,12 @@ class Importer {
     at_rest_.add(0, loading_.initial_temperature);
     const std::set<std::int64_t>& nodes = used();
     std::vector<std::pair<double, double>> jumps;
+    const std::string first = temperature_of(*nodes.begin()).toml();
     bool same = true;
     std::set<double> times;
     for (const std::int64_t node : nodes) {
       const Course& own = temperature_of(node);
-      same = same && own.toml() == temperature_of(*nodes.begin()).toml();
+      same = same && own.toml() == first;
       double before = -1;
       for (const auto& [time, value] : own.points()) {
         times.insert(time);
@@ -443,7 +427,7 @@ class Importer {
     }
     add("\n[temperature]                # *INITIAL CONDITIONS, *TEMPERATURE\n");
     if (same) {
-      add(fmt::format("value = {}\n", temperature_of(*nodes.begin()).toml()));
+      add(fmt::format("value = {}\n", first));
       return;
     }
     if (!jumps.empty())
@@ -484,17 +468,16 @@ class Importer {
         const double part = std::clamp((T - temperature(i - 1)) / (temperature(i) - temperature(i - 1)), 0.0, 1.0);
         return (rows[i - 1][0] + part * (rows[i][0] - rows[i - 1][0])) * (T - zero);
       };
-      std::string temperatures, values;
+      std::vector<std::pair<double, double>> points;
       for (std::size_t i = 1; i < rows.size(); ++i)
         for (int k = i == 1 ? 0 : 1; k <= steps; ++k) {
           const double T = temperature(i - 1) + (temperature(i) - temperature(i - 1)) * k / steps;
           const double small = 1e-4 * (temperature(i) - temperature(i - 1));
           const double secant = std::abs(T - initial) > small ? (strain(T) - strain(initial)) / (T - initial)
                                                               : (strain(T + small) - strain(T - small)) / (2 * small);
-          temperatures += fmt::format("{}{:.15g}", temperatures.empty() ? "" : ", ", T);
-          values += fmt::format("{}{:.15g}", values.empty() ? "" : ", ", secant);
+          points.emplace_back(T, secant);
         }
-      alpha = fmt::format("{{ T = [{}], values = [{}] }}", temperatures, values);
+      alpha = function(points);
     }
     add(fmt::format("thermal_expansion = {}\nreference_temperature = {:.15g}\n", alpha, initial));
   }
@@ -526,11 +509,12 @@ class Importer {
     for (const std::int64_t node : nodes) {
       if (++written > most) break;
       const Vector3& x = deck_.positions[deck_.node_of_number.at(node)];
+      const std::string body = toml_string(body_at(node));
       for (int k = 0; k < (is_section() ? 2 : 3); ++k)
         add(
             fmt::format("\n[[probes]]\nname = \"u{0}_node_{1}\"\nquantity = \"displacement_{0}\"\nat = [{2:.15g}, "
                         "{3:.15g}, {4:.15g}]\nbody = {5}\n",
-                        "xyz"[k], node, x[0], x[1], x[2], toml_string(body_at(node))));
+                        "xyz"[k], node, x[0], x[1], x[2], body));
     }
   }
 
@@ -553,7 +537,7 @@ class Importer {
   std::vector<Note> impossible_, left_out_;
   Bodies bodies_;
   Loading loading_;
-  Family family_ = Family::solid;
+  settings::Analysis analysis_ = settings::Analysis::solid;
   std::set<std::int64_t> used_;
   std::map<std::string, std::string> surfaces_;  // written, by name in upper case: name of the group
   bool varies_ = false;                          // something depends on the temperature

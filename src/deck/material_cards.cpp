@@ -28,23 +28,20 @@ void DeckReader::table(std::optional<Table> Material::*property, const Card& car
   };
 }
 
-void DeckReader::elastic(const Card& card) {
+bool DeckReader::is_isotropic(const Card& card, const std::string& property) {
   const std::string type = upper_case(card.value("TYPE"));
-  if (!type.empty() && type != "ISO" && type != "ISOTROPIC") {
-    deck_.impossible.push_back(
-        {card.place, card.name, fmt::format("elasticity of type {}; only isotropic elasticity is known", type)});
-    return;
-  }
-  table(&Material::elastic, card, 2);
+  if (type.empty() || type == "ISO" || type == "ISOTROPIC") return true;
+  deck_.impossible.push_back(
+      {card.place, card.name, fmt::format("{0} of type {1}; only isotropic {0} is known", property, type)});
+  return false;
+}
+
+void DeckReader::elastic(const Card& card) {
+  if (is_isotropic(card, "elasticity")) table(&Material::elastic, card, 2);
 }
 
 void DeckReader::expansion(const Card& card) {
-  const std::string type = upper_case(card.value("TYPE"));
-  if (!type.empty() && type != "ISO" && type != "ISOTROPIC") {
-    deck_.impossible.push_back(
-        {card.place, card.name, fmt::format("thermal expansion of type {}; only isotropic expansion is known", type)});
-    return;
-  }
+  if (!is_isotropic(card, "thermal expansion")) return;
   table(&Material::expansion, card, 1);
   if (material_ != nullptr && !card.value("ZERO").empty()) {
     const std::optional<double> zero = number(card.value("ZERO"));

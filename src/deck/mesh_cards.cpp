@@ -58,7 +58,7 @@ void DeckReader::element(const Card& card) {
     return;
   }
   auto block = std::ranges::find_if(into_->elements, [&](const ElementBlock& one) {
-    return one.type.cell == type->cell && one.type.family == type->family &&
+    return one.type.cell == type->cell && one.type.analysis == type->analysis &&
            upper_case(one.type.name) == upper_case(name);
   });
   if (block == into_->elements.end()) block = into_->elements.insert(block, {*type, {}, {}});

@@ -49,6 +49,15 @@ Found element(const Deck& deck, std::int64_t number) {
   return {block.type.cell, {block.nodes.data() + place.element * n, n}};
 }
 
+/// Numbers of the nodes at these places of an element.
+std::vector<std::uint64_t> at_places(const Found& element, const std::vector<int>& places) {
+  std::vector<std::uint64_t> nodes;
+  nodes.reserve(places.size());
+  for (const int place : places)
+    nodes.push_back(static_cast<std::uint64_t>(element.nodes[static_cast<std::size_t>(place)]));
+  return nodes;
+}
+
 /// Corners of a face, sorted.
 Numbers corners(const Deck& deck, const ElementFace& face) {
   const Found own = element(deck, face.element);
@@ -79,65 +88,49 @@ std::string MeshOutput::free_name(const std::string& wanted) {
   return name;
 }
 
-io::MshContent::Elements& MeshOutput::new_group(int dimension, const std::string& name, int type) {
-  const io::MshContent::Key key{dimension, static_cast<int>(content_.physicals.size()) + 1};
+void MeshOutput::add_group(const std::string& name, const std::map<CellType, std::vector<CellNodes>>& cells) {
+  const io::MshContent::Key key{mesh::dimension(cells.begin()->first), static_cast<int>(content_.physicals.size()) + 1};
   content_.physical_names[key] = name;
   content_.physicals[key] = {key.tag};
-  content_.elements.push_back({key, type, {}, {}});
-  return content_.elements.back();
-}
-
-void MeshOutput::add_body(const DeckBody& body) {
-  const std::string name = free_name(body.name);
-  std::map<CellType, Numbers> by_type;
-  for (const std::int64_t number : body.elements) by_type[element(deck_, number).cell].push_back(number);
-  io::MshContent::Key key;
-  for (const auto& [type, numbers] : by_type) {
-    if (key.tag == 0)
-      key = new_group(mesh::dimension(type), name, gmsh_type(type)).entity;
-    else
-      content_.elements.push_back({key, gmsh_type(type), {}, {}});
-    io::MshContent::Elements& into = content_.elements.back();
-    for (const std::int64_t number : numbers) {
+  for (const auto& [type, of_type] : cells) {
+    io::MshContent::Elements& into =
+        content_.elements.emplace_back(io::MshContent::Elements{key, gmsh_type(type), {}, {}});
+    for (const CellNodes& nodes : of_type) {
       into.tags.push_back(next_tag_++);
-      const Found own = element(deck_, number);
-      for (const int place : gmsh_order(type))
-        into.nodes.push_back(static_cast<std::uint64_t>(own.nodes[static_cast<std::size_t>(place)]));
+      into.nodes.insert(into.nodes.end(), nodes.begin(), nodes.end());
     }
   }
 }
 
+std::string MeshOutput::add_body(const DeckBody& body) {
+  std::string name = free_name(body.name);
+  std::map<CellType, std::vector<CellNodes>> cells;
+  for (const std::int64_t number : body.elements) {
+    const Found own = element(deck_, number);
+    cells[own.cell].push_back(at_places(own, gmsh_order(own.cell)));
+  }
+  add_group(name, cells);
+  return name;
+}
+
 std::string MeshOutput::add_nodes(const std::string& wanted, const Numbers& nodes) {
   std::string name = free_name(wanted);
-  io::MshContent::Elements& into = new_group(0, name, gmsh_type(CellType::point1));
-  for (const std::int64_t node : nodes) {
-    into.tags.push_back(next_tag_++);
-    into.nodes.push_back(static_cast<std::uint64_t>(node));
-  }
+  std::vector<CellNodes> points;
+  points.reserve(nodes.size());
+  for (const std::int64_t node : nodes) points.push_back({static_cast<std::uint64_t>(node)});
+  add_group(name, {{CellType::point1, std::move(points)}});
   return name;
 }
 
 std::string MeshOutput::add_faces(const std::string& wanted, const std::vector<ElementFace>& faces) {
   std::string name = free_name(wanted);
-  std::map<CellType, std::vector<ElementFace>> by_type;
+  std::map<CellType, std::vector<CellNodes>> cells;
   for (const ElementFace& face : faces) {
     const Found own = element(deck_, face.element);
-    by_type[face_type(own.cell, deck::face(own.cell, face.face)->size())].push_back(face);
+    const std::vector<int>& places = *deck::face(own.cell, face.face);
+    cells[face_type(own.cell, places.size())].push_back(at_places(own, places));
   }
-  io::MshContent::Key key;
-  for (const auto& [type, members] : by_type) {
-    if (key.tag == 0)
-      key = new_group(mesh::dimension(type), name, gmsh_type(type)).entity;
-    else
-      content_.elements.push_back({key, gmsh_type(type), {}, {}});
-    io::MshContent::Elements& into = content_.elements.back();
-    for (const ElementFace& face : members) {
-      into.tags.push_back(next_tag_++);
-      const Found own = element(deck_, face.element);
-      for (const int place : *deck::face(own.cell, face.face))
-        into.nodes.push_back(static_cast<std::uint64_t>(own.nodes[static_cast<std::size_t>(place)]));
-    }
-  }
+  add_group(name, cells);
   return name;
 }
 

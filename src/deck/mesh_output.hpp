@@ -15,14 +15,16 @@ class MeshOutput {
  public:
   explicit MeshOutput(const Deck& deck);
 
-  void add_body(const DeckBody& body);
-  /// @returns the name of the group
+  // Each returns the name of the group that it makes.
+  std::string add_body(const DeckBody& body);
   std::string add_nodes(const std::string& name, const Numbers& nodes);
   std::string add_faces(const std::string& name, const std::vector<ElementFace>& faces);
   std::string msh() const;
 
  private:
-  io::MshContent::Elements& new_group(int dimension, const std::string& name, int type);
+  using CellNodes = std::vector<std::uint64_t>;
+  /// @param cells  at least one, of one dimension
+  void add_group(const std::string& name, const std::map<mesh::CellType, std::vector<CellNodes>>& cells);
   std::string free_name(const std::string& wanted);
 
   const Deck& deck_;

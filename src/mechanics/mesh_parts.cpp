@@ -1,8 +1,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "creepcontact/base/disjoint_sets.hpp"
 #include "creepcontact/mechanics/free_motions.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
 
@@ -29,19 +29,6 @@ std::vector<FaceOfElement> all_faces(const mesh::Mesh& mesh) {
   }
   return faces;
 }
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 }  // namespace
 

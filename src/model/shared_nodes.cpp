@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "creepcontact/base/disjoint_sets.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/contact/geometry/node_ties.hpp"
 
@@ -15,22 +15,6 @@ namespace creepcontact::model {
 namespace {
 
 using BodyPair = std::pair<std::size_t, std::size_t>;
-
-/// Bodies that are joined, directly or by others.
-class Groups {
- public:
-  explicit Groups(std::size_t n) : root_(n) { std::iota(root_.begin(), root_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t body) const { return root_[body] == body ? body : of(root_[body]); }
-  /// @returns false if they were joined already
-  bool join(std::size_t a, std::size_t b) {
-    if (of(a) == of(b)) return false;
-    root_[of(a)] = of(b);
-    return true;
-  }
-
- private:
-  std::vector<std::size_t> root_;
-};
 
 std::size_t n_bodies(const mesh::SharedMesh& shared) {
   std::size_t n = 0;
@@ -149,7 +133,7 @@ std::size_t SharedNodes::n_shared(std::size_t first, std::size_t second) const {
 void SharedNodes::check(const config::Config& config, ErrorCollector& errors) const {
   std::map<BodyPair, std::size_t> apart, at_edges;  // nodes
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    Groups groups(n_bodies(shared_));
+    DisjointSets groups(n_bodies(shared_));
     for (const Link& link : links_[i]) {
       groups.join(link.first, link.second);
       if (!link.covered) ++apart[{link.first, link.second}];
@@ -181,7 +165,7 @@ void SharedNodes::check(const config::Config& config, ErrorCollector& errors) co
 std::vector<contact::Pair> SharedNodes::ties(const config::Config& config, const Bodies& bodies) const {
   std::map<BodyPair, std::vector<contact::NodeTie>> ties;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    Groups groups(bodies.size());
+    DisjointSets groups(bodies.size());
     const auto node_of = [&](std::size_t body) {
       const auto& owners = shared_.nodes[i].owners;
       return std::find_if(owners.begin(), owners.end(), [&](const auto& owner) { return owner.body == body; })->node;

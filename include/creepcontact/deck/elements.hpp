@@ -8,16 +8,15 @@
 #include <vector>
 
 #include "creepcontact/mesh/cell_type.hpp"
+#include "creepcontact/settings/analysis.hpp"
 
 namespace creepcontact::deck {
-
-enum class Family { solid, axisymmetric, plane_strain, plane_stress, generalized_plane_strain };
 
 /// "C3D20R" is a C3D20: hex20, solid, with the variant R.
 struct ElementType {
   std::string name;  ///< as written
   mesh::CellType cell{};
-  Family family{};
+  settings::Analysis analysis{};  ///< of models of such elements
   std::string variant = {};  ///< letters after the number: R (reduced integration), H (hybrid), I (incompatible modes)
 };
 

@@ -13,14 +13,12 @@ struct Facing {
   double covered = 0;   ///< part of its facets' area that the other surface covers
 };
 
-Facing facing(const Surface& surface, const Surface& other, const Strip& strip) {
-  const ContinuedSurface all(other);  // in the adjacent sectors too
-  const std::vector<Facet> facets = make_facets(*surface.mesh, surface.faces, strip);
-  const std::vector<Facet> others = make_facets(all.mesh(), all.faces(), strip);
+/// @param n_own  facets of this sector; the others are those of the adjacent ones
+Facing facing(const std::vector<Facet>& facets, std::size_t n_own, const std::vector<Facet>& others) {
   const Segmentation segmentation(facets, others);
   Facing result;
   double count = 0, area = 0;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
+  for (std::size_t f = 0; f < n_own; ++f) {
     const double part = segmentation.covered_part(f);
     if (part <= 0) continue;
     const double own = facets[f].area_vector_at_centre().norm();
@@ -57,7 +55,10 @@ bool first_is_better_slave(const Surface& first, const Surface& second) {
   constexpr double sticks_out = 0.5;
   if (const bool first_held = is_held(first); first_held != is_held(second)) return !first_held;
   const Strip strip = strip_of(*first.mesh, first.faces);
-  const Facing of_first = facing(first, second, strip), of_second = facing(second, first, strip);
+  const ContinuedSurface all_first(first), all_second(second);
+  const std::vector<Facet> a = make_facets(all_first.mesh(), all_first.faces(), strip);
+  const std::vector<Facet> b = make_facets(all_second.mesh(), all_second.faces(), strip);
+  const Facing of_first = facing(a, first.faces.size(), b), of_second = facing(b, second.faces.size(), a);
   // Facets that stick out far over the other surface are too coarse to show where it presses.
   if (of_first.covered < sticks_out * of_second.covered) return false;
   if (of_second.covered < sticks_out * of_first.covered) return true;

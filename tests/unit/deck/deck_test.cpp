@@ -34,7 +34,7 @@ TEST(Deck, NodesElementsAndSets) {
   EXPECT_EQ(deck.node_numbers, (Numbers{1, 2, 3, 4}));
   EXPECT_EQ(deck.positions[2], Vector3(1, 1, 0));
   ASSERT_EQ(deck.elements.size(), 1U);
-  EXPECT_EQ(deck.elements[0].type.family, Family::plane_strain);
+  EXPECT_EQ(deck.elements[0].type.analysis, settings::Analysis::plane_strain);
   EXPECT_EQ(deck.elements[0].nodes, (Numbers{1, 2, 3, 4}));
   EXPECT_EQ(deck.node_sets.at("LEFT").name, "Left");
   EXPECT_EQ(deck.node_sets.at("LEFT").members, (Numbers{1, 4, 3, 2}));
@@ -152,7 +152,7 @@ TEST(Deck, EveryMistakeIsNamedWithItsPlace) {
 TEST(ElementTypes, NamesVariantsAndFaces) {
   EXPECT_EQ(element_type("c3d10m")->cell, mesh::CellType::tet10);
   EXPECT_EQ(element_type("CAX8RH")->variant, "RH");
-  EXPECT_EQ(element_type("CPEG8")->family, Family::generalized_plane_strain);
+  EXPECT_EQ(element_type("CPEG8")->analysis, settings::Analysis::generalized_plane_strain);
   for (const char* name : {"C3D8T", "S8R", "B32", "C3D", "C3D27", "CPE8P", ""})
     EXPECT_FALSE(element_type(name)) << name;
   EXPECT_EQ(*face(mesh::CellType::hex20, 2), (std::vector<int>{4, 7, 6, 5, 15, 14, 13, 12}));

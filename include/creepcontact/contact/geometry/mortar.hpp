@@ -47,8 +47,10 @@ struct Surface {
 /// on a flat one. rows^T lambda are the nodal forces: equal and opposite on the two bodies. The traction on the master
 /// body is the sum of multipliers times directions.
 /// With cyclic symmetry the master may lie in the sectors adjacent to that of the slave, and the two nodes that a link
-/// makes one in the full circle have one multiplier. Source: Wohlmuth (2000) dual multipliers; Puso and Laursen (2004)
-/// segments; Cichosz and Bischoff (2011) partly covered facets.
+/// makes one in the full circle have one multiplier.
+///
+/// Source: Wohlmuth (2000) dual multipliers; Puso and Laursen (2004) segments; Cichosz and Bischoff (2011) partly
+/// covered facets.
 struct MortarCoupling {
   /// A node of the slave that has the multiplier of the node that it follows by cyclic symmetry.
   struct Image {
