@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
@@ -20,9 +21,9 @@ int import(const Command& self, const Arguments& arguments) {
                      "directory of the configuration and the mesh (default: the working directory)");
   if (!line.parse(arguments, "DECK.inp")) return 0;
   const std::filesystem::path path = line.positional(), directory = output.empty() ? "." : output;
-  const deck::Deck deck = deck::read_deck(path);
+  deck::Deck deck = deck::read_deck(path);
   const std::string name = path.stem().string();
-  const deck::Import made = deck::import_deck(deck, name);
+  const deck::Import made = deck::import_deck(std::move(deck), name);
   if (const std::string reason = why_unwritable(directory); !reason.empty())
     throw ConfigError(
         fmt::format("output directory {}: no files can be written there: {}; choose another directory "

@@ -39,6 +39,8 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("cyclic", &Config::cyclic, tables(cyclic_table()),
                     "cyclic symmetry: the model is one of the sectors of a full circle"),
       field<Config>("rigid", &Config::rigid, tables(rigid_table()), "surfaces that move as rigid bodies"),
+      field<Config>("equations", &Config::equations, tables(equation_table()),
+                    "linear equations between displacements of nodes"),
       field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(),
                     "settings of the contact solver"),
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),

@@ -26,6 +26,8 @@ constexpr std::array words{
     KnownWord{"analysis=", "3d three_dimensional full",
               "models in three dimensions are 'analysis' = \"solid\", which need not be given"},
     KnownWord{"", "cyclic_symmetry sector sectors periodic", "cyclic symmetry is 'cyclic'"},
+    KnownWord{"", "equation constraints constraint mpc mpcs linear_constraints",
+              "a linear equation between displacements is an entry of 'equations'"},
     KnownWord{"", "rigid_bodies rigid_body rigid_surfaces coupling", "a surface that moves as a rigid body is 'rigid'"},
     KnownWord{"", "event", "conditions on probes are 'events'"},
     KnownWord{"", "restart resume",
@@ -88,10 +90,10 @@ constexpr std::array words{
 
     // supports, loads, temperature
     KnownWord{"supports[]", "surface group set nodes face", "the surface, curve or point that is supported is 'on'"},
-    KnownWord{"supports[]", "x y z ux uy uz normal fix fixed value",
-              "components are written 'displacement' = { x = 0 }, with x, y, z or normal"},
-    KnownWord{"supports[].displacement", "r radial ur",
-              "the radial displacement of an axisymmetric model is 'supports[].displacement.x'"},
+    KnownWord{"supports[]", "x y z ux uy uz normal radial tangential axial along fix fixed value",
+              "components are written 'displacement' = { x = 0 }, with x, y, z, normal, radial or others"},
+    KnownWord{"supports[].displacement", "r ur",
+              "the radial displacement is 'radial', about an 'axis'; in an axisymmetric model it is 'x'"},
     KnownWord{"loads[]", "rpm speed omega angular_velocity centrifugal rotational_velocity",
               "centrifugal force is 'rotation' = { angular_velocity = ..., density = ... }, in radians per unit of "
               "time: one revolution per minute is 2 pi/60 = 0.10472 rad/s"},
@@ -102,7 +104,7 @@ constexpr std::array words{
               "not in this version; a surface made 'rigid' takes a moment, or use a 'traction' that varies over "
               "the surface"},
     KnownWord{"loads[]", "surface group set face", "the surface of a load is 'on'"},
-    KnownWord{"loads[]", "node point", "the point where a force acts is 'at'"},
+    KnownWord{"loads[]", "point", "the point where a force acts is 'at'"},
     KnownWord{"loads[]", "temperature", "temperatures are given by the table [temperature], with 'value' or 'file'"},
     KnownWord{"loads[].rotation", "rpm speed omega",
               "the speed is 'angular_velocity', in radians per unit of time: one revolution per minute is 2 pi/60 = "

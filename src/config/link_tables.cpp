@@ -1,4 +1,6 @@
-/// [[cyclic]] and [[rigid]]
+/// [[cyclic]], [[rigid]] and [[equations]]
+
+#include <set>
 
 #include "table.hpp"
 #include "tables.hpp"
@@ -72,6 +74,38 @@ Value<Rigid> rigid_table() {
         context.errors.add(item.child("moment").location, fmt::format("the rotation about {} is prescribed", axis),
                            "either the rotation or the moment");
     }
+    return found;
+  });
+}
+
+Value<Equation> equation_table() {
+  using Term = Equation::Term;
+  const auto coefficient = [](std::size_t k) { return [k](Term& term) -> double& { return term.coefficient[k]; }; };
+  const auto term = converted<Term>(
+      table<Term>({
+          field<Term>("node", &Term::node, integer(1), "number of the node in the mesh file", Presence::required),
+          field<Term>("x", coefficient(0), number(), "coefficient of its displacement along x"),
+          field<Term>("y", coefficient(1), number(), "coefficient of its displacement along y"),
+          field<Term>("z", coefficient(2), number(), "coefficient of its displacement along z"),
+      }),
+      [](Term found, const Item& item, Context& context) -> std::optional<Term> {
+        if (found.coefficient == std::array<double, 3>{})
+          context.errors.add(item.location, "no coefficient other than 0", "at least one of x, y, z");
+        return found;
+      });
+  const auto keys = table<Equation>({
+      field<Equation>("terms", &Equation::terms, written_inline(list(term)), "the terms of the sum, one per node",
+                      Presence::required),
+      field<Equation>("value", &Equation::value, function({"t"}), "what the sum is equal to").in("length"),
+  });
+  return converted<Equation>(keys, [](Equation found, const Item& item, Context& context) -> std::optional<Equation> {
+    found.location = item.location;
+    if (found.terms.empty()) context.errors.add(item.child("terms").location, "an empty list", "at least one term");
+    std::set<int> nodes;
+    for (const Equation::Term& term : found.terms)
+      if (!nodes.insert(term.node).second)
+        context.errors.add(item.child("terms").location, fmt::format("node {} has two terms", term.node),
+                           "one term per node");
     return found;
   });
 }

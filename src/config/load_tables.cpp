@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -14,6 +16,7 @@ struct LoadKeys {
   Reference on, body;
   std::optional<std::array<double, 3>> at;
   std::optional<double> tolerance;
+  std::optional<int> node;
   std::optional<Function> pressure;
   std::optional<Functions3> traction, force, body_force;
   std::optional<Rotation> rotation;
@@ -22,10 +25,13 @@ struct LoadKeys {
 /// Where a kind of load acts.
 struct Kind {
   std::string name;
-  std::string place;  ///< the key that it needs
+  std::vector<std::string> places;  ///< keys, one of which it needs
 };
-const std::vector<Kind> kinds{
-    {"pressure", "on"}, {"traction", "on"}, {"force", "at"}, {"body_force", "body"}, {"rotation", "body"}};
+const std::vector<Kind> kinds{{"pressure", {"on"}},
+                              {"traction", {"on"}},
+                              {"force", {"at", "node"}},
+                              {"body_force", {"body"}},
+                              {"rotation", {"body"}}};
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
@@ -36,18 +42,19 @@ std::vector<std::string> kind_names() {
 
 /// "body" beside another place restricts the load to that body.
 void check_place(const Item& item, const Kind& kind, Context& context) {
-  if (!item.has(kind.place)) {
-    context.errors.add(item.location, fmt::format("'{}' without '{}'", kind.name, kind.place),
-                       fmt::format("'{}' with '{}'", kind.name, kind.place));
-  }
-  for (const std::string& key : given_keys(item, {"on", "at"})) {
-    if (key == kind.place) continue;
-    context.errors.add(item.child(key).location, fmt::format("'{}' with '{}'", kind.name, key),
-                       fmt::format("'{}' with '{}'", kind.name, kind.place));
-  }
-  if (item.has("tolerance") && kind.place != "at") {
+  const std::string needed = fmt::format("'{}'", fmt::join(kind.places, "' or '"));
+  const std::vector<std::string> own = given_keys(item, kind.places);
+  if (own.size() != 1)
+    context.errors.add(item.location,
+                       own.empty() ? fmt::format("'{}' without {}", kind.name, needed)
+                                   : fmt::format("'{}' with '{}'", kind.name, fmt::join(own, "' and '")),
+                       fmt::format("'{}' with {}", kind.name, needed));
+  for (const std::string& key : given_keys(item, {"on", "at", "node"}))
+    if (std::ranges::find(kind.places, key) == kind.places.end())
+      context.errors.add(item.child(key).location, fmt::format("'{}' with '{}'", kind.name, key),
+                         fmt::format("'{}' with {}", kind.name, needed));
+  if (item.has("tolerance") && !item.has("at"))
     context.errors.add(item.child("tolerance").location, "has no meaning here", "with 'at' only");
-  }
 }
 
 std::optional<Load> make_load(LoadKeys keys, const Item& item, Context& context) {
@@ -64,7 +71,7 @@ std::optional<Load> make_load(LoadKeys keys, const Item& item, Context& context)
   Load load{std::move(keys.on), std::move(keys.body), {}, item.location};
   if (keys.pressure) load.kind = Pressure{*keys.pressure};
   if (keys.traction) load.kind = Traction{*keys.traction};
-  if (keys.force && keys.at) load.kind = PointForce{*keys.at, keys.tolerance, *keys.force};
+  if (keys.force) load.kind = PointForce{keys.at, keys.tolerance, keys.node.value_or(0), *keys.force};
   if (keys.body_force) load.kind = BodyForce{*keys.body_force};
   if (keys.rotation) load.kind = *keys.rotation;
   return load;
@@ -107,13 +114,14 @@ Value<Load> load_table() {
           .changeable()
           .in("length")
           .otherwise("1e-6 of the model's size"),
+      field<LoadKeys>("node", &LoadKeys::node, integer(1), "or: number in the mesh file of the node at which it acts"),
       field<LoadKeys>("body", &LoadKeys::body, reference("the name of a body"),
-                      "body on which `body_force` or `rotation` acts; with `on` or `at`: load only this body"),
+                      "body on which `body_force` or `rotation` acts; with `on`, `at` or `node`: load only this body"),
       field<LoadKeys>("pressure", &LoadKeys::pressure, function(position_and_time),
                       "with `on`: normal force per area, positive if it pushes against the body")
           .in("stress"),
       field<LoadKeys>("traction", &LoadKeys::traction, vector, "with `on`: force per area").in("stress"),
-      field<LoadKeys>("force", &LoadKeys::force, vector, "with `at`: force at the node").in("force"),
+      field<LoadKeys>("force", &LoadKeys::force, vector, "with `at` or `node`: force at the node").in("force"),
       field<LoadKeys>("body_force", &LoadKeys::body_force, vector, "with `body`: force per volume").in("force/volume"),
       field<LoadKeys>("rotation", &LoadKeys::rotation, rotation_table(), "with `body`: centrifugal force"),
   });

@@ -43,7 +43,8 @@ Value<Mesh> mesh_table() {
   const auto shared = choice<SharedNodes>("treatment of shared nodes");
   const auto keys = table<Mesh>({
       field<Mesh>("file", &Mesh::file, path(),
-                  "`.geo` (meshed by the Gmsh library, in a separate process) or `.msh` (2.2, 4.1; ASCII, binary)",
+                  "`.geo` (meshed by the Gmsh library, in a separate process), `.msh` (2.2, 4.1; ASCII, binary), or "
+                  "`.unv`, `.bdf`, `.nas`",
                   Presence::required)
           .changeable(),
       field<Mesh>("order", &Mesh::order, integer(1, 2),
@@ -55,6 +56,11 @@ Value<Mesh> mesh_table() {
       field<Mesh>("allow_locking", &Mesh::allow_locking, boolean(),
                   "accept `tet4` and `wedge6`, which are too stiff under creep; otherwise they are an error")
           .changeable(),
+      field<Mesh>(
+          "project_distorted", &Mesh::project_distorted, boolean(),
+          "project the volumetric strain of `hex20`, and of `quad8` in plane sections, where they are far from a "
+          "parallelepiped; `false`: plain reduced integration as in C3D20R of CalculiX and Abaqus, whose mean "
+          "stress oscillates there under creep"),
       field<Mesh>("time_limit", &Mesh::time_limit, number(greater(0)),
                   "`.geo` only: time limit of meshing in seconds; longer meshing is an error")
           .changeable()

@@ -83,6 +83,9 @@ Value<Output> output_table() {
                         "write `fields.pvd`, `contact.pvd` and their `.vtu` files: at all output times, at none, or at "
                         "these times alone, which are then output times too")
           .in("time"),
+      field<OutputKeys>("frd", &OutputKeys::frd, boolean(),
+                        "write the fields as `fields.frd` too, for CalculiX GraphiX and PrePoMax, with the numbers of "
+                        "nodes and elements of the mesh file"),
       field<OutputKeys>("revolve", &OutputKeys::revolve, integer(3, 360),
                         "axisymmetric models: write the full solid too, of so many segments, as `revolved.pvd`")
           .otherwise("the section alone"),

@@ -57,10 +57,32 @@ class SectionChecks {
   }
 
   void check_support(const Item& item, const Support& support) {
-    if (is_solid() || !support.displacement[2]) return;
-    errors_.add(item.child("displacement").child("z").location,
-                fmt::format("analysis = \"{}\" has no displacement along z that a support could hold", name_),
-                "x, y or normal");
+    if (is_solid()) return;
+    const Item displacement = item.child("displacement");
+    const auto refuse = [&](const char* key, const char* allowed) {
+      errors_.add(displacement.child(key).location,
+                  fmt::format("analysis = \"{}\" has no displacement along z that a support could hold", name_),
+                  allowed);
+    };
+    if (support.displacement[2]) refuse("z", "x, y or normal");
+    if (support.cylindrical[2]) refuse("axial", "x, y or normal");
+    if (support.direction && (*support.direction)[2] != 0) refuse("along", "a direction in the plane");
+    for (const std::string& key : given_keys(displacement, {"radial", "tangential"})) {
+      if (analysis_ == Analysis::axisymmetric)
+        errors_.add(displacement.child(key).location, "has no meaning in an axisymmetric model",
+                    "x, which is the radial displacement, y or normal");
+      else if (support.axis[0] != 0 || support.axis[1] != 0)
+        errors_.add(item.child("axis").location, fmt::format("the axis of a section is [0, 0, 1]"), "[0, 0, 1]");
+    }
+  }
+
+  void check_equation(const Item& item, const Equation& equation) {
+    if (is_solid()) return;
+    for (const Equation::Term& term : equation.terms)
+      if (term.coefficient[2] != 0)
+        errors_.add(item.child("terms").location,
+                    fmt::format("node {}: analysis = \"{}\" has no displacement along z", term.node, name_),
+                    "coefficients x and y");
   }
 
   void check_load(const Item& item, const Load& load) {
@@ -71,7 +93,7 @@ class SectionChecks {
       require_in_plane(item.child("body_force"), force->value[2].is_zero());
     if (const auto* force = std::get_if<PointForce>(&load.kind)) {
       require_in_plane(item.child("force"), force->value[2].is_zero());
-      require_in_plane(item.child("at"), force->at[2] == 0);
+      if (force->at) require_in_plane(item.child("at"), (*force->at)[2] == 0);
     }
     const auto* rotation = std::get_if<Rotation>(&load.kind);
     if (rotation && analysis_ == Analysis::axisymmetric)
@@ -157,6 +179,8 @@ void check_sections(const Config& config, const Item& root, Diagnostics& errors)
   checks.check_keys(config, root);
   for_each_entry(root, "supports", config.supports,
                  [&](const Item& item, const Support& support) { checks.check_support(item, support); });
+  for_each_entry(root, "equations", config.equations,
+                 [&](const Item& item, const Equation& equation) { checks.check_equation(item, equation); });
   for_each_entry(root, "loads", config.loads,
                  [&](const Item& item, const Load& load) { checks.check_load(item, load); });
   for_each_entry(root, "probes", config.probes,

@@ -9,8 +9,8 @@ namespace creepcontact::config {
 namespace {
 
 struct Displacement {
-  std::array<std::optional<Function>, 3> components;
-  std::optional<Function> normal;
+  std::array<std::optional<Function>, 3> components, cylindrical;
+  std::optional<Function> normal, along;
 };
 
 /// What is not given, which Temperature cannot tell.
@@ -78,6 +78,9 @@ Value<Displacement> displacement_table() {
   const auto component = [](std::size_t i) {
     return [i](Displacement& into) -> std::optional<Function>& { return into.components[i]; };
   };
+  const auto cylindrical = [](std::size_t i) {
+    return [i](Displacement& into) -> std::optional<Function>& { return into.cylindrical[i]; };
+  };
   const auto keys = written_inline(table<Displacement>({
       field<Displacement>("x", component(0), value, "displacement along x").in("length"),
       field<Displacement>("y", component(1), value, "displacement along y").in("length"),
@@ -85,11 +88,17 @@ Value<Displacement> displacement_table() {
       field<Displacement>("normal", &Displacement::normal, value,
                           "displacement along the outward normal; surfaces only, in sections curves")
           .in("length"),
+      field<Displacement>("radial", cylindrical(0), value, "displacement away from the `axis`").in("length"),
+      field<Displacement>("tangential", cylindrical(1), value, "displacement around the `axis`, by the right-hand rule")
+          .in("length"),
+      field<Displacement>("axial", cylindrical(2), value, "displacement along the `axis`").in("length"),
+      field<Displacement>("along", &Displacement::along, value, "displacement along `direction`").in("length"),
   }));
   return converted<Displacement>(
       keys, [](Displacement found, const Item& item, Context& context) -> std::optional<Displacement> {
         if (item.node->as_table()->empty()) {
-          context.errors.add(item.location, "an empty table", "at least one of x, y, z, normal");
+          context.errors.add(item.location, "an empty table",
+                             "at least one of x, y, z, normal, radial, tangential, axial, along");
         }
         return found;
       });
@@ -99,6 +108,23 @@ struct SupportKeys : Support {
   Displacement prescribed;
 };
 
+void check_directions(const Support& support, const Item& item, Context& context) {
+  const bool is_cylindrical = std::ranges::any_of(support.cylindrical, [](const auto& one) { return one.has_value(); });
+  for (const std::string& key : given_keys(item, {"axis", "origin"}))
+    if (!is_cylindrical)
+      context.errors.add(item.child(key).location, "has no meaning here",
+                         "with displacement.radial, tangential or axial");
+  if (is_cylindrical && support.axis == std::array<double, 3>{})
+    context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
+  if (support.along && !item.has("direction"))
+    context.errors.add(item.child("displacement").child("along").location, "needs 'direction'",
+                       "direction = [x, y, z]");
+  if (item.has("direction") && !support.along)
+    context.errors.add(item.child("direction").location, "has no meaning here", "with displacement.along");
+  if (support.direction == std::array<double, 3>{})
+    context.errors.add(item.child("direction").location, "[0, 0, 0]", "a direction");
+}
+
 }  // namespace
 
 Value<Support> support_table() {
@@ -107,13 +133,21 @@ Value<Support> support_table() {
                          "group that is supported", Presence::required),
       field<SupportKeys>("body", &SupportKeys::body, reference("the name of a body"),
                          "support only the nodes of this body"),
-      field<SupportKeys>("displacement", &SupportKeys::prescribed, displacement_table(),
-                         "at least one of the four below", Presence::required),
+      field<SupportKeys>("displacement", &SupportKeys::prescribed, displacement_table(), "at least one of those below",
+                         Presence::required),
+      field<SupportKeys>("axis", &SupportKeys::axis, triple(number()),
+                         "direction of the axis of `radial`, `tangential` and `axial`, of any length"),
+      field<SupportKeys>("origin", &SupportKeys::origin, triple(number()), "a point of that axis").in("length"),
+      field<SupportKeys>("direction", &SupportKeys::direction, triple(number()),
+                         "direction of `along`, of any length; required with it"),
   });
-  return converted<Support>(keys, [](SupportKeys found, const Item& item, Context&) -> std::optional<Support> {
+  return converted<Support>(keys, [](SupportKeys found, const Item& item, Context& context) -> std::optional<Support> {
     found.displacement = std::move(found.prescribed.components);
     found.normal = std::move(found.prescribed.normal);
+    found.cylindrical = std::move(found.prescribed.cylindrical);
+    found.along = std::move(found.prescribed.along);
     found.location = item.location;
+    check_directions(found, item, context);
     return Support(std::move(found));
   });
 }

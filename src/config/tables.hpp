@@ -19,6 +19,7 @@ Value<GeneralizedPlaneStrain> generalized_plane_strain_table();
 Value<Contact> contact_table();
 Value<Cyclic> cyclic_table();
 Value<Rigid> rigid_table();
+Value<Equation> equation_table();
 /// Two different surfaces.
 Value<std::array<Reference, 2>> two_surfaces();
 Value<ContactSolver> contact_solver_table();

@@ -136,7 +136,7 @@ InterfaceLoad CondensedInterface::initial_load(double t, Conditions at) const {
   load.friction = friction(t);
   for (const Pair& pair : pairs_) {
     auto gap = load.gap.segment(pair.first_row, pair.coupling.n_rows());
-    gap = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, t);
+    gap = pair.initial_gap(t);
     if (!gap.allFinite())
       throw ModelError(
           fmt::format("contact '{}': the gap is not a finite number at t = {:.6g}; check its expression for divisions "
@@ -172,7 +172,7 @@ Eigen::VectorXd CondensedInterface::unloaded_gap() const {
   for (const Pair& pair : pairs_) {
     if (pair.coupling.type == ContactType::tied) continue;
     auto own = gap.segment(pair.first_row, pair.coupling.n_rows());
-    own = pair.geometric_gap ? pair.coupling.geometric_gap : pair.coupling.given_gap(pair.gap, 0);
+    own = pair.initial_gap(0);
     const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
     const double overlap = std::max(0.0, -pair.coupling.first_rows(own).cwiseQuotient(area).minCoeff());
     own(Eigen::seqN(0, area.size(), pair.coupling.rows_per_node())) += overlap * area;

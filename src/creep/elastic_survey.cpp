@@ -33,7 +33,7 @@ std::vector<double> telling_times(double end, const std::vector<double>& breakpo
 bool acts(const contact::Pair& pair, double t) {
   if (pair.preload) return true;
   const contact::MortarCoupling& coupling = pair.coupling;
-  const Eigen::VectorXd gap = pair.geometric_gap ? coupling.geometric_gap : coupling.given_gap(pair.gap, t);
+  const Eigen::VectorXd gap = pair.initial_gap(t);
   // Whatever is not a plain opening may load the bodies, also what is not a number.
   if (coupling.type == contact::ContactType::tied) return !gap.isZero(0);
   const Eigen::VectorXd normal = coupling.first_rows(gap);

@@ -12,7 +12,7 @@ struct DeckBody {
   std::string name;      ///< of an element set that holds these elements alone, or of its section
   std::string material;  ///< in upper case
   double thickness = 1;
-  Numbers elements;
+  Numbers elements;  ///< ascending
 };
 
 struct Bodies {

@@ -52,6 +52,7 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("EXPANSION", &DeckReader::expansion);
     read("DENSITY", &DeckReader::density);
     read("CREEP", &DeckReader::creep);
+    read("PHYSICAL CONSTANTS", &DeckReader::physical_constants);
     read("AMPLITUDE", &DeckReader::amplitude);
     read("STEP", &DeckReader::step);
     read("END STEP", &DeckReader::end_step);
@@ -87,45 +88,23 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
          "EL PRINT",
          "MODEL CHANGE"});
     add(Kind::silent, "",
-        {"HEADING",
-         "PREPRINT",
-         "PHYSICAL CONSTANTS",
-         "NODE FILE",
-         "EL FILE",
-         "NODE OUTPUT",
-         "ELEMENT OUTPUT",
-         "CONTACT OUTPUT",
-         "ENERGY OUTPUT",
-         "CONTACT FILE",
-         "CONTACT PRINT",
-         "FACE PRINT",
-         "OUTPUT",
-         "SECTION PRINT",
-         "NORMAL",
-         "CONTROLS",
-         "TIME POINTS",
-         "MONITOR",
-         "PRINT",
-         "FILE FORMAT",
-         "ASSEMBLY",
-         "END ASSEMBLY",
-         "ORIENTATION",
-         "DIAGNOSTICS",
-         "NO ANALYSIS",
-         "NODE RESPONSE",
-         "ELEMENT RESPONSE",
-         "CONTACT RESPONSE",
-         "OBJECTIVE",
-         "DESIGN VARIABLES"});
+        {"HEADING",        "PREPRINT",         "NODE FILE",        "EL FILE",       "NODE OUTPUT",     "ELEMENT OUTPUT",
+         "CONTACT OUTPUT", "ENERGY OUTPUT",    "CONTACT FILE",     "CONTACT PRINT", "FACE PRINT",      "OUTPUT",
+         "SECTION PRINT",  "NORMAL",           "CONTROLS",         "TIME POINTS",   "MONITOR",         "PRINT",
+         "FILE FORMAT",    "ASSEMBLY",         "END ASSEMBLY",     "ORIENTATION",   "DIAGNOSTICS",     "NO ANALYSIS",
+         "NODE RESPONSE",  "ELEMENT RESPONSE", "CONTACT RESPONSE", "OBJECTIVE",     "DESIGN VARIABLES"});
     add(Kind::left_out, "damping does not act in static and creep steps",
         {"DAMPING", "MODAL DAMPING", "CONTACT DAMPING"});
-    add(Kind::left_out, "residual stresses at the start are not taken into account", {"INITIAL STRESS"});
+    add(Kind::impossible, "a body with stresses or strains at the start is not known",
+        {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});
+    add(Kind::impossible, "materials that change from step to step are not known",
+        {"CHANGE SOLID SECTION", "CHANGE MATERIAL", "CHANGE PLASTIC"});
     add(Kind::left_out, "heat conduction is not computed; give the temperature as a field",
         {"CONDUCTIVITY", "SPECIFIC HEAT", "FILM", "RADIATE", "DFLUX", "CFLUX", "FILM PROPERTY", "GAP CONDUCTANCE",
          "GAP HEAT GENERATION"});
 
     add(Kind::impossible, "shells and membranes are not known",
-        {"SHELL SECTION", "MEMBRANE SECTION", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
+        {"SHELL SECTION", "MEMBRANE SECTION", "MEMBRANE", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
     add(Kind::impossible, "beams and trusses are not known", {"BEAM SECTION", "BEAM GENERAL SECTION", "TRUSS SECTION"});
     add(Kind::kept, "", {"CHANGE SURFACE BEHAVIOR"});
     add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace creepcontact::deck {
 
@@ -24,6 +25,29 @@ double Course::at(double time) const {
     return points[i].second + part * (points[i + 1].second - points[i].second);
   }
   return points.empty() ? 0 : points.front().second;
+}
+
+double Course::before(double time) const {
+  const auto points = tidied();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].first < time) continue;
+    if (i == 0) return points.front().second;
+    const double part = (time - points[i - 1].first) / (points[i].first - points[i - 1].first);
+    return points[i - 1].second + part * (points[i].second - points[i - 1].second);
+  }
+  return points.empty() ? 0 : points.back().second;
+}
+
+Course Course::plus(const Course& other) const {
+  std::set<double> times;
+  for (const Course* course : {this, &other})
+    for (const auto& [time, value] : course->points_) times.insert(time);
+  Course sum;
+  for (const double time : times) {
+    sum.add(time, before(time) + other.before(time));
+    sum.add(time, at(time) + other.at(time));
+  }
+  return sum;
 }
 
 bool Course::is_constant() const {

@@ -16,6 +16,8 @@ class Course {
   bool is_zero() const;
   /// Before the first point its value, after the last one that; at a jump the value after it.
   double at(double time) const;
+  /// At a jump the value before it.
+  double before(double time) const;
   /// Without the points that count for nothing: at most two at one time.
   std::vector<std::pair<double, double>> points() const { return tidied(); }
   bool operator==(const Course&) const = default;
@@ -24,6 +26,8 @@ class Course {
   /// The same as an expression of the value: "sqrt(<value>)" with wrap = "sqrt". Jumps are conditions on t.
   std::string toml(const std::string& wrap) const;
   Course scaled(double factor) const;
+  /// The sum of both. A course without points is 0.
+  Course plus(const Course& other) const;
 
  private:
   bool is_constant() const;

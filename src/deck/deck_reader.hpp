@@ -54,6 +54,7 @@ class DeckReader {
   void expansion(const Card& card);
   void density(const Card& card);
   void creep(const Card& card);
+  void physical_constants(const Card& card);
   void amplitude(const Card& card);
   // Steps
   void step(const Card& card);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "element_faces.hpp"
+
 namespace creepcontact::deck {
 namespace {
 
@@ -29,8 +31,9 @@ struct Key {
 
 class Joiner {
  public:
-  Joiner(const Deck& deck, std::vector<Note>& impossible, std::vector<Note>& left_out)
-      : deck_(deck), resolver_(deck), impossible_(impossible), left_out_(left_out) {
+  Joiner(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,
+         std::vector<Note>& left_out)
+      : deck_(deck), resolver_(deck), lockable_(lockable), impossible_(impossible), left_out_(left_out) {
     creeps_ = std::ranges::any_of(deck.steps, [](const Step& step) { return step.is_creep; });
   }
 
@@ -50,6 +53,7 @@ class Joiner {
         if (raw.card.name == "BOUNDARY") boundary(raw);
         if (raw.card.name == "CLOAD") concentrated(raw);
         if (raw.card.name == "DLOAD") distributed(raw);
+        if (raw.card.name == "DSLOAD") on_surfaces(raw);
         if (raw.card.name == "TEMPERATURE") temperature(raw);
       }
       const double duration = creeps_ && !step.is_creep ? 0 : step.period;
@@ -111,7 +115,6 @@ class Joiner {
   }
 
   void boundary(const RawCard& raw) {
-    if (raw.card.has("FIXED")) impossible(raw, raw.places.size(), "FIXED: holding what was reached is not known");
     if (const std::string type = upper_case(raw.card.value("TYPE")); !type.empty() && type != "DISPLACEMENT")
       impossible(raw, raw.places.size(), fmt::format("TYPE={} is not known", type));
     if (replaces(raw)) drop('b');
@@ -119,9 +122,14 @@ class Joiner {
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
       if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
-      static const std::map<std::string, std::vector<int>> named{
-          {"ENCASTRE", {1, 2, 3}}, {"PINNED", {1, 2, 3}}, {"XSYMM", {1}},     {"YSYMM", {2}},
-          {"ZSYMM", {3}},          {"XASYMM", {2, 3}},    {"YASYMM", {1, 3}}, {"ZASYMM", {1, 2}}};
+      static const std::map<std::string, std::vector<int>> named{{"ENCASTRE", {1, 2, 3, 4, 5, 6}},
+                                                                 {"PINNED", {1, 2, 3}},
+                                                                 {"XSYMM", {1, 5, 6}},
+                                                                 {"YSYMM", {2, 4, 6}},
+                                                                 {"ZSYMM", {3, 4, 5}},
+                                                                 {"XASYMM", {2, 3, 4}},
+                                                                 {"YASYMM", {1, 3, 5}},
+                                                                 {"ZASYMM", {1, 2, 6}}};
       std::vector<int> directions;
       if (const auto found = named.find(upper_case(field(raw, line, 1))); found != named.end()) {
         directions = found->second;
@@ -133,11 +141,22 @@ class Joiner {
           continue;
         }
         if (*last > 6) impossible(raw, line, fmt::format("degree of freedom {} is not known", *last));
-        for (auto k = *first; k <= std::min<std::int64_t>(*last, 3); ++k) directions.push_back(static_cast<int>(k));
+        for (auto k = *first; k <= std::min<std::int64_t>(*last, 6); ++k) directions.push_back(static_cast<int>(k));
+      }
+      if (raw.card.has("FIXED")) {
+        for (const std::int64_t node : nodes) hold(raw, line, node);
+        continue;
       }
       for (const std::int64_t node : nodes)
         for (const int direction : directions) give({'b', node, direction}, value(raw, line, 3), factors);
     }
+  }
+
+  /// FIXED: the displacement reached at the end of the step before.
+  void hold(const RawCard& raw, std::size_t line, std::int64_t node) {
+    if (!lockable_.contains(node))
+      return impossible(raw, line, "FIXED: holding what was reached is known for reference nodes of bolts alone");
+    loading_.locked.try_emplace(node, loading_.step_ends.empty() ? 0.0 : loading_.step_ends.back());
   }
 
   void concentrated(const RawCard& raw) {
@@ -147,7 +166,7 @@ class Joiner {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
       const auto direction = whole_number(field(raw, line, 1));
       if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
-      if (!direction || *direction < 1 || *direction > 3) {
+      if (!direction || *direction < 1 || *direction > 6) {
         impossible(raw, line, fmt::format("'{}' is not a direction of a force", field(raw, line, 1)));
         continue;
       }
@@ -163,7 +182,7 @@ class Joiner {
     }
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
-      const Numbers elements = resolver_.elements(field(raw, line, 0));
+      const Numbers elements = field(raw, line, 0).empty() ? all_elements() : resolver_.elements(field(raw, line, 0));
       if (elements.empty()) {
         impossible(raw, line, fmt::format("there is no element or set '{}'", field(raw, line, 0)));
         continue;
@@ -186,9 +205,39 @@ class Joiner {
     }
   }
 
+  Numbers all_elements() const {
+    Numbers all;
+    for (const ElementBlock& block : deck_.elements) all.insert(all.end(), block.numbers.begin(), block.numbers.end());
+    std::ranges::sort(all);
+    return all;
+  }
+
+  void on_surfaces(const RawCard& raw) {
+    if (replaces(raw)) drop('p');
+    const Amplitude* factors = amplitude(raw);
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const auto surface = deck_.surfaces.find(upper_case(field(raw, line, 0)));
+      if (surface == deck_.surfaces.end()) {
+        impossible(raw, line, fmt::format("there is no surface '{}'", field(raw, line, 0)));
+        continue;
+      }
+      if (upper_case(field(raw, line, 1)) != "P") {
+        impossible(raw, line, fmt::format("loads of type {} on surfaces are not known; P is", field(raw, line, 1)));
+        continue;
+      }
+      for (const ElementFace& face : faces_of(deck_, surface->second, impossible_))
+        give({'p', face.element, face.face}, value(raw, line, 2), factors);
+    }
+  }
+
   void initial(const RawCard& raw) {
     if (const std::string type = upper_case(raw.card.value("TYPE")); type != "TEMPERATURE") {
-      left_out_.push_back({raw.card.place, raw.card.name, fmt::format("TYPE={} is not taken into account", type)});
+      const bool acts_in_statics = type.find("STRESS") != std::string::npos || type.find("STRAIN") != std::string::npos;
+      (acts_in_statics ? impossible_ : left_out_)
+          .push_back({raw.card.place, raw.card.name,
+                      acts_in_statics
+                          ? fmt::format("TYPE={}: a body with stresses or strains at the start is not known", type)
+                          : fmt::format("TYPE={} does not act in static and creep steps", type)});
       return;
     }
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
@@ -282,6 +331,7 @@ class Joiner {
 
   const Deck& deck_;
   Resolver resolver_;
+  const std::set<std::int64_t>& lockable_;
   std::vector<Note>&impossible_, &left_out_;
   std::map<Key, Entry> entries_;
   Loading loading_;
@@ -302,6 +352,9 @@ Numbers resolved(const std::string& target, const std::map<std::string, Set>& se
 
 Numbers Resolver::nodes(const std::string& target) const {
   Numbers found = resolved(target, deck_.node_sets);
+  if (found.size() == 1)
+    if (const auto other = deck_.same_as.find(found.front()); other != deck_.same_as.end())
+      found.front() = other->second;
   std::erase_if(found, [&](std::int64_t node) { return !deck_.node_of_number.contains(node); });
   return found;
 }
@@ -312,8 +365,9 @@ Numbers Resolver::elements(const std::string& target) const {
   return found;
 }
 
-Loading join_steps(const Deck& deck, std::vector<Note>& impossible, std::vector<Note>& left_out) {
-  return Joiner(deck, impossible, left_out).join();
+Loading join_steps(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,
+                   std::vector<Note>& left_out) {
+  return Joiner(deck, lockable, impossible, left_out).join();
 }
 
 }  // namespace creepcontact::deck

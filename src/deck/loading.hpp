@@ -2,6 +2,7 @@
 /// Supports and loads of all steps as courses over the time of one run.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,11 @@ struct BodyLoad {
 struct Loading {
   double end = 0;
   std::vector<double> step_ends;
-  std::map<std::int64_t, std::map<int, Course>> supports;  ///< by node and direction 1, 2, 3
+  /// By node and direction: 1, 2, 3, and 4, 5, 6 for rotations and moments, which solids do not have. Along the
+  /// directions of *TRANSFORM.
+  std::map<std::int64_t, std::map<int, Course>> supports;
   std::map<std::int64_t, std::map<int, Course>> forces;
+  std::map<std::int64_t, double> locked;  ///< nodes that stay where they are from this time on
   std::map<ElementFace, Course> pressures;
   struct Body {
     BodyLoad load;
@@ -55,7 +59,9 @@ struct Loading {
 
 /// Joins the steps: *STATIC steps ramp, *VISCO steps begin with their loads. If the deck has *VISCO steps, only these
 /// take time, for in the others nothing creeps.
+/// @param lockable  reference nodes that FIXED may hold where they are
 /// @param impossible  gets what cannot be done; @param left_out  what is not taken into account
-Loading join_steps(const Deck& deck, std::vector<Note>& impossible, std::vector<Note>& left_out);
+Loading join_steps(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,
+                   std::vector<Note>& left_out);
 
 }  // namespace creepcontact::deck

@@ -59,6 +59,14 @@ void DeckReader::creep(const Card& card) {
   table(&Material::creep, card, 2);
 }
 
+void DeckReader::physical_constants(const Card& card) {
+  if (const std::string& given = card.value("ABSOLUTEZERO"); !given.empty()) {
+    const std::optional<double> zero = number(given);
+    if (!zero) return mistake(card.place, fmt::format("ABSOLUTE ZERO: '{}' is not a number", given));
+    deck_.absolute_zero = *zero;
+  }
+}
+
 void DeckReader::amplitude(const Card& card) {
   const std::string name = required(card, "NAME");
   if (name.empty()) return;

@@ -1,5 +1,5 @@
 #pragma once
-/// The mesh of a deck with its groups as a .msh file.
+/// The mesh of a deck with its groups as a .msh file. Nodes and elements keep their numbers.
 
 #include <map>
 #include <string>
@@ -17,24 +17,25 @@ class MeshOutput {
 
   // Each returns the name of the group that it makes.
   std::string add_body(const DeckBody& body);
+  /// The group that there is, if these nodes have one.
   std::string add_nodes(const std::string& name, const Numbers& nodes);
   std::string add_faces(const std::string& name, const std::vector<ElementFace>& faces);
   std::string msh() const;
 
  private:
-  using CellNodes = std::vector<std::uint64_t>;
+  struct Cell {
+    std::uint64_t number = 0;
+    std::vector<std::uint64_t> nodes;
+  };
   /// @param cells  at least one, of one dimension
-  void add_group(const std::string& name, const std::map<mesh::CellType, std::vector<CellNodes>>& cells);
+  void add_group(const std::string& name, const std::map<mesh::CellType, std::vector<Cell>>& cells);
   std::string free_name(const std::string& wanted);
 
   const Deck& deck_;
   io::MshContent content_;
-  std::map<std::string, int> names_;  // groups by name: how often
-  std::uint64_t next_tag_ = 1;
+  std::map<std::string, int> names_;         // groups by name: how often
+  std::map<Numbers, std::string> of_nodes_;  // groups of nodes, by these
+  std::uint64_t next_number_ = 1;            // of cells that are no elements of the deck
 };
-
-/// Faces of a surface, of its element faces or of its nodes; sorted.
-/// @param impossible  gets faces that do not exist
-std::vector<ElementFace> faces_of(const Deck& deck, const Surface& surface, std::vector<Note>& impossible);
 
 }  // namespace creepcontact::deck

@@ -63,16 +63,39 @@ mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& option
   return read_msh(run_mesher(request, options.time_limit), file.string(), options.section);
 }
 
+/// A mesh in a format that Gmsh reads.
+mesh::Mesh convert(const std::filesystem::path& file, const GmshOptions& options) {
+  const MesherRequest request{.file = file,
+                              .dimension = options.section.dimension(),
+                              .order = options.order,
+                              .parameters = {},
+                              .memory_limit_mb = options.memory_limit_mb,
+                              .trusted = options.trusted};
+  return read_msh(run_mesher(request, options.time_limit), file.string(), options.section);
+}
+
+[[noreturn]] void refuse_format(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  std::string remedy;
+  if (extension == ".inp")
+    remedy = fmt::format("; `creepcontact import {}` makes a mesh and a configuration of a deck", file.string());
+  if (extension == ".med")
+    remedy = "; let Salome write .unv, which keeps its groups, or convert the file with a Gmsh that has MED";
+  throw ModelError(
+      fmt::format("{}: unknown kind of mesh file; allowed: .geo, .msh, .unv, .bdf or .nas{}", file.string(), remedy));
+}
+
 }  // namespace
 
 mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& options) {
-  const bool is_geo = file.extension() == ".geo";
-  if (!is_geo && file.extension() != ".msh")
-    throw ModelError(fmt::format("{}: unknown kind of mesh file; allowed: .geo or .msh", file.string()));
+  const std::string extension = file.extension().string();
+  const bool is_geo = extension == ".geo", is_msh = extension == ".msh";
+  if (!is_geo && !is_msh && !is_converted(file)) refuse_format(file);
   if (const std::string reason = why_unreadable(file); !reason.empty())
     throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);
-  return is_geo ? mesh_geo(file, options) : read_msh(file_text<ModelError>(file), file.string(), options.section);
+  if (is_msh) return read_msh(file_text<ModelError>(file), file.string(), options.section);
+  return is_geo ? mesh_geo(file, options) : convert(file, options);
 }
 
 }  // namespace creepcontact::io

@@ -90,6 +90,7 @@ mesh::CellBlock number_cells(CellType type, const Cells& cells, std::size_t bloc
   result.connectivity.reserve(kept.size() * static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < kept.size(); ++i) {
     number[kept[i]] = i;
+    result.numbers.push_back(static_cast<std::int64_t>(cells.tags[kept[i]]));
     result.connectivity.insert(result.connectivity.end(), row(kept[i]), row(kept[i]) + n);
   }
   for (std::size_t cell = 0; cell < order.size(); ++cell)
@@ -166,7 +167,7 @@ mesh::Mesh import_msh(const MshContent& content, const std::string& file, const 
   std::map<Key, std::vector<mesh::CellRef>> cells_of;
   for (const auto& [type, cells] : all)
     result.blocks.push_back(number_cells(type, cells, result.blocks.size(), cells_of));
-  result.nodes = nodes.take_used(result.blocks);
+  nodes.give_used(result);
 
   bool has_bulk = false;
   for (const PhysicalGroup& group : groups) {

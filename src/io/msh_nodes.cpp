@@ -44,18 +44,17 @@ std::int64_t MshNodes::use(std::uint64_t tag, std::uint64_t element) {
   return number;
 }
 
-std::vector<Vector3> MshNodes::take_used(std::vector<mesh::CellBlock>& blocks) const {
+void MshNodes::give_used(mesh::Mesh& mesh) const {
   std::vector<std::int64_t> number(used_.size(), -1);
-  std::vector<Vector3> nodes;
   for (std::size_t i = 0; i < used_.size(); ++i) {
     if (!used_[i]) continue;
-    number[i] = static_cast<std::int64_t>(nodes.size());
-    nodes.push_back(content_.nodes[position_[i]]);
+    number[i] = static_cast<std::int64_t>(mesh.nodes.size());
+    mesh.nodes.push_back(content_.nodes[position_[i]]);
+    mesh.node_numbers.push_back(static_cast<std::int64_t>(tags_[i]));
   }
-  for (mesh::CellBlock& block : blocks) {
+  for (mesh::CellBlock& block : mesh.blocks) {
     for (std::int64_t& node : block.connectivity) node = number[node];
   }
-  return nodes;
 }
 
 }  // namespace creepcontact::io

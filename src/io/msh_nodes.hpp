@@ -19,8 +19,8 @@ class MshNodes {
   /// The number of a node, which is used from here on. @throws ModelError if there is no such node
   std::int64_t use(std::uint64_t tag, std::uint64_t element);
 
-  /// The used nodes, without the others; numbers in the blocks follow.
-  std::vector<Vector3> take_used(std::vector<mesh::CellBlock>& blocks) const;
+  /// Gives a mesh the used nodes, without the others; numbers in its blocks follow.
+  void give_used(mesh::Mesh& mesh) const;
 
  private:
   const MshContent& content_;

@@ -173,7 +173,8 @@ void ElementBlock::measure_distortion() {
     double change = 0;
     for (std::size_t p = 0; p < n_points_; ++p)
       change = std::max(change, (inverse_jacobian(e, p) * jacobian - Matrix3::Identity()).norm());
-    unprojected_part_.push_back(std::clamp((most - change) / (most - least), 0.0, 1.0));
+    unprojected_part_.push_back(section_.project_distorted ? std::clamp((most - change) / (most - least), 0.0, 1.0)
+                                                           : 1.0);
   }
 }
 

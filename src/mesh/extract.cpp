@@ -95,6 +95,7 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions) {
     number[i] = static_cast<std::int64_t>(body.parent_node.size());
     body.parent_node.push_back(i);
     body.mesh.nodes.push_back(parent.nodes[i]);
+    if (!parent.node_numbers.empty()) body.mesh.node_numbers.push_back(parent.node_numbers[i]);
   }
 
   if (parent.section.has_axial_node()) {
@@ -112,6 +113,7 @@ BodyMesh extract(const Mesh& parent, const std::vector<std::string>& regions) {
     for (std::size_t c = 0; c < marks[b].size(); ++c) {
       if (!marks[b][c]) continue;
       new_cell[b][c] = block.size();
+      if (!parent.blocks[b].numbers.empty()) block.numbers.push_back(parent.blocks[b].numbers[c]);
       for (std::int64_t node : parent.blocks[b].cell(c)) block.connectivity.push_back(number[node]);
     }
     if (block.connectivity.empty()) continue;

@@ -1,8 +1,11 @@
 #include "gmsh_content.hpp"
 
+#include <fmt/format.h>
 #include <gmsh.h>
 
 #include <cstdlib>
+
+#include "creepcontact/mesh/group_kind.hpp"
 
 namespace creepcontact::mesher {
 namespace {
@@ -51,6 +54,14 @@ io::MshContent gmsh_content() {
   add_nodes(content);
   add_elements(content);
   return content;
+}
+
+void name_entities(io::MshContent& content) {
+  for (const io::MshContent::Elements& elements : content.elements) {
+    const io::MshContent::Key entity = elements.entity;
+    content.physical_names[entity] = fmt::format("{}_{}", mesh::group_kind(entity.dimension), entity.tag);
+    content.physicals[entity] = {entity.tag};
+  }
 }
 
 }  // namespace creepcontact::mesher

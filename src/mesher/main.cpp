@@ -97,9 +97,11 @@ int mesh(const MesherRequest& request) {
   stop_reading();
   if (gmsh_has_failed()) return status::gmsh_failed;
   set_order(request.order);  // the file may have had its own idea
-  gmsh::model::mesh::generate(request.dimension);
+  if (!io::is_converted(request.file)) gmsh::model::mesh::generate(request.dimension);
   if (gmsh_has_failed()) return status::gmsh_failed;
-  send(io::write_msh(gmsh_content()));
+  io::MshContent content = gmsh_content();
+  if (io::is_converted(request.file) && content.physicals.empty()) name_entities(content);
+  send(io::write_msh(content));
   return status::done;
 }
 

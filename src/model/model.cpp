@@ -64,6 +64,7 @@ Model build_model(const config::Config& config) {
       std::vector<std::string> regions;
       for (const config::Reference& region : config.bodies[b].region) regions.push_back(region.name);
       cut[b] = mesh::extract(whole, regions);
+      cut[b].mesh.section.project_distorted = config.mesh.project_distorted;
       cut[b].mesh.section.thickness = config.bodies[b].thickness.value_or(config.mesh.thickness);
       if (!config.mesh.allow_locking) refuse_locking(config.bodies[b].name, cut[b].mesh);
     });
@@ -115,6 +116,8 @@ Model build_model(const config::Config& config) {
   errors.raise();
   append_ties(config, shared.value(), bodies, pairs);
   append_sector_ties(config, links, bodies, pairs, errors);
+  append_equations(config, bodies, pairs, errors);
+  errors.raise();
   share_axial_strain(config, bodies, pairs);
 
   creep::SolverOptions options = solver_options(config, bodies);

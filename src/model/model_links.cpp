@@ -17,10 +17,6 @@ namespace {
 
 constexpr double same_position = 1e-6;  // of the size of the body
 
-Vector3 vector(const std::array<double, 3>& from) {
-  return {from[0], from[1], from[2]};
-}
-
 contact::Sector sector_of(const config::Cyclic& cyclic) {
   const Eigen::AngleAxisd turn(cyclic.angle * std::numbers::pi / 180, vector(cyclic.axis).normalized());
   return {turn.toRotationMatrix(), vector(cyclic.origin), static_cast<int>(std::lround(360 / cyclic.angle))};

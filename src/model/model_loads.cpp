@@ -48,15 +48,23 @@ struct LoadAdder {
     body().add_load(mechanics::volume_load(body().discretization(), force.value));
   }
   void operator()(const config::Rotation& rotation) const {
-    body().add_load(mechanics::centrifugal_load(body().discretization(),
-                                                Vector3(rotation.axis[0], rotation.axis[1], rotation.axis[2]),
-                                                Vector3(rotation.origin[0], rotation.origin[1], rotation.origin[2]),
+    body().add_load(mechanics::centrifugal_load(body().discretization(), vector(rotation.axis), vector(rotation.origin),
                                                 rotation.angular_velocity, rotation.density));
   }
-  void operator()(const config::PointForce& force) const {
-    const Vector3 at(force.at[0], force.at[1], force.at[2]);
+  /// The node with a number of the mesh file.
+  NodeOfBody numbered(int number) const {
+    std::vector<NodeOfBody> found = nodes_numbered(bodies, number);
+    if (load.body.given())
+      std::erase_if(found, [&](const NodeOfBody& at) { return at.body != body_index(config, load.body.name); });
+    if (found.empty())
+      throw ModelError(load.body.given()
+                           ? fmt::format("body '{}' has no node {} of the mesh file", load.body.name, number)
+                           : fmt::format("no body has the node {} of the mesh file", number));
+    return found.front();
+  }
+  NodeOfBody nearest(const Vector3& at, std::optional<double> given_tolerance) const {
     Eigen::AlignedBox3d box;
-    std::size_t nearest_body = 0, nearest_node = 0;
+    NodeOfBody nearest;
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const auto& nodes = bodies[b].mesh().nodes;
@@ -65,24 +73,26 @@ struct LoadAdder {
         box.extend(nodes[i]);
         if (!wanted || (nodes[i] - at).norm() >= distance) continue;
         distance = (nodes[i] - at).norm();
-        nearest_body = b;
-        nearest_node = i;
+        nearest = {b, static_cast<std::int64_t>(i)};
       }
     }
-    const double tolerance = force.tolerance.value_or(nearest_node_tolerance * box.diagonal().norm());
-    const Vector3& x = bodies[nearest_body].mesh().nodes[nearest_node];
+    const double tolerance = given_tolerance.value_or(nearest_node_tolerance * box.diagonal().norm());
+    const Vector3& x = bodies[nearest.body].mesh().nodes[nearest.node];
     if (distance > tolerance)
       throw ModelError(
           fmt::format("no mesh node at ({}, {}, {}): the nearest is ({}, {}, {}) on body '{}', {:.3g} away; give its "
                       "coordinates, or a larger tolerance",
-                      at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest_body].name(), distance));
-    const mesh::Mesh& mesh = bodies[nearest_body].mesh();
-    if (mesh.section.is_axisymmetric() && !force.value[0].is_zero() &&
-        lies_on_axis(mesh, {static_cast<std::int64_t>(nearest_node)}))
+                      at.x(), at.y(), at.z(), x.x(), x.y(), x.z(), bodies[nearest.body].name(), distance));
+    return nearest;
+  }
+  void operator()(const config::PointForce& force) const {
+    const auto [b, node] = force.at ? nearest(vector(*force.at), force.tolerance) : numbered(force.node);
+    const mesh::Mesh& mesh = bodies[b].mesh();
+    if (mesh.section.is_axisymmetric() && !force.value[0].is_zero() && lies_on_axis(mesh, {node}))
       throw ModelError(fmt::format(
           "a radial force at ({:.6g}, {:.6g}, 0) on the axis: a ring of no radius carries none; give a force along y",
-          x.x(), x.y()));
-    bodies[nearest_body].add_load(mechanics::point_load(bodies[nearest_body].mesh(), nearest_node, force.value));
+          mesh.nodes[node].x(), mesh.nodes[node].y()));
+    bodies[b].add_load(mechanics::point_load(mesh, node, force.value));
   }
 };
 

@@ -67,6 +67,16 @@ std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mes
   return result;
 }
 
+std::vector<NodeOfBody> nodes_numbered(std::span<const mechanics::Body> bodies, std::int64_t number) {
+  std::vector<NodeOfBody> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const std::vector<std::int64_t>& numbers = bodies[b].mesh().node_numbers;  // ascending
+    const auto found = std::ranges::lower_bound(numbers, number);
+    if (found != numbers.end() && *found == number) result.push_back({b, found - numbers.begin()});
+  }
+  return result;
+}
+
 namespace {
 
 /// Faces that no element has: where bodies touch, a mesher may have merged nodes and left the faces of one of them
@@ -101,6 +111,48 @@ void check_groups(const config::Config& config, const mesh::Mesh& whole, const B
       });
 }
 
+namespace {
+
+/// Unit vectors away from the axis.
+std::vector<Vector3> radial_directions(const config::Support& support, const mesh::Mesh& body,
+                                       const std::vector<std::int64_t>& nodes) {
+  constexpr double on_axis = 1e-9;  // of the farthest node
+  const Vector3 axis = vector(support.axis).normalized();
+  std::vector<Vector3> result;
+  result.reserve(nodes.size());
+  double farthest = 0;
+  for (const std::int64_t node : nodes) {
+    const Vector3 arm = body.nodes[node] - vector(support.origin);
+    result.emplace_back(arm - arm.dot(axis) * axis);
+    farthest = std::max(farthest, result.back().norm());
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (result[i].norm() <= on_axis * farthest)
+      throw ModelError(
+          fmt::format("the node ({:.6g}, {:.6g}, {:.6g}) of '{}' is on the axis, where there is no radial and no "
+                      "tangential direction; take it out of the group",
+                      body.nodes[nodes[i]][0], body.nodes[nodes[i]][1], body.nodes[nodes[i]][2], support.on.name));
+    result[i].normalize();
+  }
+  return result;
+}
+
+/// Components about an axis.
+void add_cylindrical(const config::Support& support, const mesh::Mesh& body, const std::vector<std::int64_t>& nodes,
+                     std::vector<mechanics::Support>& to) {
+  const auto& [radial, tangential, axial] = support.cylindrical;
+  const Vector3 axis = vector(support.axis).normalized();
+  if (axial) to.push_back({support.on.name, nodes, {axis}, *axial});
+  if (!radial && !tangential) return;
+  std::vector<Vector3> directions = radial_directions(support, body, nodes);
+  if (radial) to.push_back({support.on.name, nodes, directions, *radial});
+  if (!tangential) return;
+  for (Vector3& direction : directions) direction = axis.cross(direction);
+  to.push_back({support.on.name, nodes, std::move(directions), *tangential});
+}
+
+}  // namespace
+
 std::vector<mechanics::Support> make_supports(const config::Support& support, const mesh::Mesh& body) {
   std::vector<mechanics::Support> result;
   const std::vector<std::int64_t> nodes = mesh::group_nodes(body, support.on.name);
@@ -115,6 +167,8 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
     const std::vector<mesh::Face> faces = mesh::boundary_faces(body, support.on.name);
     result.push_back({support.on.name, nodes, mechanics::nodal_normals(body, faces, nodes), *support.normal});
   }
+  add_cylindrical(support, body, nodes, result);
+  if (support.along) result.push_back({support.on.name, nodes, {vector(*support.direction)}, *support.along});
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include "creepcontact/mesh/mesh.hpp"
 #include "creepcontact/model/error_collector.hpp"
 #include "creepcontact/model/model.hpp"
+#include "creepcontact/model/numbered_nodes.hpp"
 
 namespace creepcontact::model {
 
@@ -27,6 +28,10 @@ std::vector<std::size_t> bodies_on(const config::Config& config, const mesh::Mes
                                    const std::string& group, const config::Reference& body, int dimension);
 std::size_t body_index(const config::Config& config, const std::string& name);
 
+inline Vector3 vector(const std::array<double, 3>& from) {
+  return {from[0], from[1], from[2]};
+}
+
 /// Looks for the surfaces of all loads and contacts, so that a name mistyped there shows with all other mistakes.
 void check_groups(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
                   ErrorCollector& errors);
@@ -43,6 +48,11 @@ void prescribe_axial_strain(const config::Config& config, const BodyMeshes& mesh
 /// Generalised plane strain with an unknown axial strain: the axial force as a load, and ties that make the strain the
 /// same in all bodies. Otherwise nothing.
 void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs);
+
+/// [[equations]] as pairs of bodies, without those that follow from others or that supports fulfil. Errors name the
+/// place in the configuration: a node that no body has, equations between three bodies, or that contradict each other.
+void append_equations(const config::Config& config, const Bodies& bodies, std::vector<contact::Pair>& pairs,
+                      ErrorCollector& errors);
 
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Bodies& bodies);

@@ -136,6 +136,7 @@ std::vector<io::FieldData> ContactSurfaces::on_bodies(const creep::Equilibrium& 
     count += body.mesh().n_cell_nodes();
   }
   io::FieldData pressure{"contact_pressure", 1, std::vector<double>(count)}, gap{"gap", 1, std::vector<double>(count)};
+  io::FieldData shear{"contact_shear", 1, std::vector<double>(count)}, slip{"slip", 1, std::vector<double>(count)};
   std::vector<bool> known(count);
   for (const Surface& surface : surfaces_) {
     const Values on_surface = values(surface, at);
@@ -147,9 +148,13 @@ std::vector<io::FieldData> ContactSurfaces::on_bodies(const creep::Equilibrium& 
       known[node] = true;
       pressure.values[node] = here.pressure;
       gap.values[node] = std::isnan(here.gap) ? 0.0 : here.gap;
+      shear.values[node] = here.shear;
+      slip.values[node] = here.slip;
     }
   }
-  return {pressure, gap};
+  std::vector<io::FieldData> arrays{pressure, gap};
+  if (at.friction.slip.size() > 0) arrays.insert(arrays.end(), {shear, slip});
+  return arrays;
 }
 
 }  // namespace creepcontact::results

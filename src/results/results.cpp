@@ -9,6 +9,7 @@
 #include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/results/quantities.hpp"
 #include "field_arrays.hpp"
+#include "frd_fields.hpp"
 #include "revolved_section.hpp"
 
 namespace creepcontact::results {
@@ -36,6 +37,11 @@ Results::Results(const config::Config& config, const std::filesystem::path& dire
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);
   history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation, config.output.csv);
   steps_ = std::make_unique<io::StepWriter>(directory / "steps.csv", continuation, config.output.csv);
+  if (config.output.frd) {
+    std::vector<const mesh::Mesh*> meshes;
+    for (const mechanics::Body& body : assembly.bodies()) meshes.push_back(&body.mesh());
+    frd_ = std::make_unique<io::FrdWriter>(directory / "fields.frd", meshes, continuation);
+  }
   if (!config.output.fields) return;
   if (config.output.unit_names) names_with_units_ = names_with_units(config.units);
   io::FieldMesh mesh;
@@ -60,16 +66,17 @@ void Results::output(Snapshot& snapshot) {
   values_.clear();
   for (const auto& probe : probes_) values_.push_back(snapshot.value(*probe));
   history_->write(snapshot.time(), values_);
-  if (!fields_ || (field_times_ && !std::ranges::binary_search(*field_times_, snapshot.time()))) return;
+  if ((!fields_ && !frd_) || (field_times_ && !std::ranges::binary_search(*field_times_, snapshot.time()))) return;
   std::vector<io::FieldData> at_points = point_arrays(snapshot), on_surfaces;
-  if (contact_) {
+  if (!surfaces_.empty())
     for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
-    on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium()));
-  }
-  background_.start([this, time = snapshot.time(), points = named(std::move(at_points)),
-                     cells = named(cell_arrays(snapshot)), on_surfaces = std::move(on_surfaces)] {
+  if (contact_) on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium()));
+  background_.start([this, for_frd = frd_ ? frd_fields(at_points) : std::vector<io::FrdField>(), time = snapshot.time(),
+                     points = named(std::move(at_points)), cells = named(cell_arrays(snapshot)),
+                     on_surfaces = std::move(on_surfaces)] {
     if (contact_) contact_->write(time, on_surfaces, named(surfaces_.cell_arrays()));
-    fields_->write(time, points, cells);
+    if (fields_) fields_->write(time, points, cells);
+    if (frd_) frd_->write(time, for_frd);
     if (revolved_) revolved_->write(time, section_->at_points(points), section_->at_cells(cells));
   });
 }
@@ -86,6 +93,7 @@ void Results::sync() {
   std::vector<std::filesystem::path> files{history_->path(), steps_->path()};
   for (io::FieldWriter* const writer : {fields_.get(), contact_.get(), revolved_.get()})
     if (writer != nullptr) std::ranges::move(writer->take_unsynced(), std::back_inserter(files));
+  if (frd_) files.push_back(frd_->path());
   platform::sync_files(files);
 }
 

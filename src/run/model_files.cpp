@@ -100,7 +100,7 @@ struct Groups {
       if (pair.ties_nodes()) continue;
       const contact::MortarCoupling& coupling = pair.coupling;
       const Eigen::VectorXd measured = coupling.geometric_gap;
-      const Eigen::VectorXd given = pair.geometric_gap ? measured : coupling.given_gap(pair.gap, t);
+      const Eigen::VectorXd given = pair.initial_gap(t);
       for (std::size_t i = 0; i < coupling.nodes.size(); ++i) {
         const auto at = static_cast<std::size_t>(first_node_[pair.slave_body] + coupling.nodes[i].node);
         gap.values[at] = given[coupling.row(i)] / coupling.area[i];

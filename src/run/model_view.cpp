@@ -6,17 +6,21 @@
 #include <map>
 
 #include "creepcontact/mesh/cell_faces.hpp"
+#include "creepcontact/model/numbered_nodes.hpp"
 
 namespace creepcontact::run {
 namespace {
 
 std::string held_directions(const config::Support& support) {
   std::string text;
-  const std::array<const char*, 3> names{"x", "y", "z"};
-  for (std::size_t i = 0; i < 3; ++i)
-    if (const auto& value = support.displacement[i])
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", names[i], value->text());
-  if (support.normal) text += fmt::format("{}normal = {}", text.empty() ? "" : ", ", support.normal->text());
+  const auto add = [&](const char* name, const std::optional<Function>& value) {
+    if (value) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value->text());
+  };
+  const std::array<const char*, 3> names{"x", "y", "z"}, cylindrical{"radial", "tangential", "axial"};
+  for (std::size_t i = 0; i < 3; ++i) add(names[i], support.displacement[i]);
+  add("normal", support.normal);
+  for (std::size_t i = 0; i < 3; ++i) add(cylindrical[i], support.cylindrical[i]);
+  add("along", support.along);
   return text;
 }
 
@@ -33,8 +37,14 @@ std::vector<Mark> marks(const config::Config& config, const model::Model& model)
     const config::Load& load = config.loads[i];
     Mark mark{Mark::Kind::load, i, "", load.on.name, load.body.name};
     if (const auto* force = std::get_if<config::PointForce>(&load.kind)) {
-      mark.position = Vector3(force->at[0], force->at[1], force->at[2]);
-      mark.name = fmt::format("load: force at ({:.6g}, {:.6g}, {:.6g})", force->at[0], force->at[1], force->at[2]);
+      if (force->at) {
+        mark.position = Vector3(force->at->at(0), force->at->at(1), force->at->at(2));
+      } else {
+        const model::NodeOfBody at = model::nodes_numbered(model.bodies(), force->node).front();
+        mark.position = model.bodies()[at.body].mesh().nodes[at.node];
+      }
+      mark.name =
+          fmt::format("load: force at ({:.6g}, {:.6g}, {:.6g})", mark.position[0], mark.position[1], mark.position[2]);
     } else if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) {
       mark.name = fmt::format("load '{}': pressure = {}", load.on.name, pressure->value.text());
     } else if (load.on.given()) {

@@ -110,6 +110,11 @@ n = 5
 [materials.steel.rupture]
 stress = [50, 100]
 parameter = [2e4, 1e4]
+[[supports]]
+on = "end"
+displacement = { radial = 0 }
+[[equations]]
+terms = [{ node = 1, x = 1 }]
 [[loads]]
 body = "steel"
 rotation = { angular_velocity = 1, density = 1 }

@@ -32,6 +32,7 @@ struct Mesh {
   int order = 2;                             ///< .geo only: 1, or 2 (linear tetrahedra lock in creep)
   std::map<std::string, double> parameters;  ///< .geo only: values of DefineConstant constants
   bool allow_locking = false;                ///< accept linear tetrahedra and wedges
+  bool project_distorted = true;             ///< mesh::Section::project_distorted
   double time_limit = 3600;                  ///< .geo only: bound on the meshing time [s]
   int memory_limit_mb = 8192;                ///< .geo only: bound on the memory for meshing [MB]
   bool trust_geometry = false;               ///< .geo only: may run programs and write files; set on the command line
@@ -103,6 +104,12 @@ struct Support {
   Reference body;                                       ///< optional: restricts it to the nodes of this body
   std::array<std::optional<Function>, 3> displacement;  ///< x, y, z
   std::optional<Function> normal;                       ///< along the outward normal
+  /// Radial, tangential and axial components about an axis.
+  std::array<std::optional<Function>, 3> cylindrical;
+  std::array<double, 3> axis{0, 0, 1};
+  std::array<double, 3> origin{};                  ///< of the axis
+  std::optional<Function> along;                   ///< component along `direction`
+  std::optional<std::array<double, 3>> direction;  ///< of any length; given if and only if `along` is
   Location location;
 };
 
@@ -114,8 +121,9 @@ struct Traction {
   std::array<Function, 3> value;  ///< force per area, x, y, z
 };
 struct PointForce {
-  std::array<double, 3> at{};       ///< applied to the nearest mesh node ...
-  std::optional<double> tolerance;  ///< ... within this distance; nullopt: 1e-6 of the model size
+  std::optional<std::array<double, 3>> at;  ///< applied to the nearest mesh node ...
+  std::optional<double> tolerance;          ///< ... within this distance; nullopt: 1e-6 of the model size
+  int node = 0;                             ///< without `at`: number of the node in the mesh file
   std::array<Function, 3> value;
 };
 struct BodyForce {
@@ -209,6 +217,17 @@ struct Alpha {
   std::vector<OfBody> of_body;  ///< for single bodies, in the order of the keys
 };
 
+/// [[equations]]: sum of coefficient . u(node) over the terms = value
+struct Equation {
+  struct Term {
+    int node = 0;  ///< number in the mesh file
+    std::array<double, 3> coefficient{};
+  };
+  std::vector<Term> terms;  ///< at least one; no node twice
+  Function value = 0.0;     ///< [length] times a coefficient; of t
+  Location location;
+};
+
 /// [contact_solver]
 struct ContactSolver : settings::ContactSettings {
   Alpha alpha;
@@ -231,6 +250,7 @@ struct Output {
   bool fields = true;  ///< write fields.pvd, contact.pvd and their .vtu files ...
   /// ... at these times only, increasing, all among Time::output; nullopt: at all output times.
   std::optional<std::vector<double>> field_times;
+  bool frd = false;                ///< write fields.frd, at the same times
   int revolve = 0;                 ///< axisymmetric: segments of the solid in revolved.pvd; 0: none
   bool unit_names = true;          ///< their arrays carry the unit in their names
   double checkpoint_seconds = 30;  ///< wall time between checkpoints [s]; 0: after every step
@@ -297,6 +317,7 @@ struct Config {
   std::vector<Contact> contacts;
   std::vector<Cyclic> cyclic;
   std::vector<Rigid> rigid;
+  std::vector<Equation> equations;
   ContactSolver contact_solver;
   Time time;
   Output output;

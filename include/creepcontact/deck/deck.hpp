@@ -96,10 +96,12 @@ struct Deck {
   std::map<std::string, Material> materials;
   std::map<std::string, Amplitude> amplitudes;
   std::vector<Section> sections;
+  double absolute_zero = 0;    ///< in the deck's unit of temperature
   std::vector<RawCard> cards;  ///< before the steps: supports, contacts, ties, initial conditions, constraints
   std::vector<Step> steps;
   std::vector<Note> left_out, impossible;
 
+  std::unordered_map<std::int64_t, std::int64_t> same_as;        ///< nodes that became one with another: that one
   std::unordered_map<std::int64_t, std::size_t> node_of_number;  ///< index into positions
   struct ElementPlace {
     std::size_t block = 0, element = 0;

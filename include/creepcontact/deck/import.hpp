@@ -18,6 +18,6 @@ struct Import {
 /// @param name  of the mesh file, which the configuration names, and of its results: <name>.msh,
 /// <name>_temperature.csv
 /// @throws ConfigError with all reasons, a line each, why the deck makes no model
-Import import_deck(const Deck& deck, const std::string& name);
+Import import_deck(Deck deck, const std::string& name);
 
 }  // namespace creepcontact::deck

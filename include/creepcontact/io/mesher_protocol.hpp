@@ -1,7 +1,7 @@
 #pragma once
-/// Protocol between the program and creepcontact-mesher, the process that meshes .geo files for it. The mesher writes
-/// the mesh as .msh 4.1 to a given descriptor and the messages of Gmsh to standard output and error; its exit status
-/// tells how it ended.
+/// Protocol between the program and creepcontact-mesher, the process that meshes .geo files and reads other meshes. The
+/// mesher writes the mesh as .msh 4.1 to a given descriptor and the messages of Gmsh to standard output and error; its
+/// exit status tells how it ended.
 
 #include <filesystem>
 #include <map>
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace creepcontact::io {
+
+/// True for meshes in other formats, by the extension of the file: .unv, .bdf, .nas. They are read, not meshed.
+bool is_converted(const std::filesystem::path& file);
 
 /// Arguments of the mesher.
 struct MesherRequest {

@@ -18,6 +18,7 @@ namespace creepcontact::mesh {
 struct CellBlock {
   CellType type{};
   std::vector<std::int64_t> connectivity;
+  std::vector<std::int64_t> numbers = {};  ///< of the cells in the mesh file; empty if the mesh is not from a file
 
   std::size_t size() const { return connectivity.size() / n_nodes(type); }
   std::span<const std::int64_t> cell(std::size_t i) const {
@@ -47,6 +48,8 @@ struct Mesh {
   /// Of a body in generalised plane strain: the last node, which no cell has. Its displacement along z is the axial
   /// strain times Section::axial_length. Otherwise -1.
   std::int64_t axial_node = -1;
+  /// In the mesh file, ascending, without the axial node; empty if there is none.
+  std::vector<std::int64_t> node_numbers = {};
 
   /// Without the axial node.
   std::size_t n_cell_nodes() const { return nodes.size() - (axial_node < 0 ? 0 : 1); }

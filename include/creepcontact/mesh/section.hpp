@@ -13,6 +13,10 @@ struct Section {
   double thickness = 1;     ///< [length] of plane sections
   double axial_length = 1;  ///< [length] displacement of the axial node (Mesh) per unit of axial strain; of any size
 
+  /// Whether distorted elements with reduced integration (hex20, plane quad8) get the projection against locking that
+  /// regular ones do not need; false: plain displacement elements.
+  bool project_distorted = true;
+
   bool is_axisymmetric() const { return analysis == settings::Analysis::axisymmetric; }
   bool has_axial_node() const { return analysis == settings::Analysis::generalized_plane_strain; }
   /// Of the cells that carry material: 3, or 2 in sections.

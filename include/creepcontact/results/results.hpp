@@ -9,6 +9,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/frd_writer.hpp"
 #include "creepcontact/io/history_writer.hpp"
 #include "creepcontact/io/step_writer.hpp"
 #include "creepcontact/ode/integrator.hpp"
@@ -58,6 +59,7 @@ class Results {
   ContactSurfaces surfaces_;
   std::unique_ptr<RevolvedSection> section_;
   std::unique_ptr<io::FieldWriter> fields_, contact_, revolved_;
+  std::unique_ptr<io::FrdWriter> frd_;
   std::map<std::string, std::string> names_with_units_;  // by the name without
   std::optional<std::vector<double>> field_times_;       // nullopt: all
   platform::Background background_;                      // ends before what it writes with

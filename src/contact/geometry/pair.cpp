@@ -14,6 +14,11 @@ void append(const RowMatrix& from, int first_target, std::vector<Eigen::Triplet<
 
 }  // namespace
 
+Eigen::VectorXd Pair::initial_gap(double t) const {
+  if (gap_per_value.size() > 0) return gap({.t = t}) * gap_per_value;
+  return geometric_gap ? coupling.geometric_gap : coupling.given_gap(gap, t);
+}
+
 Eigen::VectorXd Pair::interference_gap() const {
   const Index n_nodes = std::ssize(coupling.nodes), width = coupling.rows_per_node();
   const Eigen::Map<const Eigen::VectorXd> area(coupling.area.data(), n_nodes);

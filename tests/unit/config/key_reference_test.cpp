@@ -34,8 +34,8 @@ TEST(KeySections, TablesAsInTheFile) {
   for (const KeySection& section : sections()) titles.push_back(section.title);
   EXPECT_EQ(titles, (Lines{"", "[mesh]", "[bodies.<name>]", "[materials.<name>]", "[[materials.<name>.creep]]",
                            "[materials.<name>.rupture]", "[[supports]]", "[[loads]]", "[generalized_plane_strain]",
-                           "[temperature]", "[[contacts]]", "[[cyclic]]", "[[rigid]]", "[contact_solver]", "[time]",
-                           "[output]", "[[probes]]", "[[events]]"}));
+                           "[temperature]", "[[contacts]]", "[[cyclic]]", "[[rigid]]", "[[equations]]",
+                           "[contact_solver]", "[time]", "[output]", "[[probes]]", "[[events]]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {
@@ -81,8 +81,9 @@ TEST(KeySelection, PathWithAllBelowIt) {
 }
 
 TEST(KeySelection, OneTable) {
-  EXPECT_EQ(selected("[output]"), (Lines{"output.directory", "output.fields", "output.revolve", "output.unit_names",
-                                         "output.separator", "output.decimal", "output.checkpoint_seconds"}));
+  EXPECT_EQ(selected("[output]"),
+            (Lines{"output.directory", "output.fields", "output.frd", "output.revolve", "output.unit_names",
+                   "output.separator", "output.decimal", "output.checkpoint_seconds"}));
   EXPECT_EQ(selected("[bodies.shaft]"),
             (Lines{"bodies.<name>.region", "bodies.<name>.material", "bodies.<name>.thickness"}));
   const Lines material = selected("[materials.<name>]");

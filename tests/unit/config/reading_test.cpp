@@ -141,7 +141,7 @@ TEST(ConfigReading, SupportsAndLoads) {
   EXPECT_DOUBLE_EQ(std::get<Pressure>(config.loads[0].kind).value({.t = 5}), 50.0);
   EXPECT_EQ(config.loads[1].body.name, "ring");
   EXPECT_DOUBLE_EQ(std::get<Traction>(config.loads[1].kind).value[2]({.t = 0.5}), 2.5);
-  EXPECT_EQ(std::get<PointForce>(config.loads[2].kind).at[2], 5.0);
+  EXPECT_EQ(std::get<PointForce>(config.loads[2].kind).at->at(2), 5.0);
   EXPECT_EQ(std::get<PointForce>(config.loads[2].kind).tolerance, 0.5);
   EXPECT_EQ(std::get<BodyForce>(config.loads[3].kind).value[2]({}), -7.7e-5);
   const Rotation& rotation = std::get<Rotation>(config.loads[4].kind);

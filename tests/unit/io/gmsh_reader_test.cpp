@@ -275,6 +275,8 @@ TEST_F(GmshReader, AFileCannotHideItsErrors) {
 
 TEST_F(GmshReader, FilesThatAreNoMeshAreErrors) {
   EXPECT_TRUE(contains(message_of<ModelError>([&] { read_mesh(directory_ / "none.msh"); }), "No such file"));
+  EXPECT_TRUE(contains(message_of<ModelError>([&] { read_mesh("mesh.inp"); }), "`creepcontact import mesh.inp`"));
+  EXPECT_TRUE(contains(message_of<ModelError>([&] { read_mesh("mesh.med"); }), "let Salome write .unv"));
   EXPECT_TRUE(contains(message_of<ModelError>([&] { read_mesh("mesh.step"); }), "unknown kind of mesh"));
   EXPECT_THROW(
       read_mesh(test::write_text(directory_ / "broken.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 5")),

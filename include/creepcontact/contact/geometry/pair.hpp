@@ -1,5 +1,5 @@
 #pragma once
-/// A contact pair: two surfaces of two bodies, or ties between their nodes.
+/// A contact pair: two surfaces of two bodies, ties between their nodes, or equations between displacements.
 
 #include <optional>
 #include <span>
@@ -21,17 +21,20 @@ struct Preload {
 /// Plain values; bodies are given by their index in the model.
 struct Pair {
   std::string name;
-  std::string slave_surface, master_surface;  ///< both empty for node ties (node_ties.hpp)
+  std::string slave_surface, master_surface;  ///< both empty for node ties and equations
   std::size_t slave_body = 0, master_body = 0;
   MortarCoupling coupling;
-  Function gap;                       ///< given initial gap [length], used unless ...
-  bool geometric_gap = false;         ///< ... it is measured from the meshes
-  FrictionCoefficient friction = {};  ///< one value per multiplier node; used if the coupling has friction
+  Function gap;                        ///< given initial gap [length], used unless ...
+  bool geometric_gap = false;          ///< ... it is measured from the meshes
+  Eigen::VectorXd gap_per_value = {};  ///< of equations, whose value is `gap` (equation_rows.hpp); else empty
+  FrictionCoefficient friction = {};   ///< one value per multiplier node; used if the coupling has friction
   std::optional<Preload> preload = {};
   Index first_row = 0;   ///< number of the first row among those of all pairs
   Index first_node = 0;  ///< likewise of the first multiplier node
 
   bool ties_nodes() const { return slave_surface.empty(); }
+  /// Weighted initial gaps, n_rows of the coupling.
+  Eigen::VectorXd initial_gap(double t) const;
   /// Change of the weighted gaps per unit of interference, n_rows of the coupling: a unilateral contact overlaps by it,
   /// the surfaces of a tied one are drawn together over this distance along their mean normal. The normal force of a
   /// preload is minus its product with the multipliers.

@@ -1,0 +1,134 @@
+/// [[supports]] and [[loads]]
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "draft.hpp"
+#include "element_faces.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+/// "x = 0, y = 1": components that are prescribed at a node.
+std::string components(const std::map<int, Course>& directions, const std::array<const char*, 3>& names, int n) {
+  std::string text;
+  for (const auto& [direction, course] : directions)
+    if (direction <= n)
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", names[static_cast<std::size_t>(direction) - 1],
+                          course.toml());
+  return text;
+}
+
+struct SupportText {
+  std::string displacement, more;
+  auto operator<=>(const SupportText&) const = default;
+};
+
+/// What holds a node: one table, or along turned directions one per direction.
+std::vector<SupportText> support_texts(const Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
+  const int n = draft.is_section() ? 2 : 3;
+  const Transform* transform = draft.frames.of(node);
+  if (transform == nullptr) return {{components(directions, {"x", "y", "z"}, n), ""}};
+  if (transform->is_cylindrical)
+    return {{components(directions, {"radial", "tangential", "axial"}, n),
+             fmt::format("axis = {}\norigin = {}\n", toml_vector(transform->axis()), toml_vector(transform->a))}};
+  std::vector<SupportText> result;
+  const Matrix3 axes = transform->directions(draft.position(node));
+  for (const auto& [direction, course] : directions)
+    if (direction <= n)
+      result.push_back({fmt::format("along = {}", course.toml()),
+                        fmt::format("direction = {}\n", toml_vector(axes.col(direction - 1)))});
+  return result;
+}
+
+void write(Draft& draft, const Loading::Body& load) {
+  for (const DeckBody& body : draft.bodies.bodies) {
+    Numbers common;
+    std::ranges::set_intersection(load.elements, body.elements, std::back_inserter(common));
+    if (common.empty()) continue;
+    const auto refuse = [&](const Place& at, const char* card, const std::string& why) {
+      draft.impossible.push_back({at, card, why});
+    };
+    if (common.size() != body.elements.size()) {
+      refuse({}, "DLOAD", fmt::format("a body force on a part of body '{}' only", body.name));
+      continue;
+    }
+    const Material& material = draft.deck.materials.at(body.material);
+    if (!material.density || material.density->rows.empty()) {
+      refuse(material.place, "MATERIAL", fmt::format("'{}' needs a *DENSITY", material.name));
+      continue;
+    }
+    const double density = material.density->rows.front().front();
+    const std::vector<double>& g = load.load.geometry;
+    if (load.load.kind == BodyLoad::Kind::centrifugal) {
+      draft.add(
+          fmt::format("\n[[loads]]                    # *DLOAD, CENTRIF\nbody = {}\nrotation = {{ axis = {}, origin = "
+                      "{}, angular_velocity = {}, density = {:.15g} }}\n",
+                      toml_string(body.name), toml_vector({g[3], g[4], g[5]}), toml_vector({g[0], g[1], g[2]}),
+                      load.course.toml("sqrt"), density));
+      continue;
+    }
+    const double length = std::hypot(g[0], g[1], g[2]);
+    std::array<std::string, 3> force;
+    for (std::size_t k = 0; k < 3; ++k) force[k] = load.course.scaled(length > 0 ? density * g[k] / length : 0).toml();
+    draft.add(fmt::format("\n[[loads]]                    # *DLOAD, GRAV\nbody = {}\nbody_force = [{}, {}, {}]\n",
+                          toml_string(body.name), force[0], force[1], force[2]));
+  }
+}
+
+void write_pressures(Draft& draft) {
+  std::map<std::string, std::vector<ElementFace>> pressures;  // by the pressure
+  for (const auto& [face, course] : draft.loading.pressures) {
+    if (deck::face(element_cell(draft.deck, face.element), face.face) == nullptr) {
+      draft.impossible.push_back(
+          {Place(), "DLOAD", fmt::format("element {} has no face P{}", face.element, face.face)});
+      return;
+    }
+    pressures[course.toml()].push_back(face);
+  }
+  int number = 0;
+  for (const auto& [pressure, faces] : pressures)
+    draft.add(fmt::format("\n[[loads]]                    # *DLOAD\non = {}\npressure = {}\n",
+                          toml_string(draft.mesh.add_faces(fmt::format("pressure_{}", ++number), faces)), pressure));
+}
+
+}  // namespace
+
+void write_supports(Draft& draft) {
+  std::map<SupportText, Numbers> nodes_of;
+  for (const auto& [node, directions] : draft.loading.supports)
+    if (draft.is_used(node))
+      for (const SupportText& text : support_texts(draft, node, directions))
+        if (!text.displacement.empty()) nodes_of[text].push_back(node);
+  int number = 0;
+  for (const auto& [text, nodes] : nodes_of) {
+    const std::string general = fmt::format("support_{}", ++number);
+    draft.add(fmt::format("\n[[supports]]                 # *BOUNDARY\non = {}\ndisplacement = {{ {} }}\n{}",
+                          toml_string(draft.mesh.add_nodes(draft.name_for(nodes, general), nodes)), text.displacement,
+                          text.more));
+  }
+}
+
+void write_loads(Draft& draft) {
+  for (const auto& [node, directions] : draft.loading.forces) {
+    if (!draft.is_used(node)) {
+      draft.impossible.push_back({Place(), "CLOAD", fmt::format("a force at node {}, which no element has", node)});
+      continue;
+    }
+    std::array<std::string, 3> force{"0", "0", "0"};
+    bool acts = false;
+    for (const auto& [direction, course] : directions)
+      if (direction <= 3 && !course.is_zero()) {
+        force[static_cast<std::size_t>(direction) - 1] = course.toml();
+        acts = true;
+      }
+    if (acts)
+      draft.add(fmt::format("\n[[loads]]                    # *CLOAD\nnode = {}\nforce = [{}, {}, {}]\n", node,
+                            force[0], force[1], force[2]));
+  }
+  write_pressures(draft);
+  for (const Loading::Body& load : draft.loading.bodies) write(draft, load);
+}
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,46 @@
+#include "draft.hpp"
+
+#include <algorithm>
+
+#include "element_faces.hpp"
+
+namespace creepcontact::deck {
+
+Draft::Draft(const Deck& of, std::string called, std::vector<Note> known)
+    : deck(of),
+      name(std::move(called)),
+      impossible(std::move(known)),
+      left_out(of.left_out),
+      resolver(of),
+      frames(of, resolver, impossible),
+      mesh(of) {
+  impossible.insert(impossible.begin(), of.impossible.begin(), of.impossible.end());
+  for (const ElementBlock& block : deck.elements) used.insert(block.nodes.begin(), block.nodes.end());
+}
+
+const std::vector<std::string>& Draft::bodies_at(std::int64_t node) {
+  if (bodies_at_.empty())
+    for (const DeckBody& body : bodies.bodies)
+      for (const std::int64_t element : body.elements)
+        for (const std::int64_t own : element_nodes(deck, element))
+          if (auto& all = bodies_at_[own]; all.empty() || all.back() != body.name) all.push_back(body.name);
+  return bodies_at_[node];
+}
+
+std::string Draft::name_for(const Numbers& nodes, const std::string& general) const {
+  for (const auto& [key, set] : deck.node_sets)
+    if (set.members.size() >= nodes.size() && resolver.nodes(key) == nodes) return set.name;
+  return general;
+}
+
+std::vector<const RawCard*> Draft::cards(const std::string& card) const {
+  std::vector<const RawCard*> result;
+  for (const RawCard& raw : deck.cards)
+    if (raw.card.name == card) result.push_back(&raw);
+  for (const Step& step : deck.steps)
+    for (const RawCard& raw : step.cards)
+      if (raw.card.name == card) result.push_back(&raw);
+  return result;
+}
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,69 @@
+#pragma once
+/// The model that is being made of a deck: what is known of it, and the text so far. Each part of the configuration is
+/// written by a function of its own.
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "bodies.hpp"
+#include "linear_equations.hpp"
+#include "mesh_output.hpp"
+#include "node_frames.hpp"
+#include "pretension.hpp"
+#include "rigid_groups.hpp"
+#include "toml_text.hpp"
+
+namespace creepcontact::deck {
+
+struct Draft {
+  /// @param deck  with its sections cut
+  Draft(const Deck& deck, std::string name, std::vector<Note> impossible);
+
+  const Deck& deck;
+  std::string name;
+  std::vector<Note> impossible, left_out;
+  Resolver resolver;
+  NodeFrames frames;
+  MeshOutput mesh;
+  Bodies bodies;
+  Loading loading;
+  std::vector<PretensionSection> sections;
+  std::vector<RigidGroup> rigid;
+  std::vector<DeckEquation> equations;
+  settings::Analysis analysis = settings::Analysis::solid;
+  std::set<std::int64_t> used;  ///< nodes that elements have
+  bool varies = false;          ///< a material depends on the temperature
+  std::string text, temperatures;
+
+  void add(const std::string& more) { text += more; }
+  void refuse(const RawCard& raw, const std::string& why) {
+    impossible.push_back({raw.card.place, raw.card.name, why});
+  }
+  bool is_section() const { return analysis != settings::Analysis::solid; }
+  bool is_used(std::int64_t node) const { return used.contains(node); }
+  const Vector3& position(std::int64_t node) const { return deck.positions[deck.node_of_number.at(node)]; }
+  /// Bodies that have a node; by the names in the configuration.
+  const std::vector<std::string>& bodies_at(std::int64_t node);
+  /// The name of a set with these members alone, or a general one.
+  std::string name_for(const Numbers& nodes, const std::string& general) const;
+  /// Cards with this name before and within the steps.
+  std::vector<const RawCard*> cards(const std::string& card) const;
+
+ private:
+  std::unordered_map<std::int64_t, std::vector<std::string>> bodies_at_;  // made when it is first asked for
+};
+
+void write_bodies_and_materials(Draft& draft);
+void write_supports(Draft& draft);
+void write_loads(Draft& draft);
+void write_contacts(Draft& draft);
+void write_links(Draft& draft);
+void write_temperature(Draft& draft);
+void write_time(Draft& draft);
+void write_probes(Draft& draft);
+
+}  // namespace creepcontact::deck

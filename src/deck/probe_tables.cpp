@@ -1,0 +1,109 @@
+/// [[probes]] of *NODE PRINT and *EL PRINT
+
+#include <algorithm>
+
+#include "draft.hpp"
+#include "element_faces.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+constexpr std::size_t most = 20;
+
+bool asks_for(const RawCard& raw, const std::string& what) {
+  return std::ranges::any_of(raw.data, [&](const std::vector<std::string>& line) {
+    return std::ranges::any_of(line, [&](const std::string& field) { return upper_case(field) == what; });
+  });
+}
+
+void add_probe(Draft& draft, const std::string& name, const std::string& quantity, const std::string& where) {
+  draft.add(
+      fmt::format("\n[[probes]]\nname = {}\nquantity = {}\n{}\n", toml_string(name), toml_string(quantity), where));
+}
+
+void note_rest(Draft& draft, std::size_t n, const char* what) {
+  if (n > most)
+    draft.add(fmt::format("\n# Probes of the first {} of {} {}; all values are in the field files.\n", most, n, what));
+}
+
+void write_displacements(Draft& draft) {
+  std::set<std::int64_t> nodes;
+  for (const RawCard* raw : draft.cards("NODE PRINT"))
+    if (asks_for(*raw, "U"))
+      for (const std::int64_t node : draft.resolver.nodes(raw->card.value("NSET")))
+        if (draft.is_used(node)) nodes.insert(node);
+  std::size_t written = 0;
+  for (const std::int64_t node : nodes) {
+    if (++written > most) break;
+    const std::string where = fmt::format("at = {}\nbody = {}", toml_vector(draft.position(node)),
+                                          toml_string(draft.bodies_at(node).front()));
+    for (int k = 0; k < (draft.is_section() ? 2 : 3); ++k)
+      add_probe(draft, fmt::format("u{}_node_{}", "xyz"[k], node), fmt::format("displacement_{}", "xyz"[k]), where);
+  }
+  note_rest(draft, nodes.size(), "nodes");
+}
+
+/// The sum over the set.
+void write_reactions(Draft& draft) {
+  std::set<std::string> written;
+  for (const RawCard* raw : draft.cards("NODE PRINT")) {
+    if (!asks_for(*raw, "RF") || !written.insert(upper_case(raw->card.value("NSET"))).second) continue;
+    Numbers nodes = draft.resolver.nodes(raw->card.value("NSET"));
+    std::erase_if(nodes,
+                  [&](std::int64_t node) { return !draft.is_used(node) || !draft.loading.supports.contains(node); });
+    if (nodes.empty()) continue;
+    const std::string& set = raw->card.value("NSET");
+    const std::string group = draft.mesh.add_nodes(draft.name_for(nodes, "supported_" + set), nodes);
+    for (int k = 0; k < (draft.is_section() ? 2 : 3); ++k)
+      add_probe(draft, fmt::format("rf{}_{}", "xyz"[k], set), fmt::format("reaction_{}", "xyz"[k]),
+                fmt::format("on = {}                # the sum", toml_string(group)));
+  }
+}
+
+void write_stresses(Draft& draft) {
+  struct Kind {
+    const char *letter, *quantity;
+    bool is_tensor;
+  };
+  constexpr std::array kinds{Kind{"S", "stress", true}, Kind{"E", "strain", true},
+                             Kind{"PEEQ", "creep_strain_equivalent", false},
+                             Kind{"CEEQ", "creep_strain_equivalent", false}};
+  std::set<std::string> names;
+  for (const Kind& kind : kinds) {
+    std::set<std::int64_t> elements;
+    for (const RawCard* raw : draft.cards("EL PRINT"))
+      if (asks_for(*raw, kind.letter))
+        for (const std::int64_t element : draft.resolver.elements(raw->card.value("ELSET"))) elements.insert(element);
+    std::size_t written = 0;
+    for (const std::int64_t element : elements) {
+      if (++written > most) break;
+      const auto nodes = element_nodes(draft.deck, element);
+      Vector3 centre = Vector3::Zero();
+      const auto n = static_cast<std::size_t>(mesh::n_corners(element_cell(draft.deck, element)));
+      for (std::size_t i = 0; i < n; ++i) centre += draft.position(nodes[i]) / static_cast<double>(n);
+      const auto owner = std::ranges::find_if(draft.bodies.bodies, [&](const DeckBody& body) {
+        return std::ranges::binary_search(body.elements, element);
+      });
+      if (owner == draft.bodies.bodies.end()) continue;
+      const std::string where = fmt::format("at = {}\nbody = {}", toml_vector(centre), toml_string(owner->name));
+      std::vector<std::string> components{"_xx", "_yy", "_zz", "_xy"};
+      if (!draft.is_section()) components.insert(components.end(), {"_yz", "_zx"});
+      if (!kind.is_tensor) components = {""};
+      for (const std::string& component : components) {
+        const std::string name = fmt::format("{}{}_element_{}", kind.quantity, component, element);
+        if (names.insert(name).second) add_probe(draft, name, kind.quantity + component, where);
+      }
+    }
+    note_rest(draft, elements.size(), "elements");
+  }
+}
+
+}  // namespace
+
+void write_probes(Draft& draft) {
+  write_displacements(draft);
+  write_reactions(draft);
+  write_stresses(draft);
+}
+
+}  // namespace creepcontact::deck

@@ -1,0 +1,64 @@
+/// [temperature] and [time]
+
+#include <array>
+
+#include "draft.hpp"
+
+namespace creepcontact::deck {
+
+void write_temperature(Draft& draft) {
+  if (draft.loading.temperatures.empty() && !draft.varies) return;
+  Course at_rest;
+  at_rest.add(0, draft.loading.initial_temperature);
+  const auto temperature_of = [&](std::int64_t node) -> const Course& {
+    const auto found = draft.loading.temperatures.find(node);
+    return found == draft.loading.temperatures.end() ? at_rest : found->second;
+  };
+  const auto refuse = [&](const std::string& why) { draft.impossible.push_back({Place(), "TEMPERATURE", why}); };
+  const std::string first = temperature_of(*draft.used.begin()).toml();
+  bool same = true;
+  std::set<double> times, jumps;
+  for (const std::int64_t node : draft.used) {
+    const Course& own = temperature_of(node);
+    same = same && own.toml() == first;
+    double before = -1;
+    for (const auto& [time, value] : own.points()) {
+      times.insert(time);
+      if (time == before) jumps.insert(time);
+      before = time;
+    }
+  }
+  draft.add("\n[temperature]                # *INITIAL CONDITIONS, *TEMPERATURE\n");
+  if (same) return draft.add(fmt::format("value = {}\n", first));
+  if (!jumps.empty())
+    refuse(fmt::format("temperatures that differ from node to node and jump at t = {:g}", *jumps.begin()));
+  std::map<std::array<double, 3>, std::string> at;  // of several nodes at one place
+  for (const std::int64_t node : draft.used) {
+    const Vector3& x = draft.position(node);
+    const std::string own = temperature_of(node).toml();
+    if (at.try_emplace({x[0], x[1], x[2]}, own).first->second == own) continue;
+    refuse(fmt::format("node {} has another temperature than one at the same place", node));
+    break;
+  }
+  draft.add(fmt::format("file = {}\n", toml_string(draft.name + "_temperature.csv")));
+  draft.temperatures = "t,x,y,z,T\n";
+  for (const double time : times)
+    for (const std::int64_t node : draft.used) {
+      const Vector3& x = draft.position(node);
+      draft.temperatures += fmt::format("{:.15g},{:.15g},{:.15g},{:.15g},{:.15g}\n", time, x[0], x[1], x[2],
+                                        temperature_of(node).at(time));
+    }
+}
+
+void write_time(Draft& draft) {
+  std::set<double> times(draft.loading.step_ends.begin(), draft.loading.step_ends.end());
+  times.erase(0);
+  std::string text;
+  for (const double time : times) text += fmt::format("{}{:.15g}", text.empty() ? "" : ", ", time);
+  if (!(draft.loading.end > 0)) draft.impossible.push_back({Place(), "STEP", "the steps take no time"});
+  draft.add(fmt::format("\n[time]\nend = {:.15g}\noutput = [{}]             # the ends of the steps\n",
+                        draft.loading.end, text));
+  draft.add(fmt::format("\n[output]\ndirectory = {}\n", toml_string("results/" + draft.name)));
+}
+
+}  // namespace creepcontact::deck
