@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "creepcontact/settings/mesh_formats.hpp"
 #include "table.hpp"
 #include "tables.hpp"
 
@@ -80,14 +81,12 @@ Value<Mesh> mesh_table() {
   return converted<Mesh>(keys, [](Mesh mesh, const Item& item, Context& context) -> std::optional<Mesh> {
     mesh.location = item.child("file").location;
     const std::string extension = mesh.file.extension().string();
-    if (!mesh.file.empty() && extension != ".geo" && extension != ".msh") {
-      context.errors.add(mesh.location, fmt::format("'{}'", mesh.file.filename().string()), "a .geo or .msh file");
-    }
-    if (extension == ".msh") {
-      for (const std::string& key : given_keys(item, {"order", "parameters", "time_limit", "memory_limit_mb"})) {
+    if (!mesh.file.empty() && !settings::is_mesh_file(extension))
+      context.errors.add(mesh.location, fmt::format("'{}'", mesh.file.filename().string()),
+                         fmt::format("{}{}", settings::mesh_files_in_words, settings::mesh_file_remedy(extension)));
+    if (extension != ".geo" && settings::is_mesh_file(extension))
+      for (const std::string& key : given_keys(item, {"order", "parameters", "time_limit", "memory_limit_mb"}))
         context.errors.add(item.child(key).location, "has no effect on a finished mesh", "with a .geo file only");
-      }
-    }
     return mesh;
   });
 }

@@ -22,7 +22,7 @@ std::string components(const std::map<int, Course>& directions, const std::array
 
 struct SupportText {
   std::string displacement, more;
-  auto operator<=>(const SupportText&) const = default;
+  auto operator<=>(const SupportText&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
 };
 
 /// What holds a node: one table, or along turned directions one per direction.

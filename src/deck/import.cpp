@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/settings/enum_names.hpp"
 #include "draft.hpp"
 #include "matching_ties.hpp"
@@ -10,10 +11,13 @@
 namespace creepcontact::deck {
 namespace {
 
+void sort(std::vector<Note>& notes) {
+  std::ranges::stable_sort(notes, {}, [](const Note& note) { return std::pair(note.place.file, note.place.line); });
+}
+
 void raise(Draft& draft) {
   if (draft.impossible.empty()) return;
-  std::ranges::stable_sort(draft.impossible, {},
-                           [](const Note& note) { return std::pair(note.place.file, note.place.line); });
+  sort(draft.impossible);
   std::string all;
   std::set<std::string> said;
   for (const Note& note : draft.impossible)
@@ -69,18 +73,26 @@ void understand(Draft& draft) {
       append_equations(section, draft.is_section() ? 2 : 3, draft.equations);
 }
 
-void write_head(Draft& draft) {
-  draft.add(fmt::format("# Made of {} by creepcontact import. The units are those of the deck.\n",
-                        toml_string(draft.name + ".inp")));
+/// What stands above all else, known at last.
+std::string comments(const Draft& draft) {
+  std::string text = fmt::format("# Made of {} by creepcontact import. The units are those of the deck.\n",
+                                 toml_string(draft.name + ".inp"));
   for (const Note& note : draft.left_out)
-    draft.add(fmt::format("# Left out: {}*{}: {}\n", prefix(note.place), note.card, note.consequence));
+    text += fmt::format("# Left out: {}*{}: {}\n", prefix(note.place), note.card, note.consequence);
+  return text;
+}
+
+void write_head(Draft& draft) {
   draft.add(fmt::format("title = {}\n", toml_string(draft.name)));
   if (draft.is_section()) draft.add(fmt::format("analysis = \"{}\"\n", settings::name_of(draft.analysis)));
-  draft.add(fmt::format("\n[mesh]\nfile = {}\nallow_locking = true      # the elements are those of the deck\n",
-                        toml_string(draft.name + ".msh")));
+  draft.add(fmt::format("\n[mesh]\nfile = {}\n", toml_string(draft.name + ".msh")));
+  if (std::ranges::any_of(draft.deck.elements,
+                          [](const ElementBlock& block) { return fem::reference_element(block.type.cell).locks(); }))
+    draft.add("allow_locking = true      # of linear triangles, tetrahedra or wedges, as in the deck\n");
   const bool is_reduced = std::ranges::any_of(draft.deck.elements, [](const ElementBlock& block) {
-    const bool has_plain = block.type.cell == mesh::CellType::hex20 || block.type.cell == mesh::CellType::quad8;
-    return has_plain && block.type.variant.find('R') != std::string::npos;
+    const bool is_plane =
+        block.type.cell == mesh::CellType::quad8 && block.type.analysis != settings::Analysis::axisymmetric;
+    return (is_plane || block.type.cell == mesh::CellType::hex20) && block.type.variant.find('R') != std::string::npos;
   });
   if (is_reduced) draft.add("project_distorted = false # plain reduced integration, as in the deck\n");
   const std::vector<DeckBody>& bodies = draft.bodies.bodies;
@@ -108,7 +120,8 @@ Import make(Draft& draft) {
   write_time(draft);
   write_probes(draft);
   raise(draft);
-  Import result{draft.text, draft.mesh.msh(), draft.temperatures, {}};
+  sort(draft.left_out);
+  Import result{comments(draft) + draft.text, draft.mesh.msh(), draft.temperatures, {}};
   for (const Note& note : draft.left_out)
     result.left_out.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
   return result;

@@ -147,7 +147,8 @@ class EquationReader {
     const Vector3 along = (b - a).normalized(), first = along.unitOrthogonal();
     for (std::size_t i = 2; i < nodes.size(); ++i) {
       const double part = (position(nodes[i]) - a).dot(along) / (b - a).norm();
-      for (const Vector3& across : {first, Vector3(along.cross(first))})
+      const Vector3 second = along.cross(first);
+      for (const Vector3& across : {first, second})
         add(raw, {{nodes[i], across}, {nodes[0], -(1 - part) * across}, {nodes[1], -part * across}});
     }
   }

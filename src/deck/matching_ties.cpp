@@ -1,5 +1,6 @@
 #include "matching_ties.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <set>

@@ -28,7 +28,7 @@ void write_expansion(Draft& draft, const Material& material) {
   constexpr int steps = 40;  // between two rows
   const double initial = draft.loading.initial_temperature, zero = material.expansion_zero;
   const auto& rows = material.expansion->rows;
-  std::string alpha = function_of_T(*material.expansion, 0, 1);
+  std::string alpha = function_of_temperature(*material.expansion, 0, 1);
   if (rows.size() > 1 && zero != initial) {
     const auto temperature = [&](std::size_t i) { return rows[i].size() > 1 ? rows[i][1] : 0.0; };
     const auto strain = [&](double T) {
@@ -46,7 +46,7 @@ void write_expansion(Draft& draft, const Material& material) {
                                                             : (strain(T + small) - strain(T - small)) / (2 * small);
         points.emplace_back(T, secant);
       }
-    alpha = function_of_T(points);
+    alpha = function_of_temperature(points);
   }
   draft.add(fmt::format("thermal_expansion = {}\nreference_temperature = {:.15g}\n", alpha, initial));
 }
@@ -56,7 +56,7 @@ std::string scaled_column(const Table& table, std::size_t column, std::size_t of
                           const std::vector<double>& factors) {
   Table scaled = table;
   for (std::size_t i = 0; i < factors.size(); ++i) scaled.rows[i][column] *= factors[i];
-  return function_of_T(scaled, column, of_temperature);
+  return function_of_temperature(scaled, column, of_temperature);
 }
 
 class CreepWriter {
@@ -73,13 +73,13 @@ class CreepWriter {
     if (table_.rows.empty() || std::ranges::any_of(table_.rows, [&](const auto& row) { return row.size() < least; }))
       return refuse(is_sinh ? "A, B and n are missing" : "A, n and m are missing");
     draft_.varies = draft_.varies || table_.rows.size() > 1;
-    draft_.add(fmt::format("[[materials.{}.creep]]    # {}\n", toml_key(material_.name), table_.place.text()));
+    draft_.add(fmt::format("\n[[materials.{}.creep]]    # {}\n", toml_key(material_.name), table_.place.text()));
     if (is_sinh) return sinh_law();
     for (auto& row : table_.rows) row.resize(std::max<std::size_t>(row.size(), 3));
     const auto exponent = [](const std::vector<double>& row) { return row[2]; };
     if (std::ranges::all_of(table_.rows, [&](const auto& row) { return exponent(row) == 0; }))
-      return draft_.add(
-          fmt::format("law = \"norton\"\nA = {}\nn = {}\n", function_of_T(table_, 0, 3), function_of_T(table_, 1, 3)));
+      return draft_.add(fmt::format("law = \"norton\"\nA = {}\nn = {}\n", function_of_temperature(table_, 0, 3),
+                                    function_of_temperature(table_, 1, 3)));
     if (std::ranges::any_of(table_.rows, [&](const auto& row) { return !(exponent(row) > -1); }))
       return refuse("m must be greater than -1");
     std::vector<double> inverse;
@@ -92,7 +92,8 @@ class CreepWriter {
     draft_.add(
         fmt::format("law = \"time_hardening\"      # A q^n t^m as its integral: A/(m + 1) q^n t^(m + 1)\nA = {}\nn = "
                     "{}\nm = {}\n",
-                    scaled_column(table_, 0, 3, inverse), function_of_T(table_, 1, 3), function_of_T(exponents, 2, 3)));
+                    scaled_column(table_, 0, 3, inverse), function_of_temperature(table_, 1, 3),
+                    function_of_temperature(exponents, 2, 3)));
   }
 
  private:
@@ -115,7 +116,7 @@ class CreepWriter {
     draft_.add(
         fmt::format("law = \"strain_hardening\"    # at constant stress A/(m + 1) q^n t^(m + 1)\nA = {}\nn = {}\nm = "
                     "{:.15g}\n",
-                    scaled_column(table_, 0, 3, inverse), function_of_T(table_, 1, 3), m + 1));
+                    scaled_column(table_, 0, 3, inverse), function_of_temperature(table_, 1, 3), m + 1));
   }
 
   void shifted_time_law(double before) {
@@ -139,8 +140,8 @@ void write(Draft& draft, const Material& material) {
     draft.impossible.push_back({material.place, "MATERIAL", fmt::format("'{}' has no *ELASTIC", material.name)});
     return;
   }
-  draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_T(*material.elastic, 0, 2),
-                        function_of_T(*material.elastic, 1, 2)));
+  draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_temperature(*material.elastic, 0, 2),
+                        function_of_temperature(*material.elastic, 1, 2)));
   draft.varies = draft.varies || material.elastic->rows.size() > 1;
   write_expansion(draft, material);
   if (material.creep) CreepWriter(draft, material).write();

@@ -10,7 +10,9 @@ Matrix3 Transform::directions(const Vector3& position) const {
     const Vector3 along = axis(), arm = position - a;
     const Vector3 radial = arm - arm.dot(along) * along;
     result.col(2) = along;
-    result.col(0) = radial.norm() > 1e-12 * arm.norm() ? Vector3(radial.normalized()) : along.unitOrthogonal();
+    constexpr double on_axis = 1e-12;
+    result.col(0) = along.unitOrthogonal();
+    if (radial.norm() > on_axis * arm.norm()) result.col(0) = radial.normalized();
     result.col(1) = along.cross(result.col(0));
     return result;
   }

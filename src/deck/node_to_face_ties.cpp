@@ -1,5 +1,6 @@
 #include "node_to_face_ties.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 

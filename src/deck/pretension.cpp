@@ -125,8 +125,8 @@ std::vector<PretensionSection> cut_sections(Deck& deck, std::vector<Note>& impos
 }
 
 void append_equations(const PretensionSection& section, int n_components, std::vector<DeckEquation>& equations) {
-  const Vector3 first =
-      n_components == 2 ? Vector3(Vector3::UnitZ().cross(section.normal)) : section.normal.unitOrthogonal();
+  Vector3 first = section.normal.unitOrthogonal();
+  if (n_components == 2) first = Vector3::UnitZ().cross(section.normal);
   std::vector<Vector3> directions{section.normal, first};
   if (n_components == 3) directions.push_back(section.normal.cross(first));
   for (const auto& [own, opposite] : section.nodes)

@@ -56,8 +56,9 @@ void write_time(Draft& draft) {
   std::string text;
   for (const double time : times) text += fmt::format("{}{:.15g}", text.empty() ? "" : ", ", time);
   if (!(draft.loading.end > 0)) draft.impossible.push_back({Place(), "STEP", "the steps take no time"});
-  draft.add(fmt::format("\n[time]\nend = {:.15g}\noutput = [{}]             # the ends of the steps\n",
-                        draft.loading.end, text));
+  draft.add(fmt::format(
+      "\n[time]\nend = {:.15g}\noutput = [{}]             # the ends of the steps; more: {{ count = 20 }}\n",
+      draft.loading.end, text));
   draft.add(fmt::format("\n[output]\ndirectory = {}\n", toml_string("results/" + draft.name)));
 }
 

@@ -27,7 +27,7 @@ std::string toml_vector(const Vector3& vector) {
   return fmt::format("[{:.15g}, {:.15g}, {:.15g}]", vector[0], vector[1], vector[2]);
 }
 
-std::string function_of_T(const std::vector<std::pair<double, double>>& points) {
+std::string function_of_temperature(const std::vector<std::pair<double, double>>& points) {
   std::string temperatures, values;
   for (const auto& [temperature, value] : points) {
     temperatures += fmt::format("{}{:.15g}", temperatures.empty() ? "" : ", ", temperature);
@@ -37,12 +37,12 @@ std::string function_of_T(const std::vector<std::pair<double, double>>& points) 
   return fmt::format("{{ T = [{}], values = [{}] }}", temperatures, values);
 }
 
-std::string function_of_T(const Table& table, std::size_t column, std::size_t of_temperature) {
+std::string function_of_temperature(const Table& table, std::size_t column, std::size_t of_temperature) {
   const auto value = [&](const std::vector<double>& row, std::size_t i) { return i < row.size() ? row[i] : 0.0; };
   std::vector<std::pair<double, double>> points;
   points.reserve(table.rows.size());
   for (const std::vector<double>& row : table.rows) points.emplace_back(value(row, of_temperature), value(row, column));
-  return function_of_T(points);
+  return function_of_temperature(points);
 }
 
 std::string prefix(const Place& at) {

@@ -15,9 +15,9 @@ std::string toml_string(const std::string& text);
 std::string toml_key(const std::string& text);
 std::string toml_vector(const Vector3& vector);
 /// A function of T by its points: a number if there is one alone.
-std::string function_of_T(const std::vector<std::pair<double, double>>& points);
+std::string function_of_temperature(const std::vector<std::pair<double, double>>& points);
 /// A column of a table over the temperature, which is the column `of_temperature`; what is missing is 0.
-std::string function_of_T(const Table& table, std::size_t column, std::size_t of_temperature);
+std::string function_of_temperature(const Table& table, std::size_t column, std::size_t of_temperature);
 /// "file:line: ", or nothing
 std::string prefix(const Place& at);
 

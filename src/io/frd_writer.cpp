@@ -70,16 +70,18 @@ std::string real(double value) {
 /// Length of the beginning of a file that holds whole results up to last_time; 0 if it holds no mesh.
 /// @param n_steps  their number
 std::size_t kept_length(const std::string& text, double last_time, int& n_steps) {
+  constexpr double rounding = 1e-6;  // of the times in the file
+  const std::string_view all = text;
   std::size_t kept = 0, begin = 0;
   int n_blocks = 0;
   bool is_later = false;
   while (begin < text.size()) {
     const std::size_t end = text.find('\n', begin);
     if (end == std::string::npos) break;
-    const std::string_view line = std::string_view(text).substr(begin, end + 1 - begin);
+    const std::string_view line = all.substr(begin, end + 1 - begin);
     if (line.starts_with("  100C") && line.size() > 24) {
       const double time = std::strtod(std::string(line.substr(12, 12)).c_str(), nullptr);
-      if (time > last_time + 1e-5 * std::abs(last_time)) is_later = true;
+      if (time > last_time + rounding * std::abs(last_time)) is_later = true;
       if (!is_later && line.size() > 63) n_steps = std::atoi(std::string(line.substr(58, 5)).c_str());
     }
     if (is_later) break;

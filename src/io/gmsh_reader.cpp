@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "creepcontact/settings/mesh_formats.hpp"
 #include "file_text.hpp"
 #include "geo_scan.hpp"
 #include "mesher_process.hpp"
@@ -74,23 +75,14 @@ mesh::Mesh convert(const std::filesystem::path& file, const GmshOptions& options
   return read_msh(run_mesher(request, options.time_limit), file.string(), options.section);
 }
 
-[[noreturn]] void refuse_format(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  std::string remedy;
-  if (extension == ".inp")
-    remedy = fmt::format("; `creepcontact import {}` makes a mesh and a configuration of a deck", file.string());
-  if (extension == ".med")
-    remedy = "; let Salome write .unv, which keeps its groups, or convert the file with a Gmsh that has MED";
-  throw ModelError(
-      fmt::format("{}: unknown kind of mesh file; allowed: .geo, .msh, .unv, .bdf or .nas{}", file.string(), remedy));
-}
-
 }  // namespace
 
 mesh::Mesh read_mesh(const std::filesystem::path& file, const GmshOptions& options) {
   const std::string extension = file.extension().string();
   const bool is_geo = extension == ".geo", is_msh = extension == ".msh";
-  if (!is_geo && !is_msh && !is_converted(file)) refuse_format(file);
+  if (!settings::is_mesh_file(extension))
+    throw ModelError(fmt::format("{}: unknown kind of mesh file; allowed: {}{}", file.string(),
+                                 settings::mesh_files_in_words, settings::mesh_file_remedy(extension)));
   if (const std::string reason = why_unreadable(file); !reason.empty())
     throw ModelError(fmt::format("{}: {}", file.string(), reason));
   check_options(file, options, is_geo);

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 
 #include "creepcontact/base/error.hpp"
@@ -21,11 +19,6 @@ T number(const std::string& text) {
 }
 
 }  // namespace
-
-bool is_converted(const std::filesystem::path& file) {
-  constexpr std::array extensions{".unv", ".bdf", ".nas"};
-  return std::ranges::find(extensions, file.extension().string()) != extensions.end();
-}
 
 std::vector<std::string> MesherRequest::arguments() const {
   std::vector<std::string> words{file.string(),         std::to_string(dimension),

@@ -16,8 +16,10 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/io/mesher_protocol.hpp"
 #include "creepcontact/io/msh_writer.hpp"
+#include "creepcontact/settings/mesh_formats.hpp"
 #include "death.hpp"
 #include "gmsh_content.hpp"
+#include "unv_groups.hpp"
 
 namespace creepcontact::mesher {
 namespace {
@@ -97,10 +99,14 @@ int mesh(const MesherRequest& request) {
   stop_reading();
   if (gmsh_has_failed()) return status::gmsh_failed;
   set_order(request.order);  // the file may have had its own idea
-  if (!io::is_converted(request.file)) gmsh::model::mesh::generate(request.dimension);
+  const bool is_read = settings::is_converted_mesh(request.file.extension().string());
+  if (!is_read) gmsh::model::mesh::generate(request.dimension);
   if (gmsh_has_failed()) return status::gmsh_failed;
   io::MshContent content = gmsh_content();
-  if (io::is_converted(request.file) && content.physicals.empty()) name_entities(content);
+  if (request.file.extension() == ".unv") {
+    if (const std::vector<UnvGroup> groups = unv_groups(request.file); !groups.empty()) set_groups(groups, content);
+  }
+  if (is_read && content.physicals.empty()) name_entities(content);
   send(io::write_msh(content));
   return status::done;
 }

@@ -7,6 +7,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/io/gmsh_reader.hpp"
+#include "creepcontact/settings/mesh_formats.hpp"
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
@@ -19,7 +20,7 @@ std::vector<std::string> meshes_in(const fs::path& directory) {
   std::error_code failure;
   for (fs::directory_iterator entry(directory, failure), end; !failure && entry != end; entry.increment(failure)) {
     const fs::path name = entry->path().filename();
-    if (name.extension() == ".geo" || name.extension() == ".msh") names.push_back(name.string());
+    if (settings::is_mesh_file(name.extension().string())) names.push_back(name.string());
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -32,7 +33,7 @@ std::string instead_of(const fs::path& file) {
   if (!fs::is_directory(directory, failure))
     return fmt::format("there is no directory '{}'; a path is relative to the file that names it", directory.string());
   const std::vector<std::string> names = meshes_in(directory);
-  if (names.empty()) return fmt::format("there is no .geo or .msh file in '{}'", directory.string());
+  if (names.empty()) return fmt::format("there is no mesh file in '{}'", directory.string());
   if (const std::string nearest = creepcontact::nearest(file.filename().string(), names); !nearest.empty())
     return fmt::format("did you mean '{}'?", nearest);
   constexpr std::size_t told = 5;
@@ -52,8 +53,8 @@ mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis) {
     throw ModelError(fmt::format("{}no such file '{}'; {}", position, mesh.file.string(), instead_of(mesh.file)));
   if (failure) throw ModelError(fmt::format("{}cannot read '{}': {}", position, mesh.file.string(), failure.message()));
   if (!fs::is_regular_file(status))
-    throw ModelError(
-        fmt::format("{}'{}' is not a regular file; name a .geo or .msh file", position, mesh.file.string()));
+    throw ModelError(fmt::format("{}'{}' is not a regular file; name {}", position, mesh.file.string(),
+                                 settings::mesh_files_in_words));
   return io::read_mesh(mesh.file, {.order = mesh.order,
                                    .parameters = mesh.parameters,
                                    .time_limit = mesh.time_limit,

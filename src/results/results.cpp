@@ -71,9 +71,10 @@ void Results::output(Snapshot& snapshot) {
   if (!surfaces_.empty())
     for (io::FieldData& field : surfaces_.on_bodies(snapshot.equilibrium())) at_points.push_back(std::move(field));
   if (contact_) on_surfaces = named(surfaces_.point_arrays(snapshot.equilibrium()));
-  background_.start([this, for_frd = frd_ ? frd_fields(at_points) : std::vector<io::FrdField>(), time = snapshot.time(),
-                     points = named(std::move(at_points)), cells = named(cell_arrays(snapshot)),
-                     on_surfaces = std::move(on_surfaces)] {
+  std::vector<io::FrdField> for_frd;
+  if (frd_) for_frd = frd_fields(at_points);
+  background_.start([this, for_frd = std::move(for_frd), time = snapshot.time(), points = named(std::move(at_points)),
+                     cells = named(cell_arrays(snapshot)), on_surfaces = std::move(on_surfaces)] {
     if (contact_) contact_->write(time, on_surfaces, named(surfaces_.cell_arrays()));
     if (fields_) fields_->write(time, points, cells);
     if (frd_) frd_->write(time, for_frd);

@@ -29,6 +29,44 @@ $EndElements
 """
 
 
+# Two unit cubes side by side, as Salome and Nastran's preprocessors write them.
+NODES = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1, 2)]
+CUBES = [[1, 2, 5, 4, 7, 8, 11, 10], [2, 3, 6, 5, 8, 9, 12, 11]]
+LEFT_FACE, RIGHT_FACE = [1, 4, 10, 7], [3, 6, 12, 9]
+
+
+def unv():
+    """Groups of elements, by their names: a volume and two faces."""
+    def dataset(number, lines):
+        return "    -1\n" + f"{number:6}\n" + "".join(line + "\n" for line in lines) + "    -1\n"
+
+    def elements():
+        for number, (kind, nodes) in enumerate([(94, LEFT_FACE), (94, RIGHT_FACE), (115, CUBES[0]), (115, CUBES[1])], 1):
+            yield "".join(f"{field:10}" for field in (number, kind, 1, 1, 7, len(nodes)))
+            yield "".join(f"{node:10}" for node in nodes)
+
+    def groups():
+        for number, (name, members) in enumerate((("left", [1]), ("right", [2]), ("bar", [3, 4]), ("corner", [-3, -6])), 1):
+            yield "".join(f"{field:10}" for field in (number, 0, 0, 0, 0, 0, 0, len(members)))
+            yield name
+            fields = [field for member in members for field in (8 if member > 0 else 7, abs(member), 0, 0)]  # 7: a node
+            for i in range(0, len(fields), 8):
+                yield "".join(f"{field:10}" for field in fields[i:i + 8])
+
+    nodes = [line for number, x in enumerate(NODES, 1)
+             for line in (f"{number:10}{1:10}{1:10}{11:10}", "".join(f"{c:25.16E}" for c in x).replace("E", "D"))]
+    return dataset(2411, nodes) + dataset(2412, elements()) + dataset(2467, groups())
+
+
+def bdf():
+    """Properties in place of groups: 1 the volume, 2 and 3 the faces."""
+    lines = [f"GRID,{number},,{x[0]:.1f},{x[1]:.1f},{x[2]:.1f}" for number, x in enumerate(NODES, 1)]
+    lines += [f"CQUAD4,{number},{number + 1}," + ",".join(map(str, nodes)) for number, nodes in ((1, LEFT_FACE), (2, RIGHT_FACE))]
+    for number, nodes in enumerate(CUBES, 3):
+        lines += [f"CHEXA,{number},1," + ",".join(map(str, nodes[:6])) + f",+{number}", f"+{number}," + ",".join(map(str, nodes[6:]))]
+    return "BEGIN BULK\n" + "\n".join(lines) + "\nENDDATA\n"
+
+
 class MeshTest(unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
@@ -229,6 +267,56 @@ class Disappointments(MeshTest):
         self.expect_error(self.check(), "cube.toml:2:8: mesh.file: no such file 'turbine.geo'", "cube.geo")
         self.write("cube.toml", BASE.replace("cube.geo", "none/cube.geo"))
         self.expect_error(self.check(), "there is no directory 'none'")
+
+
+class OtherFormats(MeshTest):
+    """A bar of two cubes, pulled: through Gmsh's readers."""
+
+    CONFIG = """[mesh]
+file = "{file}"
+[bodies.bar]
+region = "{bar}"
+material = "steel"
+[materials.steel]
+young_modulus = 1e5
+poisson_ratio = 0.0
+[[supports]]
+on = "{left}"
+displacement = {{ x = 0, y = 0, z = 0 }}
+[[loads]]
+on = "{right}"
+traction = [100, 0, 0]
+[time]
+end = 1
+[[probes]]
+name = "u"
+quantity = "displacement_x"
+on = "{probe}"
+"""
+
+    def run_mesh(self, file, content, **groups):
+        self.write(file, content)
+        self.write("bar.toml", self.CONFIG.format(**{"file": file, "probe": groups["right"], **groups}))
+        done = subprocess.run([PROGRAM, "run", "bar.toml", "--output", "results", "--set", "output.frd=true"], cwd=self.directory,
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(float((self.directory / "results/history.csv").read_text().split(",")[-1]), 0.002, delta=1e-9)
+        self.assertRegex((self.directory / "results/fields.frd").read_text(), r"(?m)^ -1 +3 +1 +0 +1$")  # its number
+
+    def test_unv_with_groups(self):
+        self.run_mesh("bar.unv", unv(), bar="bar", left="left", right="right")
+        self.run_mesh("bar.unv", unv(), bar="bar", left="left", right="right", probe="corner")
+
+    def test_bdf_by_its_properties(self):
+        self.run_mesh("bar.bdf", bdf(), bar="volume_1", left="surface_2", right="surface_3")
+
+    def test_damaged_or_of_an_unknown_kind(self):
+        self.write("bar.toml", self.CONFIG.format(file="bar.unv", bar="bar", left="left", right="right", probe="right"))
+        for content in ("", "    -1\n  2411\n", unv().replace("D+00", "X+00"), "\x00" * 1000):
+            self.write("bar.unv", content)
+            done = subprocess.run([PROGRAM, "check", "bar.toml"], cwd=self.directory, capture_output=True, text=True, timeout=60)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertRegex(done.stderr, "error: .*bar.unv")
 
 
 if __name__ == "__main__":

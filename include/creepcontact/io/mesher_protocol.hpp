@@ -10,9 +10,6 @@
 
 namespace creepcontact::io {
 
-/// True for meshes in other formats, by the extension of the file: .unv, .bdf, .nas. They are read, not meshed.
-bool is_converted(const std::filesystem::path& file);
-
 /// Arguments of the mesher.
 struct MesherRequest {
   std::filesystem::path file;

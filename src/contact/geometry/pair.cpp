@@ -22,16 +22,16 @@ Eigen::VectorXd Pair::initial_gap(double t) const {
 Eigen::VectorXd Pair::interference_gap() const {
   const Index n_nodes = std::ssize(coupling.nodes), width = coupling.rows_per_node();
   const Eigen::Map<const Eigen::VectorXd> area(coupling.area.data(), n_nodes);
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(coupling.n_rows());
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(coupling.n_rows());
   if (coupling.type != ContactType::tied) {
-    gap(Eigen::seqN(0, n_nodes, width)) = -area;
-    return gap;
+    change(Eigen::seqN(0, n_nodes, width)) = -area;
+    return change;
   }
   Vector3 normal = Vector3::Zero();
   for (Index i = 0; i < n_nodes; ++i) normal += area[i] * coupling.nodes[i].normal;
   normal.normalize();
-  for (Index i = 0; i < n_nodes; ++i) gap.segment<3>(width * i) = area[i] * normal;
-  return gap;
+  for (Index i = 0; i < n_nodes; ++i) change.segment<3>(width * i) = area[i] * normal;
+  return change;
 }
 
 Index number_rows(std::vector<Pair>& pairs) {

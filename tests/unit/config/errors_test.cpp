@@ -162,7 +162,9 @@ TEST(ConfigMistakes, Bodies) {
 }
 
 TEST(ConfigMistakes, Mesh) {
-  expect_mistake(minimal, "--set mesh.file=block.inp: mesh.file: 'block.inp'; allowed: a .geo or .msh file",
+  expect_mistake(minimal,
+                 "--set mesh.file=block.inp: mesh.file: 'block.inp'; allowed: a .geo, .msh, .unv, .bdf or .nas file; "
+                 "`creepcontact import` makes a mesh and a configuration of a deck",
                  {"mesh.file=block.inp"});
   expect_mistake(minimal, "--set mesh.order=2: mesh.order: has no effect on a finished mesh", {"mesh.order=2"});
 }

@@ -1,0 +1,28 @@
+#pragma once
+/// Kinds of mesh files, by their extensions.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace creepcontact::settings {
+
+/// Meshes of other programs, which Gmsh reads: Salome and I-deas, Nastran.
+constexpr std::array<std::string_view, 3> converted_meshes{".unv", ".bdf", ".nas"};
+
+constexpr bool is_converted_mesh(std::string_view extension) {
+  return std::ranges::find(converted_meshes, extension) != converted_meshes.end();
+}
+constexpr bool is_mesh_file(std::string_view extension) {
+  return extension == ".geo" || extension == ".msh" || is_converted_mesh(extension);
+}
+constexpr std::string_view mesh_files_in_words = "a .geo, .msh, .unv, .bdf or .nas file";
+
+/// What to do with a file that is none of these; empty if nothing is known.
+constexpr std::string_view mesh_file_remedy(std::string_view extension) {
+  if (extension == ".inp") return "; `creepcontact import` makes a mesh and a configuration of a deck";
+  if (extension == ".med") return "; let Salome write .unv, which keeps its groups";
+  return "";
+}
+
+}  // namespace creepcontact::settings
