@@ -9,6 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/deck/import.hpp"
+#include "creepcontact/platform/memory.hpp"
 #include "creepcontact/platform/replace_file.hpp"
 
 namespace creepcontact::cli {
@@ -21,6 +22,7 @@ int import(const Command& self, const Arguments& arguments) {
                      "directory of the configuration and the mesh (default: the working directory)");
   if (!line.parse(arguments, "DECK.inp")) return 0;
   const std::filesystem::path path = line.positional(), directory = output.empty() ? "." : output;
+  platform::return_large_blocks();
   deck::Deck deck = deck::read_deck(path);
   const std::string name = path.stem().string();
   const deck::Import made = deck::import_deck(std::move(deck), name);

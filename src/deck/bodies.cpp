@@ -4,14 +4,50 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+#include <unordered_map>
 
 #include "creepcontact/base/disjoint_sets.hpp"
 
 namespace creepcontact::deck {
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
+/// One element of each section at every node.
+class OwnersOfNodes {
+ public:
+  explicit OwnersOfNodes(const Deck& deck) : deck_(deck), first_(deck.positions.size()) {}
+
+  struct Found {
+    std::optional<std::uint32_t> same;  ///< an element there of a section that is the same
+    bool is_shared = false;             ///< only others are there
+  };
+  /// Adds an element, and says what was at the node before.
+  template <class IsSame>
+  Found add(std::int64_t node, std::uint32_t section, std::uint32_t element, const IsSame& is_same) {
+    const std::uint32_t place = deck_.node_of_number.at(node);
+    Owner& first = first_[place];
+    if (first.section == none) {
+      first = {section, element};
+      return {};
+    }
+    if (is_same(first.section)) return {first.element, false};
+    std::vector<Owner>& others = others_[place];
+    for (const Owner& other : others)
+      if (is_same(other.section)) return {other.element, false};
+    others.push_back({section, element});
+    return {std::nullopt, true};
+  }
+
+ private:
+  static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+  struct Owner {
+    std::uint32_t section = none, element = none;
+  };
+  const Deck& deck_;
+  std::vector<Owner> first_;                                      // by node
+  std::unordered_map<std::uint32_t, std::vector<Owner>> others_;  // where several materials meet
+};
 
 /// A name that TOML and messages take, and that is not used yet.
 std::string free_name(const std::string& wanted, std::set<std::string>& used) {
@@ -23,42 +59,40 @@ std::string free_name(const std::string& wanted, std::set<std::string>& used) {
 }  // namespace
 
 Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
-  std::map<std::int64_t, std::size_t> section_of;  // by element
-  for (std::size_t s = 0; s < deck.sections.size(); ++s) {
+  NumberMap<std::uint32_t> section_of;                    // by element
+  for (std::size_t s = deck.sections.size(); s-- > 0;) {  // the last one counts
     const Section& section = deck.sections[s];
     if (!deck.materials.contains(section.material))
       impossible.push_back(
           {section.place, "SOLID SECTION", fmt::format("there is no material '{}'", section.material)});
-    for (const std::int64_t element : deck.element_sets.at(section.elements).members) section_of[element] = s;
+    for (const std::int64_t element : deck.element_sets.at(section.elements).members)
+      section_of.insert(element, static_cast<std::uint32_t>(s));
   }
 
   Numbers elements;
-  std::vector<std::size_t> section;
+  std::vector<std::uint32_t> section;
   DisjointSets components(deck.element_of_number.size());
-  std::unordered_map<std::int64_t, std::map<std::size_t, std::size_t>> first_at;  // by node and section: an element
+  OwnersOfNodes owners(deck);
   Bodies result;
   for (const ElementBlock& block : deck.elements) {
     const auto n = static_cast<std::size_t>(mesh::n_nodes(block.type.cell));
     for (std::size_t e = 0; e < block.numbers.size(); ++e) {
-      const auto found = section_of.find(block.numbers[e]);
-      const std::size_t own = found == section_of.end() ? none : found->second;
-      if (own == none) {
+      const std::uint32_t* own = section_of.find_or_null(block.numbers[e]);
+      if (own == nullptr) {
         impossible.push_back(
             {Place(), "ELEMENT", fmt::format("element {} belongs to no *SOLID SECTION", block.numbers[e])});
         return result;
       }
-      const std::size_t index = elements.size();
+      const auto index = static_cast<std::uint32_t>(elements.size());
       elements.push_back(block.numbers[e]);
-      section.push_back(own);
+      section.push_back(*own);
       for (std::size_t i = 0; i < n; ++i) {
-        auto& at = first_at[block.nodes[e * n + i]];
-        // Sections of one material are one body.
-        std::size_t same = none;
-        for (const auto& [other, element] : at)
-          if (deck.sections[other].material == deck.sections[own].material) same = element;
-        if (same != none) components.join(index, same);
-        if (!at.empty() && same == none) result.share_nodes = true;
-        at.try_emplace(own, index);
+        const auto is_same = [&](std::uint32_t other) {  // sections of one material are one body
+          return deck.sections[other].material == deck.sections[*own].material;
+        };
+        const auto [same, is_shared] = owners.add(block.nodes[e * n + i], *own, index, is_same);
+        if (same) components.join(index, *same);
+        result.share_nodes = result.share_nodes || is_shared;
       }
     }
   }
@@ -69,19 +103,23 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
     members[components.find(i)].push_back(elements[i]);
     section_of_body.try_emplace(components.find(i), section[i]);
   }
-  std::map<Numbers, std::string> set_of;  // by sorted members
-  for (const auto& [key, set] : deck.element_sets) {
-    Numbers sorted = set.members;
-    std::ranges::sort(sorted);
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    set_of.try_emplace(std::move(sorted), set.name);
-  }
+  const auto name_of = [&](const Numbers& sorted) -> const std::string* {
+    for (const auto& [key, set] : deck.element_sets) {
+      // Members may repeat, but hardly all of them.
+      if (set.members.size() < sorted.size() || set.members.size() > 2 * sorted.size()) continue;
+      Numbers own = set.members;
+      std::ranges::sort(own);
+      own.erase(std::unique(own.begin(), own.end()), own.end());
+      if (own == sorted) return &set.name;
+    }
+    return nullptr;
+  };
   std::set<std::string> used;
   for (auto& [root, numbers] : members) {
     std::ranges::sort(numbers);
     const Section& own = deck.sections[section_of_body[root]];
-    const auto named = set_of.find(numbers);
-    const std::string name = named != set_of.end() ? named->second : deck.element_sets.at(own.elements).name;
+    const std::string* named = name_of(numbers);
+    const std::string name = named != nullptr ? *named : deck.element_sets.at(own.elements).name;
     result.bodies.push_back({free_name(name, used), own.material, own.thickness, std::move(numbers)});
   }
   return result;

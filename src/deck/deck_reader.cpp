@@ -94,6 +94,14 @@ Deck DeckReader::finish() {
     if (n_mistakes_ > mistakes_.size()) all += fmt::format("\nand {} more", n_mistakes_ - mistakes_.size());
     throw ConfigError(all);
   }
+  for (ElementBlock& block : deck_.elements) {  // vectors that have grown have up to twice the memory that they need
+    block.nodes.shrink_to_fit();
+    block.numbers.shrink_to_fit();
+  }
+  deck_.positions.shrink_to_fit();
+  deck_.node_numbers.shrink_to_fit();
+  for (auto* sets : {&deck_.node_sets, &deck_.element_sets})
+    for (auto& [name, set] : *sets) set.members.shrink_to_fit();
   return std::move(deck_);
 }
 

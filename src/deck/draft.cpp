@@ -15,7 +15,12 @@ Draft::Draft(const Deck& of, std::string called, std::vector<Note> known)
       frames(of, resolver, impossible),
       mesh(of) {
   impossible.insert(impossible.begin(), of.impossible.begin(), of.impossible.end());
-  for (const ElementBlock& block : deck.elements) used.insert(block.nodes.begin(), block.nodes.end());
+  std::vector<bool> is_used(deck.positions.size(), false);
+  for (const ElementBlock& block : deck.elements)
+    for (const std::int64_t node : block.nodes) is_used[deck.node_of_number.at(node)] = true;
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i]) used.push_back(deck.node_numbers[i]);
+  std::ranges::sort(used);
 }
 
 const std::vector<std::string>& Draft::bodies_at(std::int64_t node) {

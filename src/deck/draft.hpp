@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -35,8 +36,8 @@ struct Draft {
   std::vector<RigidGroup> rigid;
   std::vector<DeckEquation> equations;
   settings::Analysis analysis = settings::Analysis::solid;
-  std::set<std::int64_t> used;  ///< nodes that elements have
-  bool varies = false;          ///< a material depends on the temperature
+  Numbers used;         ///< nodes that elements have, ascending
+  bool varies = false;  ///< a material depends on the temperature
   std::string text, temperatures;
 
   void add(const std::string& more) { text += more; }
@@ -44,7 +45,7 @@ struct Draft {
     impossible.push_back({raw.card.place, raw.card.name, why});
   }
   bool is_section() const { return analysis != settings::Analysis::solid; }
-  bool is_used(std::int64_t node) const { return used.contains(node); }
+  bool is_used(std::int64_t node) const { return std::ranges::binary_search(used, node); }
   const Vector3& position(std::int64_t node) const { return deck.positions[deck.node_of_number.at(node)]; }
   /// Bodies that have a node; by the names in the configuration.
   const std::vector<std::string>& bodies_at(std::int64_t node);

@@ -105,14 +105,16 @@ std::vector<ElementFace> faces_of(const Deck& deck, const Surface& surface, std:
   if (!surface.of_nodes) return {faces.begin(), faces.end()};
   // Faces of one element alone, all corners of which are among the nodes.
   std::map<Numbers, std::vector<ElementFace>> candidates;
-  for (const auto& [number, place] : deck.element_of_number) {
-    const mesh::CellType cell = deck.elements[place.block].type.cell;
-    for (int k = 1; face(cell, k) != nullptr; ++k) {
-      const Numbers own = face_corners(deck, {number, k});
-      if (std::ranges::all_of(own, [&](std::int64_t node) { return nodes.contains(node); }))
-        candidates[own].push_back({number, k});
+  for (const ElementBlock& block : deck.elements)
+    for (const std::int64_t number : block.numbers) {
+      if (std::ranges::none_of(element_nodes(deck, number), [&](std::int64_t node) { return nodes.contains(node); }))
+        continue;
+      for (int k = 1; face(block.type.cell, k) != nullptr; ++k) {
+        const Numbers own = face_corners(deck, {number, k});
+        if (std::ranges::all_of(own, [&](std::int64_t node) { return nodes.contains(node); }))
+          candidates[own].push_back({number, k});
+      }
     }
-  }
   for (const auto& [own, found] : candidates)
     if (found.size() == 1) faces.insert(found.front());
   return {faces.begin(), faces.end()};

@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/io/msh_writer.hpp"
 #include "creepcontact/settings/enum_names.hpp"
 #include "draft.hpp"
 #include "matching_ties.hpp"
@@ -105,6 +106,7 @@ void write_head(Draft& draft) {
     draft.impossible.push_back({Place(), "SOLID SECTION", "sections of different thickness"});
 }
 
+/// Without the mesh.
 Import make(Draft& draft) {
   refuse_what_changes_the_model(draft);
   raise(draft);
@@ -121,7 +123,7 @@ Import make(Draft& draft) {
   write_probes(draft);
   raise(draft);
   sort(draft.left_out);
-  Import result{comments(draft) + draft.text, draft.mesh.msh(), draft.temperatures, {}};
+  Import result{comments(draft) + draft.text, "", draft.temperatures, {}};
   for (const Note& note : draft.left_out)
     result.left_out.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
   return result;
@@ -133,9 +135,17 @@ Import import_deck(Deck deck, const std::string& name) {
   merge_matching_ties(deck);
   std::vector<Note> impossible;
   std::vector<PretensionSection> sections = cut_sections(deck, impossible);
-  Draft draft(deck, name, std::move(impossible));
-  draft.sections = std::move(sections);
-  return make(draft);
+  Import result;
+  io::MshContent mesh;
+  {
+    Draft draft(deck, name, std::move(impossible));
+    draft.sections = std::move(sections);
+    result = make(draft);
+    mesh = draft.mesh.take();
+  }
+  deck = {};  // large decks: before their text is made
+  result.msh = io::write_msh(mesh);
+  return result;
 }
 
 }  // namespace creepcontact::deck

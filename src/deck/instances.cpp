@@ -74,7 +74,7 @@ void DeckReader::merge_instance() {
   const Eigen::Affine3d moved = motion(instance_moves_);
   for (std::size_t i = 0; i < instance_deck_.positions.size(); ++i) {
     const std::int64_t number = instance_deck_.node_numbers[i] + offsets.node_offset;
-    deck_.node_of_number[number] = deck_.positions.size();
+    deck_.node_of_number.insert(number, static_cast<std::uint32_t>(deck_.positions.size()));
     deck_.node_numbers.push_back(number);
     deck_.positions.emplace_back(moved * instance_deck_.positions[i]);
   }
@@ -83,8 +83,9 @@ void DeckReader::merge_instance() {
         std::ranges::find_if(deck_.elements, [&](const ElementBlock& one) { return one.type.name == block.type.name; });
     if (into == deck_.elements.end()) into = deck_.elements.insert(into, {block.type, {}, {}});
     for (const std::int64_t number : block.numbers) {
-      deck_.element_of_number[number + offsets.element_offset] = {
-          static_cast<std::size_t>(into - deck_.elements.begin()), into->numbers.size()};
+      deck_.element_of_number.insert(number + offsets.element_offset,
+                                     {static_cast<std::uint32_t>(into - deck_.elements.begin()),
+                                      static_cast<std::uint32_t>(into->numbers.size())});
       into->numbers.push_back(number + offsets.element_offset);
     }
     for (const std::int64_t node : block.nodes) into->nodes.push_back(node + offsets.node_offset);

@@ -195,12 +195,11 @@ std::vector<DeckEquation> read_equations(const Deck& deck, const Resolver& resol
   return EquationReader(deck, resolver, frames, impossible).read();
 }
 
-void eliminate_reference_nodes(std::vector<DeckEquation>& equations, const std::set<std::int64_t>& used,
-                               Loading& loading) {
+void eliminate_reference_nodes(std::vector<DeckEquation>& equations, const Numbers& used, Loading& loading) {
   std::map<Unknown, std::vector<std::size_t>> of_reference;  // equations of unknowns that no element has
   for (std::size_t i = 0; i < equations.size(); ++i)
     for (const auto& [unknown, coefficient] : equations[i].terms)
-      if (!used.contains(unknown.first)) of_reference[unknown].push_back(i);
+      if (!std::ranges::binary_search(used, unknown.first)) of_reference[unknown].push_back(i);
   std::set<std::int64_t> nodes;
   std::vector<char> gone(equations.size(), 0);
   for (const auto& [unknown, first_rows] : of_reference) {

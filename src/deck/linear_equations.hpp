@@ -25,9 +25,8 @@ std::vector<DeckEquation> read_equations(const Deck& deck, const Resolver& resol
 
 /// Takes the nodes that no element has out of the equations: what is prescribed there becomes a value, what is free is
 /// eliminated, and a force there becomes forces at the nodes that it depends on.
-/// @param used  nodes of elements
+/// @param used  nodes of elements, ascending
 /// @param loading  supports and forces of the other nodes are taken out
-void eliminate_reference_nodes(std::vector<DeckEquation>& equations, const std::set<std::int64_t>& used,
-                               Loading& loading);
+void eliminate_reference_nodes(std::vector<DeckEquation>& equations, const Numbers& used, Loading& loading);
 
 }  // namespace creepcontact::deck

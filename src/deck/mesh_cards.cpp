@@ -36,12 +36,11 @@ void DeckReader::add_node(const DataLine& line, Set* set) {
     if (!coordinate) return;
     position[static_cast<Eigen::Index>(k)] = *coordinate;
   }
-  const auto [found, is_new] = into_->node_of_number.try_emplace(*own, into_->positions.size());
-  if (is_new) {
+  if (into_->node_of_number.insert(*own, static_cast<std::uint32_t>(into_->positions.size()))) {
     into_->node_numbers.push_back(*own);
     into_->positions.push_back(position);
   } else {
-    into_->positions[found->second] = position;
+    into_->positions[into_->node_of_number.at(*own)] = position;
   }
   if (set != nullptr) set->members.push_back(*own);
 }
@@ -81,8 +80,9 @@ void DeckReader::add_to_element(const DataLine& line) {
   const std::size_t given = pending_.size();
   if (given < n_nodes + 1) return;
   const std::int64_t number = pending_.front();
-  const Deck::ElementPlace place{static_cast<std::size_t>(block_ - into_->elements.data()), block_->numbers.size()};
-  if (!into_->element_of_number.emplace(number, place).second) {
+  const Deck::ElementPlace place{static_cast<std::uint32_t>(block_ - into_->elements.data()),
+                                 static_cast<std::uint32_t>(block_->numbers.size())};
+  if (!into_->element_of_number.insert(number, place)) {
     pending_.clear();
     return mistake(line.place, fmt::format("element {} exists already", number));
   }

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "creepcontact/io/msh_writer.hpp"
 #include "element_faces.hpp"
 
 namespace creepcontact::deck {
@@ -21,17 +21,11 @@ int gmsh_type(CellType type) {
   return types.at(type);
 }
 
-/// Numbers of the nodes at these places of an element.
-std::vector<std::uint64_t> at_places(std::span<const std::int64_t> nodes, const std::vector<int>& places) {
-  std::vector<std::uint64_t> result;
-  result.reserve(places.size());
-  for (const int place : places) result.push_back(static_cast<std::uint64_t>(nodes[static_cast<std::size_t>(place)]));
-  return result;
-}
-
 }  // namespace
 
 MeshOutput::MeshOutput(const Deck& deck) : deck_(deck) {
+  content_.node_tags.reserve(deck.positions.size());
+  content_.nodes.reserve(deck.positions.size());
   for (std::size_t i = 0; i < deck.positions.size(); ++i) {
     content_.node_tags.push_back(static_cast<std::uint64_t>(deck.node_numbers[i]));
     content_.nodes.push_back(deck.positions[i]);
@@ -49,57 +43,64 @@ std::string MeshOutput::free_name(const std::string& wanted) {
   return name;
 }
 
-void MeshOutput::add_group(const std::string& name, const std::map<CellType, std::vector<Cell>>& cells) {
-  const io::MshContent::Key key{mesh::dimension(cells.begin()->first), static_cast<int>(content_.physicals.size()) + 1};
+io::MshContent::Key MeshOutput::new_group(int dimension, const std::string& name) {
+  const io::MshContent::Key key{dimension, static_cast<int>(content_.physicals.size()) + 1};
   content_.physical_names[key] = name;
   content_.physicals[key] = {key.tag};
-  for (const auto& [type, of_type] : cells) {
-    io::MshContent::Elements& into =
-        content_.elements.emplace_back(io::MshContent::Elements{key, gmsh_type(type), {}, {}});
-    for (const Cell& cell : of_type) {
-      into.tags.push_back(cell.number);
-      into.nodes.insert(into.nodes.end(), cell.nodes.begin(), cell.nodes.end());
-    }
-  }
+  return key;
+}
+
+void MeshOutput::add_cell(io::MshContent::Key group, CellType type, std::uint64_t number,
+                          std::span<const std::int64_t> nodes, std::span<const int> places) {
+  // Blocks of one group follow each other.
+  auto block = content_.elements.end();
+  while (block != content_.elements.begin() && (block - 1)->entity == group && (block - 1)->type != gmsh_type(type))
+    --block;
+  const bool is_known = block != content_.elements.begin() && (block - 1)->entity == group;
+  io::MshContent::Elements& into =
+      is_known ? *(block - 1)
+               : content_.elements.emplace_back(io::MshContent::Elements{group, gmsh_type(type), {}, {}});
+  into.tags.push_back(number);
+  for (const int place : places)
+    into.nodes.push_back(static_cast<std::uint64_t>(nodes[static_cast<std::size_t>(place)]));
 }
 
 std::string MeshOutput::add_body(const DeckBody& body) {
   std::string name = free_name(body.name);
-  std::map<CellType, std::vector<Cell>> cells;
+  const auto group = new_group(mesh::dimension(element_cell(deck_, body.elements.front())), name);
+  std::map<CellType, std::size_t> counts;
+  for (const std::int64_t number : body.elements) ++counts[element_cell(deck_, number)];
+  for (const auto& [type, count] : counts) {
+    io::MshContent::Elements& block =
+        content_.elements.emplace_back(io::MshContent::Elements{group, gmsh_type(type), {}, {}});
+    block.tags.reserve(count);
+    block.nodes.reserve(count * static_cast<std::size_t>(mesh::n_nodes(type)));
+  }
   for (const std::int64_t number : body.elements) {
     const CellType type = element_cell(deck_, number);
-    cells[type].push_back(
-        {static_cast<std::uint64_t>(number), at_places(element_nodes(deck_, number), gmsh_order(type))});
+    add_cell(group, type, static_cast<std::uint64_t>(number), element_nodes(deck_, number), gmsh_order(type));
   }
-  add_group(name, cells);
   return name;
 }
 
 std::string MeshOutput::add_nodes(const std::string& wanted, const Numbers& nodes) {
   if (const auto known = of_nodes_.find(nodes); known != of_nodes_.end()) return known->second;
   std::string name = free_name(wanted);
-  std::vector<Cell> points;
-  points.reserve(nodes.size());
-  for (const std::int64_t node : nodes) points.push_back({next_number_++, {static_cast<std::uint64_t>(node)}});
-  add_group(name, {{CellType::point1, std::move(points)}});
+  const auto group = new_group(0, name);
+  constexpr std::array place{0};
+  for (const std::int64_t node : nodes) add_cell(group, CellType::point1, next_number_++, {&node, 1}, place);
   return of_nodes_[nodes] = name;
 }
 
 std::string MeshOutput::add_faces(const std::string& wanted, const std::vector<ElementFace>& faces) {
   std::string name = free_name(wanted);
-  std::map<CellType, std::vector<Cell>> cells;
+  const auto group = new_group(mesh::dimension(element_cell(deck_, faces.front().element)) - 1, name);
   for (const ElementFace& face : faces) {
     const CellType type = element_cell(deck_, face.element);
     const std::vector<int>& places = *deck::face(type, face.face);
-    cells[face_cell(type, places.size())].push_back(
-        {next_number_++, at_places(element_nodes(deck_, face.element), places)});
+    add_cell(group, face_cell(type, places.size()), next_number_++, element_nodes(deck_, face.element), places);
   }
-  add_group(name, cells);
   return name;
-}
-
-std::string MeshOutput::msh() const {
-  return io::write_msh(content_);
 }
 
 }  // namespace creepcontact::deck

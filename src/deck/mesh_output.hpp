@@ -2,6 +2,7 @@
 /// The mesh of a deck with its groups as a .msh file. Nodes and elements keep their numbers.
 
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,14 @@ class MeshOutput {
   /// The group that there is, if these nodes have one.
   std::string add_nodes(const std::string& name, const Numbers& nodes);
   std::string add_faces(const std::string& name, const std::vector<ElementFace>& faces);
-  std::string msh() const;
+  io::MshContent take() { return std::move(content_); }
 
  private:
-  struct Cell {
-    std::uint64_t number = 0;
-    std::vector<std::uint64_t> nodes;
-  };
-  /// @param cells  at least one, of one dimension
-  void add_group(const std::string& name, const std::map<mesh::CellType, std::vector<Cell>>& cells);
+  /// A new group without cells.
+  io::MshContent::Key new_group(int dimension, const std::string& name);
+  /// @param places  of the cell's nodes among those given
+  void add_cell(io::MshContent::Key group, mesh::CellType type, std::uint64_t number,
+                std::span<const std::int64_t> nodes, std::span<const int> places);
   std::string free_name(const std::string& wanted);
 
   const Deck& deck_;

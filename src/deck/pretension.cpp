@@ -79,9 +79,10 @@ class Cutter {
   void split(PretensionSection& section, const std::set<std::int64_t>& nodes,
              const std::map<Numbers, ElementFace>& face_of, const std::set<std::int64_t>& own) {
     Numbers near;
-    for (const auto& [number, place] : deck_.element_of_number)
-      if (std::ranges::any_of(element_nodes(deck_, number), [&](std::int64_t node) { return nodes.contains(node); }))
-        near.push_back(number);
+    for (const ElementBlock& block : deck_.elements)
+      for (const std::int64_t number : block.numbers)
+        if (std::ranges::any_of(element_nodes(deck_, number), [&](std::int64_t node) { return nodes.contains(node); }))
+          near.push_back(number);
     std::ranges::sort(near);
     DisjointSets sides(near.size() + 1);
     const std::size_t own_side = near.size();
@@ -99,7 +100,7 @@ class Cutter {
     for (const std::int64_t node : nodes) {
       copy_of[node] = next;
       section.nodes.emplace_back(next, node);
-      deck_.node_of_number[next] = deck_.positions.size();
+      deck_.node_of_number.insert(next, static_cast<std::uint32_t>(deck_.positions.size()));
       deck_.node_numbers.push_back(next++);
       deck_.positions.push_back(position(node));
     }

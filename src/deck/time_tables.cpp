@@ -15,7 +15,7 @@ void write_temperature(Draft& draft) {
     return found == draft.loading.temperatures.end() ? at_rest : found->second;
   };
   const auto refuse = [&](const std::string& why) { draft.impossible.push_back({Place(), "TEMPERATURE", why}); };
-  const std::string first = temperature_of(*draft.used.begin()).toml();
+  const std::string first = temperature_of(draft.used.front()).toml();
   bool same = true;
   std::set<double> times, jumps;
   for (const std::int64_t node : draft.used) {

@@ -26,6 +26,10 @@ struct TagRange {
 class Writer {
  public:
   std::string write(const MshContent& content) {
+    constexpr std::size_t of_node = 32, of_number = 8, of_names = 1 << 16;
+    std::size_t size = of_names + of_node * content.nodes.size();
+    for (const auto& elements : content.elements) size += of_number * (elements.tags.size() + elements.nodes.size());
+    text_.reserve(size);
     text_ = "$MeshFormat\n4.1 1 8\n";
     add<std::int32_t>(1);
     text_ += "\n$EndMeshFormat\n";

@@ -1,6 +1,7 @@
 #include "creepcontact/platform/memory.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -107,6 +108,11 @@ double peak_memory() {
 
 std::string memory_text(double bytes) {
   return bytes < 1e10 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
+void return_large_blocks() {
+  constexpr int megabyte = 1 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, megabyte);
 }
 
 }  // namespace creepcontact::platform

@@ -3,6 +3,7 @@
 import collections
 import gzip
 import math
+import os
 import pathlib
 import re
 import subprocess
@@ -273,6 +274,27 @@ class Import(ImportTest):
 
     def import_missing(self):
         return subprocess.run([PROGRAM, "import", "none.inp"], capture_output=True, text=True, timeout=50)
+
+    def test_memory_is_less_than_three_times_the_mesh(self):
+        n = 60
+        number = lambda i, j, k: 1 + i + (n + 1) * (j + (n + 1) * k)
+        grid = lambda m: ((i, j, k) for k in range(m) for j in range(m) for i in range(m))
+        with open(self.directory / "large.inp", "w") as deck:
+            deck.write("*NODE, NSET=Nall\n")
+            deck.writelines(f"{number(i, j, k)}, {i}, {j}, {k}\n" for i, j, k in grid(n + 1))
+            deck.write("*ELEMENT, TYPE=C3D8, ELSET=Block\n")
+            deck.writelines(f"{e}, " + ", ".join(str(number(i + a, j + b, k + c)) for c in (0, 1)
+                                                 for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))) + "\n"
+                            for e, (i, j, k) in enumerate(grid(n), 1))
+            deck.write(CUBE[CUBE.index("*MATERIAL"):].replace("ELSET=Cube", "ELSET=Block") +
+                       "*BOUNDARY\n1, 1, 3\n*STEP\n*STATIC\n*CLOAD\n9, 1, 1.\n*END STEP\n")
+        started = subprocess.Popen([PROGRAM, "import", "large.inp"], cwd=self.directory, stdout=subprocess.DEVNULL)
+        _, status, used = os.wait4(started.pid, 0)
+        self.assertEqual(status, 0)
+        mesh = (self.directory / "large.msh").stat().st_size
+        self.assertGreater(mesh, 20e6)
+        of_the_program = 20e6
+        self.assertLess(1024 * used.ru_maxrss, of_the_program + 3 * mesh)
 
     def test_nothing_is_overwritten(self):
         text = CUBE + "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*END STEP\n"

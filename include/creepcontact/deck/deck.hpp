@@ -12,6 +12,7 @@
 #include "creepcontact/base/tensor.hpp"
 #include "creepcontact/deck/cards.hpp"
 #include "creepcontact/deck/elements.hpp"
+#include "creepcontact/deck/number_map.hpp"
 
 namespace creepcontact::deck {
 
@@ -101,12 +102,12 @@ struct Deck {
   std::vector<Step> steps;
   std::vector<Note> left_out, impossible;
 
-  std::unordered_map<std::int64_t, std::int64_t> same_as;        ///< nodes that became one with another: that one
-  std::unordered_map<std::int64_t, std::size_t> node_of_number;  ///< index into positions
+  std::unordered_map<std::int64_t, std::int64_t> same_as;  ///< nodes that became one with another: that one
+  NumberMap<std::uint32_t> node_of_number;                 ///< index into positions
   struct ElementPlace {
-    std::size_t block = 0, element = 0;
+    std::uint32_t block = 0, element = 0;
   };
-  std::unordered_map<std::int64_t, ElementPlace> element_of_number;
+  NumberMap<ElementPlace> element_of_number;
 };
 
 /// Reads a deck and the files that it includes. Parts and instances of Abaqus are made one model: each instance has its

@@ -30,4 +30,8 @@ double peak_memory();
 /// For messages: the number in MB or GB, with the unit.
 std::string memory_text(double bytes);
 
+/// From here on the memory of blocks above a megabyte goes back to the system as soon as they are freed. By default the
+/// C library keeps it for later, and what lies between blocks in use is lost to a program that needs each block once.
+void return_large_blocks();
+
 }  // namespace creepcontact::platform
