@@ -121,6 +121,9 @@ void check_directions(const Support& support, const Item& item, Context& context
                        "direction = [x, y, z]");
   if (item.has("direction") && !support.along)
     context.errors.add(item.child("direction").location, "has no meaning here", "with displacement.along");
+  if (support.from && support.until && !(*support.until > *support.from))
+    context.errors.add(item.child("until").location,
+                       fmt::format("{:g} after 'from' = {:g}", *support.until, *support.from), "a time after 'from'");
   if (support.direction == std::array<double, 3>{})
     context.errors.add(item.child("direction").location, "[0, 0, 0]", "a direction");
 }
@@ -140,6 +143,12 @@ Value<Support> support_table() {
       field<SupportKeys>("origin", &SupportKeys::origin, triple(number()), "a point of that axis").in("length"),
       field<SupportKeys>("direction", &SupportKeys::direction, triple(number()),
                          "direction of `along`, of any length; required with it"),
+      field<SupportKeys>("from", &SupportKeys::from, number(), "time from which on the support acts; free before")
+          .in("time")
+          .otherwise("from the start"),
+      field<SupportKeys>("until", &SupportKeys::until, number(), "time at which it is taken away")
+          .in("time")
+          .otherwise("to the end"),
   });
   return converted<Support>(keys, [](SupportKeys found, const Item& item, Context& context) -> std::optional<Support> {
     found.displacement = std::move(found.prescribed.components);

@@ -14,8 +14,9 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double overlap_of_rounding = 1e-9;  // of the size of a multiplier's area
-constexpr double no_component = 1e-14;        // of the largest entry of the contact rows
+constexpr double overlap_of_rounding = 1e-9;    // of the size of a multiplier's area
+constexpr double round_off_of_motions = 1e-12;  // of the largest gap that a motion opens
+constexpr double no_component = 1e-14;          // of the largest entry of the contact rows
 
 }  // namespace
 
@@ -90,6 +91,12 @@ void CondensedInterface::make_rows() {
     problem_.rigid(rows.rows, Eigen::all) += problem_.rigid_of_body[b];
     problem_.bodies[b].rows = rows.rows;
     rows_.push_back(std::move(rows));
+  }
+  if (std::ranges::all_of(pairs_, [](const Pair& pair) { return pair.acts_always(); })) return;
+  // Rows that act for a time may be all that there is against a motion: round-off must not seem to hold it.
+  for (Index j = 0; j < problem_.rigid.cols(); ++j) {
+    const double least = round_off_of_motions * problem_.rigid.col(j).cwiseAbs().maxCoeff();
+    problem_.rigid.col(j) = (problem_.rigid.col(j).array().abs() > least).select(problem_.rigid.col(j), 0.0);
   }
 }
 
@@ -212,7 +219,8 @@ ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   const std::string warning = require_free_motions_unloaded(rigid_body_modes_, load.work, load.force, load.time);
   if (!warning.empty() && !residual_warned_) log::warning("{}", warning);
   residual_warned_ = residual_warned_ || !warning.empty();
-  return {load.gap, held_resultant(rigid_body_modes_, load.work, load.force), load.friction};
+  return {load.gap, held_resultant(rigid_body_modes_, load.work, load.force), load.friction,
+          idle_rows(pairs_, load.time)};
 }
 
 void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {

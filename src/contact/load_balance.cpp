@@ -79,7 +79,7 @@ void require_balance(std::span<const mechanics::Body> bodies, std::span<const Pa
   require_free_motions_unloaded(modes, work, force, t);
   if (problem.has_friction()) return;
   try {
-    throw_if_unbalanced(problem, held_resultant(modes, work, force));
+    throw_if_unbalanced(problem, {{}, held_resultant(modes, work, force), {}, idle_rows(pairs, t)});
   } catch (const UnbalancedLoad& unbalanced) {
     report_unbalanced(modes, unbalanced, t);
   }

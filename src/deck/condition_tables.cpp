@@ -97,10 +97,31 @@ void write_pressures(Draft& draft) {
 
 void write_supports(Draft& draft) {
   std::map<SupportText, Numbers> nodes_of;
-  for (const auto& [node, directions] : draft.loading.supports)
-    if (draft.is_used(node))
-      for (const SupportText& text : support_texts(draft, node, directions))
-        if (!text.displacement.empty()) nodes_of[text].push_back(node);
+  const auto add = [&](std::int64_t node, const std::map<int, Course>& directions, const std::string& window) {
+    for (SupportText& text : support_texts(draft, node, directions)) {
+      if (text.displacement.empty()) continue;
+      text.more += window;
+      nodes_of[text].push_back(node);
+    }
+  };
+  for (const auto& [node, directions] : draft.loading.supports) {
+    if (!draft.is_used(node)) continue;
+    std::map<int, Course> always = directions;
+    std::map<std::string, std::map<int, Course>> for_a_time;
+    for (const auto& [direction, course] : directions) {
+      const auto windows = draft.loading.windows.find({node, direction});
+      if (windows == draft.loading.windows.end()) continue;
+      always.erase(direction);
+      for (const Window& window : windows->second) {
+        std::string text;
+        if (window.from) text += fmt::format("from = {:.15g}\n", *window.from);
+        if (window.until) text += fmt::format("until = {:.15g}\n", *window.until);
+        for_a_time[text][direction] = course;
+      }
+    }
+    add(node, always, "");
+    for (const auto& [window, of_window] : for_a_time) add(node, of_window, window);
+  }
   int number = 0;
   for (const auto& [text, nodes] : nodes_of) {
     const std::string general = fmt::format("support_{}", ++number);

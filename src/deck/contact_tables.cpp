@@ -11,7 +11,7 @@ namespace creepcontact::deck {
 namespace {
 
 struct Interaction {
-  std::string friction;
+  Course friction;
   bool tied = false;
 };
 
@@ -29,8 +29,9 @@ class ContactWriter {
  private:
   void read_interactions() {
     Interaction* own = nullptr;
-    const auto read = [&](const RawCard& raw) {
+    const auto read = [&](const RawCard& raw, double time) {
       if (raw.card.name == "SURFACE INTERACTION") own = &interactions_[upper_case(raw.card.value("NAME"))];
+      if (raw.card.name == "CHANGE FRICTION") own = &interactions_[upper_case(raw.card.value("INTERACTION"))];
       if (own == nullptr) return;
       if (raw.card.name == "SURFACE BEHAVIOR") {
         const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
@@ -40,14 +41,15 @@ class ContactWriter {
                                      fmt::format("{}: contact is hard here, without penetration",
                                                  kind.empty() ? "pressure over overclosure" : kind)});
       }
-      if (raw.card.name == "FRICTION" && !raw.data.empty() && !raw.data[0].empty()) {
-        own->friction = raw.data[0][0];
-        if (!number(own->friction)) draft_.refuse(raw, fmt::format("'{}' is not a number", own->friction));
-      }
+      if (raw.card.name != "FRICTION" || raw.data.empty() || raw.data[0].empty()) return;
+      const auto coefficient = number(raw.data[0][0]);
+      if (!coefficient) return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[0][0]));
+      if (time > 0) own->friction.add(time, own->friction.last());  // a jump
+      own->friction.add(time, *coefficient);
     };
-    for (const RawCard& raw : draft_.deck.cards) read(raw);
-    for (const Step& step : draft_.deck.steps)
-      for (const RawCard& raw : step.cards) read(raw);
+    for (const RawCard& raw : draft_.deck.cards) read(raw, 0);
+    for (std::size_t s = 0; s < draft_.deck.steps.size(); ++s)
+      for (const RawCard& raw : draft_.deck.steps[s].cards) read(raw, s == 0 ? 0 : draft_.loading.step_ends[s - 1]);
   }
 
   /// Of a surface, or of a set of nodes; empty if it cannot be.
@@ -105,8 +107,7 @@ class ContactWriter {
         continue;
       }
       draft_.add(gap(raw, line[0], line[1]));
-      if (!interaction.friction.empty())
-        draft_.add(fmt::format("friction = {:.15g}\n", number(interaction.friction).value_or(0)));
+      if (!interaction.friction.is_zero()) draft_.add(fmt::format("friction = {}\n", interaction.friction.toml()));
     }
   }
 

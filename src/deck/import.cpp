@@ -30,7 +30,6 @@ void raise(Draft& draft) {
 void refuse_what_changes_the_model(Draft& draft) {
   const std::map<std::string, std::string> refused{
       {"MODEL CHANGE", "contacts and elements that come and go are not known"},
-      {"CHANGE FRICTION", "friction that changes from step to step is not known"},
       {"CHANGE SURFACE BEHAVIOR", "contact that changes from step to step is not known"}};
   for (const auto& [name, why] : refused)
     for (const RawCard* raw : draft.cards(name)) draft.refuse(*raw, why);
@@ -114,6 +113,10 @@ Import make(Draft& draft) {
   write_head(draft);
   write_bodies_and_materials(draft);
   write_contacts(draft);  // while the loads of bolts are known
+  for (const auto& [key, windows] : draft.loading.windows)
+    if (!draft.is_used(key.first))
+      draft.impossible.push_back({draft.deck.steps.back().place, "BOUNDARY",
+                                  fmt::format("the reference node {} is held in some steps only", key.first)});
   eliminate_reference_nodes(draft.equations, draft.used, draft.loading);
   write_links(draft);
   write_supports(draft);

@@ -19,7 +19,8 @@ struct Entry {
   const Amplitude* amplitude = nullptr;
   bool is_new = false;      // given in the present step
   bool is_dropped = false;  // by OP=NEW
-  bool was_free = false;    // a support that does not act in some step
+  // Supports: times between which they act. Free at present: the last one has an end, or there is none.
+  std::vector<Window> windows = {};
 };
 
 struct Key {
@@ -104,9 +105,10 @@ class Joiner {
     Entry& entry = found->second;
     if (is_first && key.kind == 't') entry.rest = loading_.initial_temperature;
     if (is_first) entry.course.add(0, entry.rest);
-    if (is_first && !loading_.step_ends.empty()) {
-      entry.was_free = true;
-      entry.course.add(loading_.step_ends.back(), entry.rest);
+    if (is_first && !loading_.step_ends.empty()) entry.course.add(loading_.step_ends.back(), entry.rest);
+    if (key.kind == 'b' && (is_first || entry.windows.back().until)) {
+      entry.windows.emplace_back();
+      if (!loading_.step_ends.empty()) entry.windows.back().from = loading_.step_ends.back();
     }
     entry.target = target;
     entry.amplitude = amplitude;
@@ -276,7 +278,7 @@ class Joiner {
   void advance(Entry& entry, const Step& step, double time, double duration, double total) {
     const double old = entry.course.last(), end = time + duration;
     if (entry.is_dropped) {
-      entry.was_free = true;
+      if (!entry.windows.empty() && !entry.windows.back().until) entry.windows.back().until = time;
       entry.amplitude = nullptr;
       entry.target = entry.rest;
       entry.is_new = true;
@@ -306,12 +308,11 @@ class Joiner {
   void store(const Key& key, Entry& entry) {
     switch (key.kind) {
       case 'b':
-        if (entry.was_free && !released_) {
-          impossible_.push_back({deck_.steps.back().place, "BOUNDARY",
-                                 fmt::format("node {} is held in direction {} in some steps only; supports act in the "
-                                             "whole run",
-                                             key.of, key.part)});
-          released_ = true;
+        if (entry.windows.size() != 1 || entry.windows.front() != Window{}) {
+          std::erase_if(entry.windows,
+                        [](const Window& window) { return window.until && *window.until <= window.from.value_or(0); });
+          if (entry.windows.empty()) return;
+          loading_.windows[{key.of, key.part}] = entry.windows;
         }
         loading_.supports[key.of][key.part] = entry.course;
         break;
@@ -335,7 +336,7 @@ class Joiner {
   std::vector<Note>&impossible_, &left_out_;
   std::map<Key, Entry> entries_;
   Loading loading_;
-  bool has_initial_ = false, creeps_ = false, warned_of_geometry_ = false, released_ = false;
+  bool has_initial_ = false, creeps_ = false, warned_of_geometry_ = false;
 };
 
 Numbers resolved(const std::string& target, const std::map<std::string, Set>& sets) {

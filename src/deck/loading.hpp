@@ -1,7 +1,9 @@
 #pragma once
 /// Supports and loads of all steps as courses over the time of one run.
 
+#include <compare>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,6 +39,12 @@ struct BodyLoad {
   bool operator==(const BodyLoad&) const = default;
 };
 
+/// Times between which a support acts; not given: always.
+struct Window {
+  std::optional<double> from, until;
+  auto operator<=>(const Window&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
+};
+
 struct Loading {
   double end = 0;
   std::vector<double> step_ends;
@@ -44,6 +52,8 @@ struct Loading {
   /// directions of *TRANSFORM.
   std::map<std::int64_t, std::map<int, Course>> supports;
   std::map<std::int64_t, std::map<int, Course>> forces;
+  /// Of supports by node and direction that act in some steps only.
+  std::map<std::pair<std::int64_t, int>, std::vector<Window>> windows;
   std::map<std::int64_t, double> locked;  ///< nodes that stay where they are from this time on
   std::map<ElementFace, Course> pressures;
   struct Body {

@@ -50,11 +50,41 @@ void write_temperature(Draft& draft) {
     }
 }
 
+namespace {
+
+/// Times at which something jumps, or supports come or go.
+std::set<double> sudden_times(const Loading& loading) {
+  std::set<double> times;
+  const auto add = [&](const Course& course) {
+    for (const auto& [time, value] : course.points())
+      if (course.before(time) != course.at(time)) times.insert(time);
+  };
+  for (const auto* conditions : {&loading.supports, &loading.forces})
+    for (const auto& [node, courses] : *conditions)
+      for (const auto& [direction, course] : courses) add(course);
+  for (const auto& [face, course] : loading.pressures) add(course);
+  for (const auto& [node, course] : loading.temperatures) add(course);
+  for (const Loading::Body& load : loading.bodies) add(load.course);
+  for (const auto& [key, windows] : loading.windows)
+    for (const Window& window : windows)
+      for (const auto& time : {window.from, window.until})
+        if (time) times.insert(*time);
+  return times;
+}
+
+}  // namespace
+
+/// At the ends of the steps; where the next one begins with a jump, just before it.
 void write_time(Draft& draft) {
+  constexpr double just_before = 1e-9;  // of the time
   std::set<double> times(draft.loading.step_ends.begin(), draft.loading.step_ends.end());
   times.erase(0);
+  const std::set<double> sudden = sudden_times(draft.loading);
   std::string text;
-  for (const double time : times) text += fmt::format("{}{:.15g}", text.empty() ? "" : ", ", time);
+  for (const double time : times) {
+    const bool is_sudden = time != draft.loading.end && sudden.contains(time);
+    text += fmt::format("{}{:.15g}", text.empty() ? "" : ", ", is_sudden ? time * (1 - just_before) : time);
+  }
   if (!(draft.loading.end > 0)) draft.impossible.push_back({Place(), "STEP", "the steps take no time"});
   draft.add(fmt::format(
       "\n[time]\nend = {:.15g}\noutput = [{}]             # the ends of the steps; more: {{ count = 20 }}\n",

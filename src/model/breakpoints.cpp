@@ -58,6 +58,9 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
           "use a table with a period",
           function.text());
   }
+  for (const config::Support& support : config.supports)
+    for (const auto& time : {support.from, support.until})
+      if (time) times.add(*time, rounding * *time);
   for (const double t : config.time.breakpoints) times.add(t, rounding * t);
   for (const config::Contact& contact : config.contacts)
     if (contact.preload) times.add(contact.preload->time, rounding * contact.preload->time);

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -19,16 +21,21 @@ namespace {
 
 using contact::RowMatrix;
 
-/// An equation with its nodes found.
+/// Times between which an equation holds.
+using Window = std::pair<double, double>;
+constexpr Window always{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
+/// An equation, or a support of one node, with its nodes found.
 struct Found {
-  std::size_t number = 0;  ///< in the configuration
+  const Function* value = nullptr;
+  const config::Location* location = nullptr;
   std::size_t slave = 0, master = 0;
   contact::LinearEquation equation;
+  Window window = always;
 };
 
 /// Of the bodies that share a node any will do, so those of other terms are taken.
-Found find_nodes(std::size_t number, const config::Config& config, const Bodies& bodies) {
-  const config::Equation& equation = config.equations[number];
+Found find_nodes(const config::Equation& equation, const Bodies& bodies) {
   std::vector<std::vector<NodeOfBody>> owners;  // by term
   std::vector<std::size_t> chosen;
   const auto is_chosen = [&](const NodeOfBody& at) { return std::ranges::find(chosen, at.body) != chosen.end(); };
@@ -43,11 +50,28 @@ Found find_nodes(std::size_t number, const config::Config& config, const Bodies&
     throw ModelError(fmt::format("its nodes belong to {} bodies ('{}', '{}', '{}', ...); an equation joins two bodies",
                                  chosen.size(), bodies[chosen[0]].name(), bodies[chosen[1]].name(),
                                  bodies[chosen[2]].name()));
-  Found result{number, chosen.front(), chosen.back(), {}};
+  Found result{&equation.value, &equation.location, chosen.front(), chosen.back(), {}, always};
   for (std::size_t i = 0; i < owners.size(); ++i) {
     const NodeOfBody at = *std::ranges::find_if(owners[i], is_chosen);
     auto& terms = at.body == result.slave ? result.equation.slave : result.equation.master;
     terms.push_back({at.node, vector(equation.terms[i].coefficient)});
+  }
+  return result;
+}
+
+/// A support that acts for a time: one equation per node and direction.
+std::vector<Found> find_nodes(const config::Support& support, std::size_t body, const mesh::Mesh& mesh,
+                              std::deque<Function>& values) {
+  std::vector<Found> result;
+  const Window window{support.from.value_or(always.first), support.until.value_or(always.second)};
+  for (const mechanics::Support& made : make_supports(support, mesh)) {
+    if (made.value.depends_on_position())
+      throw ModelError("a support with 'from' or 'until' has a displacement that is a function of t alone");
+    const Function& value = values.emplace_back(made.value);
+    for (std::size_t i = 0; i < made.nodes.size(); ++i) {
+      const Vector3 direction = made.directions[made.directions.size() == 1 ? 0 : i].normalized();
+      result.push_back({&value, &support.on.location, body, body, {{{made.nodes[i], direction}}, {}}, window});
+    }
   }
   return result;
 }
@@ -65,14 +89,15 @@ contact::TiedBody tied(const mechanics::Body& body) {
 
 class Equations {
  public:
+  /// @param found  at least one, all of the same window
   Equations(const config::Config& config, const Bodies& bodies, std::vector<Found> found)
-      : config_(config), bodies_(bodies), found_(std::move(found)) {}
+      : config_(config), bodies_(bodies), found_(std::move(found)), window_(found_.front().window) {}
 
   void append(std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
     const std::vector<std::size_t> kept = independent(errors);
     using Key = std::tuple<std::size_t, std::size_t, std::string>;  // slave, master, value
     std::map<Key, std::vector<std::size_t>> groups;
-    for (const std::size_t i : kept) groups[{found_[i].slave, found_[i].master, of(i).value.text()}].push_back(i);
+    for (const std::size_t i : kept) groups[{found_[i].slave, found_[i].master, found_[i].value->text()}].push_back(i);
     for (const auto& [key, members] : groups) {
       const auto& [slave, master, text] = key;
       std::vector<contact::LinearEquation> equations;
@@ -80,21 +105,22 @@ class Equations {
       for (const std::size_t i : members) equations.push_back(found_[i].equation);
       const double area = nodal_area(bodies_[slave]);
       contact::Pair pair;
-      pair.name = slave == master
+      pair.name = window_ != always ? fmt::format("supports of '{}' for a time", bodies_[slave].name())
+                  : slave == master
                       ? fmt::format("equations within '{}'", bodies_[slave].name())
                       : fmt::format("equations between '{}' and '{}'", bodies_[slave].name(), bodies_[master].name());
       pair.slave_body = slave;
       pair.master_body = master;
       pair.coupling = contact::equation_rows(tied(bodies_[slave]), tied(bodies_[master]), equations, area);
-      pair.gap = of(members.front()).value;
+      pair.gap = *found_[members.front()].value;
+      pair.from = window_.first;
+      pair.until = window_.second;
       pair.gap_per_value = contact::gap_per_value(equations, area);
       pairs.push_back(std::move(pair));
     }
   }
 
  private:
-  const config::Equation& of(std::size_t i) const { return config_.equations[found_[i].number]; }
-
   /// Without those that follow from supports and other equations.
   std::vector<std::size_t> independent(ErrorCollector& errors) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -136,7 +162,7 @@ class Equations {
   /// What the free displacements must fulfil: the value less what supports prescribe.
   Eigen::VectorXd right_hand_sides(double t) const {
     Eigen::VectorXd result(std::ssize(found_));
-    for (std::size_t i = 0; i < found_.size(); ++i) result[static_cast<Index>(i)] = of(i).value({.t = t});
+    for (std::size_t i = 0; i < found_.size(); ++i) result[static_cast<Index>(i)] = (*found_[i].value)({.t = t});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       std::vector<double> prescribed(3 * bodies_[b].mesh().nodes.size());
       if (!bodies_[b].constraints().prescribed(t, prescribed)) continue;
@@ -149,6 +175,7 @@ class Equations {
     constexpr double rounding = 1e-8;
     std::set<int> reported;
     for (const double t : config_.time.output) {
+      if (t < window_.first || t >= window_.second) continue;
       const Eigen::VectorXd values = right_hand_sides(t);
       for (std::size_t i = 0; i < rows.dependent.size(); ++i) {
         double implied = 0, size = std::abs(values[rows.dependent[i]]);
@@ -160,11 +187,12 @@ class Equations {
         }
         const double excess = implied - values[rows.dependent[i]];
         if (std::abs(excess) <= rounding * size || !reported.insert(rows.dependent[i]).second) continue;
-        const config::Equation& equation = of(static_cast<std::size_t>(rows.dependent[i]));
-        errors.collect(equation.location, [&] {
+        const Found& equation = found_[static_cast<std::size_t>(rows.dependent[i])];
+        const double value = (*equation.value)({.t = t});
+        errors.collect(*equation.location, [&] {
           throw ModelError(fmt::format(
               "it contradicts supports or other equations: from these the sum is {:.6g} at t = {:.6g}, and not {:.6g}",
-              equation.value({.t = t}) + excess, t, equation.value({.t = t})));
+              value + excess, t, value));
         });
       }
     }
@@ -173,18 +201,27 @@ class Equations {
   const config::Config& config_;
   const Bodies& bodies_;
   std::vector<Found> found_;
+  Window window_;
   std::vector<RowMatrix> full_;  // per body: all equations on its displacements
 };
 
 }  // namespace
 
-void append_equations(const config::Config& config, const Bodies& bodies, std::vector<contact::Pair>& pairs,
-                      ErrorCollector& errors) {
-  if (config.equations.empty()) return;
-  std::vector<Found> found;
-  for (std::size_t i = 0; i < config.equations.size(); ++i)
-    errors.collect(config.equations[i].location, [&] { found.push_back(find_nodes(i, config, bodies)); });
-  if (errors.empty()) Equations(config, bodies, std::move(found)).append(pairs, errors);
+void append_equations(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                      const Bodies& bodies, std::vector<contact::Pair>& pairs, ErrorCollector& errors) {
+  std::map<Window, std::vector<Found>> found;
+  std::deque<Function> values;
+  for (const config::Equation& equation : config.equations)
+    errors.collect(equation.location, [&] { found[always].push_back(find_nodes(equation, bodies)); });
+  for (const config::Support& support : config.supports) {
+    if (support.acts_always()) continue;
+    errors.collect(support.on.location, [&] {
+      for (const std::size_t b : bodies_on(config, whole, meshes, support.on.name, support.body, -1))
+        for (Found& one : find_nodes(support, b, meshes[b], values)) found[one.window].push_back(std::move(one));
+    });
+  }
+  if (!errors.empty()) return;
+  for (auto& [window, equations] : found) Equations(config, bodies, std::move(equations)).append(pairs, errors);
 }
 
 }  // namespace creepcontact::model

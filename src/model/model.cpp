@@ -77,7 +77,8 @@ Model build_model(const config::Config& config) {
   for (const config::Support& support : config.supports)
     errors.collect(support.on.location, [&] {
       for (const std::size_t b : bodies_on(config, whole, meshes, support.on.name, support.body, -1))
-        for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
+        if (support.acts_always())  // the others are equations
+          for (mechanics::Support& made : make_supports(support, meshes[b])) supports[b].push_back(std::move(made));
     });
 
   prescribe_axial_strain(config, meshes, supports);
@@ -116,7 +117,7 @@ Model build_model(const config::Config& config) {
   errors.raise();
   append_ties(config, shared.value(), bodies, pairs);
   append_sector_ties(config, links, bodies, pairs, errors);
-  append_equations(config, bodies, pairs, errors);
+  append_equations(config, whole, meshes, bodies, pairs, errors);
   errors.raise();
   share_axial_strain(config, bodies, pairs);
 

@@ -49,10 +49,11 @@ void prescribe_axial_strain(const config::Config& config, const BodyMeshes& mesh
 /// same in all bodies. Otherwise nothing.
 void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs);
 
-/// [[equations]] as pairs of bodies, without those that follow from others or that supports fulfil. Errors name the
-/// place in the configuration: a node that no body has, equations between three bodies, or that contradict each other.
-void append_equations(const config::Config& config, const Bodies& bodies, std::vector<contact::Pair>& pairs,
-                      ErrorCollector& errors);
+/// [[equations]], and supports that act for a time, as pairs of bodies, without those that follow from others or that
+/// supports fulfil. Errors name the place in the configuration: a node that no body has, equations between three
+/// bodies, or that contradict each other.
+void append_equations(const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
+                      const Bodies& bodies, std::vector<contact::Pair>& pairs, ErrorCollector& errors);
 
 void add_load(const config::Load& load, const config::Config& config, const mesh::Mesh& whole, const BodyMeshes& meshes,
               Bodies& bodies);

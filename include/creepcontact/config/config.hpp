@@ -110,7 +110,10 @@ struct Support {
   std::array<double, 3> origin{};                  ///< of the axis
   std::optional<Function> along;                   ///< component along `direction`
   std::optional<std::array<double, 3>> direction;  ///< of any length; given if and only if `along` is
+  std::optional<double> from, until;               ///< times between which it acts; not given: always
   Location location;
+
+  bool acts_always() const { return !from && !until; }
 };
 
 /// Kinds of loads; units are those of stress, force, force per volume, angle per time, mass per volume.

@@ -1,5 +1,7 @@
 #include "creepcontact/contact/geometry/pair.hpp"
 
+#include <algorithm>
+
 #include "creepcontact/base/index.hpp"
 
 namespace creepcontact::contact {
@@ -43,6 +45,14 @@ Index number_rows(std::vector<Pair>& pairs) {
     n_nodes += std::ssize(pair.coupling.nodes);
   }
   return n_rows;
+}
+
+std::vector<char> idle_rows(std::span<const Pair> pairs, double t) {
+  std::vector<char> idle;
+  if (std::ranges::all_of(pairs, [](const Pair& pair) { return pair.acts_always(); })) return idle;
+  for (const Pair& pair : pairs)
+    idle.insert(idle.end(), static_cast<std::size_t>(pair.coupling.n_rows()), pair.acts(t) ? 0 : 1);
+  return idle;
 }
 
 RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows) {

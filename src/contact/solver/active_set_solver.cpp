@@ -18,7 +18,7 @@ class ActiveSetSolver final : public ContactSolver {
 
   ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
     ContactResult result;
-    result.state.active = first_set(problem_, load.gap, warm);
+    result.state.active = first_set(problem_, load, warm);
     if (iterate(load, result) || (problem_.n_motions() > 0 && iterate_springs(load, result))) return result;
     throw SolverError("contact: the active-set method found no consistent set of contact nodes");
   }
@@ -43,7 +43,7 @@ class ActiveSetSolver final : public ContactSolver {
       result.gap = contact_gaps(problem_, load, solution.state);
       Eigen::VectorXd opening = result.gap;  // what is left of the set's own gaps is none
       for (const int row : active) opening[row] = 0;
-      std::vector<int> next = updated_set(problem_, active, solution.state.multiplier, opening, rounding);
+      std::vector<int> next = updated_set(problem_, load, active, solution.state.multiplier, opening, rounding);
       if (recorder_) recorder_->record({result.set_changes, 1, "active_set", 0.0, active.size()});
       ++result.set_changes;
       if (next == active) {

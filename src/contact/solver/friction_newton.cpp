@@ -32,6 +32,7 @@ FrictionNewton::Trial FrictionNewton::trial(const ContactLoad& load, bool mean, 
   for (std::size_t i = 0; i < problem.nodes.size(); ++i) {
     const ContactNode& own = problem.nodes[i];
     NodeLinearization& at = result.at[i];
+    if (load.is_idle(own.first_row)) continue;  // open
     if (own.set == AdmissibleSet::space) {
       at.status = ContactStatus::stick;
       for (int row = own.first_row; row < own.first_row + own.n_rows; ++row)

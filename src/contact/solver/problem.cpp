@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace creepcontact::contact {
 namespace {
@@ -80,7 +82,7 @@ double multiplier_rounding(const ContactProblem& problem, const ContactLoad& loa
   return rounding_of_gaps * largest;
 }
 
-std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
+std::vector<int> updated_set(const ContactProblem& problem, const ContactLoad& load, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding) {
   const double largest = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
   const double no_matter = std::max(no_change * largest, rounding);
@@ -93,7 +95,7 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
     if (was_active) ++it;
     const ContactNode& node = problem.node(i);
     const bool is_tangential = node.set == AdmissibleSet::cone && i > node.first_row;
-    if (!(flexibility[i] > least) || is_tangential) continue;
+    if (!(flexibility[i] > least) || is_tangential || load.is_idle(i)) continue;
     const double indicator = multiplier[i] - gap[i] / flexibility[i];
     const double threshold = was_active ? -no_matter : no_matter;
     if (node.set == AdmissibleSet::space || indicator > threshold) next.push_back(i);
@@ -101,10 +103,18 @@ std::vector<int> updated_set(const ContactProblem& problem, const std::vector<in
   return next;
 }
 
-std::vector<int> first_set(const ContactProblem& problem, const Eigen::VectorXd& initial_gap,
-                           const ContactState& warm) {
-  if (warm.multiplier.size() == problem.n_rows() && problem.n_rows() > 0) return warm.active;
-  return updated_set(problem, {}, Eigen::VectorXd::Zero(problem.n_rows()), initial_gap, 0.0);
+std::vector<int> first_set(const ContactProblem& problem, const ContactLoad& load, const ContactState& warm) {
+  if (warm.multiplier.size() != problem.n_rows() || problem.n_rows() == 0)
+    return updated_set(problem, load, {}, Eigen::VectorXd::Zero(problem.n_rows()), load.gap, 0.0);
+  if (load.idle.empty()) return warm.active;
+  // Tied rows may have begun or ceased to act since.
+  const std::vector<int> tied =
+      updated_set(problem, load, {}, Eigen::VectorXd::Zero(problem.n_rows()),
+                  Eigen::VectorXd::Constant(problem.n_rows(), std::numeric_limits<double>::infinity()), 0.0);
+  std::vector<int> unilateral = warm.active, result;
+  std::erase_if(unilateral, [&](int row) { return problem.node(row).set == AdmissibleSet::space; });
+  std::ranges::set_union(unilateral, tied, std::back_inserter(result));
+  return result;
 }
 
 }  // namespace creepcontact::contact

@@ -14,7 +14,7 @@ class Schwarz final : public ContactSolver {
 
   ContactResult solve(const ContactLoad& load, const ContactState& warm) override {
     ContactResult result;
-    result.state.active = first_set(problem_, load.gap, warm);
+    result.state.active = first_set(problem_, load, warm);
     result.state.multiplier = warm.multiplier.size() == problem_.n_rows()
                                   ? warm.multiplier
                                   : Eigen::VectorXd(Eigen::VectorXd::Zero(problem_.n_rows()));
@@ -72,7 +72,7 @@ class Schwarz final : public ContactSolver {
       // What the iteration left of the gaps of the set is no opening.
       Eigen::VectorXd opening = result.gap;
       opening(active).setZero();
-      std::vector<int> next = updated_set(problem_, active, multiplier, opening, rounding);
+      std::vector<int> next = updated_set(problem_, load, active, multiplier, opening, rounding);
       ++result.set_changes;
       if (next == active) {
         result.state.active = std::move(active);

@@ -57,13 +57,13 @@ bool SpringRegularization::search(const ContactLoad& load, int& set_changes, con
   Eigen::VectorXd rigid = compliance_.cwiseProduct(resultant);
   ContactState state;
   for (int update = 0; update < max_spring_updates; ++update) {
-    ContactResult held = solver_->solve({load.gap + problem_.rigid * rigid, {}}, state);
+    ContactResult held = solver_->solve({load.gap + problem_.rigid * rigid, {}, {}, load.idle}, state);
     set_changes += held.set_changes;
     state = std::move(held.state);
     if (attempt(state)) return true;
     const Eigen::VectorXd unbalanced = problem_.rigid.transpose() * state.multiplier + resultant;
     // No pressures balance these loads if the nearest ones do not: asked only when the springs do not settle.
-    if (update == patience) throw_if_unbalanced(problem_, resultant);
+    if (update == patience) throw_if_unbalanced(problem_, {load.gap, resultant, {}, load.idle});
     rigid += compliance_.cwiseProduct(unbalanced);
   }
   return false;

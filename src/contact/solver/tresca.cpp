@@ -36,7 +36,7 @@ class Tresca::Iteration {
         multiplier_(start.multiplier),
         slips_(problem_.nodes.size(), 0) {
     if (start.nodes.empty()) {
-      active_ = first_set(problem_, load.gap, {});
+      active_ = first_set(problem_, load, {});
       add_sticking_rows();
     } else {
       for (std::size_t i = 0; i < start.nodes.size(); ++i) slips_[i] = start.nodes[i].status == ContactStatus::slip;
@@ -81,7 +81,7 @@ class Tresca::Iteration {
     for (const int row : active_) opening[row] = 0;
     const std::vector<int> before = active_;
     const std::vector<char> slipped = slips_;
-    active_ = updated_set(problem_, active_, multiplier_, opening, rounding_);
+    active_ = updated_set(problem_, load_, active_, multiplier_, opening, rounding_);
     // The limits follow the pressures when the nodes that slip under the old ones are found.
     const bool are_limits_new = is_settled_ || limits_.size() == 0;
     if (are_limits_new) set_limits();

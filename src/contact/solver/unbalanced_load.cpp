@@ -20,14 +20,15 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& rigid, const std::vector<in
 
 }  // namespace
 
-void throw_if_unbalanced(const ContactProblem& problem, const Eigen::VectorXd& resultant) {
+void throw_if_unbalanced(const ContactProblem& problem, const ContactLoad& load) {
+  const Eigen::VectorXd& resultant = load.resultant;
   const double size = resultant.norm();
   if (size == 0) return;
   const Index n = problem.n_rows();
   Eigen::VectorXd multiplier = Eigen::VectorXd::Zero(n);
   std::vector<int> set;
   for (int i = 0; i < n; ++i)
-    if (problem.node(i).set == AdmissibleSet::space) set.push_back(i);
+    if (problem.node(i).set == AdmissibleSet::space && !load.is_idle(i)) set.push_back(i);
   const auto is_tied = [&](int i) { return problem.node(i).set == AdmissibleSet::space; };
 
   for (int change = 0; change < max_changes; ++change) {

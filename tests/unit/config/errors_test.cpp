@@ -60,6 +60,30 @@ TEST(ConfigMistakes, ButcherTables) {
       at_12 + "9: time.table: integrator \"auto\" has no Butcher tables; remove 'table', or choose arkode_erk");
 }
 
+TEST(ConfigMistakes, DirectionsAndTimesOfSupports) {
+  const auto support = [](const std::string& keys) { return minimal + "[[supports]]\non = \"a\"\n" + keys; };
+  expect_mistake(support("displacement = { x = 0 }\naxis = [0, 0, 1]\n"),
+                 "cases/block.toml:15:8: supports[0].axis: has no meaning here; allowed: with displacement.radial, "
+                 "tangential or axial");
+  expect_mistake(
+      support("displacement = { along = 0 }\n"),
+      "cases/block.toml:14:26: supports[0].displacement.along: needs 'direction'; allowed: direction = [x, y, z]");
+  expect_mistake(support("displacement = { radial = 0 }\naxis = [0, 0, 0]\n"),
+                 "cases/block.toml:15:8: supports[0].axis: [0, 0, 0]");
+  expect_mistake(support("displacement = { x = 0 }\nfrom = 2\nuntil = 1\n"),
+                 "cases/block.toml:16:9: supports[0].until: 1 after 'from' = 2; allowed: a time after 'from'");
+}
+
+TEST(ConfigMistakes, TermsOfEquations) {
+  const auto equation = [](const std::string& terms) { return minimal + "[[equations]]\nterms = " + terms + "\n"; };
+  expect_mistake(equation("[]"),
+                 "cases/block.toml:13:9: equations[0].terms: an empty list; allowed: at least one term");
+  expect_mistake(equation("[{ node = 1 }]"),
+                 "cases/block.toml:13:10: equations[0].terms[0]: no coefficient other than 0");
+  expect_mistake(equation("[{ node = 1, x = 1 }, { node = 1, y = 1 }]"),
+                 "cases/block.toml:13:9: equations[0].terms: node 1 has two terms; allowed: one term per node");
+}
+
 TEST(ConfigMistakes, OutOfRange) {
   expect_mistake(minimal + "beta = 0.4\n", at_12 + "8: time.beta: number 0.4; allowed: a number in [0.5, 1]");
   expect_mistake(minimal + "step = 0\n",

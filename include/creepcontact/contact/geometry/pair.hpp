@@ -1,6 +1,8 @@
 #pragma once
 /// A contact pair: two surfaces of two bodies, ties between their nodes, or equations between displacements.
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,9 +31,13 @@ struct Pair {
   Eigen::VectorXd gap_per_value = {};  ///< of equations, whose value is `gap` (equation_rows.hpp); else empty
   FrictionCoefficient friction = {};   ///< one value per multiplier node; used if the coupling has friction
   std::optional<Preload> preload = {};
-  Index first_row = 0;   ///< number of the first row among those of all pairs
-  Index first_node = 0;  ///< likewise of the first multiplier node
+  double from = -std::numeric_limits<double>::infinity();  ///< of tied pairs: they act from this time on ...
+  double until = std::numeric_limits<double>::infinity();  ///< ... up to this one, which is no longer among them
+  Index first_row = 0;                                     ///< number of the first row among those of all pairs
+  Index first_node = 0;                                    ///< likewise of the first multiplier node
 
+  bool acts_always() const { return std::isinf(from) && std::isinf(until); }
+  bool acts(double t) const { return t >= from && t < until; }
   bool ties_nodes() const { return slave_surface.empty(); }
   /// Weighted initial gaps, n_rows of the coupling.
   Eigen::VectorXd initial_gap(double t) const;
@@ -43,6 +49,9 @@ struct Pair {
 
 /// Sets first_row and first_node of all pairs. @returns the number of rows of all pairs
 Index number_rows(std::vector<Pair>& pairs);
+
+/// Marks the rows of pairs that do not act at time t; empty if all pairs always act. They are numbered.
+std::vector<char> idle_rows(std::span<const Pair> pairs, double t);
 
 /// The contact rows of one body from all pairs, rows.size() x 3 n_nodes. @param rows  overwritten with their numbers
 RowMatrix body_rows(std::span<const Pair> pairs, std::size_t body, std::size_t n_nodes, std::vector<int>& rows);

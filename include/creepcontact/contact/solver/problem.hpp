@@ -82,6 +82,10 @@ struct ContactLoad {
   Eigen::VectorXd gap;
   Eigen::VectorXd resultant;  ///< work of the loads on unit rigid-body modes, n_motions; empty: zero
   Friction friction = {};     ///< empty unless the problem has friction
+  /// One mark per row, or empty: tied rows that do not act at present; their multipliers are zero, whatever their gap.
+  std::vector<char> idle = {};
+
+  bool is_idle(Index row) const { return !idle.empty() && idle[static_cast<std::size_t>(row)] != 0; }
 };
 
 enum class ContactStatus { open, stick, slip };
@@ -151,12 +155,13 @@ double fixing_flexibility(const ContactProblem& problem);
 /// of the load would need.
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
 
-/// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones, ascending. Changes below 1e-12 of the
-/// largest multiplier, or below `rounding`, are ignored. Tangential rows are left out. @param current  ascending
-std::vector<int> updated_set(const ContactProblem& problem, const std::vector<int>& current,
+/// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones that are not idle, ascending. Changes
+/// below 1e-12 of the largest multiplier, or below `rounding`, are ignored. Tangential rows are left out.
+/// @param current  ascending @param load  its idle rows are left out
+std::vector<int> updated_set(const ContactProblem& problem, const ContactLoad& load, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding);
 
-/// The first active set: that of the warm start, or the rows that overlap without contact forces.
-std::vector<int> first_set(const ContactProblem& problem, const Eigen::VectorXd& initial_gap, const ContactState& warm);
+/// The first active set: that of the warm start, or the rows that overlap without contact forces; and the tied rows.
+std::vector<int> first_set(const ContactProblem& problem, const ContactLoad& load, const ContactState& warm);
 
 }  // namespace creepcontact::contact
