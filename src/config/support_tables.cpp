@@ -124,6 +124,8 @@ void check_directions(const Support& support, const Item& item, Context& context
   if (support.from && support.until && !(*support.until > *support.from))
     context.errors.add(item.child("until").location,
                        fmt::format("{:g} after 'from' = {:g}", *support.until, *support.from), "a time after 'from'");
+  if (support.relative && !(support.from && *support.from > 0))
+    context.errors.add(item.child("relative").location, "needs 'from'", "with from = a time after the start");
   if (support.direction == std::array<double, 3>{})
     context.errors.add(item.child("direction").location, "[0, 0, 0]", "a direction");
 }
@@ -149,6 +151,9 @@ Value<Support> support_table() {
       field<SupportKeys>("until", &SupportKeys::until, number(), "time at which it is taken away")
           .in("time")
           .otherwise("to the end"),
+      field<SupportKeys>(
+          "relative", &SupportKeys::relative, boolean(),
+          "the displacement counts from what is reached at `from`: with 0 the nodes stay where they are"),
   });
   return converted<Support>(keys, [](SupportKeys found, const Item& item, Context& context) -> std::optional<Support> {
     found.displacement = std::move(found.prescribed.components);

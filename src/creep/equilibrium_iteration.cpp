@@ -158,6 +158,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
     given.friction.direction = history.friction.direction;
   }
   given.gap += interference_gaps(history.interference);
+  if (history.reached.size() > 0) given.gap += history.reached;
   into.interference = history.interference;
   given.work /= stiffness.scale;
   given.force /= stiffness.scale;

@@ -371,6 +371,7 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
   memory["contact.active"].assign(contact.active.begin(), contact.active.end());
   memory["contact.interference"] = history.interference;
   memory["contact.preloaded_until"] = {history.preloaded_until};
+  memory["contact.reached"].assign(history.reached.begin(), history.reached.end());
   memory["contact.sweeps_given_up"] = {contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
   if (history.friction.slip.size() > 0) save_friction(history, memory);
   if (!stiffness_changes_) return;
@@ -395,6 +396,7 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   history.contact.active.assign(active.begin(), active.end());
   history.interference = memory.at("contact.interference");
   history.preloaded_until = memory.at("contact.preloaded_until").at(0);
+  history.reached = vector_of(memory.at("contact.reached"));
   if (memory.at("contact.sweeps_given_up").at(0) != 0) contact_solver_->give_up_sweeps();
   if (interface_.problem().has_friction()) restore_friction(memory, history);
   history.accepted.clear();

@@ -4,10 +4,19 @@
 #include <cmath>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/creep/elastic_survey.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "preload_search.hpp"
 
 namespace creepcontact::creep {
+
+namespace {
+
+bool is_hold_due(const contact::Pair& pair, double t, const History& history) {
+  return pair.is_relative && pair.from > history.preloaded_until && pair.from <= t;
+}
+
+}  // namespace
 
 std::vector<std::size_t> EquilibriumSolver::preloads_due(double t, const History& history) const {
   std::vector<std::size_t> due;
@@ -19,7 +28,24 @@ std::vector<std::size_t> EquilibriumSolver::preloads_due(double t, const History
 }
 
 bool EquilibriumSolver::has_preload_due(double t, const History& history) const {
-  return !preloads_due(t, history).empty();
+  const auto& pairs = assembly_.pairs();
+  return !preloads_due(t, history).empty() ||
+         std::ranges::any_of(pairs, [&](const contact::Pair& pair) { return is_hold_due(pair, t, history); });
+}
+
+void EquilibriumSolver::hold_what_is_reached(double t, CreepStrains creep, History& history) {
+  std::vector<const contact::Pair*> due;
+  for (const contact::Pair& pair : assembly_.pairs())
+    if (is_hold_due(pair, t, history)) due.push_back(&pair);
+  if (due.empty()) return;
+  const double before = just_before(due.front()->from);
+  Equilibrium equilibrium;
+  solve(before, creep, history, equilibrium);
+  if (history.reached.size() == 0) history.reached.setZero(interface_.n_rows());
+  for (const contact::Pair* pair : due) {
+    auto rows = history.reached.segment(pair->first_row, pair->coupling.n_rows());
+    rows -= equilibrium.gaps.segment(pair->first_row, pair->coupling.n_rows()) - pair->initial_gap(before);
+  }
 }
 
 Eigen::VectorXd EquilibriumSolver::interference_gaps(const std::vector<double>& interference) const {
@@ -31,11 +57,13 @@ Eigen::VectorXd EquilibriumSolver::interference_gaps(const std::vector<double>& 
 }
 
 void EquilibriumSolver::apply_preloads(double t, double at, CreepStrains creep, History& history) {
+  hold_what_is_reached(t, creep, history);
   Equilibrium equilibrium;
-  find_interference(preloads_due(t, history), 1, history, [&](const History& trial) -> const Equilibrium& {
-    solve(at, creep, trial, equilibrium);
-    return equilibrium;
-  });
+  if (const std::vector<std::size_t> due = preloads_due(t, history); !due.empty())
+    find_interference(due, 1, history, [&](const History& trial) -> const Equilibrium& {
+      solve(at, creep, trial, equilibrium);
+      return equilibrium;
+    });
   history.preloaded_until = t;
 }
 

@@ -115,6 +115,7 @@ void write_supports(Draft& draft) {
       for (const Window& window : windows->second) {
         std::string text;
         if (window.from) text += fmt::format("from = {:.15g}\n", *window.from);
+        if (window.is_relative) text += "relative = true              # FIXED\n";
         if (window.until) text += fmt::format("until = {:.15g}\n", *window.until);
         for_a_time[text][direction] = course;
       }

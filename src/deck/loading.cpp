@@ -146,7 +146,7 @@ class Joiner {
         for (auto k = *first; k <= std::min<std::int64_t>(*last, 6); ++k) directions.push_back(static_cast<int>(k));
       }
       if (raw.card.has("FIXED")) {
-        for (const std::int64_t node : nodes) hold(raw, line, node);
+        for (const std::int64_t node : nodes) hold(raw, line, node, directions);
         continue;
       }
       for (const std::int64_t node : nodes)
@@ -155,10 +155,28 @@ class Joiner {
   }
 
   /// FIXED: the displacement reached at the end of the step before.
-  void hold(const RawCard& raw, std::size_t line, std::int64_t node) {
-    if (!lockable_.contains(node))
-      return impossible(raw, line, "FIXED: holding what was reached is known for reference nodes of bolts alone");
-    loading_.locked.try_emplace(node, loading_.step_ends.empty() ? 0.0 : loading_.step_ends.back());
+  void hold(const RawCard& raw, std::size_t line, std::int64_t node, const std::vector<int>& directions) {
+    const double time = loading_.step_ends.empty() ? 0.0 : loading_.step_ends.back();
+    if (lockable_.contains(node)) {
+      loading_.locked.try_emplace(node, time);
+      return;
+    }
+    if (time == 0)
+      return impossible(raw, line, "FIXED after *STATIC steps that take no time, before the first *VISCO step");
+    for (const int direction : directions) {
+      const Key key{'b', node, direction};
+      const auto known = entries_.find(key);
+      const bool is_held = known != entries_.end() && !known->second.is_dropped && !known->second.windows.back().until;
+      const double reached = is_held ? known->second.course.last() : 0.0;
+      if (known != entries_.end() && !is_held && !known->second.windows.back().until)
+        known->second.windows.back().until = time;  // dropped in this step
+      give(key, reached, nullptr);
+      if (is_held) continue;
+      Entry& entry = entries_.at(key);
+      entry.windows.back() = {time, std::nullopt, true};
+      entry.course.add(time, entry.course.last());
+      entry.course.add(time, 0);
+    }
   }
 
   void concentrated(const RawCard& raw) {

@@ -42,6 +42,7 @@ struct BodyLoad {
 /// Times between which a support acts; not given: always.
 struct Window {
   std::optional<double> from, until;
+  bool is_relative = false;                         ///< the displacement counts from what is reached at `from`
   auto operator<=>(const Window&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <deque>
 #include <limits>
 #include <map>
@@ -21,9 +22,13 @@ namespace {
 
 using contact::RowMatrix;
 
-/// Times between which an equation holds.
-using Window = std::pair<double, double>;
-constexpr Window always{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+/// Times between which an equation holds, and whether its value counts from what is reached at the first.
+struct Window {
+  double from = -std::numeric_limits<double>::infinity(), until = std::numeric_limits<double>::infinity();
+  bool is_relative = false;
+  auto operator<=>(const Window&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
+};
+constexpr Window always{};
 
 /// An equation, or a support of one node, with its nodes found.
 struct Found {
@@ -63,7 +68,7 @@ Found find_nodes(const config::Equation& equation, const Bodies& bodies) {
 std::vector<Found> find_nodes(const config::Support& support, std::size_t body, const mesh::Mesh& mesh,
                               std::deque<Function>& values) {
   std::vector<Found> result;
-  const Window window{support.from.value_or(always.first), support.until.value_or(always.second)};
+  const Window window{support.from.value_or(always.from), support.until.value_or(always.until), support.relative};
   for (const mechanics::Support& made : make_supports(support, mesh)) {
     if (made.value.depends_on_position())
       throw ModelError("a support with 'from' or 'until' has a displacement that is a function of t alone");
@@ -113,8 +118,9 @@ class Equations {
       pair.master_body = master;
       pair.coupling = contact::equation_rows(tied(bodies_[slave]), tied(bodies_[master]), equations, area);
       pair.gap = *found_[members.front()].value;
-      pair.from = window_.first;
-      pair.until = window_.second;
+      pair.from = window_.from;
+      pair.until = window_.until;
+      pair.is_relative = window_.is_relative;
       pair.gap_per_value = contact::gap_per_value(equations, area);
       pairs.push_back(std::move(pair));
     }
@@ -175,7 +181,7 @@ class Equations {
     constexpr double rounding = 1e-8;
     std::set<int> reported;
     for (const double t : config_.time.output) {
-      if (t < window_.first || t >= window_.second) continue;
+      if (t < window_.from || t >= window_.until || window_.is_relative) continue;
       const Eigen::VectorXd values = right_hand_sides(t);
       for (std::size_t i = 0; i < rows.dependent.size(); ++i) {
         double implied = 0, size = std::abs(values[rows.dependent[i]]);

@@ -111,6 +111,7 @@ struct Support {
   std::optional<Function> along;                   ///< component along `direction`
   std::optional<std::array<double, 3>> direction;  ///< of any length; given if and only if `along` is
   std::optional<double> from, until;               ///< times between which it acts; not given: always
+  bool relative = false;                           ///< displacements count from what is reached at `from`
   Location location;
 
   bool acts_always() const { return !from && !until; }

@@ -55,7 +55,9 @@ struct History {
   contact::ContactState contact;     ///< of the last accepted step; contact iterations start from it
   SlipHistory friction;              ///< empty vectors without friction
   std::vector<double> interference;  ///< that preloads have been given, per pair
-  double preloaded_until = -1;       ///< preloads up to this time have been applied
+  /// Weighted gaps that rows of relative pairs had when they began to act, negative; empty if there are none.
+  Eigen::VectorXd reached;
+  double preloaded_until = -1;  ///< preloads and relative pairs up to this time have been applied
   struct Accepted {
     double time = 0;
     std::vector<FactoredDisplacement> displacements;

@@ -73,10 +73,11 @@ class EquilibriumSolver {
   History initial_history() { return initial_history(options_.initial_substeps); }
   /// The same with another number of substeps, at least 1: what it changes is what the load path is resolved to.
   History initial_history(int substeps);
-  /// True if preloads not yet applied are due at t.
+  /// True if preloads, or pairs that hold what is reached, are due at t and not yet applied.
   bool has_preload_due(double t, const History& history) const;
   /// Finds the interferences with which the preloads that are due at t have their forces, under the loads at `at` and
-  /// these creep strains, and keeps them in the history. Interferences found before do not change.
+  /// these creep strains, and keeps them in the history. Interferences found before do not change. Before that, finds
+  /// what is reached just before t by the pairs that hold it from t on.
   /// @throws as solve(); ModelError naming the largest force if a force cannot be reached
   /// Cost: some solves, no factorisation
   void apply_preloads(double t, double at, CreepStrains creep, History& history);
@@ -133,6 +134,7 @@ class EquilibriumSolver {
   SlipHistory slip_until(const Equilibrium& at, const History& history) const;
   /// The pairs whose preloads are due at t.
   std::vector<std::size_t> preloads_due(double t, const History& history) const;
+  void hold_what_is_reached(double t, CreepStrains creep, History& history);
   /// Sets the interference of these pairs so that `part` of their forces acts.
   /// @param solve  finds the equilibrium for the interferences of a history
   void find_interference(const std::vector<std::size_t>& pairs, double part, History& history,

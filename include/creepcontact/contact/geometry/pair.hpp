@@ -33,8 +33,9 @@ struct Pair {
   std::optional<Preload> preload = {};
   double from = -std::numeric_limits<double>::infinity();  ///< of tied pairs: they act from this time on ...
   double until = std::numeric_limits<double>::infinity();  ///< ... up to this one, which is no longer among them
-  Index first_row = 0;                                     ///< number of the first row among those of all pairs
-  Index first_node = 0;                                    ///< likewise of the first multiplier node
+  bool is_relative = false;  ///< of equations that act from a time on: their value counts from what is reached then
+  Index first_row = 0;       ///< number of the first row among those of all pairs
+  Index first_node = 0;      ///< likewise of the first multiplier node
 
   bool acts_always() const { return std::isinf(from) && std::isinf(until); }
   bool acts(double t) const { return t >= from && t < until; }
