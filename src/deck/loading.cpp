@@ -43,6 +43,7 @@ class Joiner {
       if (raw.card.name == "BOUNDARY") boundary(raw);
       if (raw.card.name == "INITIAL CONDITIONS") initial(raw);
     }
+    simplify_initial_temperatures();
     for (auto& [key, entry] : entries_) entry.is_new = false;
     double time = 0, total = 0;
     for (const Step& step : deck_.steps) {
@@ -103,7 +104,7 @@ class Joiner {
   void give(const Key& key, double target, const Amplitude* amplitude) {
     const auto [found, is_first] = entries_.try_emplace(key);
     Entry& entry = found->second;
-    if (is_first && key.kind == 't') entry.rest = loading_.initial_temperature;
+    if (is_first && key.kind == 't') entry.rest = initial_temperature(key.of);
     if (is_first) entry.course.add(0, entry.rest);
     if (is_first && !loading_.step_ends.empty()) entry.course.add(loading_.step_ends.back(), entry.rest);
     if (key.kind == 'b' && (is_first || entry.windows.back().until)) {
@@ -261,12 +262,29 @@ class Joiner {
       return;
     }
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
-      const double own = value(raw, line, 1);
-      if (has_initial_ && own != loading_.initial_temperature)
-        impossible(raw, line, "initial temperatures that differ from node to node are not known");
-      loading_.initial_temperature = own;
-      has_initial_ = true;
+      const Numbers nodes = resolver_.nodes(field(raw, line, 0));
+      if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
+      for (const std::int64_t node : nodes) loading_.initial_temperatures[node] = value(raw, line, 1);
     }
+  }
+
+  double initial_temperature(std::int64_t node) const {
+    const auto found = loading_.initial_temperatures.find(node);
+    return found == loading_.initial_temperatures.end() ? loading_.initial_temperature : found->second;
+  }
+
+  /// One temperature of all nodes, if it is one.
+  void simplify_initial_temperatures() {
+    auto& own = loading_.initial_temperatures;
+    if (own.empty()) return;
+    const double first = own.begin()->second;
+    const bool same = std::ranges::all_of(own, [&](const auto& one) { return one.second == first; }) &&
+                      std::ranges::all_of(deck_.elements, [&](const ElementBlock& block) {
+                        return std::ranges::all_of(block.nodes, [&](std::int64_t node) { return own.contains(node); });
+                      });
+    if (!same) return;
+    loading_.initial_temperature = first;
+    own.clear();
   }
 
   void temperature(const RawCard& raw) {
@@ -339,6 +357,11 @@ class Joiner {
         break;
       case 't':
         loading_.temperatures[key.of] = entry.course;
+        if (!loading_.initial_temperatures.empty()) {
+          Course difference;
+          difference.add(0, -initial_temperature(key.of));
+          loading_.temperatures[key.of] = entry.course.plus(difference);
+        }
         break;
       case 'p':
         if (!entry.course.is_zero()) loading_.pressures[{key.of, key.part}] = entry.course;
@@ -354,7 +377,7 @@ class Joiner {
   std::vector<Note>&impossible_, &left_out_;
   std::map<Key, Entry> entries_;
   Loading loading_;
-  bool has_initial_ = false, creeps_ = false, warned_of_geometry_ = false;
+  bool creeps_ = false, warned_of_geometry_ = false;
 };
 
 Numbers resolved(const std::string& target, const std::map<std::string, Set>& sets) {

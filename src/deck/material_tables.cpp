@@ -1,6 +1,7 @@
 /// [bodies.<name>] and [materials.<name>]
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "draft.hpp"
@@ -143,6 +144,15 @@ void write(Draft& draft, const Material& material) {
   draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_temperature(*material.elastic, 0, 2),
                         function_of_temperature(*material.elastic, 1, 2)));
   draft.varies = draft.varies || material.elastic->rows.size() > 1;
+  const bool depends_on_temperature =
+      std::ranges::any_of(std::array{&material.elastic, &material.expansion, &material.creep},
+                          [](const std::optional<Table>* table) { return *table && (*table)->rows.size() > 1; });
+  if (depends_on_temperature && !draft.loading.initial_temperatures.empty())
+    draft.impossible.push_back(
+        {material.place, "MATERIAL",
+         fmt::format("'{}' depends on the temperature, and initial temperatures differ from node "
+                     "to node",
+                     material.name)});
   write_expansion(draft, material);
   if (material.creep) CreepWriter(draft, material).write();
 }

@@ -29,6 +29,8 @@ void write_temperature(Draft& draft) {
     }
   }
   draft.add("\n[temperature]                # *INITIAL CONDITIONS, *TEMPERATURE\n");
+  if (!draft.loading.initial_temperatures.empty())
+    draft.add("# Differences from the initial temperatures, which differ from node to node.\n");
   if (same) return draft.add(fmt::format("value = {}\n", first));
   if (!jumps.empty())
     refuse(fmt::format("temperatures that differ from node to node and jump at t = {:g}", *jumps.begin()));

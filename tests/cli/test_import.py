@@ -113,6 +113,18 @@ class Import(ImportTest):
         self.assertAlmostEqual(rows[1]["ux_node_7"], 0, delta=1e-12)
         self.expect_close(rows[2]["ux_node_7"], 3e-5 * 180 - 2e-5 * 80, 1e-6)
 
+    def test_initial_temperatures_that_differ_from_node_to_node(self):
+        """All of it at 100 at the end: strains of the differences, a gradient along z."""
+        deck = CUBE.replace("*SOLID", "*EXPANSION, ZERO=20.\n1e-5\n*SOLID") + (
+            "*NSET, NSET=top, GENERATE\n5, 8\n*INITIAL CONDITIONS, TYPE=TEMPERATURE\nz0, 20.\ntop, 60.\n*STEP\n*STATIC\n*TEMPERATURE\n"
+            "Nall, 100.\n*NODE PRINT, NSET=Nall\nU\n*END STEP\n")
+        self.import_deck("initial", deck)
+        row = self.run_imported("initial")[-1]
+        self.expect_close(row["uz_node_7"], 60e-5, 0.2)  # of the mean difference, 80 to 40; the cube bends
+        self.assertIn("# Differences from the initial", (self.directory / "imported/initial.toml").read_text())
+        varying = deck.replace("1e-5\n*SOLID", "1e-5, 0\n2e-5, 100\n*SOLID")
+        self.assertIn("'Steel' depends on the temperature, and initial temperatures differ", self.import_deck("varying", varying, 2).stderr)
+
     def test_temperatures_that_differ_from_node_to_node(self):
         self.import_deck("gradient", CUBE.replace("*SOLID", "*EXPANSION\n1e-5\n*SOLID") +
                          "*NSET, NSET=top, GENERATE\n5, 8\n*STEP\n*STATIC\n*TEMPERATURE\ntop, 100.\n"
@@ -280,6 +292,16 @@ class Import(ImportTest):
                          "*CHANGE FRICTION, INTERACTION=I\n*FRICTION\n0.1, 1e6\n*END STEP\n")
         self.assertIn("friction = { t = [0, 1, 1], values = [0.2, 0.2, 0.1] }", (self.directory / "imported/friction.toml").read_text())
 
+    def test_axisymmetric_force_and_pressure(self):
+        """A force is that of the whole circumference: 9 on pi (4 - 1)."""
+        self.import_deck("ring", "*NODE\n1, 1, 0\n2, 2, 0\n3, 2, 1\n4, 1, 1\n5, 1.5, 0\n6, 2, 0.5\n7, 1.5, 1\n8, 1, 0.5\n*ELEMENT, TYPE=CAX8, "
+                         "ELSET=E\n1, 1, 2, 3, 4, 5, 6, 7, 8\n*NSET, NSET=Low\n1, 2, 5\n*BOUNDARY\nLow, 2\n*MATERIAL, NAME=M\n*ELASTIC\n1000, 0.\n"
+                         "*SOLID SECTION, ELSET=E, MATERIAL=M\n*STEP\n*STATIC\n*CLOAD\n4, 2, 1.\n3, 2, 2.\n7, 2, 6.\n*EL PRINT, ELSET=E\nS\n*END STEP\n"
+                         "*STEP\n*STATIC\n*CLOAD, OP=NEW\n*DLOAD\nE, P3, 1.\n*END STEP\n")
+        rows = self.run_imported("ring")
+        self.expect_close(rows[1]["stress_yy_element_1"], 9 / (3 * math.pi), 1e-8)
+        self.expect_close(rows[2]["stress_yy_element_1"], -1, 1e-8)
+
     def test_rigid_body(self):
         """The top of the cube as a rigid plate: pulled at a reference node, and turned by another."""
         rigid = "*NODE\n100, 0.5, 0.5, 3\n101, 0, 0, 0\n*NSET, NSET=top, GENERATE\n5, 8\n*RIGID BODY, NSET=top, REF NODE=100, ROT NODE=101\n"
@@ -393,6 +415,12 @@ class ImportOfCalculix(ImportTest):
                 of_body = f'body = "{body}"\n' if body else ""
                 probe = f'[[probes]]\nname = "u"\nquantity = "displacement_{component}"\nat = {self.position(text, node)}\n'
                 self.expect_close(self.run_imported(name, probe + of_body)[-1]["u"], value, relative)
+
+    def test_stresses_that_the_decks_print(self):
+        for name, probe, value in (("planestrain2", "stress_zz_element_1", 30.0), ("c3d15", "stress_zz_element_17", -20.0)):
+            with self.subTest(name):
+                self.import_deck(name, deck_text(name))
+                self.expect_close(self.run_imported(name)[-1][probe], value, 1e-5)
 
     def test_every_deck_becomes_a_model_or_is_refused_with_reasons(self):
         statuses = collections.Counter()
