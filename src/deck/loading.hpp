@@ -66,8 +66,8 @@ struct Loading {
   /// Of nodes that a step gives a temperature. The others keep the initial one.
   std::map<std::int64_t, Course> temperatures;
   double initial_temperature = 0;
-  /// Initial temperatures that differ from node to node: `temperatures` are then differences from these, and the initial
-  /// one is 0. Nodes that are not among them begin at 0.
+  /// Initial temperatures that differ from node to node: `temperatures` are then differences from these, and the
+  /// initial one is 0. Nodes that are not among them begin at 0.
   std::map<std::int64_t, double> initial_temperatures;
 };
 
