@@ -95,6 +95,9 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
          "NODE RESPONSE",  "ELEMENT RESPONSE", "CONTACT RESPONSE", "OBJECTIVE",     "DESIGN VARIABLES"});
     add(Kind::left_out, "damping does not act in static and creep steps",
         {"DAMPING", "MODAL DAMPING", "CONTACT DAMPING"});
+    add(Kind::impossible, "couplings are not known; *RIGID BODY, *EQUATION and loads on surfaces are",
+        {"COUPLING", "KINEMATIC", "DISTRIBUTING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT",
+         "SHELL TO SOLID COUPLING"});
     add(Kind::impossible, "a body with stresses or strains at the start is not known",
         {"INITIAL STRESS", "INITIAL STRAIN INCREASE"});
     add(Kind::impossible, "materials that change from step to step are not known",

@@ -62,6 +62,16 @@ void write(Draft& draft, const Loading::Body& load) {
     const double density = material.density->rows.front().front();
     const std::vector<double>& g = load.load.geometry;
     if (load.load.kind == BodyLoad::Kind::centrifugal) {
+      const bool is_axisymmetric = draft.analysis == settings::Analysis::axisymmetric;
+      const bool is_about_axis = g[3] == 0 && g[5] == 0 && g[4] != 0 && g[0] == 0;
+      const bool is_in_plane = g[3] == 0 && g[4] == 0 && g[5] != 0;
+      if (draft.is_section() && !(is_axisymmetric ? is_about_axis : is_in_plane)) {
+        refuse({}, "DLOAD",
+               is_axisymmetric
+                   ? "CENTRIF about another axis than y, the axis of the model"
+                   : "CENTRIF of a plane section about an axis in its plane: the force would change along z");
+        continue;
+      }
       draft.add(
           fmt::format("\n[[loads]]                    # *DLOAD, CENTRIF\nbody = {}\nrotation = {{ axis = {}, origin = "
                       "{}, angular_velocity = {}, density = {:.15g} }}\n",

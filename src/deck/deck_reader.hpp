@@ -92,6 +92,7 @@ class DeckReader {
   std::string instance_name_;
   std::vector<std::vector<double>> instance_moves_;
   std::map<std::string, Instance> instances_;
+  std::int64_t assembly_offset_ = 0;  // of the numbers of nodes that the assembly itself defines
 
   Card current_;
   std::function<void(const DataLine&)> on_data_;

@@ -26,7 +26,13 @@ void DeckReader::node(const Card& card) {
 }
 
 void DeckReader::add_node(const DataLine& line, Set* set) {
-  const std::optional<std::int64_t> own = whole_number(line.field(0));
+  std::optional<std::int64_t> own = whole_number(line.field(0));
+  // Reference points of an assembly are numbered from 1 again, as the nodes of its instances are.
+  if (own && into_ == &deck_ && !instances_.empty()) {
+    if (assembly_offset_ == 0 && !deck_.node_numbers.empty())
+      assembly_offset_ = *std::ranges::max_element(deck_.node_numbers);
+    own = *own + assembly_offset_;
+  }
   if (!own) return mistake(line.place, fmt::format("'{}' is not a node number", line.field(0)));
   if (line.fields.size() > 7)
     return mistake(line.place, fmt::format("{} fields; a node has a number and coordinates", line.fields.size()));
@@ -107,7 +113,7 @@ void DeckReader::read_set(const Card& card, const std::string& key, std::map<std
   Set& set = named(all, name);
   const bool generate = card.has("GENERATE");
   std::string scope;
-  std::int64_t offset = 0;
+  std::int64_t offset = into_ == &deck_ && sets == &Deck::node_sets ? assembly_offset_ : 0;
   if (const std::string instance = upper_case(card.value("INSTANCE")); !instance.empty()) {
     const auto found = instances_.find(instance);
     if (found == instances_.end())

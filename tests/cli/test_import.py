@@ -340,6 +340,26 @@ class Import(ImportTest):
         self.assertEqual(text.count("[bodies."), 1)
         self.expect_close(self.run_imported("matching")[-1]["uz_node_27"], 0.002, 1e-8)
 
+    def test_reference_points_of_an_assembly_have_numbers_of_their_own(self):
+        """As Abaqus/CAE writes them: node 1 of the assembly is not node 1 of its instance."""
+        sets, material = CUBE[CUBE.index("*NSET, NSET=x0"):CUBE.index("*BOUNDARY")], CUBE[CUBE.index("*MATERIAL"):CUBE.index("*SOLID")]
+        mesh = CUBE[:CUBE.index("*NSET, NSET=x0")]
+        deck = ("*HEADING\n*PART, NAME=Blk\n" + mesh + sets + "*NSET, NSET=top, GENERATE\n5, 8\n*SOLID SECTION, ELSET=Cube, MATERIAL=Steel\n*END PART\n"
+                "*ASSEMBLY, NAME=A\n*INSTANCE, NAME=I, PART=Blk\n*END INSTANCE\n*NODE\n1, 0, 0, 30.\n*NSET, NSET=RP\n1,\n"
+                "*EQUATION\n2\nI.top, 3, 1., RP, 3, -1.\n*END ASSEMBLY\n" + material + "*BOUNDARY\nI.x0, 1\nI.y0, 2\nI.z0, 3\n*STEP\n*STATIC\n"
+                "*CLOAD\nRP, 3, 50.\n*NODE PRINT, NSET=I.top\nU\n*END STEP\n")
+        self.import_deck("assembly", deck)
+        self.expect_close(self.run_imported("assembly")[-1]["uz_node_7"], 0.0005, 1e-8)
+
+    def test_what_would_change_the_model_is_refused(self):
+        step = "*STEP\n*STATIC\n*DLOAD\n{}*END STEP\n"
+        done = self.import_deck("coupled", CUBE + "*COUPLING, REF NODE=1, SURFACE=S, CONSTRAINT NAME=C\n*KINEMATIC\n" + step.format("Cube, P2, 1.\n"), 2)
+        self.assertIn("*COUPLING: couplings are not known", done.stderr)
+        plane = ("*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*ELEMENT, TYPE=CPE4, ELSET=Cube\n1, 1, 2, 3, 4\n*BOUNDARY\n1, 1, 2\n2, 2\n" +
+                 CUBE[CUBE.index("*MATERIAL"):].replace("*SOLID", "*DENSITY\n1e-9\n*SOLID"))
+        done = self.import_deck("turning", plane + step.format("Cube, CENTRIF, 1., 0, 0, 0, 0, 1., 0\n"), 2)
+        self.assertIn("CENTRIF of a plane section about an axis in its plane", done.stderr)
+
     def test_stress_at_the_start_is_refused(self):
         done = self.import_deck("stressed", CUBE + "*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 10., 0, 0, 0, 0, 0\n*STEP\n*STATIC\n*END STEP\n", 2)
         self.assertIn("TYPE=STRESS: a body with stresses or strains at the start is not known", done.stderr)
