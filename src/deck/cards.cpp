@@ -217,7 +217,8 @@ std::optional<std::int64_t> whole_number(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
+  constexpr std::int64_t most = 1'000'000'000'000'000;  // sums with the numbers of other instances are numbers too
+  if (error != std::errc() || end != field.data() + field.size() || value > most || value < -most) return std::nullopt;
   return value;
 }
 

@@ -64,6 +64,7 @@ std::string upper_case(std::string_view text);
 
 /// A number as Fortran reads it: 1, 1., 1.5e-3, 1.5d-3, 1.5-3. nullopt if the field is none.
 std::optional<double> number(std::string_view field);
+/// At most 1e15 in size.
 std::optional<std::int64_t> whole_number(std::string_view field);
 
 }  // namespace creepcontact::deck
