@@ -3,6 +3,8 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 namespace creepcontact::log {
 namespace {
 
@@ -31,13 +33,47 @@ spdlog::logger& logger() {
   return *instance;
 }
 
+/// The records that live, and what guards their list.
+struct Records {
+  std::mutex mutex;
+  std::vector<WarningRecord*> all;
+};
+Records& records() {
+  static Records instance;
+  return instance;
+}
+
 }  // namespace
+
+WarningRecord::WarningRecord() {
+  const std::scoped_lock lock(records().mutex);
+  records().all.push_back(this);
+}
+
+WarningRecord::~WarningRecord() {
+  const std::scoped_lock lock(records().mutex);
+  std::erase(records().all, this);
+}
+
+void WarningRecord::add(std::string_view message) {
+  const std::scoped_lock lock(mutex_);
+  if (std::ranges::find(texts_, message) == texts_.end()) texts_.emplace_back(message);
+}
+
+std::vector<std::string> WarningRecord::texts() const {
+  const std::scoped_lock lock(mutex_);
+  return texts_;
+}
 
 void set_level(Level level) {
   logger().set_level(native(level));
 }
 
 void write(Level level, std::string_view message) {
+  if (level == Level::warning) {
+    const std::scoped_lock lock(records().mutex);
+    for (WarningRecord* record : records().all) record->add(message);
+  }
   logger().log(native(level), message);
 }
 

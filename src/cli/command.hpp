@@ -23,6 +23,9 @@ int run(const Command& self, const Arguments& arguments);
 int check(const Command& self, const Arguments& arguments);
 int study(const Command& self, const Arguments& arguments);
 int plot(const Command& self, const Arguments& arguments);
+int report(const Command& self, const Arguments& arguments);
+int picture(const Command& self, const Arguments& arguments);
+int new_model(const Command& self, const Arguments& arguments);
 int import(const Command& self, const Arguments& arguments);
 int list(const Command& self, const Arguments& arguments);
 

@@ -10,12 +10,13 @@
 #include "creepcontact/config/key_reference.hpp"
 #include "creepcontact/run/lists.hpp"
 #include "creepcontact/run/vocabulary.hpp"
+#include "template_files.hpp"
 
 namespace creepcontact::cli {
 namespace {
 
 const std::vector<std::string> key_lists{"keys", "study-keys"};
-const std::vector<std::string> name_lists{"integrators", "laws", "elements", "quantities"};
+const std::vector<std::string> name_lists{"integrators", "laws", "elements", "quantities", "templates"};
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -74,7 +75,9 @@ int list(const Command& self, const Arguments& arguments) {
   if (contains(key_lists, what)) {
     std::cout << keys(what, line.optional(), output);
   } else {
-    std::cout << (output.markdown ? run::list_markdown(what) : run::list(what));
+    std::cout << (what == "templates" ? list_templates(output.markdown)
+                  : output.markdown   ? run::list_markdown(what)
+                                      : run::list(what));
   }
   return 0;
 }

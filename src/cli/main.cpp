@@ -31,8 +31,13 @@ const std::vector<Command>& commands() {
        study},
       {"plot", "DIR... [options]",
        "Plots the probes and the time steps of a run, or the probes of several, as SVG and PNG (needs gnuplot).", plot},
+      {"report", "DIR... [options]",
+       "Writes a report on a run, or on several in comparison, as one HTML file that needs no network.", report},
+      {"picture", "DIR [options]", "Draws a field of a run as a PNG picture (needs VTK for Python).", picture},
+      {"new", "DIR --template NAME", "Writes a commented configuration and its geometry to begin with.", new_model,
+       "`creepcontact list templates` shows the templates.\n"},
       {"import", "DECK.inp [options]", "Makes a configuration and its mesh of a deck of CalculiX or Abaqus.", import},
-      {"list", "(keys|study-keys|integrators|laws|elements|quantities) [KEY] [options]",
+      {"list", "(keys|study-keys|integrators|laws|elements|quantities|templates) [KEY] [options]",
        "Lists the keys and names that a configuration or a study may use.", list,
        "KEY selects the keys to show. It is one of:\n"
        "  a path (time, contacts[0].gap): this key and all keys below it;\n"
@@ -74,7 +79,7 @@ int dispatch(const Arguments& arguments) {
 }
 
 /// Every line is an error of its own (a configuration may have many).
-void report(const std::string& message) {
+void print_error(const std::string& message) {
   std::istringstream lines(message);
   for (std::string line; std::getline(lines, line);) std::cerr << "error: " << line << '\n';
 }
@@ -84,20 +89,20 @@ int guarded(const Arguments& arguments) {
   try {
     return dispatch(arguments);
   } catch (const Error& error) {
-    report(error.what());
+    print_error(error.what());
     return error.exit_status();
   } catch (const std::bad_alloc&) {
-    report(platform::out_of_memory);
+    print_error(platform::out_of_memory);
   } catch (const std::filesystem::filesystem_error& error) {
-    report(fmt::format("'{}': {}", error.path1().string(), error.code().message()));
+    print_error(fmt::format("'{}': {}", error.path1().string(), error.code().message()));
     return ConfigError::status;
   } catch (const std::system_error& error) {
-    report(
+    print_error(
         fmt::format("the system refuses a resource: {}; limits (ulimit -a) on memory, threads or open files may be "
                     "too low",
                     error.code().message()));
   } catch (const std::exception& error) {
-    report(error.what());
+    print_error(error.what());
   }
   return SolverError::status;
 }
@@ -107,11 +112,11 @@ int guarded(const Arguments& arguments) {
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    report(platform::out_of_memory);
+    print_error(platform::out_of_memory);
   } catch (const std::exception& error) {
-    report(error.what());
+    print_error(error.what());
   } catch (...) {
-    report("the program failed for an unknown reason");
+    print_error("the program failed for an unknown reason");
   }
   ::_exit(SolverError::status);
 }
@@ -128,7 +133,7 @@ int main(int argc, char** argv) {
   const int status = cli::guarded(cli::Arguments(argv + 1, argv + argc));
   const int lost = output.finish();
   if (lost == 0) return status;
-  cli::report(
+  cli::print_error(
       fmt::format("cannot write to standard output: {}; the result files are not affected", std::strerror(lost)));
   return status != 0 ? status : SolverError::status;
 }

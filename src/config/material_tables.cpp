@@ -174,6 +174,10 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep laws that act together: their rates are added")
           .otherwise("elastic"),
+      field<Material>("sources", &Material::sources, text(),
+                      "where the data come from, such as a standard or a test report; copied to `model.json` and "
+                      "reports")
+          .changeable(),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
   });

@@ -79,6 +79,16 @@ Json probe_json(const SummaryProbe& probe) {
   return json;
 }
 
+Json accuracy_json(const Summary::Accuracy& accuracy) {
+  Json json{{"tolerance", accuracy.tolerance}};
+  if (accuracy.largest_step_error > 0) {
+    json["mean_step_error"] = accuracy.mean_step_error;
+    json["largest_step_error"] = accuracy.largest_step_error;
+  }
+  if (accuracy.equilibrium_residual) json["equilibrium_residual"] = *accuracy.equilibrium_residual;
+  return json;
+}
+
 }  // namespace
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
@@ -98,6 +108,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["wall_seconds"] = {{"total", seconds.total},       {"factorize", seconds.factorize}, {"solve", seconds.solve},
                           {"material", seconds.material}, {"contact", seconds.contact},     {"output", seconds.output}};
   json["peak_memory_mb"] = summary.peak_memory_mb;
+  json["accuracy"] = accuracy_json(summary.accuracy);
+  if (!summary.warnings.empty()) json["warnings"] = summary.warnings;
   // Text that is no UTF-8 (a title in another encoding) must not cost the summary.
   platform::replace_file(
       path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",

@@ -27,6 +27,80 @@ std::map<std::string, std::optional<double>> events_of(const nlohmann::json& sum
   return result;
 }
 
+/// A number; 0 for anything else, such as null for one that was not finite.
+double number(const nlohmann::json& json, const char* name) {
+  const auto found = json.find(name);
+  return found != json.end() && found->is_number() ? found->get<double>() : 0;
+}
+
+std::optional<double> number_if_any(const nlohmann::json& json, const char* name) {
+  const auto found = json.find(name);
+  if (found == json.end() || !found->is_number()) return std::nullopt;
+  return found->get<double>();
+}
+
+Summary::Largest place_of(const nlohmann::json& json, const char* value) {
+  return {number(json, value), json.value("place", std::array<double, 3>{})};
+}
+
+std::map<std::string, Summary::Largest> largest_of(const nlohmann::json& summary, const char* name) {
+  std::map<std::string, Summary::Largest> result;
+  const auto found = summary.find(name);
+  if (found != summary.end())
+    for (const auto& [body, value] : found->items()) result[body] = place_of(value, "largest");
+  return result;
+}
+
+void read_bodies(const nlohmann::json& json, Summary& summary) {
+  const auto bodies = json.find("bodies");
+  if (bodies == json.end()) return;
+  for (const auto& [name, body] : bodies->items())
+    summary.bodies[name] = {count(body, "dofs"),
+                            count(body, "elements"),
+                            count(body, "integration_points"),
+                            {number(body, "initial_von_mises"), number(body, "largest_von_mises"),
+                             number(body, "final_von_mises")}};
+}
+
+void read_contacts(const nlohmann::json& json, Summary& summary) {
+  const auto contacts = json.find("contacts");
+  if (contacts == json.end()) return;
+  for (const auto& [name, contact] : contacts->items())
+    summary.contacts[name] = {{number(contact, "initial_normal_force"), number(contact, "largest_normal_force"),
+                               number(contact, "final_normal_force")},
+                              number_if_any(contact, "interference"),
+                              number_if_any(contact, "dissipated_energy"),
+                              number_if_any(contact, "largest_slip"),
+                              number_if_any(contact, "opened")};
+}
+
+void read_probes(const nlohmann::json& json, Summary& summary) {
+  const auto probes = json.find("probes");
+  if (probes == json.end()) return;
+  for (const auto& [name, probe] : probes->items()) {
+    SummaryProbe& read = summary.probes[name];
+    read = {probe.value("quantity", ""), probe.value("label", ""), probe.value("dimension", ""),
+            probe.value("integrated_over", "")};
+    if (probe.contains("unit")) read.unit = probe.value("unit", "");
+    read.expression = probe.value("expression", "");
+    if (probe.contains("start"))
+      read.course = {number(probe, "start"), number(probe, "end"),   number(probe, "min"),
+                     number(probe, "max"),   number(probe, "t_min"), number(probe, "t_max")};
+  }
+}
+
+void read_accuracy(const nlohmann::json& json, Summary& summary) {
+  const auto found = json.find("accuracy");
+  if (found == json.end()) return;
+  summary.accuracy = {number(*found, "tolerance"), number(*found, "mean_step_error"),
+                      number(*found, "largest_step_error"), number_if_any(*found, "equilibrium_residual")};
+}
+
+void read_wall_seconds(const nlohmann::json& json, Summary& summary) {
+  summary.wall_seconds = {json.at("total"),           number(json, "factorize"), number(json, "solve"),
+                          number(json, "material"), number(json, "contact"),   number(json, "output")};
+}
+
 }  // namespace
 
 std::optional<Summary> parse_summary(std::string_view text) {
@@ -45,7 +119,22 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.time_reached = json.at("time_reached");
     for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
     summary.events = events_of(json);
-    summary.wall_seconds.total = json.at("wall_seconds").at("total");
+    summary.warnings = json.value("warnings", std::vector<std::string>());
+    read_wall_seconds(json.at("wall_seconds"), summary);
+    summary.title = json.value("title", "");
+    summary.units = json.value("units", "");
+    summary.integrator = json.value("integrator", "");
+    summary.method = json.value("method", "");
+    read_bodies(json, summary);
+    read_contacts(json, summary);
+    read_probes(json, summary);
+    read_accuracy(json, summary);
+    summary.damage = largest_of(json, "damage");
+    summary.life_fraction = largest_of(json, "life_fraction");
+    if (const auto rupture = json.find("rupture"); rupture != json.end())
+      summary.rupture = {number(*rupture, "time"), rupture->value("body", ""), place_of(*rupture, "damage")};
+    summary.friction_kappa = number_if_any(json, "friction_kappa");
+    summary.peak_memory_mb = number(json, "peak_memory_mb");
     return summary;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;

@@ -10,6 +10,7 @@
 
 #include "axis_range.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/platform/replace_file.hpp"
 #include "gnuplot_process.hpp"
 #include "gnuplot_text.hpp"
@@ -219,14 +220,28 @@ std::string gnuplot_data(const Figure& figure) {
   return text;
 }
 
-void draw(const Figure& figure, const std::filesystem::path& directory, const std::string& stem) {
+namespace {
+
+/// Writes the files of gnuplot and draws the SVG.
+void draw_svg(const Figure& figure, const std::filesystem::path& directory, const std::string& stem) {
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("directory for pictures '{}': {}", directory.string(), failure.message()));
   platform::replace_file(directory / (stem + ".dat"), gnuplot_data(figure));
   platform::replace_file(directory / (stem + ".gp"), gnuplot_script(figure, stem));
   run_gnuplot(directory, {stem + ".gp"});
+}
+
+}  // namespace
+
+void draw(const Figure& figure, const std::filesystem::path& directory, const std::string& stem) {
+  draw_svg(figure, directory, stem);
   run_gnuplot(directory, {"-e", "format='png'", stem + ".gp"});
+}
+
+std::string svg(const Figure& figure, const std::filesystem::path& directory) {
+  draw_svg(figure, directory, "figure");
+  return read_file(directory / "figure.svg").bytes;
 }
 
 std::string file_stem(std::string text) {

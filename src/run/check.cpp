@@ -14,20 +14,13 @@
 #include "creepcontact/results/probes.hpp"
 #include "gap_report.hpp"
 #include "memory_need.hpp"
+#include "model_record.hpp"
 #include "model_view.hpp"
 #include "preparation.hpp"
 #include "start_report.hpp"
 
 namespace creepcontact::run {
 namespace {
-
-std::string element_names(const mesh::Mesh& mesh) {
-  std::string text;
-  for (const mesh::CellBlock& block : mesh.blocks)
-    if (mesh.is_bulk(block.type) && block.size() > 0)
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", block.size(), mesh::name(block.type));
-  return text;
-}
 
 std::string contact_text(const contact::Pair& pair, const config::Contact& contact, const model::Model& model) {
   std::string text =

@@ -11,6 +11,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/mesh/outer_faces.hpp"
 #include "creepcontact/plot/solid_picture.hpp"
 #include "model_view.hpp"
 
@@ -205,7 +206,7 @@ plot::SolidPicture picture_of(const config::Config& config, const model::Model& 
       const auto found = marked.find(corners_of(face));
       picture.facets.push_back({outline(mesh, face), number, found == marked.end() ? -1 : found->second});
     };
-    if (!picture.flat) std::ranges::for_each(outer_faces(mesh), add);
+    if (!picture.flat) std::ranges::for_each(mesh::outer_faces(mesh.blocks, 3), add);
     for (const mesh::CellBlock& block : mesh.blocks)
       for (std::size_t i = 0; picture.flat && mesh.is_bulk(block.type) && i < block.size(); ++i)
         add({block.type, {block.cell(i).begin(), block.cell(i).end()}});

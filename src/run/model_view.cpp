@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
-#include "creepcontact/mesh/cell_faces.hpp"
 #include "creepcontact/model/numbered_nodes.hpp"
 
 namespace creepcontact::run {
@@ -78,24 +76,6 @@ std::vector<mesh::Face> cells_of_group(const mesh::Mesh& mesh, const mesh::Group
 
 std::set<std::int64_t> corners_of(const mesh::Face& face) {
   return {face.nodes.begin(), face.nodes.begin() + mesh::n_corners(face.type)};
-}
-
-std::vector<mesh::Face> outer_faces(const mesh::Mesh& mesh) {
-  std::map<std::set<std::int64_t>, std::pair<mesh::Face, int>> found;
-  for (const mesh::CellBlock& block : mesh.blocks) {
-    if (!mesh.is_bulk(block.type)) continue;
-    for (std::size_t i = 0; i < block.size(); ++i)
-      for (const mesh::LocalFace& local : mesh::cell_faces(block.type)) {
-        mesh::Face face{local.type, {}};
-        for (const int node : local.nodes) face.nodes.push_back(block.cell(i)[node]);
-        auto& [first, count] = found[corners_of(face)];
-        if (count++ == 0) first = std::move(face);
-      }
-  }
-  std::vector<mesh::Face> faces;
-  for (auto& [corners, one] : found)
-    if (one.second == 1) faces.push_back(std::move(one.first));
-  return faces;
 }
 
 }  // namespace creepcontact::run

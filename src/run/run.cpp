@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "contact_log.hpp"
 #include "creepcontact/base/error.hpp"
@@ -21,6 +23,7 @@
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/check.hpp"
 #include "finished_run.hpp"
+#include "model_record.hpp"
 #include "preparation.hpp"
 #include "run_report.hpp"
 #include "time_loop.hpp"
@@ -48,6 +51,8 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
                                    {}};
   loop.outcome().fill(summary);
   summary.friction_kappa = loop.friction_kappa();
+  summary.accuracy = {config.time.tolerance, loop.step_statistics().mean_error(),
+                      loop.step_statistics().largest_error(), loop.equilibrium_residual()};
   summary.wall_seconds = {watch.total(),
                           watch.seconds(Part::factorize),
                           watch.seconds(Part::solve),
@@ -56,6 +61,13 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
                           watch.seconds(Part::output)};
   summary.peak_memory_mb = platform::peak_memory() / (1 << 20);
   return summary;
+}
+
+/// Warnings of this run after those of the run that it continues, each once.
+std::vector<std::string> joined(std::vector<std::string> earlier, const log::WarningRecord& record) {
+  for (std::string& warning : record.texts())
+    if (std::ranges::find(earlier, warning) == earlier.end()) earlier.push_back(std::move(warning));
+  return earlier;
 }
 
 /// True at first, then once per second: writing a summary takes longer than many a step.
@@ -86,14 +98,19 @@ Diagnosis diagnosis(const creep::CreepSystem& system) {
 
 RunResult run(const config::Config& config, const RunOptions& options) {
   Stopwatch watch;
+  log::WarningRecord warnings;
   const std::filesystem::path directory = output_directory(config, options.output);
 
   std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
   std::optional<platform::DirectoryLock> lock;
   require_output(directory, options.resume);
   if (path_is_directory(directory)) lock.emplace(directory);
+  std::vector<std::string> earlier_warnings;
+  if (const auto earlier = io::read_summary(directory / "summary.json"); earlier && options.resume)
+    earlier_warnings = earlier->warnings;
   std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
-  if (!options.resume) std::filesystem::remove(directory / "summary.json", ignored);
+  if (!options.resume)
+    for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(directory / file, ignored);
   const model::Model model = model::build_model(config);
   auto probes = results::make_probes(config, model);  // errors in them show before anything is factored
   if (options.resume)
@@ -137,12 +154,17 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     io::Summary summary = make_summary(config, model, loop, watch);
     summary.status = status;
     summary.message = message;
+    summary.warnings = joined(earlier_warnings, warnings);
     io::write_summary(directory / "summary.json", summary);
     return summary;
   };
   // Should the run be killed, its last summary says how far it came.
   SummaryTimer summary_due;
+  bool described = options.resume && path_exists(directory / "model.json");
   loop.after_output = [&] {
+    if (!std::exchange(described, true))
+      io::write_model_record(directory / "model.json",
+                             model_record(config, model, make_summary(config, model, loop, watch)));
     if (summary_due()) write_summary(io::Summary::Status::interrupted, "killed after this time was reached");
   };
 
@@ -162,8 +184,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   try {
     const TimeLoop::End end = loop.run();
     if (end == TimeLoop::End::completed) {
-      summary = write_summary(io::Summary::Status::completed, "");
       for (const std::string& warning : loop.narrow_contacts()) log::warning("{}", warning);
+      summary = write_summary(io::Summary::Status::completed, "");
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
@@ -185,6 +207,10 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (loop.resumed())
     result.details += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
   result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
+  if (!result.advice.empty()) {
+    for (const std::string& line : result.advice) warnings.add(line);
+    write_summary(summary.status, summary.message);
+  }
   return result;
 }
 

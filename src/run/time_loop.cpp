@@ -10,6 +10,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "creepcontact/results/contact_width.hpp"
+#include "creepcontact/results/equilibrium_residual.hpp"
 #include "event_search.hpp"
 #include "preparation.hpp"
 
@@ -126,6 +127,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
     const bool is_end = t == config_.time.end || stopped_;
     if (t == 0 || is_end) see_uniqueness(at.equilibrium);
+    if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
     if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium, "at the end");
     has_output_ = true;
   }

@@ -51,6 +51,8 @@ class TimeLoop {
   const StepStatistics& step_statistics() const { return step_statistics_; }
   /// Of the end of the run: what to say of contacts that few elements resolve.
   const std::vector<std::string>& narrow_contacts() const { return narrow_contacts_; }
+  /// Of the end of the run, see results::equilibrium_residual().
+  std::optional<double> equilibrium_residual() const { return equilibrium_residual_; }
   bool resumed() const { return earlier_ != RunCounters{}; }
   /// The integrator at work.
   std::string method() const { return integrator_ ? integrator_->method() : ""; }
@@ -109,6 +111,7 @@ class TimeLoop {
   model::TableRangeMonitor table_ranges_;
   StepStatistics step_statistics_;
   std::vector<std::string> narrow_contacts_;
+  std::optional<double> equilibrium_residual_;
   double time_ = 0;
   bool has_output_ = false;
   bool ruptured_ = false;

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <mutex>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace creepcontact::log {
 
@@ -13,6 +16,24 @@ enum class Level { debug, info, warning, error, off };
 /// Messages below this level are dropped; `off` drops all.
 void set_level(Level level);
 void write(Level level, std::string_view message);
+
+/// Keeps the texts of all warnings that are written while it lives, by any thread, each once; whether they are shown
+/// or dropped makes no difference. Several may live at the same time.
+class WarningRecord {
+ public:
+  WarningRecord();
+  ~WarningRecord();
+  WarningRecord(const WarningRecord&) = delete;
+  WarningRecord& operator=(const WarningRecord&) = delete;
+
+  void add(std::string_view message);
+  /// In the order of writing.
+  std::vector<std::string> texts() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> texts_;
+};
 
 template <typename... Args>
 void debug(fmt::format_string<Args...> format, Args&&... args) {

@@ -95,6 +95,7 @@ struct Material {
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;
+  std::string sources;  ///< where the data come from, for reports
   Location location;
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "creepcontact/base/run_counters.hpp"
 
@@ -65,6 +66,14 @@ struct Summary : RunCounters {
   struct WallSeconds {
     double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;
   };
+  struct Accuracy {
+    double tolerance = 0;  ///< relative accuracy asked for the stress
+    /// Estimated errors of the steps, in units of what the tolerance allows per step; omitted if the method estimates
+    /// none.
+    double mean_step_error = 0, largest_step_error = 0;
+    /// Largest force at a free node that nothing balances, relative to the largest nodal force, at the end.
+    std::optional<double> equilibrium_residual;
+  };
 
   Status status = Status::completed;
   std::string message;  ///< omitted if empty
@@ -79,6 +88,8 @@ struct Summary : RunCounters {
   std::optional<double> friction_kappa;     ///< largest of start and end; above 1 several states may be possible
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
+  Accuracy accuracy;
+  std::vector<std::string> warnings;  ///< all that the run warned of, each once; omitted if empty
   std::map<std::string, SummaryProbe> probes;  ///< by name; omitted if empty
   /// Time of each event by its name, nullopt if it has not happened; omitted if empty.
   std::map<std::string, std::optional<double>> events;
@@ -88,8 +99,8 @@ struct Summary : RunCounters {
 /// @throws Error if the disk cannot take it
 void write_summary(const std::filesystem::path& path, const Summary& summary);
 
-/// Reads status, message, version, time reached, events, all counters and total wall time; the other members keep their
-/// defaults.
+/// Reads what write_summary() writes. A value that was not finite is read as 0; entries that other versions do not have
+/// keep their defaults.
 /// @returns nullopt if the file does not exist or is not a summary
 std::optional<Summary> read_summary(const std::filesystem::path& path);
 /// Like read_summary(), from text.

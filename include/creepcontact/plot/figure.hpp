@@ -63,6 +63,9 @@ std::string gnuplot_data(const Figure& figure);
 /// fails
 void draw(const Figure& figure, const std::filesystem::path& directory, const std::string& stem);
 
+/// The figure as SVG. @param directory  for the files of gnuplot, made if necessary @throws as draw()
+std::string svg(const Figure& figure, const std::filesystem::path& directory);
+
 /// A stem for names of files: of letters, digits and '_', with other characters replaced.
 std::string file_stem(std::string text);
 

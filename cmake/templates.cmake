@@ -1,0 +1,23 @@
+# The templates of `creepcontact new`, configs/templates/<name>/*, as a source of the program.
+file(GLOB template_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/configs/templates ${PROJECT_SOURCE_DIR}/configs/templates/*/*.*)
+list(FILTER template_files EXCLUDE REGEX "/results/")
+set(template_source ${CMAKE_BINARY_DIR}/template_files.cpp)
+set(template_code "// Made from configs/templates by cmake/templates.cmake.\n#include \"template_files.hpp\"\n\nnamespace creepcontact::cli {\n
+const std::vector<TemplateFile>& template_files() {\n  static const std::vector<TemplateFile> all{\n")
+foreach(path IN LISTS template_files)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/configs/templates/${path})
+  file(READ ${PROJECT_SOURCE_DIR}/configs/templates/${path} content)
+  get_filename_component(template ${path} DIRECTORY)
+  get_filename_component(name ${path} NAME)
+  string(APPEND template_code "      {\"${template}\", \"${name}\", R\"template(${content})template\"},\n")
+endforeach()
+string(APPEND template_code "  };\n  return all;\n}\n\n}  // namespace creepcontact::cli\n")
+if(EXISTS ${template_source})
+  file(READ ${template_source} old_code)
+endif()
+if(NOT "${old_code}" STREQUAL "${template_code}")  # else everything that depends on it would be built again
+  file(WRITE ${template_source} "${template_code}")
+endif()
+target_sources(creepcontact PRIVATE ${template_source})
+set_source_files_properties(${template_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+target_include_directories(creepcontact PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)

@@ -1,0 +1,55 @@
+# The interactive view of fields in reports: a bundle of web/report and three.js, made by npm (Debian packages nodejs and npm) and
+# embedded in the program. Without npm, or with CREEPCONTACT_VIEWER=OFF, reports have still pictures only.
+find_program(NPM_EXECUTABLE npm)
+if(NPM_EXECUTABLE)
+  set(viewer_default ON)
+else()
+  set(viewer_default OFF)
+endif()
+option(CREEPCONTACT_VIEWER "Interactive view of fields in reports (needs npm and its registry)" ${viewer_default})
+
+set(viewer_directory ${CMAKE_BINARY_DIR}/viewer)
+set(viewer_files ${viewer_directory}/dist/viewer.js ${viewer_directory}/dist/viewer.css)
+if(CREEPCONTACT_VIEWER)
+  if(NOT NPM_EXECUTABLE)
+    message(FATAL_ERROR "CREEPCONTACT_VIEWER needs npm (Debian packages nodejs and npm); -D CREEPCONTACT_VIEWER=OFF builds without")
+  endif()
+  set(viewer_source ${PROJECT_SOURCE_DIR}/web/report)
+  file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer_source}/src/*)
+  # Packages are installed once per lock file, and not into the source tree.
+  add_custom_command(
+    OUTPUT ${viewer_directory}/installed
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${viewer_directory}
+    COMMAND ${CMAKE_COMMAND} -E copy ${viewer_source}/package.json ${viewer_source}/package-lock.json ${viewer_directory}
+    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} ci --omit=dev --no-audit --no-fund --silent
+    COMMAND ${CMAKE_COMMAND} -E touch ${viewer_directory}/installed
+    DEPENDS ${viewer_source}/package.json ${viewer_source}/package-lock.json
+    COMMENT "Installing the packages of the interactive view"
+    VERBATIM)
+  add_custom_command(
+    OUTPUT ${viewer_files}
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${viewer_directory}/src
+    COMMAND ${CMAKE_COMMAND} -E copy_directory ${viewer_source}/src ${viewer_directory}/src
+    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} run --silent build
+    DEPENDS ${viewer_directory}/installed ${viewer_sources}
+    COMMENT "Bundling the interactive view"
+    VERBATIM)
+else()
+  message(STATUS "No interactive view of fields in reports (CREEPCONTACT_VIEWER)")
+  foreach(viewer_file IN LISTS viewer_files)
+    file(WRITE ${viewer_file} "")
+  endforeach()
+endif()
+
+# The files that the program embeds, as macros of src/report/assets.S.
+set(report_assets ${PROJECT_SOURCE_DIR}/src/report/assets.S)
+set(embedded_files ${viewer_files} ${PROJECT_SOURCE_DIR}/src/report/report.css ${PROJECT_SOURCE_DIR}/src/report/picture.py
+                   ${PROJECT_SOURCE_DIR}/web/report/src/colours.json)
+set(embedded_definitions)
+set(embedded_macros VIEWER_SCRIPT VIEWER_STYLE REPORT_STYLE PICTURE_SCRIPT COLOURS)
+foreach(macro file IN ZIP_LISTS embedded_macros embedded_files)
+  list(APPEND embedded_definitions "${macro}=\"${file}\"")
+endforeach()
+set_source_files_properties(${report_assets} PROPERTIES LANGUAGE ASM OBJECT_DEPENDS "${embedded_files}"
+                            COMPILE_DEFINITIONS "${embedded_definitions}" SKIP_UNITY_BUILD_INCLUSION ON)
+target_sources(creepcontact_report PRIVATE ${report_assets})

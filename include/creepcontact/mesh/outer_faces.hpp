@@ -1,0 +1,16 @@
+#pragma once
+/// The surface of a mesh.
+
+#include <span>
+#include <vector>
+
+#include "creepcontact/mesh/mesh.hpp"
+
+namespace creepcontact::mesh {
+
+/// Faces that belong to one cell only, oriented outward, in the order of the cells; of surface cells their outer edges.
+/// Faces are the same if they have the same corners. @param dimension  of the cells taken, 2 or 3
+/// Cost: a sort of all faces.
+std::vector<Face> outer_faces(std::span<const CellBlock> blocks, int dimension);
+
+}  // namespace creepcontact::mesh

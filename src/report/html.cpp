@@ -1,0 +1,107 @@
+#include "html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace creepcontact::report {
+namespace {
+
+/// Length of the UTF-8 sequence at the beginning; 0: it is none.
+std::size_t sequence(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const std::size_t n = byte(0) < 0x80 ? 1 : byte(0) >= 0xC2 && byte(0) < 0xE0 ? 2 : byte(0) >= 0xE0 && byte(0) < 0xF0 ? 3
+                        : byte(0) >= 0xF0 && byte(0) < 0xF5                    ? 4
+                                                                               : 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  return n;
+}
+
+/// Whether a cell is a number, maybe with a unit or a per cent sign.
+bool is_number(const std::string& cell) {
+  if (cell.empty() || cell == "-") return true;
+  char* end = nullptr;
+  std::strtod(cell.c_str(), &end);
+  if (end == cell.c_str()) return false;
+  const std::string rest(end);
+  return rest.empty() || rest == " %";
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t n = sequence(text);
+    const char c = text.front();
+    if (n == 0)
+      result += "\xEF\xBF\xBD";  // U+FFFD
+    else if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else if (c == '\'')
+      result += "&#39;";
+    else
+      result += text.substr(0, n);
+    text.remove_prefix(std::max<std::size_t>(n, 1));
+  }
+  return result;
+}
+
+void Html::open(std::string_view tag, std::string_view attributes) {
+  text_ += fmt::format("<{}{}{}>\n", tag, attributes.empty() ? "" : " ", attributes);
+}
+
+void Html::close(std::string_view tag) {
+  text_ += fmt::format("</{}>\n", tag);
+}
+
+void Html::element(std::string_view tag, std::string_view text, std::string_view attributes) {
+  text_ += fmt::format("<{0}{1}{2}>{3}</{0}>\n", tag, attributes.empty() ? "" : " ", attributes, escaped(text));
+}
+
+void Html::table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows,
+                 std::string_view caption) {
+  std::vector<bool> numbers(rows.empty() ? 0 : rows.front().size(), true);
+  for (const std::vector<std::string>& row : rows)
+    for (std::size_t c = 0; c < numbers.size(); ++c) numbers[c] = numbers[c] && c < row.size() && is_number(row[c]);
+  const auto alignment = [&](std::size_t c) { return c < numbers.size() && numbers[c] ? "class=\"number\"" : ""; };
+  // Boxes that scroll must be reached by the keyboard.
+  open("div", "class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+                  escaped(caption.empty() ? "table" : caption) + "\"");
+  open("table");
+  if (!caption.empty()) element("caption", caption);
+  if (!head.empty()) {
+    open("thead");
+    open("tr");
+    for (std::size_t c = 0; c < head.size(); ++c) element(head[c].empty() ? "td" : "th", head[c], alignment(c));
+    close("tr");
+    close("thead");
+  }
+  open("tbody");
+  for (const std::vector<std::string>& row : rows) {
+    open("tr");
+    for (std::size_t c = 0; c < row.size(); ++c)
+      element(c == 0 ? "th" : "td", row[c], c == 0 ? "scope=\"row\"" : alignment(c));
+    close("tr");
+  }
+  close("tbody");
+  close("table");
+  close("div");
+}
+
+void Html::image(std::string_view url, std::string_view alternative, std::string_view caption) {
+  open("figure");
+  text_ += fmt::format("<img src=\"{}\" alt=\"{}\">\n", url, escaped(alternative));
+  if (!caption.empty()) element("figcaption", caption);
+  close("figure");
+}
+
+}  // namespace creepcontact::report

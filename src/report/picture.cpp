@@ -1,0 +1,177 @@
+#include "creepcontact/report/picture.hpp"
+
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "assets.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/base/units.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "creepcontact/platform/child_process.hpp"
+#include "fields.hpp"
+#include "run_directory.hpp"
+#include "surfaces.hpp"
+
+namespace creepcontact::report {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What all pictures of a run have in common.
+class Run {
+ public:
+  explicit Run(const std::filesystem::path& directory) : directory_(directory) {
+    require_run(directory, "picture");
+    if (!path_exists(directory / "fields.pvd"))
+      throw ConfigError(fmt::format("no fields.pvd in '{}': the run wrote no fields; set output.fields = true in its "
+                                    "configuration and run it again",
+                                    directory.string()));
+    entries_ = io::read_field_list(directory / "fields.pvd");
+    std::erase_if(entries_, [](const io::FieldEntry& entry) { return !path_exists(entry.file); });
+    if (entries_.empty()) throw ConfigError(fmt::format("'{}' has no field files yet", directory.string()));
+    if (path_exists(directory / "contact.pvd")) contact_ = io::read_field_list(directory / "contact.pvd");
+    if (path_exists(directory / "model.json")) record_ = io::read_model_record(directory / "model.json");
+    if (path_exists(directory / "summary.json")) units_ = io::read_summary_heading(directory / "summary.json").units;
+    const io::FieldFile first(entries_.front().file);
+    const io::FieldMesh mesh = first.mesh();
+    flat_ = is_flat(mesh);
+    for (const io::TextArray& text : mesh.texts)
+      if (text.name == "bodies") bodies_ = text.values;
+    fields_ = fields_of(first, record_.fields);
+    displacement_ = displacement_array(first);
+  }
+
+  DrawnPicture describe(const Picture& picture, Json& job) const {
+    if (std::ranges::count(views(), picture.view) == 0)
+      throw ConfigError(fmt::format("--view: unknown view '{}'{} (allowed: {})", picture.view,
+                                    did_you_mean(picture.view, views()), fmt::join(views(), ", ")));
+    const io::FieldEntry& entry = nearest(entries_, picture.time);
+    DrawnPicture drawn{picture.output, "", entry.time};
+    const bool is_mesh = picture.field == "mesh";
+    const Field field = is_mesh ? Field{} : field_named(picture.field, fields_);
+    drawn.title = is_mesh ? "Mesh" : capitalized(field.label);
+    if (!is_mesh || picture.warp != 0) drawn.title += fmt::format(" at t = {:.6g}{}", entry.time, time_unit());
+    if (picture.warp != 0) drawn.title += fmt::format(", deformation x {:.6g}", picture.warp);
+    job = {{"file", entry.file.string()},
+           {"contact_file", field.is_on_contact && !contact_.empty() ? nearest(contact_, entry.time).file.string() : ""},
+           {"output", picture.output.string()},
+           {"width", picture.width},
+           {"height", picture.height},
+           {"title", drawn.title},
+           {"unit", field.unit},
+           {"array", field.array},
+           {"component", field.component},
+           {"low", picture.range ? Json(picture.range->first) : Json()},
+           {"high", picture.range ? Json(picture.range->second) : Json()},
+           {"displacement", displacement_},
+           {"warp", picture.warp},
+           {"bodies", Json::array()},
+           {"colours", Json::parse(colours())},
+           {"mesh", is_mesh},
+           {"flat", flat_},
+           {"view", picture.view}};
+    for (const std::string& name : picture.bodies) {
+      const auto found = std::ranges::find(bodies_, name);
+      if (found == bodies_.end())
+        throw ConfigError(fmt::format("no body '{}' in the results{} (there are: {})", name, did_you_mean(name, bodies_),
+                                      fmt::join(bodies_, ", ")));
+      job["bodies"].push_back(found - bodies_.begin());
+    }
+    return drawn;
+  }
+
+ private:
+  static std::string capitalized(std::string text) {
+    // "von Mises" has its own capitals.
+    if (!text.empty() && !text.starts_with("von ")) text[0] = static_cast<char>(std::toupper(text[0]));
+    return text;
+  }
+
+  static const io::FieldEntry& nearest(const std::vector<io::FieldEntry>& entries, std::optional<double> time) {
+    if (!time) return entries.back();
+    return *std::ranges::min_element(entries, {},
+                                     [&](const io::FieldEntry& entry) { return std::abs(entry.time - *time); });
+  }
+
+  std::string time_unit() const {
+    const std::string unit = unit_of(Dimension::time, units_);
+    return unit.empty() ? "" : " " + unit;
+  }
+
+  std::filesystem::path directory_;
+  std::vector<io::FieldEntry> entries_, contact_;
+  io::ModelRecord record_;
+  std::string units_;
+  bool flat_ = false;
+  std::vector<std::string> bodies_{"body"};
+  std::vector<Field> fields_;
+  std::string displacement_;
+};
+
+/// The system's Python has its VTK; another one on the PATH may have its own.
+std::filesystem::path python() {
+  for (const char* place : {"/usr/bin/python3", "/usr/local/bin/python3"})
+    if (::access(place, X_OK) == 0) return place;
+  throw ConfigError("pictures of fields are drawn by VTK in Python, which is not installed (Debian: apt-get install "
+                    "python3-vtk9 xvfb)");
+}
+
+/// All that is written into the pipe until its writers have ended.
+std::string content(const platform::Pipe& pipe) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = ::read(pipe.reading_end(), buffer.data(), buffer.size());
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count == 0 || (count < 0 && errno != EINTR)) return text;
+  }
+}
+
+void run_python(const std::string& jobs) {
+  platform::Pipe pipe;
+  platform::ChildProcess process({python(),
+                                  {"-c", std::string(picture_script()), jobs},
+                                  {{pipe.writing_end(), STDOUT_FILENO}, {pipe.writing_end(), STDERR_FILENO}}});
+  pipe.close_writing_end();
+  std::string messages = content(pipe);
+  if (process.wait() == 0) return;
+  while (!messages.empty() && messages.back() == '\n') messages.pop_back();
+  const std::string last = messages.substr(messages.rfind('\n') + 1);
+  if (messages.find("apt-get install") != std::string::npos)
+    throw ConfigError(fmt::format("no picture: {}", last));
+  throw Error(fmt::format("no picture: the process that draws it failed: {}", last.empty() ? "no message" : last), 4);
+}
+
+}  // namespace
+
+const std::vector<std::string>& views() {
+  static const std::vector<std::string> all{"iso", "x", "-x", "y", "-y", "z", "-z"};
+  return all;
+}
+
+std::vector<DrawnPicture> draw_pictures(const std::filesystem::path& directory, const std::vector<Picture>& pictures) {
+  const Run run(directory);
+  std::vector<DrawnPicture> drawn;
+  Json jobs = Json::array();
+  for (const Picture& picture : pictures) {
+    Json job;
+    drawn.push_back(run.describe(picture, job));
+    jobs.push_back(std::move(job));
+    const std::filesystem::path parent = picture.output.parent_path();
+    std::error_code failure;
+    if (!parent.empty()) std::filesystem::create_directories(parent, failure);
+    if (failure) throw ConfigError(fmt::format("directory {}: {}", parent.string(), failure.message()));
+  }
+  if (!pictures.empty()) run_python(jobs.dump());
+  return drawn;
+}
+
+}  // namespace creepcontact::report

@@ -1,0 +1,273 @@
+#include "run_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "assets.hpp"
+#include "base64.hpp"
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/units.hpp"
+
+namespace creepcontact::report {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string below(const std::string& level) {
+  return level == "h2" ? "h3" : "h4";
+}
+
+std::string unit(Dimension dimension, const RunData& run) {
+  return unit_of(dimension, run.units());
+}
+
+std::string label(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
+std::string at_place(const io::Summary::Largest& largest) {
+  const auto& [x, y, z] = largest.position;
+  return fmt::format("at ({:.6g}, {:.6g}, {:.6g})", x, y, z);
+}
+
+/// Start, largest value, end and what remains, as the program prints them at the end of a run.
+std::vector<std::string> course_row(const std::string& name, const io::Summary::Course& course) {
+  return {name, number(course.start), number(course.largest), number(course.end),
+          fmt::format("{:.0f} %", 100 * course.remaining())};
+}
+
+/// The results in sentences, the most important ones first.
+std::vector<std::string> sentences(const RunData& run) {
+  const io::Summary& summary = *run.summary;
+  const std::string force = unit(Dimension::force, run), time = unit(Dimension::time, run);
+  std::vector<std::string> all;
+  if (const auto& rupture = summary.rupture)
+    all.push_back(fmt::format("Body {} ruptures at t = {} {}.", rupture->body, with_unit(rupture->time, time),
+                              at_place(rupture->damage)));
+  for (const auto& [name, contact] : summary.contacts) {
+    const auto& course = contact.normal_force;
+    if (contact.opened)
+      all.push_back(fmt::format("Contact {} is open from t = {} on.", name, with_unit(*contact.opened, time)));
+    else if (course.start > 0)
+      all.push_back(fmt::format("The normal force of contact {} goes from {} at the start to {} at the end: {:.0f} % of "
+                                "its start, {:.0f} % of its largest value.",
+                                name, with_unit(course.start, force), with_unit(course.end, force),
+                                100 * course.end / course.start, 100 * course.remaining()));
+  }
+  for (const auto& [name, largest] : summary.life_fraction)
+    all.push_back(fmt::format("Body {} has used {:.3g} % of its creep life {}.", name, 100 * largest.value,
+                              at_place(largest)));
+  for (const auto& [name, largest] : summary.damage)
+    all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));
+  for (const auto& [name, at] : summary.events)
+    all.push_back(at ? fmt::format("Event {}: first true at t = {}.", name, with_unit(*at, time))
+                     : fmt::format("Event {}: did not happen up to t = {}.", name, with_unit(summary.time_reached, time)));
+  return all;
+}
+
+void add_table(const io::RecordedTable& table, Html& page) {
+  page.table(table.head, table.rows, table.title);
+}
+
+void add_stills(const std::vector<Drawings::Still>& stills, Html& page, const char* box) {
+  if (stills.empty()) return;
+  page.open("div", fmt::format("class=\"{}\"", box));
+  for (const Drawings::Still& still : stills) page.image(still.url, still.title, still.title);
+  page.close("div");
+}
+
+}  // namespace
+
+std::string number(double value) {
+  return fmt::format("{:.5g}", value);
+}
+
+std::string with_unit(double value, const std::string& unit) {
+  return number(value) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string ending(const RunData& run) {
+  using Status = io::Summary::Status;
+  if (!run.summary) return "This run has no summary: what follows is as far as it came.";
+  const std::string reached = with_unit(run.summary->time_reached, unit(Dimension::time, run));
+  switch (run.summary->status) {
+    case Status::completed:
+      return "";
+    case Status::ruptured:
+      return fmt::format("The run ended by rupture at t = {}.", reached);
+    case Status::failed:
+      return fmt::format("The run failed at t = {}: {}. Results up to there are shown.", reached, run.summary->message);
+    default:
+      return fmt::format("The run was interrupted at t = {}, before its end. Results up to there are shown. It can be "
+                         "continued with --resume.",
+                         reached);
+  }
+}
+
+void add_answer(const RunData& run, Html& page, const std::string& level) {
+  page.element(level, "What came out");
+  if (!run.summary) {
+    page.element("p", "Without summary.json there is no overview of the results.");
+    return;
+  }
+  const io::Summary& summary = *run.summary;
+  if (const std::vector<std::string> all = sentences(run); !all.empty()) {
+    page.open("ul", "class=\"answer\"");
+    for (const std::string& sentence : all) page.element("li", sentence);
+    page.close("ul");
+  }
+  Rows forces, stresses;
+  for (const auto& [name, contact] : summary.contacts) forces.push_back(course_row(name, contact.normal_force));
+  for (const auto& [name, body] : summary.bodies) stresses.push_back(course_row(name, body.von_mises));
+  const std::vector<std::string> course{"start", "largest", "end", "end / largest"};
+  const auto head = [&](const char* first) {
+    std::vector<std::string> all{first};
+    all.insert(all.end(), course.begin(), course.end());
+    return all;
+  };
+  if (!forces.empty())
+    page.table(head("contact"), forces, label("Normal forces of the modelled part", unit(Dimension::force, run)));
+  if (!stresses.empty())
+    page.table(head("body"), stresses, label("Largest von Mises stress in each body", unit(Dimension::stress, run)));
+  Rows probes;
+  for (const auto& [name, probe] : summary.probes)
+    if (probe.course) {
+      const io::SummaryProbe::Course& c = *probe.course;
+      probes.push_back({name, probe.quantity.empty() ? probe.expression : probe.quantity, probe.unit.value_or(""),
+                        number(c.start), number(c.end), number(c.min), number(c.t_min), number(c.max), number(c.t_max)});
+    }
+  if (!probes.empty())
+    page.table({"probe", "quantity", "unit", "start", "end", "smallest", label("at t", unit(Dimension::time, run)),
+                "largest", label("at t", unit(Dimension::time, run))},
+               probes, "Probes");
+  if (!summary.warnings.empty())
+    page.element("p", fmt::format("The run warned {} time{}: see Accuracy and warnings.", summary.warnings.size(),
+                                  summary.warnings.size() == 1 ? "" : "s"));
+}
+
+void add_histories(const RunData& run, Drawings& drawings, Html& page, const std::string& level) {
+  page.element(level, "Histories");
+  if (!run.tables || run.tables->history.rows() < 2) {
+    page.element("p", "There are fewer than two output times so far: no curves can be drawn.");
+    return;
+  }
+  try {
+    for (const plot::NamedFigure& one : plot::run_figures(*run.tables, {}))
+      if (one.name != "steps") drawings.add(one.figure, "Histories of the probes over time", page);
+  } catch (const ConfigError& error) {
+    page.element("p", error.what());
+  }
+}
+
+void add_fields(const RunData& run, std::size_t n, Drawings& drawings, Html& page, const std::string& level) {
+  page.element(level, "Fields");
+  if (!run.scene) {
+    page.element("p", "The run has no field files.");
+    return;
+  }
+  const std::vector<Drawings::Still> stills = drawings.fields(run);
+  page.open("figure", fmt::format("class=\"fields\" id=\"fields-{}\"", n));
+  add_stills(stills, page, "still");
+  if (!viewer_script().empty()) {
+    page.raw(fmt::format("<div class=\"viewer\" data-scene=\"scene-{}\"></div>\n", n));
+    page.element("noscript", "The interactive view needs JavaScript.");
+  }
+  page.element("figcaption",
+               "Displacements are drawn larger by the factor shown, from the mesh as it was made. Bodies with an "
+               "interference or a gap given in the configuration touch in the mesh; deformed they therefore appear "
+               "apart, or overlap, by that amount times the factor." +
+                   (run.scene->note.empty() ? "" : " " + run.scene->note));
+  page.close("figure");
+  if (viewer_script().empty()) return;
+  const PackedScene scene = packed(*run.scene);
+  page.raw(fmt::format("<script type=\"application/json\" id=\"scene-{}\">{}</script>\n", n, scene.header));
+  page.raw(fmt::format("<script type=\"text/plain\" id=\"scene-{}-data\">{}</script>\n", n, scene.data));
+}
+
+void add_inputs(const RunData& run, Drawings& drawings, Html& page, const std::string& level) {
+  page.element(level, "Inputs");
+  if (run.record.sections.empty()) {
+    page.element("p", "The run has no model.json, which describes the inputs.");
+    return;
+  }
+  bool is_first = true;
+  for (const io::RecordedSection& section : run.record.sections) {
+    page.element(below(level), section.title);
+    for (const std::string& note : section.notes) page.element("p", note);
+    for (const io::RecordedTable& table : section.tables) add_table(table, page);
+    if (!section.plots.empty()) page.open("div", "class=\"small\"");
+    for (const io::RecordedPlot& plot : section.plots) drawings.add(plot, page);
+    if (!section.plots.empty()) page.close("div");
+    if (std::exchange(is_first, false)) add_stills(drawings.meshes(run), page, "meshes");
+  }
+}
+
+void add_accuracy(const RunData& run, Drawings& drawings, Html& page, const std::string& level) {
+  page.element(level, "Accuracy and warnings");
+  if (run.summary) {
+    const io::Summary& summary = *run.summary;
+    const io::Summary::Accuracy& accuracy = summary.accuracy;
+    Rows rows;
+    if (accuracy.tolerance > 0)
+      rows.push_back({"relative accuracy asked for the stress (time.tolerance)", fmt::format("{:.2g}", accuracy.tolerance)});
+    if (accuracy.largest_step_error > 0) {
+      rows.push_back({"estimated error of the steps on average, of what is allowed",
+                      fmt::format("{:.0f} %", 100 * accuracy.mean_step_error)});
+      rows.push_back({"the same, the largest", fmt::format("{:.0f} %", 100 * accuracy.largest_step_error)});
+    }
+    if (accuracy.equilibrium_residual)
+      rows.push_back({"forces that nothing balances at the end, of the largest nodal force",
+                      fmt::format("{:.1e}", *accuracy.equilibrium_residual)});
+    if (summary.friction_kappa)
+      rows.push_back({"friction: kappa (above 1 several states may be possible)", number(*summary.friction_kappa)});
+    rows.push_back({"integrator", summary.method.empty() || summary.method == summary.integrator
+                                      ? summary.integrator
+                                      : fmt::format("{} ({})", summary.integrator, summary.method)});
+    rows.push_back({"time steps, rejected ones beside them",
+                    fmt::format("{} + {}", summary.steps, summary.rejected_steps)});
+    rows.push_back({"elastic solves", fmt::format("{}", summary.elastic_solves)});
+    rows.push_back({"computing time", fmt::format("{:.2f} s", summary.wall_seconds.total)});
+    rows.push_back({"memory", fmt::format("{:.0f} MB", summary.peak_memory_mb)});
+    page.table({"item", "value"}, rows, "Accuracy and cost");
+    page.element("p",
+                 "The error estimate is that of the integration in time. The error of the mesh is not in it: compare "
+                 "with a finer mesh. The forces that nothing balances include those of the stabilisation of elements "
+                 "with reduced integration.");
+    if (summary.warnings.empty()) {
+      page.element("p", "The run gave no warnings.");
+    } else {
+      page.open("ul", "class=\"warnings\"");
+      for (const std::string& warning : summary.warnings) page.element("li", warning);
+      page.close("ul");
+    }
+  }
+  if (run.tables && run.tables->steps.rows() > 1) {
+    const bool logarithmic = plot::spans_decades(run.tables->steps.columns[0]);
+    plot::Figure figure = plot::steps_figure(run.tables->steps, run.tables->heading, logarithmic);
+    figure.title = "Time steps";
+    drawings.add(figure, "Length, order and cost of the time steps", page);
+  }
+}
+
+void add_origin(const RunData& run, Html& page, const std::string& level) {
+  page.element(level, "Origin");
+  Rows rows;
+  const auto add = [&](const char* what, const std::string& text) {
+    if (!text.empty()) rows.push_back({what, text});
+  };
+  add("directory", run.directory.lexically_normal().string());
+  add("configuration", run.record.configuration);
+  add("fingerprint of configuration and mesh", run.record.fingerprint);
+  add("run started", run.record.started);
+  add("version of the program", run.summary ? run.summary->version : run.record.version);
+  add("units", run.units());
+  page.table({"item", "value"}, rows, "Origin of the results");
+  if (run.notes.empty()) return;
+  page.open("ul");
+  for (const std::string& note : run.notes) page.element("li", note);
+  page.close("ul");
+}
+
+}  // namespace creepcontact::report

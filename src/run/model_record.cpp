@@ -1,0 +1,362 @@
+#include "model_record.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+#include <set>
+
+#include "creepcontact/base/checksum.hpp"
+#include "creepcontact/base/units.hpp"
+#include "creepcontact/material/creep_curve.hpp"
+#include "creepcontact/material/registry.hpp"
+#include "creepcontact/model/temperature.hpp"
+#include "creepcontact/results/quantities.hpp"
+#include "fingerprint.hpp"
+#include "gap_report.hpp"
+#include "model_view.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+constexpr std::array levels{1.0, 0.5, 0.25};  // of the largest stress at the start, for creep curves
+constexpr std::size_t curve_points = 60;      // kept of a curve
+constexpr std::size_t samples = 200;          // of a function of time
+
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(seconds));
+}
+
+std::string short_fingerprint(const config::Config& config, const model::Model& model) {
+  const std::string text = fingerprint(config, model);
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  return fmt::format("{:016x}", sum.value());
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
+}
+
+std::string vector_text(const std::array<double, 3>& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
+}
+
+std::string vector_text(const std::array<Function, 3>& v) {
+  return fmt::format("({}, {}, {})", v[0].text(), v[1].text(), v[2].text());
+}
+
+/// Words of the configuration as sections of the record.
+class Recorder {
+ public:
+  Recorder(const config::Config& config, const model::Model& model, const io::Summary& at_start)
+      : config_(config), model_(model), at_start_(at_start), temperature_(model::temperature_range(config, model)) {}
+
+  io::RecordedSection mesh() const {
+    const std::string volume = with_unit("volume", unit(Dimension::length).empty() ? "" : unit(Dimension::length) + "³");
+    io::RecordedTable table{
+        "", {"body", "material", "elements", "nodes", "unknowns", "integration points", volume}, {}};
+    for (const mechanics::Body& body : model_.bodies()) {
+      const std::span<const double> weights = body.discretization().weights();
+      table.rows.push_back({body.name(), body.material().name, element_names(body.mesh()),
+                            fmt::format("{}", body.mesh().n_cell_nodes()),
+                            fmt::format("{}", body.constraints().n_free()),
+                            fmt::format("{}", body.discretization().n_points()),
+                            fmt::format("{:.6g}", std::accumulate(weights.begin(), weights.end(), 0.0))});
+    }
+    return {"Bodies and mesh",
+            {fmt::format("Mesh file: {}. Analysis: {}.", config_.mesh.file.filename().string(),
+                         settings::name_of(config_.analysis))},
+            {table},
+            {}};
+  }
+
+  io::RecordedSection material(const config::Material& given) const {
+    io::RecordedSection section{"Material " + given.name, {}, {}, {}};
+    section.notes.push_back(given.sources.empty()
+                                ? "Sources of the data: none named (key `sources` of the material)."
+                                : "Sources of the data: " + given.sources);
+    io::RecordedTable elastic{"", {"property", "value", "unit"}, {}};
+    elastic.rows.push_back({"Young's modulus", given.young_modulus.text(), unit(Dimension::stress)});
+    elastic.rows.push_back({"Poisson's ratio", given.poisson_ratio.text(), ""});
+    if (!given.thermal_expansion.is_zero()) {
+      const std::string degree = unit(Dimension::temperature);
+      elastic.rows.push_back(
+          {"thermal expansion (secant)", given.thermal_expansion.text(), degree.empty() ? "" : "1/" + degree});
+      elastic.rows.push_back({"reference temperature", fmt::format("{:.6g}", given.reference_temperature), degree});
+    }
+    section.tables.push_back(elastic);
+    for (const config::CreepMechanism& mechanism : given.creep) section.tables.push_back(law(mechanism));
+    if (given.rupture) section.tables.push_back(rupture(*given.rupture));
+    const auto body = std::ranges::find(model_.bodies(), given.name,
+                                        [](const mechanics::Body& b) { return b.material().name; });
+    if (body != model_.bodies().end())
+      if (io::RecordedPlot plot = creep_curves(body->material()); !plot.curves.empty()) section.plots.push_back(plot);
+    return section;
+  }
+
+  io::RecordedSection loading() const {
+    io::RecordedSection section{"Supports, loads and temperature", {}, {}, {}};
+    io::RecordedTable supports{"Supports", {"on", "displacement held"}, {}}, loads{"Loads", {"on", "load"}, {}};
+    for (const Mark& mark : marks(config_, model_)) {
+      const std::size_t colon = mark.name.find(": ");
+      const std::string text = colon == std::string::npos ? mark.name : mark.name.substr(colon + 2);
+      if (mark.kind == Mark::Kind::support) supports.rows.push_back({mark.group, text});
+    }
+    for (const config::Load& load : config_.loads) loads.rows.push_back(load_row(load));
+    if (!supports.rows.empty()) section.tables.push_back(supports);
+    if (!loads.rows.empty()) section.tables.push_back(loads);
+    if (temperature_) {
+      section.notes.push_back(
+          temperature_->low == temperature_->high
+              ? fmt::format("Temperature: {} everywhere.", number(temperature_->low, Dimension::temperature))
+              : fmt::format("Temperature: {:.6g} to {}.", temperature_->low,
+                            number(temperature_->high, Dimension::temperature)));
+      if (config_.temperature && config_.temperature->files.empty())
+        section.notes.push_back(fmt::format("Temperature as given: {}", config_.temperature->value.text()));
+    } else {
+      section.notes.emplace_back("No temperature is given: each material is at its reference temperature.");
+    }
+    for (io::RecordedPlot& plot : courses()) section.plots.push_back(std::move(plot));
+    return section;
+  }
+
+  io::RecordedSection contacts() const {
+    io::RecordedSection section{"Contacts", {}, {}, {}};
+    io::RecordedTable table{"", {"contact", "slave", "master", "multipliers", "gap or preload", "friction"}, {}};
+    for (std::size_t p = 0; p < config_.contacts.size() && p < model_.pairs().size(); ++p) {
+      const contact::Pair& pair = model_.pairs()[p];
+      const config::Contact& given = config_.contacts[p];
+      table.rows.push_back({pair.name,
+                            fmt::format("{} ({})", pair.slave_surface, model_.bodies()[pair.slave_body].name()),
+                            fmt::format("{} ({})", pair.master_surface, model_.bodies()[pair.master_body].name()),
+                            fmt::format("{}", pair.coupling.nodes.size()), gap_text(given, pair),
+                            given.type == config::ContactType::tied ? "tied"
+                            : pair.coupling.has_friction()          ? given.friction.text()
+                                                                    : "none"});
+    }
+    if (!table.rows.empty()) section.tables.push_back(table);
+    for (const config::Cyclic& cyclic : config_.cyclic)
+      section.notes.push_back(fmt::format("Cyclic symmetry: one sector of {:.6g} degrees between '{}' and '{}'.",
+                                          cyclic.angle, cyclic.between[0].name, cyclic.between[1].name));
+    for (const config::Rigid& rigid : config_.rigid)
+      section.notes.push_back(fmt::format("Surface '{}' moves as a rigid body.", rigid.on.name));
+    if (!config_.equations.empty())
+      section.notes.push_back(fmt::format("{} linear equations tie displacements of nodes.", config_.equations.size()));
+    return section;
+  }
+
+  io::RecordedSection time() const {
+    io::RecordedTable table{"", {"setting", "value"}, {}};
+    table.rows.push_back({"end", number(config_.time.end, Dimension::time)});
+    table.rows.push_back({"integrator", config_.time.integrator});
+    table.rows.push_back({"relative accuracy of the stress", fmt::format("{:.2g}", config_.time.tolerance)});
+    table.rows.push_back({"output times", fmt::format("{}", config_.time.output.size())});
+    if (!model_.pairs().empty())
+      table.rows.push_back({"contact method", std::string(settings::name_of(config_.contact_solver.method))});
+    return {"Time integration", {}, {table}, {}};
+  }
+
+ private:
+  std::string unit(Dimension dimension) const { return unit_of(dimension, config_.units); }
+  std::string number(double value, Dimension dimension) const {
+    const std::string of = unit(dimension);
+    return fmt::format("{:.6g}{}{}", value, of.empty() ? "" : " ", of);
+  }
+  std::string label(const std::string& name, Dimension dimension) const { return with_unit(name, unit(dimension)); }
+
+  static io::RecordedTable law(const config::CreepMechanism& mechanism) {
+    const material::LawInfo* info = material::find_creep_law(mechanism.law);
+    io::RecordedTable table{fmt::format("Creep law {}: {} ({})", mechanism.law, info->formula, info->source),
+                            {"constant", "value", "meaning"},
+                            {}};
+    for (const config::CreepParameter& parameter : mechanism.parameters) {
+      if (!parameter.given) continue;
+      std::vector<std::string> values;
+      for (const Function& value : parameter.values) values.push_back(value.text());
+      const auto known = std::ranges::find(info->parameters, parameter.key, &material::ParameterInfo::key);
+      table.rows.push_back({parameter.key, fmt::format("{}", fmt::join(values, ", ")),
+                            known == info->parameters.end() ? "" : known->description});
+    }
+    return table;
+  }
+
+  io::RecordedTable rupture(const config::Rupture& data) const {
+    if (data.rupture_time)
+      return {"Rupture", {"property", "value"}, {{label("rupture time", Dimension::time), data.rupture_time->text()}}};
+    io::RecordedTable table{fmt::format("Rupture: Larson-Miller parameter, constant {:.6g}", data.larson_miller_constant),
+                            {label("stress", Dimension::stress), "parameter"},
+                            {}};
+    for (std::size_t i = 0; i < data.stress.size(); ++i)
+      table.rows.push_back({fmt::format("{:.6g}", data.stress[i]), fmt::format("{:.6g}", data.parameter[i])});
+    return table;
+  }
+
+  std::vector<std::string> load_row(const config::Load& load) const {
+    const std::string on = load.on.given() ? load.on.name : load.body.given() ? "body " + load.body.name : "";
+    if (const auto* pressure = std::get_if<config::Pressure>(&load.kind))
+      return {on, fmt::format("{} = {}", label("pressure", Dimension::stress), pressure->value.text())};
+    if (const auto* traction = std::get_if<config::Traction>(&load.kind))
+      return {on, fmt::format("{} = {}", label("force per area", Dimension::stress), vector_text(traction->value))};
+    if (const auto* force = std::get_if<config::PointForce>(&load.kind))
+      return {force->at ? "point " + vector_text(*force->at) : fmt::format("node {}", force->node),
+              fmt::format("{} = {}", label("force", Dimension::force), vector_text(force->value))};
+    if (const auto* body_force = std::get_if<config::BodyForce>(&load.kind))
+      return {on, fmt::format("force per volume = {}", vector_text(body_force->value))};
+    const auto& rotation = std::get<config::Rotation>(load.kind);
+    return {on, fmt::format("rotation about {} through {}: angular velocity {}, density {}", vector_text(rotation.axis),
+                            vector_text(rotation.origin), rotation.angular_velocity.text(), rotation.density.text())};
+  }
+
+  /// Creep strain over time at stresses that the bodies of this material have at the start.
+  io::RecordedPlot creep_curves(const material::Material& material) const {
+    io::RecordedPlot plot{"Creep under constant stress, as the laws above say",
+                          label("time", Dimension::time),
+                          "creep strain",
+                          true,
+                          true,
+                          {}};
+    double largest = 0;
+    for (const mechanics::Body& body : model_.bodies())
+      if (const auto found = at_start_.bodies.find(body.name());
+          body.material().name == material.name && found != at_start_.bodies.end())
+        largest = std::max(largest, found->second.von_mises.start);
+    if (!material.creeps() || !(largest > 0)) return plot;
+    std::set<double> temperatures{material.reference_temperature};
+    if (temperature_) temperatures = {temperature_->low, temperature_->high};
+    for (const double temperature : temperatures)
+      for (const double level : levels) {
+        const double stress = std::stod(fmt::format("{:.2g}", level * largest));
+        const material::CreepCurve curve =
+            material::creep_curve(material, {.stress = stress, .temperature = temperature, .end = config_.time.end});
+        io::RecordedCurve kept{number(stress, Dimension::stress), {}, {}};
+        if (temperatures.size() > 1) kept.name += ", " + number(temperature, Dimension::temperature);
+        const std::size_t every = std::max<std::size_t>(1, curve.time.size() / curve_points);
+        for (std::size_t i = 0; i < curve.time.size(); ++i)
+          if ((i % every == 0 || i + 1 == curve.time.size()) && curve.strain[i] > 0) {
+            kept.x.push_back(curve.time[i]);
+            kept.y.push_back(curve.strain[i]);
+          }
+        if (!kept.x.empty()) plot.curves.push_back(std::move(kept));
+      }
+    return plot;
+  }
+
+  /// Equidistant times and all breakpoints, where functions jump or turn.
+  std::vector<double> times(std::size_t n) const {
+    std::set<double> all;
+    for (std::size_t i = 0; i <= n; ++i)
+      all.insert(config_.time.end * static_cast<double>(i) / static_cast<double>(n));
+    std::size_t kept = 0;
+    for (const double t : model_.breakpoints) {
+      if (t > config_.time.end || ++kept > 5 * n) break;
+      all.insert({std::max(0.0, t * (1 - 1e-9)), t});
+    }
+    return {all.begin(), all.end()};
+  }
+
+  /// Functions of time alone, and the range of a temperature that changes.
+  std::vector<io::RecordedPlot> courses() const {
+    std::vector<io::RecordedPlot> plots;
+    for (const config::ConfiguredFunction& function : config_.functions) {
+      if (!function.value.depends_on_time() || function.value.depends_on_position()) continue;
+      if (!function.is_of_position_and_time()) continue;
+      io::RecordedCurve curve{function.key, {}, {}};
+      for (const double t : times(samples)) {
+        const double value = function.value({.t = t});
+        if (!std::isfinite(value)) continue;
+        curve.x.push_back(t);
+        curve.y.push_back(value);
+      }
+      const std::string quantity = function.key.substr(function.key.rfind('.') + 1);
+      plots.push_back({function.key, label("time", Dimension::time), quantity, false, false, {std::move(curve)}});
+    }
+    if (model_.temperature && model_.temperature->depends_on_time() && model_.temperature->depends_on_position())
+      plots.push_back(temperature_course());
+    return plots;
+  }
+
+  io::RecordedPlot temperature_course() const {
+    constexpr std::size_t most_positions = 2000, few_times = 40;
+    std::vector<Vector3> positions;
+    for (const mechanics::Body& body : model_.bodies()) {
+      const std::size_t every = 1 + body.mesh().n_cell_nodes() * model_.bodies().size() / most_positions;
+      for (std::size_t i = 0; i < body.mesh().n_cell_nodes(); i += every) positions.push_back(body.mesh().nodes[i]);
+    }
+    const auto field = model_.temperature->at(positions);
+    mechanics::TemperatureMemo memo;
+    std::vector<double> values(positions.size());
+    io::RecordedCurve coldest{"coldest place", {}, {}}, hottest{"hottest place", {}, {}};
+    for (const double t : times(few_times)) {
+      field->evaluate(t, values, memo);
+      const auto [low, high] = std::ranges::minmax(values);
+      if (!std::isfinite(low) || !std::isfinite(high)) continue;
+      coldest.x.push_back(t);
+      coldest.y.push_back(low);
+      hottest.x.push_back(t);
+      hottest.y.push_back(high);
+    }
+    return {"Temperature",
+            label("time", Dimension::time),
+            label("temperature", Dimension::temperature),
+            false,
+            false,
+            {std::move(hottest), std::move(coldest)}};
+  }
+
+  const config::Config& config_;
+  const model::Model& model_;
+  const io::Summary& at_start_;
+  std::optional<Interval> temperature_;
+};
+
+std::vector<io::RecordedField> fields(const std::string& units) {
+  std::vector<io::RecordedField> all;
+  for (const results::Quantity& quantity : results::quantities()) {
+    const results::OutputVariable& variable = *quantity.variable;
+    const bool is_on_contact = variable.is_contact_field();
+    if (variable.point_array.empty() && !is_on_contact) continue;
+    io::RecordedField field{quantity.name, variable.label, unit_of(dimension_of(variable.dimension), units),
+                            is_on_contact ? variable.name : variable.point_array, quantity.component, is_on_contact};
+    if (quantity.name.ends_with("_equivalent")) field.label = "equivalent " + field.label;
+    if (!variable.components.empty())
+      field.label += ' ' + variable.components[static_cast<std::size_t>(quantity.component)];
+    const bool is_first_of_vector = variable.point_array == "displacement" && quantity.component == 0;
+    if (is_first_of_vector)
+      all.push_back({"displacement_magnitude", "displacement", field.unit, field.array, -1, false});
+    all.push_back(std::move(field));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string element_names(const mesh::Mesh& mesh) {
+  std::string text;
+  for (const mesh::CellBlock& block : mesh.blocks)
+    if (mesh.is_bulk(block.type) && block.size() > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", block.size(), mesh::name(block.type));
+  return text;
+}
+
+io::ModelRecord model_record(const config::Config& config, const model::Model& model, const io::Summary& at_start) {
+  const Recorder recorder(config, model, at_start);
+  io::ModelRecord record{CREEPCONTACT_VERSION, now(), config.file.string(), short_fingerprint(config, model),
+                         fields(config.units), {}};
+  record.sections.push_back(recorder.mesh());
+  for (const config::Material& material : config.materials)
+    if (std::ranges::any_of(model.bodies(),
+                            [&](const mechanics::Body& body) { return body.material().name == material.name; }))
+      record.sections.push_back(recorder.material(material));
+  if (io::RecordedSection contacts = recorder.contacts(); !contacts.tables.empty() || !contacts.notes.empty())
+    record.sections.push_back(std::move(contacts));
+  record.sections.push_back(recorder.loading());
+  record.sections.push_back(recorder.time());
+  return record;
+}
+
+}  // namespace creepcontact::run

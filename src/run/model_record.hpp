@@ -1,0 +1,17 @@
+#pragma once
+/// model.json: what a run computes, for reports.
+
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/io/model_record.hpp"
+#include "creepcontact/io/summary.hpp"
+#include "creepcontact/model/model.hpp"
+
+namespace creepcontact::run {
+
+/// "48 hex20, 3 wedge15"
+std::string element_names(const mesh::Mesh& mesh);
+
+/// @param at_start  its von Mises stresses are the levels of the creep curves
+io::ModelRecord model_record(const config::Config& config, const model::Model& model, const io::Summary& at_start);
+
+}  // namespace creepcontact::run
