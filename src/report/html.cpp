@@ -74,7 +74,7 @@ void Html::table(const std::vector<std::string>& head, const std::vector<std::ve
     for (std::size_t c = 0; c < numbers.size(); ++c) numbers[c] = numbers[c] && c < row.size() && is_number(row[c]);
   const auto alignment = [&](std::size_t c) { return c < numbers.size() && numbers[c] ? "class=\"number\"" : ""; };
   // Boxes that scroll must be reached by the keyboard.
-  open("div", "class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+  open("div", "class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"" +
                   escaped(caption.empty() ? "table" : caption) + "\"");
   open("table");
   if (!caption.empty()) element("caption", caption);

@@ -119,11 +119,29 @@ def deformed(source, job):
     return warp
 
 
+def lines_of(grid):
+    """The edges of sections in contact as lines: VTK 9.1 crashes where it is to divide quadratic ones itself."""
+    cells = vtk.vtkCellArray()
+    for i in range(grid.GetNumberOfCells()):
+        nodes = grid.GetCell(i).GetPointIds()
+        order = (0, 2, 1) if nodes.GetNumberOfIds() == 3 else (0, 1)
+        cells.InsertNextCell(len(order))
+        for k in order:
+            cells.InsertCellPoint(nodes.GetId(k))
+    lines = vtk.vtkPolyData()
+    lines.SetPoints(grid.GetPoints())
+    lines.SetLines(cells)
+    lines.GetPointData().ShallowCopy(grid.GetPointData())
+    return lines
+
+
 def add_surface(renderer, source, job, table, colour, depth=(2, 200)):
     """The surface of a part: coloured by the table, or in one colour if that is None. depth: how far behind the lines of the mesh."""
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputConnection(source.GetOutputPort())
-    surface.SetNonlinearSubdivisionLevel(2)
+    surface = source
+    if not source.GetOutputDataObject(0).IsA("vtkPolyData"):
+        surface = vtk.vtkDataSetSurfaceFilter()
+        surface.SetInputConnection(source.GetOutputPort())
+        surface.SetNonlinearSubdivisionLevel(2)
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(surface.GetOutputPort())
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
@@ -253,6 +271,8 @@ def add_legend(renderer, job, table, ticks):
 
 def facing(grid):
     """The oblique direction that sees most of a surface."""
+    if grid.GetCell(0).GetCellDimension() < 2:
+        return VIEWS["iso"]
     surface = vtk.vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)
     triangles = vtk.vtkTriangleFilter()
@@ -260,8 +280,6 @@ def facing(grid):
     triangles.PassLinesOff()
     triangles.Update()
     mesh = triangles.GetOutput()
-    if not mesh.GetNumberOfPolys():
-        return VIEWS["iso"]
     corners = vtk_to_numpy(mesh.GetPoints().GetData())[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
     areas = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     x, y, z = VIEWS["iso"]
@@ -342,7 +360,7 @@ def draw(job):
     add_bodies(renderer, grid, job, table)
     if on_contact:
         surface = vtk.vtkTrivialProducer()
-        surface.SetOutput(on_contact)
+        surface.SetOutput(lines_of(on_contact) if job["flat"] else on_contact)
         add_surface(renderer, deformed(surface, job), job, table, None, (-1, -100))
     if table is not None:
         add_legend(renderer, job, table, ticks)

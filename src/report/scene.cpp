@@ -257,7 +257,7 @@ double suggested_warp(const Scene& scene) {
     }
     size = std::max(size, static_cast<double>(high - low));
   }
-  const double wanted = 0.05 * size / largest;
+  const double wanted = 0.03 * size / largest;
   if (wanted <= 1) return 1;
   const double decade = std::pow(10, std::floor(std::log10(wanted)));
   return wanted >= 5 * decade ? 5 * decade : wanted >= 2 * decade ? 2 * decade : decade;

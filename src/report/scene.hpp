@@ -57,7 +57,7 @@ struct PackedScene {
 };
 PackedScene packed(const Scene& scene);
 
-/// A deformation factor, 1, 2 or 5 times a power of ten, that makes the largest displacement about a twentieth of the
+/// A deformation factor, 1, 2 or 5 times a power of ten, that makes the largest displacement some hundredths of the
 /// model; 0 if nothing moves; 1 if it is visible as it is.
 double suggested_warp(const Scene& scene);
 
