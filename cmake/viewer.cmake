@@ -15,21 +15,26 @@ if(CREEPCONTACT_VIEWER)
     message(FATAL_ERROR "CREEPCONTACT_VIEWER needs npm (Debian packages nodejs and npm); -D CREEPCONTACT_VIEWER=OFF builds without")
   endif()
   set(viewer_source ${PROJECT_SOURCE_DIR}/web/report)
-  file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer_source}/src/*)
+  file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer_source}/src/* ${viewer_source}/test/*)
+  if(NOT CREEPCONTACT_TESTS)
+    set(without_test_packages --omit=dev)
+  endif()
   # Packages are installed once per lock file, and not into the source tree.
   add_custom_command(
     OUTPUT ${viewer_directory}/installed
     COMMAND ${CMAKE_COMMAND} -E make_directory ${viewer_directory}
-    COMMAND ${CMAKE_COMMAND} -E copy ${viewer_source}/package.json ${viewer_source}/package-lock.json ${viewer_directory}
-    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} ci --omit=dev --no-audit --no-fund --silent
+    COMMAND ${CMAKE_COMMAND} -E copy ${viewer_source}/package.json ${viewer_source}/package-lock.json ${viewer_source}/.npmrc
+            ${viewer_directory}
+    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} ci ${without_test_packages} --no-audit --no-fund --silent
     COMMAND ${CMAKE_COMMAND} -E touch ${viewer_directory}/installed
     DEPENDS ${viewer_source}/package.json ${viewer_source}/package-lock.json
     COMMENT "Installing the packages of the interactive view"
     VERBATIM)
   add_custom_command(
     OUTPUT ${viewer_files}
-    COMMAND ${CMAKE_COMMAND} -E rm -rf ${viewer_directory}/src
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${viewer_directory}/src ${viewer_directory}/test
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${viewer_source}/src ${viewer_directory}/src
+    COMMAND ${CMAKE_COMMAND} -E copy_directory ${viewer_source}/test ${viewer_directory}/test
     COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} run --silent build
     DEPENDS ${viewer_directory}/installed ${viewer_sources}
     COMMENT "Bundling the interactive view"

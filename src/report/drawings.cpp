@@ -73,6 +73,7 @@ std::vector<Drawings::Still> Drawings::meshes(const RunData& run) {
     pictures.push_back({.field = "mesh",
                         .time = run.scene->times.front(),
                         .bodies = bodies,
+                        .titled = false,
                         .width = 800,
                         .height = 600,
                         .output = directory_ / fmt::format("mesh_{}.png", ++n_drawn_)});
@@ -98,6 +99,7 @@ std::vector<Drawings::Still> Drawings::fields(const RunData& run) {
     pictures.push_back({.field = field,
                         .time = time,
                         .warp = warp,
+                        .titled = false,
                         .width = 1000,
                         .height = 700,
                         .output = directory_ / fmt::format("field_{}.png", ++n_drawn_)});

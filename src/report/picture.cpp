@@ -65,7 +65,7 @@ class Run {
            {"output", picture.output.string()},
            {"width", picture.width},
            {"height", picture.height},
-           {"title", drawn.title},
+           {"title", picture.titled ? drawn.title : ""},
            {"unit", field.unit},
            {"array", field.array},
            {"component", field.component},

@@ -364,7 +364,8 @@ def draw(job):
         add_surface(renderer, deformed(surface, job), job, table, None, (-1, -100))
     if table is not None:
         add_legend(renderer, job, table, ticks)
-    add_text(renderer, job["title"], max(13, job["height"] // 40), 0.025, 0.945, bold=True)
+    if job["title"]:
+        add_text(renderer, job["title"], max(13, job["height"] // 40), 0.025, 0.945, bold=True)
     camera, direction = aim(renderer, job, table is not None, on_contact)
 
     window = vtk.vtkRenderWindow()

@@ -51,13 +51,13 @@ std::vector<std::string> sentences(const RunData& run) {
     if (contact.opened)
       all.push_back(fmt::format("Contact {} is open from t = {} on.", name, with_unit(*contact.opened, time)));
     else if (course.start > 0)
-      all.push_back(fmt::format("The normal force of contact {} goes from {} at the start to {} at the end: {:.0f} % of "
-                                "its start, {:.0f} % of its largest value.",
+      all.push_back(fmt::format("The normal force of contact {} goes from {} at the start to {} at the end, which is "
+                                "{:.0f}\u00a0% of the start.",
                                 name, with_unit(course.start, force), with_unit(course.end, force),
-                                100 * course.end / course.start, 100 * course.remaining()));
+                                100 * course.end / course.start));
   }
   for (const auto& [name, largest] : summary.life_fraction)
-    all.push_back(fmt::format("Body {} has used {:.3g} % of its creep life {}.", name, 100 * largest.value,
+    all.push_back(fmt::format("Body {} has used {:.3g}\u00a0% of its creep life {}.", name, 100 * largest.value,
                               at_place(largest)));
   for (const auto& [name, largest] : summary.damage)
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));

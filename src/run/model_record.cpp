@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::array levels{1.0, 0.5, 0.25};  // of the largest stress at the start, for creep curves
 constexpr std::size_t curve_points = 60;      // kept of a curve
+constexpr double least_strain = 1e-8;         // of these curves: less is of no interest
 constexpr std::size_t samples = 200;          // of a function of time
 
 std::string now() {
@@ -78,7 +79,7 @@ class Recorder {
   io::RecordedSection material(const config::Material& given) const {
     io::RecordedSection section{"Material " + given.name, {}, {}, {}};
     section.notes.push_back(given.sources.empty()
-                                ? "Sources of the data: none named (key `sources` of the material)."
+                                ? "Sources of the data: none named (key sources of the material)."
                                 : "Sources of the data: " + given.sources);
     io::RecordedTable elastic{"", {"property", "value", "unit"}, {}};
     elastic.rows.push_back({"Young's modulus", given.young_modulus.text(), unit(Dimension::stress)});
@@ -234,10 +235,10 @@ class Recorder {
         const material::CreepCurve curve =
             material::creep_curve(material, {.stress = stress, .temperature = temperature, .end = config_.time.end});
         io::RecordedCurve kept{number(stress, Dimension::stress), {}, {}};
-        if (temperatures.size() > 1) kept.name += ", " + number(temperature, Dimension::temperature);
+        if (temperatures.size() > 1) kept.name += ", " + number(std::stod(fmt::format("{:.4g}", temperature)), Dimension::temperature);
         const std::size_t every = std::max<std::size_t>(1, curve.time.size() / curve_points);
         for (std::size_t i = 0; i < curve.time.size(); ++i)
-          if ((i % every == 0 || i + 1 == curve.time.size()) && curve.strain[i] > 0) {
+          if ((i % every == 0 || i + 1 == curve.time.size()) && curve.strain[i] >= least_strain) {
             kept.x.push_back(curve.time[i]);
             kept.y.push_back(curve.strain[i]);
           }

@@ -17,6 +17,7 @@ struct Picture {
   std::vector<std::string> bodies = {};                   ///< shown; empty: all
   std::optional<std::pair<double, double>> range = {};    ///< of the colours; nullopt: that of the values shown
   std::string view = "iso";                               ///< one of views(); of a section always "z"
+  bool titled = true;                                     ///< write the title into the picture
   int width = 1200, height = 900;                         ///< pixels
   std::filesystem::path output = {};                      ///< PNG file
 };
