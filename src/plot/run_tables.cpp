@@ -37,7 +37,12 @@ io::SummaryHeading heading_of(const std::filesystem::path& run) {
 }  // namespace
 
 RunTables read_run_tables(const std::filesystem::path& run) {
-  return {run, read_history(run), read_steps(run), heading_of(run)};
+  io::CsvTable history = read_history(run), steps = read_steps(run);
+  return {run, std::move(history), std::move(steps), heading_of(run)};
+}
+
+RunTables read_run_tables(const std::filesystem::path& run, io::SummaryHeading heading) {
+  return {run, read_history(run), read_steps(run), std::move(heading)};
 }
 
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {

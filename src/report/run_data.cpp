@@ -25,7 +25,12 @@ io::ModelRecord read_record(const std::filesystem::path& path, std::vector<std::
 
 std::optional<plot::RunTables> read_tables(const std::filesystem::path& directory, std::vector<std::string>& notes) {
   try {
-    return plot::read_run_tables(directory);
+    io::SummaryHeading heading;
+    try {
+      heading = io::read_summary_heading(directory / "summary.json");
+    } catch (const ConfigError&) {  // the lack of it has its own note
+    }
+    return plot::read_run_tables(directory, std::move(heading));
   } catch (const ConfigError& error) {
     notes.emplace_back(fmt::format("There are no histories: {}.", error.what()));
     return std::nullopt;

@@ -46,7 +46,8 @@ def key(line):
 class TemplateTest(ProcessTest):
     def copy(self, name):
         """As `creepcontact new` does. Returns the lines of the configuration."""
-        shutil.copytree(TEMPLATES / name, self.directory / name)
+        done = self.call("new", name, "--template", name)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
         return (self.directory / name / f"{name}.toml").read_text().splitlines()
 
     def expect_quiet(self, *arguments):
@@ -141,6 +142,39 @@ class TemplateNumbers(TemplateTest):
         for row in self.history("blade_root", "time.end=100", "time.output=[1]"):
             self.expect_close(row["pull"], 26257, 1e-4)
             self.expect_close(row["pressure_1"], row["force_1"] / (3.5 * 30), 1e-3)
+
+
+class NewModel(TemplateTest):
+    def test_the_list_has_the_first_line_of_each(self):
+        done = self.call("list", "templates")
+        self.assertEqual(done.returncode, 0)
+        listed = dict(line.split(maxsplit=1) for line in done.stdout.splitlines())
+        self.assertEqual(sorted(listed), sorted(NAMES))
+        for name, words in listed.items():
+            first = (TEMPLATES / name / f"{name}.toml").read_text().splitlines()[0]
+            self.assertEqual(first, f"# {words}")
+        self.assertIn("| `press_fit` |", self.call("list", "templates", "--markdown").stdout)
+
+    def test_files_are_those_of_the_template(self):
+        done = self.call("new", "a/b", "--template", "own_mesh")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("next: creepcontact check a/b/own_mesh.toml", done.stdout)
+        for file in (TEMPLATES / "own_mesh").iterdir():
+            self.assertEqual((self.directory / "a" / "b" / file.name).read_bytes(), file.read_bytes())
+
+    def test_mistakes(self):
+        for words, said in ((("x",), "which template?"), (("x", "--template", "pres_fit"), "did you mean 'press_fit'?"),
+                            (("cube.geo", "--template", "pipe"), "not a directory"), ((), "DIR")):
+            done = self.call("new", *words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertIn(said, done.stderr)
+        self.assertEqual(self.call("new", "x", "--template", "pipe").returncode, 0)
+        changed = self.directory / "x" / "pipe.toml"
+        changed.write_text("mine")
+        done = self.call("new", "x", "--template", "pipe")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("exists already", done.stderr)
+        self.assertEqual(changed.read_text(), "mine")
 
 
 if __name__ == "__main__":
