@@ -48,18 +48,18 @@ int new_model(const Command& self, const Arguments& arguments) {
   if (!line.parse(arguments, "DIR, the directory of the new files")) return 0;
   const std::vector<std::string> names = template_names();
   if (std::ranges::count(names, wanted) == 0)
-    throw ConfigError(wanted.empty()
-                          ? fmt::format("new: which template? Give --template NAME (there are: {})", fmt::join(names, ", "))
-                          : fmt::format("--template: no template '{}'{} (there are: {})", wanted,
-                                        did_you_mean(wanted, names), fmt::join(names, ", ")));
+    throw ConfigError(wanted.empty() ? fmt::format("new: which template? Give --template NAME (there are: {})",
+                                                   fmt::join(names, ", "))
+                                     : fmt::format("--template: no template '{}'{} (there are: {})", wanted,
+                                                   did_you_mean(wanted, names), fmt::join(names, ", ")));
   const std::filesystem::path directory = line.positional();
   if (const std::string reason = why_unwritable(directory); !reason.empty())
-    throw ConfigError(fmt::format("{}: no files can be written there: {}; choose another directory",
-                                  directory.string(), reason));
+    throw ConfigError(
+        fmt::format("{}: no files can be written there: {}; choose another directory", directory.string(), reason));
   for (const TemplateFile& file : template_files())
     if (file.of == wanted && path_exists(directory / file.name))
-      throw ConfigError(fmt::format("{} exists already; remove it, or choose another directory",
-                                    (directory / file.name).string()));
+      throw ConfigError(
+          fmt::format("{} exists already; remove it, or choose another directory", (directory / file.name).string()));
   std::filesystem::create_directories(directory);
   for (const TemplateFile& file : template_files()) {
     if (file.of != wanted) continue;

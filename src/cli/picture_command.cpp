@@ -46,8 +46,8 @@ void set_size(const std::string& text, report::Picture& picture) {
       picture.height = *height;
       return;
     }
-  throw ConfigError(fmt::format("--size: '{}' is not a size; give width x height in pixels, {} to {}: 1200x900", text,
-                                least, most));
+  throw ConfigError(
+      fmt::format("--size: '{}' is not a size; give width x height in pixels, {} to {}: 1200x900", text, least, most));
 }
 
 }  // namespace
@@ -58,11 +58,13 @@ int picture(const Command& self, const Arguments& arguments) {
   std::string bodies, range, size, output;
   double time = 0;
   CommandLine line(self);
-  line.add_options()("field,f", po::value(&wanted.field)->value_name("NAME"),
-                     "a quantity of the field files, such as von_mises (default), contact_pressure, stress_xx, or 'mesh'");
+  line.add_options()(
+      "field,f", po::value(&wanted.field)->value_name("NAME"),
+      "a quantity of the field files, such as von_mises (default), contact_pressure, stress_xx, or 'mesh'");
   line.add_options()("time,t", po::value(&time)->value_name("T"),
                      "the output time nearest to T is drawn (default: the last)");
-  line.add_options()("warp,w", po::value(&wanted.warp)->value_name("FACTOR"), "enlarged displacements (default: 0, none)");
+  line.add_options()("warp,w", po::value(&wanted.warp)->value_name("FACTOR"),
+                     "enlarged displacements (default: 0, none)");
   line.add_options()("body,b", po::value(&bodies)->value_name("a,b,..."), "draw only these bodies");
   line.add_options()("range,r", po::value(&range)->value_name("LOW,HIGH"),
                      "of the colours (default: that of the values drawn)");

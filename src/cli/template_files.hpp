@@ -8,8 +8,8 @@
 namespace creepcontact::cli {
 
 struct TemplateFile {
-  std::string of;         ///< name of the template
-  std::string name;       ///< of the file
+  std::string of;    ///< name of the template
+  std::string name;  ///< of the file
   std::string_view text;
 };
 

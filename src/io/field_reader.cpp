@@ -22,7 +22,8 @@ std::vector<std::string> component_names(const pugi::xml_node& array) {
 
 const mesh::CellType* type_of(double vtk_number) {
   const auto& types = mesh::cell_types();
-  const auto found = std::ranges::find_if(types, [&](mesh::CellType type) { return vtk_cell_type(type) == vtk_number; });
+  const auto found =
+      std::ranges::find_if(types, [&](mesh::CellType type) { return vtk_cell_type(type) == vtk_number; });
   return found == types.end() ? nullptr : &*found;
 }
 
@@ -123,8 +124,8 @@ FieldMesh FieldFile::mesh() const {
 std::vector<FieldArray> FieldFile::point_arrays() const {
   std::vector<FieldArray> arrays;
   for (const pugi::xml_node& array : content_->piece.child("PointData").children("DataArray"))
-    arrays.push_back({array.attribute("Name").as_string(), array.attribute("NumberOfComponents").as_int(1),
-                      component_names(array)});
+    arrays.push_back(
+        {array.attribute("Name").as_string(), array.attribute("NumberOfComponents").as_int(1), component_names(array)});
   return arrays;
 }
 

@@ -55,11 +55,11 @@ void read_bodies(const nlohmann::json& json, Summary& summary) {
   const auto bodies = json.find("bodies");
   if (bodies == json.end()) return;
   for (const auto& [name, body] : bodies->items())
-    summary.bodies[name] = {count(body, "dofs"),
-                            count(body, "elements"),
-                            count(body, "integration_points"),
-                            {number(body, "initial_von_mises"), number(body, "largest_von_mises"),
-                             number(body, "final_von_mises")}};
+    summary.bodies[name] = {
+        count(body, "dofs"),
+        count(body, "elements"),
+        count(body, "integration_points"),
+        {number(body, "initial_von_mises"), number(body, "largest_von_mises"), number(body, "final_von_mises")}};
 }
 
 void read_contacts(const nlohmann::json& json, Summary& summary) {
@@ -97,7 +97,7 @@ void read_accuracy(const nlohmann::json& json, Summary& summary) {
 }
 
 void read_wall_seconds(const nlohmann::json& json, Summary& summary) {
-  summary.wall_seconds = {json.at("total"),           number(json, "factorize"), number(json, "solve"),
+  summary.wall_seconds = {json.at("total"),         number(json, "factorize"), number(json, "solve"),
                           number(json, "material"), number(json, "contact"),   number(json, "output")};
 }
 

@@ -46,7 +46,8 @@ std::vector<Face> outer_faces(std::span<const CellBlock> blocks, int dimension) 
   std::ranges::sort(all, {}, &Candidate::corners);
   std::vector<Candidate> outer;
   for (auto one = all.begin(); one != all.end();) {
-    const auto next = std::find_if(one, all.end(), [&](const Candidate& other) { return other.corners != one->corners; });
+    const auto next =
+        std::find_if(one, all.end(), [&](const Candidate& other) { return other.corners != one->corners; });
     if (next - one == 1) outer.push_back(*one);
     one = next;
   }
@@ -56,7 +57,8 @@ std::vector<Face> outer_faces(std::span<const CellBlock> blocks, int dimension) 
   for (const Candidate& one : outer) {
     const LocalFace& local = cell_faces(blocks[one.block].type)[one.face];
     Face face{local.type, {}};
-    for (const int node : local.nodes) face.nodes.push_back(blocks[one.block].cell(one.cell)[static_cast<std::size_t>(node)]);
+    for (const int node : local.nodes)
+      face.nodes.push_back(blocks[one.block].cell(one.cell)[static_cast<std::size_t>(node)]);
     faces.push_back(std::move(face));
   }
   return faces;

@@ -11,8 +11,7 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const auto byte = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U; };
     const unsigned three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (unsigned d = 0; d < 4; ++d)
-      text += i + d > bytes.size() ? '=' : digits[three >> (18 - 6 * d) & 63U];
+    for (unsigned d = 0; d < 4; ++d) text += i + d > bytes.size() ? '=' : digits[three >> (18 - 6 * d) & 63U];
   }
   return text;
 }

@@ -45,7 +45,10 @@ void Drawings::add(const plot::Figure& figure, const std::string& alternative, H
 }
 
 void Drawings::add(const io::RecordedPlot& given, Html& page) {
-  plot::Figure figure{given.title, {given.x_label, given.log_x, false, false}, {{{given.y_label, given.log_y}, {}}}};
+  plot::Figure figure;
+  figure.title = given.title;
+  figure.x = {given.x_label, given.log_x};
+  figure.panels.push_back({{given.y_label, given.log_y}, {}});
   for (const io::RecordedCurve& curve : given.curves)
     if (figure.panels[0].series.size() < plot::max_series && !curve.x.empty())
       figure.panels[0].series.push_back({curve.name, curve.x, curve.y});

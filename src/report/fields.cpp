@@ -12,10 +12,21 @@
 namespace creepcontact::report {
 namespace {
 
-constexpr std::array first_ones{"von_mises",     "contact_pressure", "displacement_magnitude", "creep_strain_equivalent",
-                                "principal_1",   "temperature",      "damage",                 "life_fraction",
-                                "contact_shear", "gap",              "slip",                   "contact_status",
-                                "stress_theta",  "stress_r",         "principal_3"};
+constexpr std::array first_ones{"von_mises",
+                                "contact_pressure",
+                                "displacement_magnitude",
+                                "creep_strain_equivalent",
+                                "principal_1",
+                                "temperature",
+                                "damage",
+                                "life_fraction",
+                                "contact_shear",
+                                "gap",
+                                "slip",
+                                "contact_status",
+                                "stress_theta",
+                                "stress_r",
+                                "principal_3"};
 
 std::size_t rank(const Field& field) {
   return static_cast<std::size_t>(std::ranges::find(first_ones, field.name) - first_ones.begin());
@@ -44,7 +55,8 @@ void add_unknown(const io::FieldArray& array, std::vector<Field>& fields) {
     else if (array.components > 1)
       suffix = std::to_string(c);
     const std::string separator = suffix.empty() ? "" : "_";
-    fields.push_back({name + separator + suffix, name + (suffix.empty() ? "" : " ") + suffix, unit, array.name, c, false});
+    fields.push_back(
+        {name + separator + suffix, name + (suffix.empty() ? "" : " ") + suffix, unit, array.name, c, false});
   }
 }
 

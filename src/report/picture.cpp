@@ -31,9 +31,10 @@ class Run {
   explicit Run(const std::filesystem::path& directory) : directory_(directory) {
     require_run(directory, "picture");
     if (!path_exists(directory / "fields.pvd"))
-      throw ConfigError(fmt::format("no fields.pvd in '{}': the run wrote no fields; set output.fields = true in its "
-                                    "configuration and run it again",
-                                    directory.string()));
+      throw ConfigError(
+          fmt::format("no fields.pvd in '{}': the run wrote no fields; set output.fields = true in its "
+                      "configuration and run it again",
+                      directory.string()));
     entries_ = io::read_field_list(directory / "fields.pvd");
     std::erase_if(entries_, [](const io::FieldEntry& entry) { return !path_exists(entry.file); });
     if (entries_.empty()) throw ConfigError(fmt::format("'{}' has no field files yet", directory.string()));
@@ -60,29 +61,30 @@ class Run {
     drawn.title = is_mesh ? "Mesh" : capitalized(field.label);
     if (!is_mesh || picture.warp != 0) drawn.title += fmt::format(" at t = {:.6g}{}", entry.time, time_unit());
     if (picture.warp != 0) drawn.title += fmt::format(", deformation x {:.6g}", picture.warp);
-    job = {{"file", entry.file.string()},
-           {"contact_file", field.is_on_contact && !contact_.empty() ? nearest(contact_, entry.time).file.string() : ""},
-           {"output", picture.output.string()},
-           {"width", picture.width},
-           {"height", picture.height},
-           {"title", picture.titled ? drawn.title : ""},
-           {"unit", field.unit},
-           {"array", field.array},
-           {"component", field.component},
-           {"low", picture.range ? Json(picture.range->first) : Json()},
-           {"high", picture.range ? Json(picture.range->second) : Json()},
-           {"displacement", displacement_},
-           {"warp", picture.warp},
-           {"bodies", Json::array()},
-           {"colours", Json::parse(colours())},
-           {"mesh", is_mesh},
-           {"flat", flat_},
-           {"view", picture.view}};
+    job = {
+        {"file", entry.file.string()},
+        {"contact_file", field.is_on_contact && !contact_.empty() ? nearest(contact_, entry.time).file.string() : ""},
+        {"output", picture.output.string()},
+        {"width", picture.width},
+        {"height", picture.height},
+        {"title", picture.titled ? drawn.title : ""},
+        {"unit", field.unit},
+        {"array", field.array},
+        {"component", field.component},
+        {"low", picture.range ? Json(picture.range->first) : Json()},
+        {"high", picture.range ? Json(picture.range->second) : Json()},
+        {"displacement", displacement_},
+        {"warp", picture.warp},
+        {"bodies", Json::array()},
+        {"colours", Json::parse(colours())},
+        {"mesh", is_mesh},
+        {"flat", flat_},
+        {"view", picture.view}};
     for (const std::string& name : picture.bodies) {
       const auto found = std::ranges::find(bodies_, name);
       if (found == bodies_.end())
-        throw ConfigError(fmt::format("no body '{}' in the results{} (there are: {})", name, did_you_mean(name, bodies_),
-                                      fmt::join(bodies_, ", ")));
+        throw ConfigError(fmt::format("no body '{}' in the results{} (there are: {})", name,
+                                      did_you_mean(name, bodies_), fmt::join(bodies_, ", ")));
       job["bodies"].push_back(found - bodies_.begin());
     }
     return drawn;
@@ -120,8 +122,9 @@ class Run {
 std::filesystem::path python() {
   for (const char* place : {"/usr/bin/python3", "/usr/local/bin/python3"})
     if (::access(place, X_OK) == 0) return place;
-  throw ConfigError("pictures of fields are drawn by VTK in Python, which is not installed (Debian: apt-get install "
-                    "python3-vtk9 xvfb)");
+  throw ConfigError(
+      "pictures of fields are drawn by VTK in Python, which is not installed (Debian: apt-get install "
+      "python3-vtk9 xvfb)");
 }
 
 /// All that is written into the pipe until its writers have ended.
@@ -145,8 +148,7 @@ void run_python(const std::string& jobs) {
   if (process.wait() == 0) return;
   while (!messages.empty() && messages.back() == '\n') messages.pop_back();
   const std::string last = messages.substr(messages.rfind('\n') + 1);
-  if (messages.find("apt-get install") != std::string::npos)
-    throw ConfigError(fmt::format("no picture: {}", last));
+  if (messages.find("apt-get install") != std::string::npos) throw ConfigError(fmt::format("no picture: {}", last));
   throw Error(fmt::format("no picture: the process that draws it failed: {}", last.empty() ? "no message" : last), 4);
 }
 

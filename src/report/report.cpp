@@ -23,9 +23,8 @@ namespace {
 struct Part {
   const char *id, *title;
 };
-constexpr std::array parts{Part{"answer", "What came out"}, Part{"histories", "Histories"},
-                           Part{"fields", "Fields"},        Part{"inputs", "Inputs"},
-                           Part{"accuracy", "Accuracy"},    Part{"origin", "Origin"}};
+constexpr std::array parts{Part{"answer", "What came out"}, Part{"histories", "Histories"}, Part{"fields", "Fields"},
+                           Part{"inputs", "Inputs"},        Part{"accuracy", "Accuracy"},   Part{"origin", "Origin"}};
 
 void open_page(const std::string& title, Html& page) {
   page.raw(

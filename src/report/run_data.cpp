@@ -11,8 +11,9 @@ namespace {
 
 io::ModelRecord read_record(const std::filesystem::path& path, std::vector<std::string>& notes) {
   if (!path_exists(path)) {
-    notes.emplace_back("The directory has no model.json: the run is of an earlier version, or ended before its first "
-                       "output. Materials, loads and contacts are therefore not described.");
+    notes.emplace_back(
+        "The directory has no model.json: the run is of an earlier version, or ended before its first "
+        "output. Materials, loads and contacts are therefore not described.");
     return {};
   }
   try {

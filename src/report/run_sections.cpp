@@ -51,10 +51,10 @@ std::vector<std::string> sentences(const RunData& run) {
     if (contact.opened)
       all.push_back(fmt::format("Contact {} is open from t = {} on.", name, with_unit(*contact.opened, time)));
     else if (course.start > 0)
-      all.push_back(fmt::format("The normal force of contact {} goes from {} at the start to {} at the end, which is "
-                                "{:.0f}\u00a0% of the start.",
-                                name, with_unit(course.start, force), with_unit(course.end, force),
-                                100 * course.end / course.start));
+      all.push_back(fmt::format(
+          "The normal force of contact {} goes from {} at the start to {} at the end, which is "
+          "{:.0f}\u00a0% of the start.",
+          name, with_unit(course.start, force), with_unit(course.end, force), 100 * course.end / course.start));
   }
   for (const auto& [name, largest] : summary.life_fraction)
     all.push_back(fmt::format("Body {} has used {:.3g}\u00a0% of its creep life {}.", name, 100 * largest.value,
@@ -62,8 +62,9 @@ std::vector<std::string> sentences(const RunData& run) {
   for (const auto& [name, largest] : summary.damage)
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));
   for (const auto& [name, at] : summary.events)
-    all.push_back(at ? fmt::format("Event {}: first true at t = {}.", name, with_unit(*at, time))
-                     : fmt::format("Event {}: did not happen up to t = {}.", name, with_unit(summary.time_reached, time)));
+    all.push_back(
+        at ? fmt::format("Event {}: first true at t = {}.", name, with_unit(*at, time))
+           : fmt::format("Event {}: did not happen up to t = {}.", name, with_unit(summary.time_reached, time)));
   return all;
 }
 
@@ -100,9 +101,10 @@ std::string ending(const RunData& run) {
     case Status::failed:
       return fmt::format("The run failed at t = {}: {}. Results up to there are shown.", reached, run.summary->message);
     default:
-      return fmt::format("The run was interrupted at t = {}, before its end. Results up to there are shown. It can be "
-                         "continued with --resume.",
-                         reached);
+      return fmt::format(
+          "The run was interrupted at t = {}, before its end. Results up to there are shown. It can be "
+          "continued with --resume.",
+          reached);
   }
 }
 
@@ -136,7 +138,8 @@ void add_answer(const RunData& run, Html& page, const std::string& level) {
     if (probe.course) {
       const io::SummaryProbe::Course& c = *probe.course;
       probes.push_back({name, probe.quantity.empty() ? probe.expression : probe.quantity, probe.unit.value_or(""),
-                        number(c.start), number(c.end), number(c.min), number(c.t_min), number(c.max), number(c.t_max)});
+                        number(c.start), number(c.end), number(c.min), number(c.t_min), number(c.max),
+                        number(c.t_max)});
     }
   if (!probes.empty())
     page.table({"probe", "quantity", "unit", "start", "end", "smallest", label("at t", unit(Dimension::time, run)),
@@ -211,7 +214,8 @@ void add_accuracy(const RunData& run, Drawings& drawings, Html& page, const std:
     const io::Summary::Accuracy& accuracy = summary.accuracy;
     Rows rows;
     if (accuracy.tolerance > 0)
-      rows.push_back({"relative accuracy asked for the stress (time.tolerance)", fmt::format("{:.2g}", accuracy.tolerance)});
+      rows.push_back(
+          {"relative accuracy asked for the stress (time.tolerance)", fmt::format("{:.2g}", accuracy.tolerance)});
     if (accuracy.largest_step_error > 0) {
       rows.push_back({"estimated error of the steps on average, of what is allowed",
                       fmt::format("{:.0f} %", 100 * accuracy.mean_step_error)});
@@ -225,8 +229,8 @@ void add_accuracy(const RunData& run, Drawings& drawings, Html& page, const std:
     rows.push_back({"integrator", summary.method.empty() || summary.method == summary.integrator
                                       ? summary.integrator
                                       : fmt::format("{} ({})", summary.integrator, summary.method)});
-    rows.push_back({"time steps, rejected ones beside them",
-                    fmt::format("{} + {}", summary.steps, summary.rejected_steps)});
+    rows.push_back(
+        {"time steps, rejected ones beside them", fmt::format("{} + {}", summary.steps, summary.rejected_steps)});
     rows.push_back({"elastic solves", fmt::format("{}", summary.elastic_solves)});
     rows.push_back({"computing time", fmt::format("{:.2f} s", summary.wall_seconds.total)});
     rows.push_back({"memory", fmt::format("{:.0f} MB", summary.peak_memory_mb)});

@@ -46,8 +46,8 @@ Source read_source(std::vector<io::FieldEntry> entries, const io::ModelRecord& r
     if (array.name == "body") {
       const std::vector<double> numbers = first.point_values("body");
       for (std::size_t i = 0; i < numbers.size(); ++i)
-        source.body_of[i] = static_cast<std::size_t>(
-            std::clamp(numbers[i], 0.0, static_cast<double>(source.names.size() - 1)));
+        source.body_of[i] =
+            static_cast<std::size_t>(std::clamp(numbers[i], 0.0, static_cast<double>(source.names.size() - 1)));
     }
   source.shapes = shapes(source.mesh, source.body_of, source.names.size());
   source.fields = fields_of(first, record.fields);
@@ -154,7 +154,8 @@ std::vector<std::size_t> add_geometry(const Source& source, const Detail& detail
   return number.points();
 }
 
-std::vector<float> picked(const std::vector<double>& values, const std::vector<std::size_t>& points, std::size_t width) {
+std::vector<float> picked(const std::vector<double>& values, const std::vector<std::size_t>& points,
+                          std::size_t width) {
   std::vector<float> result;
   result.reserve(width * points.size());
   for (const std::size_t point : points)
@@ -191,8 +192,9 @@ std::vector<Detail> details(double limit_bytes) {
     const double per_point = 12 + 24 + static_cast<double>(times) * (6 + 2 * static_cast<double>(fields));
     return static_cast<std::size_t>(std::max(2000.0, 0.7 * limit_bytes / per_point));
   };
-  return {{true, 60, 64},  {true, 30, 64}, {true, 30, 12}, {true, 15, 12},           {false, 60, 64},
-          {false, 30, 12}, {false, 15, 8}, {false, 10, 4}, {false, 6, 4, points(6, 4)}};
+  return {{true, 60, 64}, {true, 30, 64},  {true, 30, 12},
+          {true, 15, 12}, {false, 60, 64}, {false, 30, 12},
+          {false, 15, 8}, {false, 10, 4},  {false, 6, 4, points(6, 4)}};
 }
 
 std::string note(const Source& source, const Detail& detail, const Scene& scene) {
@@ -201,12 +203,13 @@ std::string note(const Source& source, const Detail& detail, const Scene& scene)
       std::ranges::any_of(source.shapes, [](const BodyShape& shape) { return !shape.tetrahedra.empty(); });
   if (has_volume && !detail.volume) left_out.emplace_back("the inside of the bodies (sections show the surfaces only)");
   if (scene.times.size() < source.entries.size())
-    left_out.push_back(fmt::format("{} of {} output times", source.entries.size() - scene.times.size(),
-                                   source.entries.size()));
+    left_out.push_back(
+        fmt::format("{} of {} output times", source.entries.size() - scene.times.size(), source.entries.size()));
   if (scene.fields.size() < source.fields.size())
-    left_out.push_back(fmt::format("{} of {} quantities", source.fields.size() - scene.fields.size(),
-                                   source.fields.size()));
-  if (detail.points < source.mesh.points.size()) left_out.emplace_back("small elements of the surface, which are merged");
+    left_out.push_back(
+        fmt::format("{} of {} quantities", source.fields.size() - scene.fields.size(), source.fields.size()));
+  if (detail.points < source.mesh.points.size())
+    left_out.emplace_back("small elements of the surface, which are merged");
   if (left_out.empty()) return "";
   std::string text = "To keep this page small, it leaves out ";
   for (std::size_t i = 0; i < left_out.size(); ++i)
@@ -231,9 +234,8 @@ std::optional<Scene> read_scene(const std::filesystem::path& directory, const io
     scene.length_unit = unit_of(Dimension::length, units);
     const std::vector<std::size_t> kept = spread(source.entries.size(), detail.times);
     const std::vector<std::size_t> points = add_geometry(source, detail, scene);
-    scene.fields.assign(source.fields.begin(),
-                        source.fields.begin() +
-                            static_cast<std::ptrdiff_t>(std::min(detail.fields, source.fields.size())));
+    scene.fields.assign(source.fields.begin(), source.fields.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                           detail.fields, source.fields.size())));
     const bool is_last = detail.points != SIZE_MAX;
     if (!is_last && bytes(points.size(), scene, kept.size(), scene.fields.size()) > limit) continue;
     add_values(source, kept, points, scene);

@@ -15,9 +15,9 @@ namespace creepcontact::report {
 
 /// How much of the fields is kept.
 struct Detail {
-  bool volume = true;        ///< tetrahedra, for sections
-  std::size_t times = 60;    ///< at most
-  std::size_t fields = 64;   ///< at most
+  bool volume = true;             ///< tetrahedra, for sections
+  std::size_t times = 60;         ///< at most
+  std::size_t fields = 64;        ///< at most
   std::size_t points = SIZE_MAX;  ///< of the surface, about; more are merged
 };
 
@@ -38,9 +38,9 @@ struct Scene {
   std::vector<float> positions;  ///< 3 per point
   std::vector<std::uint32_t> triangles, edges, tetrahedra;
   std::vector<Field> fields;
-  std::vector<std::vector<std::vector<float>>> values;    ///< [field][time][point]
-  std::vector<std::vector<float>> displacements;          ///< [time][3 point]; empty: the files have none
-  std::string note;                                       ///< what was left out; may be empty
+  std::vector<std::vector<std::vector<float>>> values;  ///< [field][time][point]
+  std::vector<std::vector<float>> displacements;        ///< [time][3 point]; empty: the files have none
+  std::string note;                                     ///< what was left out; may be empty
 
   std::size_t n_points() const { return positions.size() / 3; }
 };

@@ -92,21 +92,21 @@ std::string without_tags(const std::string& json) {
 PackedScene packed(const Scene& scene) {
   const float largest = largest_of(scene.displacements);
   nlohmann::ordered_json header{{"title", scene.title},
-              {"times", scene.times},
-              {"time_unit", scene.time_unit},
-              {"length_unit", scene.length_unit},
-              {"flat", scene.flat},
-              {"warp", suggested_warp(scene)},
-              {"begin",
-               {{"field", scene.fields.empty() ? "" : scene.fields.front().name},
-                {"time", scene.times.empty() ? 0 : scene.times.size() - 1}}},
-              {"bodies", nlohmann::ordered_json::array()},
-              {"surface_points", scene.n_surface},
-              {"inner_points", scene.n_points() - scene.n_surface},
-              {"fields", nlohmann::ordered_json::array()},
-              {"largest_displacement", largest},
-              {"has_tetrahedra", !scene.tetrahedra.empty()},
-              {"note", scene.note}};
+                                {"times", scene.times},
+                                {"time_unit", scene.time_unit},
+                                {"length_unit", scene.length_unit},
+                                {"flat", scene.flat},
+                                {"warp", suggested_warp(scene)},
+                                {"begin",
+                                 {{"field", scene.fields.empty() ? "" : scene.fields.front().name},
+                                  {"time", scene.times.empty() ? 0 : scene.times.size() - 1}}},
+                                {"bodies", nlohmann::ordered_json::array()},
+                                {"surface_points", scene.n_surface},
+                                {"inner_points", scene.n_points() - scene.n_surface},
+                                {"fields", nlohmann::ordered_json::array()},
+                                {"largest_displacement", largest},
+                                {"has_tetrahedra", !scene.tetrahedra.empty()},
+                                {"note", scene.note}};
   for (const SceneBody& body : scene.bodies)
     header["bodies"].push_back({{"name", body.name},
                                 {"triangles", {body.first_triangle, body.n_triangles}},
@@ -139,7 +139,8 @@ PackedScene packed(const Scene& scene) {
     }
   }
   bytes.end_block();
-  return {without_tags(header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)), base64(bytes.compressed())};
+  return {without_tags(header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)),
+          base64(bytes.compressed())};
 }
 
 }  // namespace creepcontact::report

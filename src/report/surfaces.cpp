@@ -82,7 +82,9 @@ bool is_flat(const io::FieldMesh& mesh) {
 std::vector<BodyShape> shapes(const io::FieldMesh& mesh, const std::vector<std::size_t>& body_of,
                               std::size_t n_bodies) {
   std::vector<BodyShape> result(n_bodies);
-  const auto shape_of = [&](std::int64_t node) -> BodyShape& { return result[body_of[static_cast<std::size_t>(node)]]; };
+  const auto shape_of = [&](std::int64_t node) -> BodyShape& {
+    return result[body_of[static_cast<std::size_t>(node)]];
+  };
   if (!is_flat(mesh))
     for (const mesh::Face& face : mesh::outer_faces(mesh.blocks, 3))
       add_face(face.type, face.nodes, shape_of(face.nodes[0]));

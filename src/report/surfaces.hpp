@@ -11,8 +11,8 @@ namespace creepcontact::report {
 
 /// Of one body; numbers are those of the points of the mesh.
 struct BodyShape {
-  std::vector<std::array<std::int64_t, 3>> triangles;  ///< of the surface, outward; of a section the section itself
-  std::vector<std::array<std::int64_t, 2>> edges;      ///< edges of the elements there, each once
+  std::vector<std::array<std::int64_t, 3>> triangles;   ///< of the surface, outward; of a section the section itself
+  std::vector<std::array<std::int64_t, 2>> edges;       ///< edges of the elements there, each once
   std::vector<std::array<std::int64_t, 4>> tetrahedra;  ///< the volume between corners; none in sections
 };
 
@@ -20,8 +20,8 @@ struct BodyShape {
 bool is_flat(const io::FieldMesh& mesh);
 
 /// @param body_of  the body of every point @returns one shape per body
-/// Faces and elements of second order are divided at their mid-nodes, tetrahedra have the corners alone. Cost: a sort of
-/// all faces.
+/// Faces and elements of second order are divided at their mid-nodes, tetrahedra have the corners alone. Cost: a sort
+/// of all faces.
 std::vector<BodyShape> shapes(const io::FieldMesh& mesh, const std::vector<std::size_t>& body_of, std::size_t n_bodies);
 
 }  // namespace creepcontact::report

@@ -58,16 +58,16 @@ class Recorder {
       : config_(config), model_(model), at_start_(at_start), temperature_(model::temperature_range(config, model)) {}
 
   io::RecordedSection mesh() const {
-    const std::string volume = with_unit("volume", unit(Dimension::length).empty() ? "" : unit(Dimension::length) + "³");
+    const std::string volume =
+        with_unit("volume", unit(Dimension::length).empty() ? "" : unit(Dimension::length) + "³");
     io::RecordedTable table{
         "", {"body", "material", "elements", "nodes", "unknowns", "integration points", volume}, {}};
     for (const mechanics::Body& body : model_.bodies()) {
       const std::span<const double> weights = body.discretization().weights();
-      table.rows.push_back({body.name(), body.material().name, element_names(body.mesh()),
-                            fmt::format("{}", body.mesh().n_cell_nodes()),
-                            fmt::format("{}", body.constraints().n_free()),
-                            fmt::format("{}", body.discretization().n_points()),
-                            fmt::format("{:.6g}", std::accumulate(weights.begin(), weights.end(), 0.0))});
+      table.rows.push_back(
+          {body.name(), body.material().name, element_names(body.mesh()), fmt::format("{}", body.mesh().n_cell_nodes()),
+           fmt::format("{}", body.constraints().n_free()), fmt::format("{}", body.discretization().n_points()),
+           fmt::format("{:.6g}", std::accumulate(weights.begin(), weights.end(), 0.0))});
     }
     return {"Bodies and mesh",
             {fmt::format("Mesh file: {}. Analysis: {}.", config_.mesh.file.filename().string(),
@@ -78,9 +78,8 @@ class Recorder {
 
   io::RecordedSection material(const config::Material& given) const {
     io::RecordedSection section{"Material " + given.name, {}, {}, {}};
-    section.notes.push_back(given.sources.empty()
-                                ? "Sources of the data: none named (key sources of the material)."
-                                : "Sources of the data: " + given.sources);
+    section.notes.push_back(given.sources.empty() ? "Sources of the data: none named (key sources of the material)."
+                                                  : "Sources of the data: " + given.sources);
     io::RecordedTable elastic{"", {"property", "value", "unit"}, {}};
     elastic.rows.push_back({"Young's modulus", given.young_modulus.text(), unit(Dimension::stress)});
     elastic.rows.push_back({"Poisson's ratio", given.poisson_ratio.text(), ""});
@@ -93,8 +92,8 @@ class Recorder {
     section.tables.push_back(elastic);
     for (const config::CreepMechanism& mechanism : given.creep) section.tables.push_back(law(mechanism));
     if (given.rupture) section.tables.push_back(rupture(*given.rupture));
-    const auto body = std::ranges::find(model_.bodies(), given.name,
-                                        [](const mechanics::Body& b) { return b.material().name; });
+    const auto body =
+        std::ranges::find(model_.bodies(), given.name, [](const mechanics::Body& b) { return b.material().name; });
     if (body != model_.bodies().end())
       if (io::RecordedPlot plot = creep_curves(body->material()); !plot.curves.empty()) section.plots.push_back(plot);
     return section;
@@ -189,9 +188,10 @@ class Recorder {
   io::RecordedTable rupture(const config::Rupture& data) const {
     if (data.rupture_time)
       return {"Rupture", {"property", "value"}, {{label("rupture time", Dimension::time), data.rupture_time->text()}}};
-    io::RecordedTable table{fmt::format("Rupture: Larson-Miller parameter, constant {:.6g}", data.larson_miller_constant),
-                            {label("stress", Dimension::stress), "parameter"},
-                            {}};
+    io::RecordedTable table{
+        fmt::format("Rupture: Larson-Miller parameter, constant {:.6g}", data.larson_miller_constant),
+        {label("stress", Dimension::stress), "parameter"},
+        {}};
     for (std::size_t i = 0; i < data.stress.size(); ++i)
       table.rows.push_back({fmt::format("{:.6g}", data.stress[i]), fmt::format("{:.6g}", data.parameter[i])});
     return table;
@@ -235,7 +235,8 @@ class Recorder {
         const material::CreepCurve curve =
             material::creep_curve(material, {.stress = stress, .temperature = temperature, .end = config_.time.end});
         io::RecordedCurve kept{number(stress, Dimension::stress), {}, {}};
-        if (temperatures.size() > 1) kept.name += ", " + number(std::stod(fmt::format("{:.4g}", temperature)), Dimension::temperature);
+        if (temperatures.size() > 1)
+          kept.name += ", " + number(std::stod(fmt::format("{:.4g}", temperature)), Dimension::temperature);
         const std::size_t every = std::max<std::size_t>(1, curve.time.size() / curve_points);
         for (std::size_t i = 0; i < curve.time.size(); ++i)
           if ((i % every == 0 || i + 1 == curve.time.size()) && curve.strain[i] >= least_strain) {
@@ -250,8 +251,7 @@ class Recorder {
   /// Equidistant times and all breakpoints, where functions jump or turn.
   std::vector<double> times(std::size_t n) const {
     std::set<double> all;
-    for (std::size_t i = 0; i <= n; ++i)
-      all.insert(config_.time.end * static_cast<double>(i) / static_cast<double>(n));
+    for (std::size_t i = 0; i <= n; ++i) all.insert(config_.time.end * static_cast<double>(i) / static_cast<double>(n));
     std::size_t kept = 0;
     for (const double t : model_.breakpoints) {
       if (t > config_.time.end || ++kept > 5 * n) break;
@@ -301,12 +301,8 @@ class Recorder {
       hottest.x.push_back(t);
       hottest.y.push_back(high);
     }
-    return {"Temperature",
-            label("time", Dimension::time),
-            label("temperature", Dimension::temperature),
-            false,
-            false,
-            {std::move(hottest), std::move(coldest)}};
+    return {"Temperature", label("time", Dimension::time),          label("temperature", Dimension::temperature), false,
+            false,         {std::move(hottest), std::move(coldest)}};
   }
 
   const config::Config& config_;
@@ -321,8 +317,12 @@ std::vector<io::RecordedField> fields(const std::string& units) {
     const results::OutputVariable& variable = *quantity.variable;
     const bool is_on_contact = variable.is_contact_field();
     if (variable.point_array.empty() && !is_on_contact) continue;
-    io::RecordedField field{quantity.name, variable.label, unit_of(dimension_of(variable.dimension), units),
-                            is_on_contact ? variable.name : variable.point_array, quantity.component, is_on_contact};
+    io::RecordedField field{quantity.name,
+                            variable.label,
+                            unit_of(dimension_of(variable.dimension), units),
+                            is_on_contact ? variable.name : variable.point_array,
+                            quantity.component,
+                            is_on_contact};
     if (quantity.name.ends_with("_equivalent")) field.label = "equivalent " + field.label;
     if (!variable.components.empty())
       field.label += ' ' + variable.components[static_cast<std::size_t>(quantity.component)];

@@ -52,7 +52,7 @@ class Completion(CompletionTest):
         return sorted(done.stdout.splitlines())
 
     def test_commands(self):
-        self.assertEqual(self.complete(""), ["--help", "--version", "check", "import", "list", "plot", "run", "study"])
+        self.assertEqual(self.complete(""), ["--help", "--version", "check", "import", "list", "new", "picture", "plot", "report", "run", "study"])
         self.assertEqual(self.complete("pl"), ["plot"])
 
     def test_every_command_of_the_program(self):
@@ -69,13 +69,17 @@ class Completion(CompletionTest):
         self.assertEqual(self.complete("check --set time.end=1 c"), ["case.toml"])
         self.assertEqual(self.complete("plot "), ["results"])
         self.assertEqual(self.complete("import "), ["deck.inp", "results"])
+        self.assertEqual(self.complete("report r"), ["results"])
+        self.assertEqual(self.complete("picture r"), ["results"])
+        self.assertEqual(self.complete("picture results --view -"), ["-x", "-y", "-z"])
+        self.assertEqual(self.complete("new x --template b"), ["ball_on_block", "blade_root", "bolted_joint"])
         self.assertEqual(self.complete("run --output "), ["results"])
         self.assertEqual(self.complete("run --output=res"), ["results"])
         self.assertEqual(self.complete("run --log-contact case."), ["case.geo", "case.toml"])
 
     def test_lists(self):
         self.assertEqual(self.complete("list "),
-                         ["elements", "integrators", "keys", "laws", "quantities", "study-keys"])
+                         ["elements", "integrators", "keys", "laws", "quantities", "study-keys", "templates"])
         self.assertEqual(self.complete("list keys con"), ["contact_solver", "contacts"])
         self.assertEqual(self.complete("list study-keys ax"), ["axes"])
         self.assertEqual(self.complete("plot results --log-time "), ["auto", "no", "yes"])

@@ -17,7 +17,7 @@ struct FieldEntry {
   std::filesystem::path file;  ///< resolved against the directory of the list
 };
 
-/// @throws ConfigError naming the file if it cannot be read or is no list of files
+/// @throws ConfigError naming the file if it cannot be read or has another content
 std::vector<FieldEntry> read_field_list(const std::filesystem::path& list);
 /// Like read_field_list(), from text. @param directory  of the list @param name  of the file, for messages
 std::vector<FieldEntry> parse_field_list(std::string_view text, const std::filesystem::path& directory,
@@ -33,7 +33,7 @@ struct FieldArray {
 /// One .vtu file.
 class FieldFile {
  public:
-  /// Cost: reading the file. @throws ModelError naming the file if it cannot be read or is no .vtu
+  /// Cost: reading the file. @throws ModelError naming the file if it cannot be read or is not a .vtu
   explicit FieldFile(const std::filesystem::path& path);
   /// From text. @param name  of the file, for messages
   FieldFile(std::string text, std::string name);

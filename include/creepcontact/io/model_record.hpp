@@ -36,12 +36,12 @@ struct RecordedSection {
 
 /// A scalar in the field files.
 struct RecordedField {
-  std::string name = {};        ///< "stress_xx"
-  std::string label = {};       ///< for people: "stress xx"
-  std::string unit = {};        ///< empty: none
-  std::string array = {};       ///< name of its array, without a unit
-  int component = 0;            ///< of the array; -1: its magnitude
-  bool is_on_contact = false;   ///< has values on contact surfaces only
+  std::string name = {};       ///< "stress_xx"
+  std::string label = {};      ///< for people: "stress xx"
+  std::string unit = {};       ///< empty: none
+  std::string array = {};      ///< name of its array, without a unit
+  int component = 0;           ///< of the array; -1: its magnitude
+  bool is_on_contact = false;  ///< has values on contact surfaces only
 };
 
 struct ModelRecord {
@@ -56,7 +56,7 @@ struct ModelRecord {
 /// Replaces the file atomically. @throws Error if the disk cannot take it
 void write_model_record(const std::filesystem::path& path, const ModelRecord& record);
 
-/// Missing members have their defaults. @throws ConfigError naming the file if it cannot be read or is no such record
+/// Missing members have their defaults. @throws ConfigError naming the file if it cannot be read or has another content
 ModelRecord read_model_record(const std::filesystem::path& path);
 /// Like read_model_record(), from text. @param name  of the file, for messages
 ModelRecord parse_model_record(std::string_view text, const std::string& name);

@@ -89,7 +89,7 @@ struct Summary : RunCounters {
   WallSeconds wall_seconds;
   double peak_memory_mb = 0;
   Accuracy accuracy;
-  std::vector<std::string> warnings;  ///< all that the run warned of, each once; omitted if empty
+  std::vector<std::string> warnings;           ///< all that the run warned of, each once; omitted if empty
   std::map<std::string, SummaryProbe> probes;  ///< by name; omitted if empty
   /// Time of each event by its name, nullopt if it has not happened; omitted if empty.
   std::map<std::string, std::optional<double>> events;

@@ -12,14 +12,14 @@ namespace creepcontact::report {
 struct Picture {
   /// A scalar of the field files ("von_mises"), or "mesh": the bodies in one colour each.
   std::string field = "von_mises";
-  std::optional<double> time = {};  ///< the nearest one of the field files is drawn; nullopt: the last
-  double warp = 0;                  ///< factor on the displacements
-  std::vector<std::string> bodies = {};                   ///< shown; empty: all
-  std::optional<std::pair<double, double>> range = {};    ///< of the colours; nullopt: that of the values shown
-  std::string view = "iso";                               ///< one of views(); of a section always "z"
-  bool titled = true;                                     ///< write the title into the picture
-  int width = 1200, height = 900;                         ///< pixels
-  std::filesystem::path output = {};                      ///< PNG file
+  std::optional<double> time = {};       ///< the nearest one of the field files is drawn; nullopt: the last
+  double warp = 0;                       ///< factor on the displacements
+  std::vector<std::string> bodies = {};  ///< shown; empty: all
+  std::optional<std::pair<double, double>> range = {};  ///< of the colours; nullopt: that of the values shown
+  std::string view = "iso";                             ///< one of views(); of a section always "z"
+  bool titled = true;                                   ///< write the title into the picture
+  int width = 1200, height = 900;                       ///< pixels
+  std::filesystem::path output = {};                    ///< PNG file
 };
 
 /// Directions from which solids are seen: "iso", "x", "-x", "y", "-y", "z", "-z".

@@ -34,8 +34,8 @@ TEST(FieldReader, ReadsWhatWasWritten) {
   std::vector<double> stress(6 * mesh.points.size()), cells(mesh.n_cells());
   for (std::size_t i = 0; i < stress.size(); ++i) stress[i] = 1.0 / static_cast<double>(1 + i);
   writer.write(0, {{"stress [MPa]", 6, stress}}, {{"body", 1, cells}});
-  writer.write(2.5, {{"stress [MPa]", 6, stress}, {"s", 3, std::vector<double>(3 * mesh.points.size()), {"r", "t", "z"}}},
-               {});
+  writer.write(
+      2.5, {{"stress [MPa]", 6, stress}, {"s", 3, std::vector<double>(3 * mesh.points.size()), {"r", "t", "z"}}}, {});
   const std::vector<FieldEntry> list = read_field_list(directory.path() / "fields.pvd");
   ASSERT_EQ(list.size(), 2U);
   EXPECT_EQ(list[1].time, 2.5);

@@ -1,5 +1,5 @@
-/// Scenes from field files: every cell type has a closed surface and its volume, values arrive as they were, and a limit
-/// is kept by leaving out, never by failing.
+/// Scenes from field files: every cell type has a closed surface and its volume, values arrive as they were, and a
+/// limit is kept by leaving out, never by failing.
 
 #include "../../../src/report/scene.hpp"
 
@@ -81,19 +81,21 @@ io::FieldMesh one_cell(mesh::CellType type) {
                              Vector3(1, 0, 1), Vector3(1, 1, 1), Vector3(0, 1, 1)})
       mesh.points.push_back(x);
   else if (corners == 6)
-    for (const Vector3& x : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(1, 0, 1),
-                             Vector3(0, 1, 1)})
+    for (const Vector3& x :
+         {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(1, 0, 1), Vector3(0, 1, 1)})
       mesh.points.push_back(x);
   else
     for (const Vector3& x : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)})
       mesh.points.push_back(x);
   if (mesh::order(type) == 2)
     for (const std::array<int, 2>& edge : mesh::cell_edges(type))
-      mesh.points.push_back((mesh.points[static_cast<std::size_t>(edge[0])] + mesh.points[static_cast<std::size_t>(edge[1])]) / 2);
+      mesh.points.push_back(
+          (mesh.points[static_cast<std::size_t>(edge[0])] + mesh.points[static_cast<std::size_t>(edge[1])]) / 2);
   if (type == mesh::CellType::hex27)
     for (const mesh::LocalFace& face : mesh::cell_faces(type)) {
       Vector3 middle = Vector3::Zero();
-      for (int i = 0; i < 4; ++i) middle += mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])] / 4;
+      for (int i = 0; i < 4; ++i)
+        middle += mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])] / 4;
       mesh.points.push_back(middle);
     }
   while (std::ssize(mesh.points) < mesh::n_nodes(type)) mesh.points.push_back(Vector3::Constant(0.5));
@@ -179,7 +181,8 @@ TEST(Scene, ArrivesAsItWasWritten) {
   size += (3 * n_fields * 2 * n + 3) / 4 * 4;
   std::vector<unsigned char> bytes(size + 100);
   uLongf length = bytes.size();
-  ASSERT_EQ(::uncompress(bytes.data(), &length, reinterpret_cast<const Bytef*>(compressed.data()), compressed.size()), Z_OK);
+  ASSERT_EQ(::uncompress(bytes.data(), &length, reinterpret_cast<const Bytef*>(compressed.data()), compressed.size()),
+            Z_OK);
   EXPECT_EQ(length, size);
   const double low = header["fields"][0]["min"], high = header["fields"][0]["max"];
   const double largest = header["largest_displacement"];
@@ -264,7 +267,8 @@ TEST(Scene, FilesOfAnotherMeshAreRefused) {
   write_fields(directory, row_of_cubes(4, body_of), body_of, {0, 1});
   const io::FieldMesh larger = row_of_cubes(6, more);
   write_fields(other, larger, more, {0, 1});
-  std::filesystem::copy_file(other.path() / "fields" / "fields_0001.vtu", directory.path() / "fields" / "fields_0001.vtu",
+  std::filesystem::copy_file(other.path() / "fields" / "fields_0001.vtu",
+                             directory.path() / "fields" / "fields_0001.vtu",
                              std::filesystem::copy_options::overwrite_existing);
   EXPECT_THROW(read_scene(directory.path(), {}, "", 20), ModelError);
 }
