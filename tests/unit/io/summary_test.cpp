@@ -46,8 +46,36 @@ TEST_F(SummaryFile, HasEveryEntryOfTheContract) {
     "bodies": {"ring": {"dofs": 10, "elements": 11, "integration_points": 12,
       "initial_von_mises": 3.0, "largest_von_mises": 4.0, "final_von_mises": 1.0}},
     "wall_seconds": {"total": 1.0, "factorize": 2.0, "solve": 3.0, "material": 4.0, "contact": 5.0, "output": 6.0},
-    "peak_memory_mb": 99.5})");
+    "peak_memory_mb": 99.5, "accuracy": {"tolerance": 0.0}})");
   EXPECT_EQ(written(summary), expected);
+}
+
+TEST_F(SummaryFile, IsReadBackWhole) {
+  Summary summary;
+  summary.title = "fit";
+  summary.units = "mm, N";
+  summary.version = "0.2.0";
+  summary.integrator = "auto";
+  summary.method = "rkc2";
+  summary.steps = 7;
+  summary.time_reached = 1e5;
+  summary.bodies["ring"] = {.dofs = 10, .elements = 11, .integration_points = 12, .von_mises = {3, 4, 1}};
+  summary.contacts["seat"] = {{100, 120, 40}, 0.05, 2.5, 0.01, 7.0};
+  summary.contacts["plain"] = {{1, 1, 1}, {}, {}, {}, {}};
+  summary.damage["ring"] = {0.5, {1, 2, 3}};
+  summary.life_fraction["ring"] = {0.25, {4, 5, 6}};
+  summary.rupture = {9.5, "ring", {0.99, {7, 8, 9}}};
+  summary.probes["p"] = {"von_mises", "von Mises stress", "stress", "", "MPa", "", SummaryProbe::Course{1, 2, 0, 3, 4, 5}};
+  summary.probes["q"] = {"", "", "", "", "", "2*p", {}};
+  summary.events = {{"leak", 12.0}, {"never", std::nullopt}};
+  summary.friction_kappa = 0.3;
+  summary.wall_seconds = {1, 2, 3, 4, 5, 6};
+  summary.accuracy = {1e-4, 0.1, 0.9, 1e-12};
+  summary.warnings = {"one", "two"};
+  const nlohmann::json first = written(summary);
+  const auto read = read_summary(directory_ / "summary.json");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(written(*read), first);
 }
 
 TEST_F(SummaryFile, TellsFailuresAndInterruptions) {
