@@ -174,12 +174,12 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
       field<Material>("creep", &Material::creep, tables(mechanism_table(vocabulary.laws)),
                       "creep laws that act together: their rates are added")
           .otherwise("elastic"),
+      field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
+                      "time to rupture at constant stress, for the fraction of life used up"),
       field<Material>("sources", &Material::sources, text(),
                       "where the data come from, such as a standard or a test report; copied to `model.json` and "
                       "reports")
           .changeable(),
-      field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
-                      "time to rupture at constant stress, for the fraction of life used up"),
   });
   return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
     material.location = item.location;

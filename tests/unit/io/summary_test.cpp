@@ -65,7 +65,8 @@ TEST_F(SummaryFile, IsReadBackWhole) {
   summary.damage["ring"] = {0.5, {1, 2, 3}};
   summary.life_fraction["ring"] = {0.25, {4, 5, 6}};
   summary.rupture = {9.5, "ring", {0.99, {7, 8, 9}}};
-  summary.probes["p"] = {"von_mises", "von Mises stress", "stress", "", "MPa", "", SummaryProbe::Course{1, 2, 0, 3, 4, 5}};
+  summary.probes["p"] = {
+      "von_mises", "von Mises stress", "stress", "", "MPa", "", SummaryProbe::Course{1, 2, 0, 3, 4, 5}};
   summary.probes["q"] = {"", "", "", "", "", "2*p", {}};
   summary.events = {{"leak", 12.0}, {"never", std::nullopt}};
   summary.friction_kappa = 0.3;
