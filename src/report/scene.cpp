@@ -179,18 +179,19 @@ void add_values(const Source& source, const std::vector<std::size_t>& entries, c
   }
 }
 
-/// Bytes of packed() before compression, which saves as much as base64 costs, or more.
+/// Bytes of packed(), as if nothing could be compressed.
 double bytes(std::size_t n_points, const Scene& scene, std::size_t n_times, std::size_t n_fields) {
   const double per_time = static_cast<double>(n_points) * (6.0 + 2.0 * static_cast<double>(n_fields));
-  return 12.0 * static_cast<double>(n_points) + static_cast<double>(n_times) * per_time +
-         4.0 * static_cast<double>(scene.triangles.size() + scene.edges.size() + scene.tetrahedra.size());
+  const double raw = 12.0 * static_cast<double>(n_points) + static_cast<double>(n_times) * per_time +
+                     4.0 * static_cast<double>(scene.triangles.size() + scene.edges.size() + scene.tetrahedra.size());
+  return raw * 4 / 3;  // base64
 }
 
 /// From everything to little; the last ones always fit.
 std::vector<Detail> details(double limit_bytes) {
   const auto points = [&](std::size_t times, std::size_t fields) {
     const double per_point = 12 + 24 + static_cast<double>(times) * (6 + 2 * static_cast<double>(fields));
-    return static_cast<std::size_t>(std::max(2000.0, 0.7 * limit_bytes / per_point));
+    return static_cast<std::size_t>(std::max(2000.0, 0.5 * limit_bytes / per_point));
   };
   return {{true, 60, 64}, {true, 30, 64},  {true, 30, 12},
           {true, 15, 12}, {false, 60, 64}, {false, 30, 12},

@@ -12,6 +12,7 @@ const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 const WITHOUT_WEBGL = ["--disable-gpu", "--disable-3d-apis"];
 const LEAST_CHANGE = 200; // pixels
+const MOST_NOISE = 0.002; // of the pixels, between two pictures of the same state
 
 export async function withBrowser(webgl, action) {
   const browser = await puppeteer.launch({
@@ -101,6 +102,7 @@ export async function checkInteraction(page) {
   const seen = new Set((await pixels(page)).filter((_, i) => i % 4 === 0));
   if (seen.size < 8) throw new Error("the picture is empty");
   const at = await labels(page);
+  const first = await pixels(page);
   const fields = await page.$$eval(`${at.Quantity} option`, (all) => all.map((one) => one.textContent));
   const times = Number(await page.$eval(at.Time, (slider) => slider.max)) + 1;
   if (times > 1) {
@@ -118,6 +120,12 @@ export async function checkInteraction(page) {
   await expectChange("the section", () => set(page, at.Section, "x", "change"));
   await expectChange("the place of the section", () => set(page, at["Place of the section"], 150, "input"));
   await set(page, at.Section, "", "change");
+  const factor = await page.$eval(at.Deformation, (one) => [...one.options].find((option) => option.defaultSelected)?.value ?? "0");
+  await set(page, at.Deformation, factor, "change");
+  await set(page, at.Colours, "now", "change");
+  const again = changed(first, await pixels(page));
+  if (again > (MOST_NOISE * first.length) / 4) throw new Error(`the same state gives another picture: ${again} pixels differ`);
+  done.push(`the same state gives the same picture (${again} pixels differ)`);
   await page.focus(".viewer canvas");
   await expectChange("an arrow key", async () => {
     for (let i = 0; i < 3; i++) await page.keyboard.press("ArrowRight");
