@@ -54,9 +54,9 @@ void add_unknown(const io::FieldArray& array, std::vector<Field>& fields) {
       suffix = vector[i];
     else if (array.components > 1)
       suffix = std::to_string(c);
-    const std::string separator = suffix.empty() ? "" : "_";
-    fields.push_back(
-        {name + separator + suffix, name + (suffix.empty() ? "" : " ") + suffix, unit, array.name, c, false});
+    const bool has_suffix = !suffix.empty();
+    fields.push_back({fmt::format("{}{}{}", name, has_suffix ? "_" : "", suffix),
+                      fmt::format("{}{}{}", name, has_suffix ? " " : "", suffix), unit, array.name, c, false});
   }
 }
 
@@ -107,6 +107,7 @@ const Field& field_named(const std::string& name, const std::vector<Field>& fiel
   const auto found = std::ranges::find(fields, name, &Field::name);
   if (found != fields.end()) return *found;
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const Field& field : fields) names.push_back(field.name);
   throw ConfigError(fmt::format("no field '{}' in the results{} (there are: {})", name, did_you_mean(name, names),
                                 fmt::join(names, ", ")));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assets.hpp"
 #include "base64.hpp"
@@ -51,10 +52,11 @@ std::vector<std::string> sentences(const RunData& run) {
     if (contact.opened)
       all.push_back(fmt::format("Contact {} is open from t = {} on.", name, with_unit(*contact.opened, time)));
     else if (course.start > 0)
-      all.push_back(fmt::format(
-          "The normal force of contact {} goes from {} at the start to {} at the end, which is "
-          "{:.0f}\u00a0% of the start.",
-          name, with_unit(course.start, force), with_unit(course.end, force), 100 * course.end / course.start));
+      all.push_back(
+          fmt::format("The normal force of contact {} goes from {} at the start to {} at t = {}, which is "
+                      "{:.0f}\u00a0% of the start.",
+                      name, with_unit(course.start, force), with_unit(course.end, force),
+                      with_unit(summary.time_reached, time), 100 * course.end / course.start));
   }
   for (const auto& [name, largest] : summary.life_fraction)
     all.push_back(fmt::format("Body {} has used {:.3g}\u00a0% of its creep life {}.", name, 100 * largest.value,

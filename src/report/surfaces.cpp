@@ -101,8 +101,7 @@ std::vector<BodyShape> shapes(const io::FieldMesh& mesh, const std::vector<std::
   }
   for (BodyShape& shape : result) {
     std::ranges::sort(shape.edges);
-    const auto twice = std::ranges::unique(shape.edges);
-    shape.edges.erase(twice.begin(), twice.end());
+    shape.edges.erase(std::unique(shape.edges.begin(), shape.edges.end()), shape.edges.end());
   }
   return result;
 }

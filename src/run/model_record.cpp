@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -260,6 +261,17 @@ class Recorder {
     return {all.begin(), all.end()};
   }
 
+  /// "gap [mm]" of "contacts[0].gap"
+  std::string label_of_key(const std::string& key) const {
+    static const std::map<std::string, Dimension> dimensions{
+        {"pressure", Dimension::stress},        {"traction", Dimension::stress}, {"force", Dimension::force},
+        {"moment", Dimension::moment},          {"gap", Dimension::length},      {"displacement", Dimension::length},
+        {"temperature", Dimension::temperature}};
+    for (const auto& [word, dimension] : dimensions)
+      if (key.find(word) != std::string::npos) return label(word, dimension);
+    return key.substr(key.rfind('.') + 1);
+  }
+
   /// Functions of time alone, and the range of a temperature that changes.
   std::vector<io::RecordedPlot> courses() const {
     std::vector<io::RecordedPlot> plots;
@@ -273,8 +285,8 @@ class Recorder {
         curve.x.push_back(t);
         curve.y.push_back(value);
       }
-      const std::string quantity = function.key.substr(function.key.rfind('.') + 1);
-      plots.push_back({function.key, label("time", Dimension::time), quantity, false, false, {std::move(curve)}});
+      plots.push_back(
+          {function.key, label("time", Dimension::time), label_of_key(function.key), false, false, {std::move(curve)}});
     }
     if (model_.temperature && model_.temperature->depends_on_time() && model_.temperature->depends_on_position())
       plots.push_back(temperature_course());

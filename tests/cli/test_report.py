@@ -40,7 +40,7 @@ class Report(ReportTest):
         text = self.text_of(page)
         summary = self.summary()
         force = summary["contacts"]["fit"]
-        self.assertIn(f"{force['initial_normal_force']:.5g} N at the start", text)
+        self.assertIn(f"{force['initial_normal_force']:.5g} N at the start to", text)
         for said in ("Shrink fit: a disc relaxes on its shaft", "Young's modulus", "rate = A q^n", "symmetry_x", "disc_bore",
                      "ISO 7 & a <test>", "(interference)", "fit_pressure", "The run gave no warnings.",
                      "relative accuracy asked for the stress", json.loads((self.output / "model.json").read_text())["fingerprint"]):
