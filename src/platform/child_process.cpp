@@ -124,6 +124,16 @@ void Pipe::close_writing_end() {
   writing_ = -1;
 }
 
+std::string read_to_end(const Pipe& pipe) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = ::read(pipe.reading_end(), buffer.data(), buffer.size());
+    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count == 0 || (count < 0 && errno != EINTR)) return text;
+  }
+}
+
 ChildProcess::ChildProcess(const ChildSetup& setup) {
   const Copies copies(setup);
   if (!copies.are_made() || ::access(setup.program.c_str(), X_OK) != 0)

@@ -3,25 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
-
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/platform/child_process.hpp"
 
 namespace creepcontact::plot {
 namespace {
-
-/// All that is written into the pipe until its writers have ended.
-std::string content(const platform::Pipe& pipe) {
-  std::string text;
-  std::array<char, 4096> buffer;
-  for (;;) {
-    const ssize_t count = ::read(pipe.reading_end(), buffer.data(), buffer.size());
-    if (count > 0) text.append(buffer.data(), count);
-    if (count == 0 || (count < 0 && errno != EINTR)) return text;
-  }
-}
 
 std::string without_blank_ends(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \n"), end = text.find_last_not_of(" \n");
@@ -38,7 +24,7 @@ void run_gnuplot(const std::filesystem::path& directory, const std::vector<std::
   platform::ChildProcess gnuplot(
       {"/usr/bin/env", words, {{pipe.writing_end(), STDOUT_FILENO}, {pipe.writing_end(), STDERR_FILENO}}});
   pipe.close_writing_end();
-  const std::string messages = content(pipe);
+  const std::string messages = platform::read_to_end(pipe);
   const int status = gnuplot.wait();
   constexpr int not_found = 127;
   if (status == not_found)

@@ -59,8 +59,10 @@ void Drawings::add(const io::RecordedPlot& given, Html& page) {
 std::vector<Drawings::Still> Drawings::stills(const RunData& run, const std::vector<Picture>& pictures) {
   std::vector<Still> result;
   try {
-    for (const DrawnPicture& drawn : draw_pictures(run.directory, pictures))
-      result.push_back({data_url("image/png", read_file(drawn.file).bytes), drawn.title});
+    const std::vector<DrawnPicture> drawn = draw_pictures(run.directory, pictures);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+      result.push_back({data_url("image/png", read_file(drawn[i].file).bytes), drawn[i].title,
+                        pictures[i].field == "contact_pressure"});
   } catch (const Error& error) {
     note(fmt::format("There are no still pictures of the bodies: {}.", error.what()));
     result.clear();

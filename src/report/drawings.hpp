@@ -25,6 +25,7 @@ class Drawings {
   /// A PNG file as the source of an image, and what it shows.
   struct Still {
     std::string url, title;
+    bool on_contact = false;
   };
   /// The mesh of every body; none if there is no VTK.
   std::vector<Still> meshes(const RunData& run);

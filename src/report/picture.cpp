@@ -4,8 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -127,24 +125,13 @@ std::filesystem::path python() {
       "python3-vtk9 xvfb)");
 }
 
-/// All that is written into the pipe until its writers have ended.
-std::string content(const platform::Pipe& pipe) {
-  std::string text;
-  std::array<char, 4096> buffer;
-  for (;;) {
-    const ssize_t count = ::read(pipe.reading_end(), buffer.data(), buffer.size());
-    if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-    if (count == 0 || (count < 0 && errno != EINTR)) return text;
-  }
-}
-
 void run_python(const std::string& jobs) {
   platform::Pipe pipe;
   platform::ChildProcess process({python(),
                                   {"-c", std::string(picture_script()), jobs},
                                   {{pipe.writing_end(), STDOUT_FILENO}, {pipe.writing_end(), STDERR_FILENO}}});
   pipe.close_writing_end();
-  std::string messages = content(pipe);
+  std::string messages = platform::read_to_end(pipe);
   if (process.wait() == 0) return;
   while (!messages.empty() && messages.back() == '\n') messages.pop_back();
   const std::string last = messages.substr(messages.rfind('\n') + 1);

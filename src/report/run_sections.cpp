@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "assets.hpp"
@@ -172,7 +173,12 @@ void add_fields(const RunData& run, std::size_t n, Drawings& drawings, Html& pag
     page.element("p", "The run has no field files.");
     return;
   }
-  const std::vector<Drawings::Still> stills = drawings.fields(run);
+  std::vector<Drawings::Still> stills = drawings.fields(run), beside;
+  // The view of a section has no place for values along an edge.
+  if (run.scene->flat) {
+    std::ranges::copy_if(stills, std::back_inserter(beside), &Drawings::Still::on_contact);
+    std::erase_if(stills, [](const Drawings::Still& still) { return still.on_contact; });
+  }
   page.open("figure", fmt::format("class=\"fields\" id=\"fields-{}\"", n));
   add_stills(stills, page, "still");
   if (!viewer_script().empty()) {
@@ -185,6 +191,7 @@ void add_fields(const RunData& run, std::size_t n, Drawings& drawings, Html& pag
                "apart, or overlap, by that amount times the factor." +
                    (run.scene->note.empty() ? "" : " " + run.scene->note));
   page.close("figure");
+  add_stills(beside, page, "small");
   if (viewer_script().empty()) return;
   const PackedScene scene = packed(*run.scene);
   page.raw(fmt::format("<script type=\"application/json\" id=\"scene-{}\">{}</script>\n", n, scene.header));

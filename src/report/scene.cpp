@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -26,7 +27,8 @@ struct Source {
   std::vector<BodyShape> shapes;
   std::vector<Field> fields;
   std::vector<io::FieldEntry> entries;
-  std::string displacement;  // name of its array; empty: none
+  std::string displacement;      // name of its array; empty: none
+  std::vector<bool> on_contact;  // every point; empty: not known
 };
 
 std::vector<std::string> body_names(const io::FieldMesh& mesh) {
@@ -35,7 +37,37 @@ std::vector<std::string> body_names(const io::FieldMesh& mesh) {
   return {"body"};
 }
 
-Source read_source(std::vector<io::FieldEntry> entries, const io::ModelRecord& record) {
+/// Which points are those of contact surfaces: the field files have zeros elsewhere. Points of two bodies at one place
+/// are told apart by their displacements.
+std::vector<bool> points_on_contact(const Source& source, const std::filesystem::path& directory) {
+  if (!path_exists(directory / "contact.pvd")) return {};
+  const double time = source.entries.back().time;
+  for (const io::FieldEntry& entry : io::read_field_list(directory / "contact.pvd")) {
+    if (entry.time != time || !path_exists(entry.file)) continue;
+    const io::FieldFile surfaces(entry.file), bodies(source.entries.back().file);
+    const std::string array = displacement_array(surfaces);
+    if (array.empty() || source.displacement.empty()) return {};
+    using Place = std::array<double, 6>;  // position, displacement
+    const auto places = [](const std::vector<Vector3>& points, const std::vector<double>& moved) {
+      std::vector<Place> all;
+      all.reserve(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        all.push_back({points[i][0], points[i][1], points[i][2], moved[3 * i], moved[3 * i + 1], moved[3 * i + 2]});
+      return all;
+    };
+    const std::vector<Place> all = places(surfaces.mesh().points, surfaces.point_values(array));
+    const std::set<Place> known(all.begin(), all.end());
+    std::vector<bool> result;
+    result.reserve(source.mesh.points.size());
+    for (const Place& place : places(source.mesh.points, bodies.point_values(source.displacement)))
+      result.push_back(known.contains(place));
+    return result;
+  }
+  return {};
+}
+
+Source read_source(std::vector<io::FieldEntry> entries, const io::ModelRecord& record,
+                   const std::filesystem::path& directory) {
   Source source;
   source.entries = std::move(entries);
   const io::FieldFile first(source.entries.front().file);
@@ -52,6 +84,7 @@ Source read_source(std::vector<io::FieldEntry> entries, const io::ModelRecord& r
   source.shapes = shapes(source.mesh, source.body_of, source.names.size());
   source.fields = fields_of(first, record.fields);
   source.displacement = displacement_array(first);
+  source.on_contact = points_on_contact(source, directory);
   // Values along the edge of a section colour no area.
   if (is_flat(source.mesh)) std::erase_if(source.fields, [](const Field& field) { return field.is_on_contact; });
   return source;
@@ -163,6 +196,14 @@ std::vector<float> picked(const std::vector<double>& values, const std::vector<s
   return result;
 }
 
+std::vector<double> shown_values(const Source& source, const Field& field, const io::FieldFile& file) {
+  std::vector<double> values = values_of(field, file);
+  if (field.is_on_contact)
+    for (std::size_t i = 0; i < source.on_contact.size(); ++i)
+      if (!source.on_contact[i]) values[i] = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
 void add_values(const Source& source, const std::vector<std::size_t>& entries, const std::vector<std::size_t>& points,
                 Scene& scene) {
   scene.values.resize(scene.fields.size());
@@ -173,7 +214,7 @@ void add_values(const Source& source, const std::vector<std::size_t>& entries, c
                                    source.entries[entry].file.string()));
     scene.times.push_back(source.entries[entry].time);
     for (std::size_t f = 0; f < scene.fields.size(); ++f)
-      scene.values[f].push_back(picked(values_of(scene.fields[f], file), points, 1));
+      scene.values[f].push_back(picked(shown_values(source, scene.fields[f], file), points, 1));
     if (!source.displacement.empty())
       scene.displacements.push_back(picked(file.point_values(source.displacement), points, 3));
   }
@@ -226,7 +267,7 @@ std::optional<Scene> read_scene(const std::filesystem::path& directory, const io
   std::vector<io::FieldEntry> entries = io::read_field_list(directory / "fields.pvd");
   std::erase_if(entries, [](const io::FieldEntry& entry) { return !path_exists(entry.file); });
   if (entries.empty()) return std::nullopt;
-  const Source source = read_source(std::move(entries), record);
+  const Source source = read_source(std::move(entries), record, directory);
   const double limit = 1e6 * limit_mb;
   for (const Detail& detail : details(limit)) {
     Scene scene;

@@ -31,6 +31,9 @@ class Pipe {
   int reading_ = -1, writing_ = -1;
 };
 
+/// All that is written into the pipe until its writers have ended.
+std::string read_to_end(const Pipe& pipe);
+
 /// What to start, and how.
 struct ChildSetup {
   std::filesystem::path program;  ///< a path; PATH is not searched

@@ -201,6 +201,38 @@ TEST(Scene, ArrivesAsItWasWritten) {
     }
 }
 
+TEST(Scene, ContactHasValuesOnItsSurfacesOnly) {
+  const Directory directory;
+  std::vector<std::size_t> body_of;
+  const io::FieldMesh mesh = row_of_cubes(4, body_of);  // the bodies meet at x = 2, with nodes at the same places
+  io::FieldMesh surface;
+  surface.blocks.push_back({mesh::CellType::quad4, {0, 1, 2, 3}});
+  std::vector<double> displacement, pressure(mesh.points.size(), 0.0), moved;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const double u = body_of[i] == 0 ? 0.01 : -0.01;
+    displacement.insert(displacement.end(), {u, 0, 0});
+    if (body_of[i] != 0 || mesh.points[i][0] != 2) continue;
+    surface.points.push_back(mesh.points[i]);
+    moved.insert(moved.end(), {u, 0, 0});
+    pressure[i] = 5;
+  }
+  const std::vector<double> body(body_of.begin(), body_of.end());
+  io::FieldWriter(directory.path(), "fields", mesh, "")
+      .write(0, {{"displacement", 3, displacement}, {"contact_pressure", 1, pressure}, {"body", 1, body}}, {});
+  io::FieldWriter(directory.path(), "contact", surface, "").write(0, {{"displacement", 3, moved}}, {});
+  io::ModelRecord record;
+  record.fields.push_back({"contact_pressure", "contact pressure", "", "contact_pressure", 0, true});
+  const auto scene = read_scene(directory.path(), record, "", 20);
+  ASSERT_EQ(scene->fields[0].name, "contact_pressure");
+  std::size_t n = 0;
+  for (const float value : scene->values[0][0]) {
+    if (std::isnan(value)) continue;
+    ++n;
+    EXPECT_EQ(value, 5);
+  }
+  EXPECT_EQ(n, 4U);
+}
+
 TEST(Scene, ALimitIsKept) {
   const Directory directory;
   std::vector<std::size_t> body_of;

@@ -53,8 +53,8 @@ export function surfaceMaterial(colours, { lit, show = 0 }) {
     transparent: show === 2,
     depthWrite: show !== 2,
     polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
+    polygonOffsetFactor: show === 2 ? 4 : 1, // glass lies behind the contact surface that it touches
+    polygonOffsetUnits: show === 2 ? 4 : 1,
     uniforms: {
       colours: { value: colours },
       warp: { value: 0 },

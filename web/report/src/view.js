@@ -179,6 +179,30 @@ export class View {
     this.resize();
   }
 
+  // Looks at the points that have a value: the contact surfaces, with some of what is around them.
+  lookAtValues() {
+    const { array } = this.codes;
+    const places = this.places();
+    const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+    const at = new Vector3();
+    for (let i = 0; i < array.length; i++) {
+      if (array[i] === 65535) continue;
+      at.fromArray(places, 3 * i);
+      low.min(at);
+      high.max(at);
+    }
+    if (!(low.x <= high.x)) return;
+    const centre = low.clone().add(high).multiplyScalar(0.5);
+    const size = Math.max(low.distanceTo(high), 1e-3 * this.size);
+    const arm = this.camera.position.clone().sub(this.controls.target);
+    this.controls.target.copy(centre);
+    this.camera.position.copy(centre).add(arm);
+    this.camera.zoom = Math.max(1, this.span / (1.8 * size));
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+
   turn(across, upward) {
     if (this.flat) return this.pan(across, upward);
     const arm = this.camera.position.clone().sub(this.controls.target);

@@ -96,12 +96,16 @@ export class Viewer {
       [state.low, state.high] = Legend.ends(low, high);
       this.legend.show(field, low, high, now);
       this.note.textContent = field.on_contact
-        ? `${field.label} is defined on contact surfaces only: everything else is drawn as glass.`
+        ? `${field.label[0].toUpperCase()}${field.label.slice(1)} is defined on contact surfaces only: everything else is drawn as glass.`
         : state.plane && !header.has_tetrahedra && !header.flat
           ? "This page has the surfaces of the bodies only: a section shows their inside as empty."
           : "";
     }
     this.view.show(state);
+    const onContact = Boolean(field && field.on_contact);
+    if (onContact && !this.onContact) this.view.lookAtValues();
+    else if (this.onContact && !onContact) this.view.reset();
+    this.onContact = onContact;
     Object.assign(this.root.dataset, {
       time: state.time, field: field ? field.name : "", warp: state.warp, section: this.controls.axis.value,
     });
