@@ -4,10 +4,12 @@ set(CPACK_PACKAGE_NAME creepcontact)
 set(CPACK_PACKAGE_VENDOR "The creepcontact developers")
 set(CPACK_PACKAGE_CONTACT "The creepcontact developers <creepcontact@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "creep of machine parts in contact, by finite elements")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "creepcontact computes how shrink fits, bolted joints, blade roots and other parts in contact
- creep at high temperature: finite elements, Schwarz contact with friction, and integration of the creep strain in time under
- error control. It reads Gmsh geometries and meshes and decks of CalculiX and Abaqus, and writes tables, plots, fields for
- ParaView and reports.")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "creepcontact computes how shrink fits, bolted joints, blade roots
+and other parts in contact creep at high temperature: finite elements,
+Schwarz contact with friction, and integration of the creep strain in
+time under error control. It reads Gmsh geometries and meshes and decks
+of CalculiX and Abaqus, and writes tables, plots, fields for ParaView
+and reports.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program)
@@ -20,4 +22,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libhdf5-103-1)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-vtk9, xvfb, paraview, calculix-cgx")
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/package_files.cmake)
 include(CPack)
