@@ -59,6 +59,21 @@ void add_field_data(pugi::xml_node grid, const VtuContent& content) {
   }
 }
 
+/// VTK takes any ">" for the end of a tag, also one in an attribute, where XML allows it and pugixml leaves it.
+std::string with_escaped_ends(const std::string& xml) {
+  std::string text;
+  text.reserve(xml.size());
+  bool in_value = false;
+  for (const char c : xml) {
+    if (c == '"') in_value = !in_value;
+    if (c == '>' && in_value)
+      text += "&gt;";
+    else
+      text += c;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string vtu_document(const VtuContent& content) {
@@ -89,7 +104,7 @@ std::string vtu_document(const VtuContent& content) {
   appended.text() = "_";  // VTK's mark of the beginning; offsets count from behind it
   std::ostringstream stream;
   document.save(stream, " ");
-  std::string text = std::move(stream).str();
+  std::string text = with_escaped_ends(stream.str());
   // meshio takes a line break for the end of the data.
   text.insert(text.rfind("</AppendedData>"), appender.data() + "\n ");
   return text;

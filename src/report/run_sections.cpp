@@ -159,6 +159,10 @@ void add_histories(const RunData& run, Drawings& drawings, Html& page, const std
     page.element("p", "There are fewer than two output times so far: no curves can be drawn.");
     return;
   }
+  if (run.tables->history.names.size() < 2) {
+    page.element("p", "The run has no probes ([[probes]] in its configuration).");
+    return;
+  }
   try {
     for (const plot::NamedFigure& one : plot::run_figures(*run.tables, {}))
       if (one.name != "steps") drawings.add(one.figure, "Histories of the probes over time", page);

@@ -98,6 +98,25 @@ TEST_F(Fields, TimeUnitsAndNamesAreFieldData) {
   EXPECT_STREQ(bodies.text().as_string(), "0 1");
 }
 
+TEST_F(Fields, NamesHaveNoEndOfATag) {
+  FieldMesh mesh = field_mesh({CellType::tet4});
+  mesh.texts.push_back({"bodies", {"a > b", "<\"c\" & 'd'>"}});
+  FieldWriter writer(directory_.path(), "a", mesh, "N>, mm");
+  const std::filesystem::path file = writer.write(0, {}, {});
+  const VtuReader vtu(file);
+  const pugi::xml_node data = vtu.grid().child("FieldData");
+  const pugi::xml_node bodies = data.find_child_by_attribute("DataArray", "Name", "bodies");
+  EXPECT_STREQ(bodies.attribute("ComponentName0").as_string(), "a > b");
+  EXPECT_STREQ(bodies.attribute("ComponentName1").as_string(), "<\"c\" & 'd'>");
+  // VTK takes any ">" for the end of a tag.
+  const std::string text = read_text(file);
+  bool in_value = false;
+  for (const char c : text.substr(0, text.find("<AppendedData"))) {
+    if (c == '"') in_value = !in_value;
+    EXPECT_FALSE(in_value && c == '>');
+  }
+}
+
 TEST_F(Fields, CollectionListsEveryTimeWritten) {
   FieldWriter writer(directory_.path(), "a", field_mesh({CellType::tet4}), "");
   writer.write(0, {}, {});
