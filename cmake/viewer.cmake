@@ -25,7 +25,7 @@ if(CREEPCONTACT_VIEWER)
     COMMAND ${CMAKE_COMMAND} -E make_directory ${viewer_directory}
     COMMAND ${CMAKE_COMMAND} -E copy ${viewer_source}/package.json ${viewer_source}/package-lock.json ${viewer_source}/.npmrc
             ${viewer_directory}
-    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} ci ${without_test_packages} --no-audit --no-fund --silent
+    COMMAND ${CMAKE_COMMAND} -E chdir ${viewer_directory} ${NPM_EXECUTABLE} ci ${without_test_packages} --no-audit --no-fund --loglevel=error
     COMMAND ${CMAKE_COMMAND} -E touch ${viewer_directory}/installed
     DEPENDS ${viewer_source}/package.json ${viewer_source}/package-lock.json
     COMMENT "Installing the packages of the interactive view"

@@ -109,7 +109,7 @@ TEST_F(Fields, NamesHaveNoEndOfATag) {
   EXPECT_STREQ(bodies.attribute("ComponentName0").as_string(), "a > b");
   EXPECT_STREQ(bodies.attribute("ComponentName1").as_string(), "<\"c\" & 'd'>");
   // VTK takes any ">" for the end of a tag.
-  const std::string text = read_text(file);
+  const std::string text = test::read_text(file);
   bool in_value = false;
   for (const char c : text.substr(0, text.find("<AppendedData"))) {
     if (c == '"') in_value = !in_value;

@@ -38,11 +38,12 @@ io::FieldMesh row_of_cubes(int n, std::vector<std::size_t>& body_of) {
   io::FieldMesh mesh;
   mesh.texts.push_back({"bodies", {"left", "right"}});
   mesh.blocks.push_back({mesh::CellType::hex8, {}});
+  const int half = n / 2;
   for (std::size_t body = 0; body < 2; ++body) {
     const std::int64_t first = std::ssize(mesh.points);
     for (int i = 0; i <= n / 2; ++i)
       for (const Vector3& corner : {Vector3(0, 0, 0), Vector3(0, 1, 0), Vector3(0, 1, 1), Vector3(0, 0, 1)}) {
-        mesh.points.push_back(corner + Vector3(i + static_cast<double>(body) * (n / 2), 0, 0));
+        mesh.points.emplace_back(corner + Vector3(i + half * static_cast<double>(body), 0, 0));
         body_of.push_back(body);
       }
     for (int i = 0; i < n / 2; ++i) {
@@ -89,7 +90,7 @@ io::FieldMesh one_cell(mesh::CellType type) {
       mesh.points.push_back(x);
   if (mesh::order(type) == 2)
     for (const std::array<int, 2>& edge : mesh::cell_edges(type))
-      mesh.points.push_back(
+      mesh.points.emplace_back(
           (mesh.points[static_cast<std::size_t>(edge[0])] + mesh.points[static_cast<std::size_t>(edge[1])]) / 2);
   if (type == mesh::CellType::hex27)
     for (const mesh::LocalFace& face : mesh::cell_faces(type)) {
@@ -98,7 +99,7 @@ io::FieldMesh one_cell(mesh::CellType type) {
         middle += mesh.points[static_cast<std::size_t>(face.nodes[static_cast<std::size_t>(i)])] / 4;
       mesh.points.push_back(middle);
     }
-  while (std::ssize(mesh.points) < mesh::n_nodes(type)) mesh.points.push_back(Vector3::Constant(0.5));
+  while (std::ssize(mesh.points) < mesh::n_nodes(type)) mesh.points.emplace_back(Vector3::Constant(0.5));
   mesh::CellBlock block{type, {}};
   for (int i = 0; i < mesh::n_nodes(type); ++i) block.connectivity.push_back(i);
   mesh.blocks.push_back(block);
