@@ -114,7 +114,7 @@ class ReportInBrowser(ReportTest):
 
     def check(self, page):
         done = subprocess.run(["node", VIEWER / "test" / "check_report.mjs", page, "--expect-viewer"], capture_output=True,
-                              text=True, timeout=110)
+                              text=True, timeout=280)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_solid(self):
