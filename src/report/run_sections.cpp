@@ -253,7 +253,8 @@ void add_accuracy(const RunData& run, Drawings& drawings, Html& page, const std:
                  "with a finer mesh. The forces that nothing balances include those of the stabilisation of elements "
                  "with reduced integration.");
     if (summary.warnings.empty()) {
-      page.element("p", "The run gave no warnings.");
+      page.element("p", accuracy.tolerance > 0 ? "The run gave no warnings."
+                                               : "Runs of this version do not record what they warned of.");
     } else {
       page.open("ul", "class=\"warnings\"");
       for (const std::string& warning : summary.warnings) page.element("li", warning);
