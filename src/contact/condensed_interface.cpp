@@ -232,18 +232,16 @@ void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) cons
                   rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion), t, unbalanced.force));
 }
 
-Eigen::VectorXd CondensedInterface::trace(std::size_t body, std::span<const double> y) {
+void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
   const BodyRows& rows = rows_[body];
-  if (rows.rows.empty() || y.empty()) return {};
-  if (!large_) return sides_[body].condensed.gaps(y);
+  if (rows.rows.empty() || y.empty()) return;
+  if (!large_) {
+    gap(rows.rows) += sides_[body].condensed.gaps(y);
+    return;
+  }
   std::vector<double> u(y.size());
   factored_[body].solver().backward(y, u);
-  return rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
-}
-
-void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
-  const Eigen::VectorXd own = trace(body, y);
-  if (own.size() > 0) gap(rows_[body].rows) += own;
+  gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
 }
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) {

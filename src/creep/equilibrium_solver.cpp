@@ -13,8 +13,6 @@
 namespace creepcontact::creep {
 namespace {
 
-/// Smaller factors stay in the cache: waking the threads costs more than the pass.
-constexpr std::int64_t parallel_bytes = 1 << 20;
 constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
 
 /// @param step  0: the last accepted one
@@ -117,13 +115,6 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
       contact_solver_(make_contact_solver()),
       active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)) {
   counters_.factorizations = std::ssize(assembly.bodies());
-  std::int64_t largest = 0, all = 0;
-  for (std::size_t b = 0; b < assembly.bodies().size(); ++b) {
-    const std::int64_t bytes = interface_.factored(b).solver().factor_bytes();
-    largest = std::max(largest, bytes);
-    all += bytes;
-  }
-  parallel_passes_ = all - largest > parallel_bytes;
   for (const mechanics::Body& body : assembly.bodies()) {
     const std::size_t n_free = body.constraints().n_free();
     const std::size_t n_full = body.constraints().n_full();
@@ -157,29 +148,29 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
   return contact::schwarz_solver(problem, options);
 }
 
-void EquilibriumSolver::for_each_factor(const std::function<void(std::size_t)>& pass, Part part) const {
-  const auto lap = watch_.lap(part);
-  const int n_bodies = static_cast<int>(work_.size());
-  // One thread cannot use the whole bandwidth of the memory, which is what a pass costs.
-#pragma omp parallel for schedule(dynamic, 1) if (parallel_passes_)
-  for (int b = 0; b < n_bodies; ++b) pass(b);
-}
-
 void EquilibriumSolver::add_traces(Eigen::VectorXd& gap) {
-  std::vector<Eigen::VectorXd> traces(work_.size());
-  for_each_factor([&](std::size_t b) { traces[b] = interface_.trace(b, work_[b].factored); }, Part::contact);
-  for (std::size_t b = 0; b < work_.size(); ++b)
-    if (traces[b].size() > 0) gap(interface_.rows(b).rows) += traces[b];
+  const auto lap = watch_.lap(Part::contact);
+  for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_trace(b, work_[b].factored, gap);
 }
 
 void EquilibriumSolver::forward() {
-  for_each_factor(
-      [&](std::size_t b) { interface_.factored(b).solver().forward(work_[b].right_hand_side, work_[b].factored); });
+  const auto lap = watch_.lap(Part::solve);
+  std::vector<linalg::Substitution> substitutions;
+  for (std::size_t b = 0; b < work_.size(); ++b)
+    substitutions.push_back({&interface_.factored(b).solver(), work_[b].right_hand_side, work_[b].factored});
+  linalg::forward(substitutions);
 }
 
 void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
-  for_each_factor([&](std::size_t b) { interface_.add_multipliers(b, multiplier, work_[b].factored); }, Part::contact);
-  for_each_factor([&](std::size_t b) { interface_.factored(b).solver().backward(work_[b].factored, work_[b].free); });
+  {
+    const auto lap = watch_.lap(Part::contact);
+    for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_multipliers(b, multiplier, work_[b].factored);
+  }
+  const auto lap = watch_.lap(Part::solve);
+  std::vector<linalg::Substitution> substitutions;
+  for (std::size_t b = 0; b < work_.size(); ++b)
+    substitutions.push_back({&interface_.factored(b).solver(), work_[b].factored, work_[b].free});
+  linalg::backward(substitutions);
 }
 
 void EquilibriumSolver::set_recorder(contact::IterationRecorder* recorder) {
@@ -201,8 +192,7 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
     }
   }
   ClosedRows rows{interface_, active_set_, at.contact};
-  const contact::ContactState change = fixed_contact_solve(
-      sides, interface_.n_rows(), [&](const auto& pass) { for_each_factor(pass); }, rows, watch_);
+  const contact::ContactState change = fixed_contact_solve(sides, interface_.n_rows(), rows, watch_);
   const auto lap = watch_.lap(Part::material);
   stress.resize(n_bodies);
   for (std::size_t b = 0; b < n_bodies; ++b) {

@@ -2,7 +2,6 @@
 /// Displacements of all bodies for nodal forces, with the set of closed contacts held fixed: forward through the
 /// factors, contact, backward. The elastic linearisation and the tangent systems share it.
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,14 +18,17 @@ struct FactoredSide {
   std::span<double> free;                     ///< n_free: forces without resultants, replaced by the displacement
 };
 
-/// @param for_each_factor  as EquilibriumSolver::for_each_factor()
 /// @param contact  add_trace(body, y, gap), close(gap) -> ContactState, add_multipliers(body, multiplier, y)
-template <typename ForEachFactor, typename Contact>
-contact::ContactState fixed_contact_solve(std::span<const FactoredSide> sides, Index n_rows,
-                                          const ForEachFactor& for_each_factor, Contact& contact, Stopwatch& watch) {
-  for_each_factor([&](std::size_t b) {
-    if (sides[b].solver != nullptr) sides[b].solver->forward(sides[b].free, sides[b].free);
-  });
+template <typename Contact>
+contact::ContactState fixed_contact_solve(std::span<const FactoredSide> sides, Index n_rows, Contact& contact,
+                                          Stopwatch& watch) {
+  std::vector<linalg::Substitution> substitutions;
+  for (const FactoredSide& side : sides)
+    if (side.solver != nullptr) substitutions.push_back({side.solver, side.free, side.free});
+  {
+    const auto lap = watch.lap(Part::solve);
+    linalg::forward(substitutions);
+  }
   contact::ContactState change;
   {
     const auto lap = watch.lap(Part::contact);
@@ -37,9 +39,8 @@ contact::ContactState fixed_contact_solve(std::span<const FactoredSide> sides, I
     for (std::size_t b = 0; b < sides.size(); ++b)
       if (sides[b].solver != nullptr) contact.add_multipliers(b, change.multiplier, sides[b].free);
   }
-  for_each_factor([&](std::size_t b) {
-    if (sides[b].solver != nullptr) sides[b].solver->backward(sides[b].free, sides[b].free);
-  });
+  const auto lap = watch.lap(Part::solve);
+  linalg::backward(substitutions);
   return change;
 }
 

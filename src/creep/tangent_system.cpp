@@ -102,8 +102,7 @@ void TangentSystem::solve(const contact::ContactState& contact, std::span<const 
     });
   }
   TangentContact rows{*interface_, contact};
-  const contact::ContactState change = fixed_contact_solve(
-      sides, interface_->n_rows(), [&](const auto& pass) { solver_.for_each_factor(pass); }, rows, watch_);
+  const contact::ContactState change = fixed_contact_solve(sides, interface_->n_rows(), rows, watch_);
   const auto lap = watch_.lap(Part::material);
   for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
     body.constraints().expand(side.free, side.no_displacement, side.displacement);

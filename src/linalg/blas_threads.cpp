@@ -15,7 +15,7 @@ namespace creepcontact::linalg {
 
 namespace {
 
-std::shared_mutex mutex;
+std::mutex mutex;
 
 void set_threads(int n) {
   if (openblas_set_num_threads) openblas_set_num_threads(n);
@@ -35,8 +35,6 @@ BlasFactorization::BlasFactorization() : lock_(mutex) {
 BlasFactorization::~BlasFactorization() {
   set_threads(1);
 }
-
-BlasSolve::BlasSolve() : lock_(mutex) {}
 
 double blas_address_space(int threads) {
   constexpr double buffer = 128.0 * (1 << 20), stack = 8.0 * (1 << 20);  // of OpenBLAS on x86-64, elsewhere less

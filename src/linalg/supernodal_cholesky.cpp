@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "blas_threads.hpp"
 #include "cholmod_context.hpp"
 #include "creepcontact/base/index.hpp"
 #include "ordering.hpp"
+#include "supernodal_pass.hpp"
 
 namespace creepcontact::linalg {
 
@@ -34,7 +36,9 @@ struct SupernodalCholesky::Impl {
   Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of, std::span<const std::int64_t> trailing);
   Impl(const Impl& analysed);
   void factorize(const SparseMatrix& lower);
-  void make_workspace();
+  void prepare_passes();
+  /// `from`, or a copy of it if `into` is the same array.
+  std::span<const double> apart(std::span<const double> from, std::span<double> into);
 
   std::int64_t* permutation() const { return integers(factor->Perm); }
   template <typename Visit>
@@ -46,8 +50,9 @@ struct SupernodalCholesky::Impl {
   std::int64_t n_entries;
   std::int64_t n_trailing;
   double rcond = 0;
-  std::vector<double> vector, update;  // kept workspace of the solves
-  cholmod_dense vector_view{}, update_view{};
+  std::optional<SupernodalPass<double>> passes;
+  SingleTask nothing;
+  std::vector<double> copy;
 };
 
 SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
@@ -65,21 +70,29 @@ SupernodalCholesky::Impl::Impl(const SparseMatrix& lower, std::span<const std::i
   if (!std::equal(trailing.begin(), trailing.end(), permutation() + (lower.rows() - n_trailing))) {
     throw std::logic_error("CHOLMOD moved the trailing unknowns");
   }
-  make_workspace();
+  prepare_passes();
 }
 
 SupernodalCholesky::Impl::Impl(const Impl& analysed) : n_entries(analysed.n_entries), n_trailing(analysed.n_trailing) {
   if (!analysed.factor) return;
   factor = FactorPointer(cholmod_l_copy_factor(analysed.factor.get(), context.get()), {context.get()});
   context.check("copy the factor of");
-  make_workspace();
+  prepare_passes();
 }
 
-void SupernodalCholesky::Impl::make_workspace() {
-  vector.resize(factor->n);
-  update.resize(std::max<std::size_t>(factor->maxesize, 1));
-  vector_view = view(vector);
-  update_view = view(update);
+void SupernodalCholesky::Impl::prepare_passes() {
+  const std::size_t n = factor->nsuper + 1;
+  passes.emplace(Supernodes{.first_column = {integers(factor->super), n},
+                            .first_row = {integers(factor->pi), n},
+                            .first_value = {integers(factor->px), n},
+                            .rows = {integers(factor->s), factor->ssize},
+                            .permutation = {permutation(), factor->n}});
+}
+
+std::span<const double> SupernodalCholesky::Impl::apart(std::span<const double> from, std::span<double> into) {
+  if (from.data() != into.data()) return from;
+  copy.assign(from.begin(), from.end());
+  return copy;
 }
 
 void SupernodalCholesky::Impl::factorize(const SparseMatrix& lower) {
@@ -166,24 +179,14 @@ std::int64_t SupernodalCholesky::trailing_size() const {
   return impl_->n_trailing;
 }
 
-void SupernodalCholesky::forward(std::span<const double> b, std::span<double> y) {
-  if (!impl_->factor) return;
-  std::vector<double>& work = impl_->vector;
-  const std::int64_t* permutation = impl_->permutation();
-  for (std::size_t k = 0; k < work.size(); ++k) work[k] = b[permutation[k]];
-  const BlasSolve one_thread;
-  cholmod_l_super_lsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
-  std::copy(work.begin(), work.end(), y.begin());
+TaskList& SupernodalCholesky::forward_tasks(std::span<const double> b, std::span<double> y) {
+  if (!impl_->factor) return impl_->nothing;
+  return impl_->passes->forward(static_cast<const double*>(impl_->factor->x), impl_->apart(b, y), y);
 }
 
-void SupernodalCholesky::backward(std::span<const double> y, std::span<double> x) {
-  if (!impl_->factor) return;
-  std::vector<double>& work = impl_->vector;
-  const std::int64_t* permutation = impl_->permutation();
-  std::copy_n(y.begin(), work.size(), work.begin());
-  const BlasSolve one_thread;
-  cholmod_l_super_ltsolve(impl_->factor.get(), &impl_->vector_view, &impl_->update_view, impl_->context.get());
-  for (std::size_t k = 0; k < work.size(); ++k) x[permutation[k]] = work[k];
+TaskList& SupernodalCholesky::backward_tasks(std::span<const double> y, std::span<double> x) {
+  if (!impl_->factor) return impl_->nothing;
+  return impl_->passes->backward(static_cast<const double*>(impl_->factor->x), impl_->apart(y, x), x);
 }
 
 Eigen::MatrixXd SupernodalCholesky::trailing_factor() const {

@@ -1,5 +1,6 @@
 #pragma once
-/// Supernodal Cholesky factor (CHOLMOD), ordered by METIS node by node. factorize() uses all cores.
+/// Supernodal Cholesky factor (CHOLMOD), ordered by METIS node by node. factorize() uses all cores; passes are those of
+/// SupernodalPass.
 /// Source: Chen, Davis, Hager and Rajamanickam, Algorithm 887 (2008).
 
 #include "creepcontact/linalg/stiffness_solver.hpp"
@@ -19,8 +20,8 @@ class SupernodalCholesky final : public StiffnessSolver {
   void factorize(const SparseMatrix& lower) override;
   std::int64_t size() const override;
   std::int64_t trailing_size() const override;
-  void forward(std::span<const double> b, std::span<double> y) override;
-  void backward(std::span<const double> y, std::span<double> x) override;
+  TaskList& forward_tasks(std::span<const double> b, std::span<double> y) override;
+  TaskList& backward_tasks(std::span<const double> y, std::span<double> x) override;
   Eigen::MatrixXd trailing_factor() const override;
   std::int64_t factor_bytes() const override;
   std::int64_t work_bytes() const override;

@@ -92,9 +92,6 @@ class CondensedInterface {
   InterfaceLoad no_load() const;
   /// Adds the work of the external forces of a body on its rigid-body modes.
   void add_resultant(std::size_t body, const mechanics::BodyConditions& at, InterfaceLoad& load) const;
-  /// G^T y2, one entry per row of the body; empty if it has none. May run for several bodies at once. @param y  as
-  /// below
-  Eigen::VectorXd trace(std::size_t body, std::span<const double> y);
   /// gap += G^T y2. @param y  L^-1 P f on all free dofs of the body
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap);
   /// The load in the form the contact solver takes. Warns once if, along an unconstrained mode, the loads are out of

@@ -94,8 +94,6 @@ class EquilibriumSolver {
 
   const Assembly& assembly() const { return assembly_; }
   const contact::CondensedInterface& interface() const { return interface_; }
-  /// Calls pass(body) for every body, in parallel if the factors are large enough to gain by it.
-  void for_each_factor(const std::function<void(std::size_t)>& pass, Part part = Part::solve) const;
 
   /// Elastic solves, contact solves, Schwarz iterations and factorisations since construction.
   RunCounters counters() const;
@@ -157,7 +155,6 @@ class EquilibriumSolver {
   bool stiffness_changes_ = false;
   std::int64_t factors_ = 0;  // number of factorisations since the start
   std::vector<Work> work_;    // scratch, no state between calls
-  bool parallel_passes_ = false;
   RunCounters counters_;
 };
 

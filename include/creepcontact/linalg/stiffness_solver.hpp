@@ -8,6 +8,8 @@
 #include <memory>
 #include <span>
 
+#include "creepcontact/linalg/task_list.hpp"
+
 namespace creepcontact::linalg {
 
 /// Symmetric matrices are given by their lower triangle, in compressed columns with sorted rows.
@@ -38,10 +40,13 @@ class StiffnessSolver {
   virtual std::int64_t trailing_size() const = 0;
 
   /// y = L^-1 P b. The last trailing_size() entries of y belong to the trailing dofs, in their order. b and y may be
-  /// the same array. Cost: one pass through the factor; no allocation.
-  virtual void forward(std::span<const double> b, std::span<double> y) = 0;
+  /// the same array. The bits do not depend on the number of threads. Cost: one pass through the factor.
+  void forward(std::span<const double> b, std::span<double> y);
   /// x = P^T L^-T y, the back substitution; x and y may be the same array.
-  virtual void backward(std::span<const double> y, std::span<double> x) = 0;
+  void backward(std::span<const double> y, std::span<double> x);
+  /// The same as tasks. The list is valid until the next call.
+  virtual TaskList& forward_tasks(std::span<const double> b, std::span<double> y) = 0;
+  virtual TaskList& backward_tasks(std::span<const double> y, std::span<double> x) = 0;
 
   /// L22, trailing_size() square, lower triangular with a zero upper part. Cost: a copy.
   virtual Eigen::MatrixXd trailing_factor() const = 0;
@@ -53,6 +58,16 @@ class StiffnessSolver {
   /// Estimate of the reciprocal condition number of the factored matrix.
   virtual double rcond() const = 0;
 };
+
+/// One solver's part of a pass.
+struct Substitution {
+  StiffnessSolver* solver;
+  std::span<const double> from;
+  std::span<double> into;
+};
+/// Forward or back substitution with the factors of several bodies, whose tasks share the threads.
+void forward(std::span<const Substitution> of_bodies);
+void backward(std::span<const Substitution> of_bodies);
 
 /// Orders and analyses a matrix; factorize() must follow. Parameters:
 /// @param lower  n x n, lower triangle; n may be 0

@@ -31,11 +31,17 @@ class DenseCholesky final : public linalg::StiffnessSolver {
   }
   std::int64_t size() const override { return std::ssize(order_); }
   std::int64_t trailing_size() const override { return n_trailing_; }
-  void forward(std::span<const double> b, std::span<double> y) override {
+  linalg::TaskList& forward_tasks(std::span<const double> b, std::span<double> y) override {
+    return task_ = {1.0, [this, b, y] { substitute_forward(b, y); }};
+  }
+  linalg::TaskList& backward_tasks(std::span<const double> y, std::span<double> x) override {
+    return task_ = {1.0, [this, y, x] { substitute_backward(y, x); }};
+  }
+  void substitute_forward(std::span<const double> b, std::span<double> y) const {
     const Eigen::VectorXd ordered = Eigen::VectorXd::Map(b.data(), b.size())(order_);
     Eigen::VectorXd::Map(y.data(), y.size()) = factor_.triangularView<Eigen::Lower>().solve(ordered);
   }
-  void backward(std::span<const double> y, std::span<double> x) override {
+  void substitute_backward(std::span<const double> y, std::span<double> x) const {
     const Eigen::VectorXd ordered =
         factor_.triangularView<Eigen::Lower>().transpose().solve(Eigen::VectorXd::Map(y.data(), y.size()));
     Eigen::VectorXd::Map(x.data(), x.size())(order_) = ordered;
@@ -49,6 +55,7 @@ class DenseCholesky final : public linalg::StiffnessSolver {
   std::vector<Index> order_;
   Index n_trailing_;
   Eigen::MatrixXd factor_;
+  linalg::SingleTask task_;
 };
 
 std::unique_ptr<linalg::StiffnessSolver> dense_cholesky(const linalg::SparseMatrix& lower,

@@ -1,0 +1,421 @@
+#include "supernodal_pass.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "creepcontact/base/index.hpp"
+#include "panel_kernels.hpp"
+
+namespace creepcontact::linalg {
+
+namespace {
+
+/// Subtrees of at most this part of all entries are single tasks: small enough for some ten threads.
+constexpr double cut = 1.0 / 48;
+/// Smaller factors stay in the cache and are not cut.
+constexpr double least_cut = 1 << 17;  // entries
+constexpr std::int64_t panel_width = 128;
+
+/// Panels after panel p are updated in groups: those that other threads wait for first one by one, later ones together,
+/// because long columns are read faster. @param begin  first panel of a group @returns the first after it
+std::size_t next_group(std::size_t p, std::size_t begin, std::size_t n_panels) {
+  return std::min(begin + std::max<std::size_t>(1, begin - p - 1), n_panels);
+}
+
+/// The elimination tree of the supernodes.
+struct Tree {
+  explicit Tree(const Supernodes& nodes) : parent(nodes.size(), -1), first(nodes.size()), entries(nodes.size(), 0.0) {
+    std::vector<std::int64_t> supernode_of(nodes.first_column.empty() ? 0 : nodes.first_column.back());
+    for (std::int64_t s = 0; s < nodes.size(); ++s)
+      std::fill(supernode_of.begin() + nodes.first_column[s], supernode_of.begin() + nodes.first_column[s + 1], s);
+    std::iota(first.begin(), first.end(), 0);
+    for (std::int64_t s = 0; s < nodes.size(); ++s) {
+      entries[s] += static_cast<double>(nodes.n_rows(s)) * static_cast<double>(nodes.n_columns(s));
+      if (nodes.n_below(s) == 0) continue;
+      const std::int64_t p = supernode_of[nodes.rows_below(s).front()];
+      if (p <= s) throw std::logic_error("the supernodes are not postordered");
+      parent[s] = p;
+      first[p] = std::min(first[p], first[s]);
+      entries[p] += entries[s];
+    }
+  }
+
+  std::vector<std::int64_t> parent;  // -1: none
+  std::vector<std::int64_t> first;   // the subtree of s is first[s] .. s
+  std::vector<double> entries;       // of the subtree
+};
+
+/// A subtree or a supernode above the subtrees: it passes updates to the rows below its last column.
+struct Branch {
+  std::int64_t root = 0;               // supernode
+  Index parent = -1;                   // branch
+  std::vector<std::int32_t> in_front;  // where the rows below are among the rows of the parent
+  Progress forward_done, backward_done;
+};
+
+}  // namespace
+
+template <typename Entry>
+struct SupernodalPass<Entry>::Impl {
+  struct Subtree {
+    std::size_t branch = 0;
+    std::int64_t first = 0;             // supernode
+    std::vector<std::int32_t> outside;  // of all its supernodes one after the other: rows below the root
+    std::vector<double> update, work;   // n_below(root), largest number of rows
+  };
+  struct Front;
+  struct Column {  // a panel of columns of a Front
+    std::int64_t begin = 0, end = 0;
+    std::vector<double> update;  // rows end .. n_rows
+    Progress progress;
+  };
+  struct Front {
+    std::size_t branch = 0;
+    std::int64_t depth = 0;
+    std::vector<std::size_t> children;  // branches
+    std::vector<double> values;         // n_rows
+    std::vector<Column> panels;
+  };
+  struct Task {
+    Subtree* subtree;
+    Front* front;
+    std::size_t panel;
+  };
+
+  class Forward final : public TaskList {
+   public:
+    explicit Forward(Impl& pass) : pass_(pass) {}
+    std::span<const double> work() const override { return pass_.work; }
+    void begin() override { pass_.reset(); }
+    void run(std::size_t task) noexcept override {
+      const Task& t = pass_.tasks[task];
+      t.subtree != nullptr ? pass_.forward_subtree(*t.subtree) : pass_.forward_panel(*t.front, t.panel);
+    }
+
+   private:
+    Impl& pass_;
+  };
+  class Backward final : public TaskList {
+   public:
+    explicit Backward(Impl& pass) : pass_(pass) {}
+    std::span<const double> work() const override { return pass_.backward_work; }
+    void begin() override { pass_.reset(); }
+    void run(std::size_t task) noexcept override {
+      const Task& t = pass_.tasks[pass_.tasks.size() - 1 - task];
+      t.subtree != nullptr ? pass_.backward_subtree(*t.subtree) : pass_.backward_panel(*t.front, t.panel);
+    }
+
+   private:
+    Impl& pass_;
+  };
+
+  explicit Impl(const Supernodes& supernodes);
+  void cut_tree(const Tree& tree);
+  void place_children();
+  void list_tasks(const Tree& tree);
+  Panel<Entry> panel(std::int64_t s, std::int64_t row, std::int64_t column, std::int64_t n_rows,
+                     std::int64_t n_columns) const {
+    const std::int64_t stride = nodes.n_rows(s);
+    return {factor + nodes.first_value[s] + column * stride + row, stride, n_rows, n_columns};
+  }
+  void reset();
+  void forward_subtree(Subtree& subtree);
+  void forward_panel(Front& front, std::size_t p);
+  void assemble(Front& front);
+  void backward_subtree(Subtree& subtree);
+  void backward_panel(Front& front, std::size_t p);
+
+  Supernodes nodes;
+  std::vector<std::unique_ptr<Branch>> branches;
+  std::vector<Subtree> subtrees;
+  std::vector<std::unique_ptr<Front>> fronts;
+  std::vector<Index> front_of, subtree_of;  // of a branch, or -1
+  std::vector<Task> tasks;
+  std::vector<double> work, backward_work;
+  std::vector<double> solution;  // in the order of the factor, of the back substitution
+  Forward forward{*this};
+  Backward backward{*this};
+
+  // of the pass under way
+  const Entry* factor = nullptr;
+  std::span<const double> from;
+  std::span<double> into;
+};
+
+template <typename Entry>
+SupernodalPass<Entry>::Impl::Impl(const Supernodes& supernodes)
+    : nodes(supernodes), solution(supernodes.permutation.size()) {
+  const Tree tree(nodes);
+  cut_tree(tree);
+  place_children();
+  list_tasks(tree);
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::cut_tree(const Tree& tree) {
+  double all = 0;
+  for (std::int64_t s = 0; s < nodes.size(); ++s)
+    if (tree.parent[s] < 0) all += tree.entries[s];
+  const double most = std::max(cut * all, least_cut);
+  std::vector<Index> branch_of(nodes.size(), -1);
+  std::vector<std::int64_t> depth(nodes.size(), 0);
+  for (std::int64_t s = nodes.size() - 1; s >= 0; --s) {  // parents first
+    const std::int64_t p = tree.parent[s];
+    const bool below_a_subtree = p >= 0 && (branch_of[p] < 0 || front_of[branch_of[p]] < 0);
+    if (below_a_subtree) continue;
+    branch_of[s] = std::ssize(branches);
+    branches.push_back(std::make_unique<Branch>());
+    branches.back()->root = s;
+    branches.back()->parent = p < 0 ? -1 : branch_of[p];
+    if (p >= 0) fronts[front_of[branch_of[p]]]->children.push_back(branches.size() - 1);
+    if (tree.entries[s] <= most) {
+      front_of.push_back(-1);
+      subtree_of.push_back(std::ssize(subtrees));
+      subtrees.emplace_back();
+      subtrees.back().branch = branches.size() - 1;
+      subtrees.back().first = tree.first[s];
+      continue;
+    }
+    front_of.push_back(std::ssize(fronts));
+    subtree_of.push_back(-1);
+    fronts.push_back(std::make_unique<Front>());
+    Front& front = *fronts.back();
+    front.branch = branches.size() - 1;
+    depth[s] = p < 0 ? 0 : depth[p] + 1;
+    front.depth = depth[s];
+    front.values.resize(nodes.n_rows(s));
+    const std::int64_t n = nodes.n_columns(s), n_panels = (n + panel_width - 1) / panel_width;
+    front.panels = std::vector<Column>(n_panels);
+    for (std::int64_t k = 0; k < n_panels; ++k) {
+      Column& panel = front.panels[k];
+      panel.begin = n * k / n_panels;
+      panel.end = n * (k + 1) / n_panels;
+      panel.update.resize(nodes.n_rows(s) - panel.end);
+    }
+  }
+}
+
+/// Positions of some rows among others; both ascend.
+std::vector<std::int32_t> positions(std::span<const std::int64_t> rows, std::span<const std::int64_t> among) {
+  std::vector<std::int32_t> result;
+  result.reserve(rows.size());
+  std::size_t i = 0;
+  for (const std::int64_t row : rows) {
+    while (i < among.size() && among[i] < row) ++i;
+    if (i == among.size() || among[i] != row) throw std::logic_error("a row of a supernode is missing in its parent");
+    result.push_back(static_cast<std::int32_t>(i));
+  }
+  return result;
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::place_children() {
+  for (const auto& branch : branches)
+    if (branch->parent >= 0)
+      branch->in_front = positions(nodes.rows_below(branch->root), nodes.rows_of(branches[branch->parent]->root));
+  for (Subtree& subtree : subtrees) {
+    const std::int64_t root = branches[subtree.branch]->root;
+    const std::span<const std::int64_t> below = nodes.rows_below(root);
+    subtree.update.resize(below.size());
+    std::int64_t most = 0;
+    for (std::int64_t s = subtree.first; s <= root; ++s) {
+      most = std::max(most, nodes.n_rows(s));
+      const std::span<const std::int64_t> rows = nodes.rows_below(s);
+      const auto outside = std::ranges::lower_bound(rows, nodes.first_column[root + 1]);
+      const std::vector<std::int32_t> at = positions({outside, rows.end()}, below);
+      subtree.outside.insert(subtree.outside.end(), at.begin(), at.end());
+    }
+    subtree.work.resize(most);
+  }
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::list_tasks(const Tree& tree) {
+  for (auto subtree = subtrees.rbegin(); subtree != subtrees.rend(); ++subtree) {  // in the order of the factor
+    tasks.push_back({&*subtree, nullptr, 0});
+    work.push_back(tree.entries[branches[subtree->branch]->root]);
+  }
+  // Fronts of the same depth do not need each other: panel by panel in turn.
+  std::vector<Task> of_fronts;
+  for (const auto& front : fronts)
+    for (std::size_t p = 0; p < front->panels.size(); ++p) of_fronts.push_back({nullptr, front.get(), p});
+  std::ranges::stable_sort(of_fronts, [](const Task& a, const Task& b) {
+    return std::pair(-a.front->depth, a.panel) < std::pair(-b.front->depth, b.panel);
+  });
+  for (const Task& task : of_fronts) {
+    tasks.push_back(task);
+    const Column& panel = task.front->panels[task.panel];
+    work.push_back(static_cast<double>(panel.end - panel.begin) *
+                   static_cast<double>(std::ssize(task.front->values) - panel.begin));
+  }
+  backward_work.assign(work.rbegin(), work.rend());
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::reset() {
+  for (const auto& branch : branches) {
+    branch->forward_done.reset();
+    branch->backward_done.reset();
+  }
+  for (const auto& front : fronts)
+    for (Column& panel : front->panels) panel.progress.reset();
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::forward_subtree(Subtree& subtree) {
+  const std::int64_t root = branches[subtree.branch]->root;
+  for (std::int64_t k = nodes.first_column[subtree.first]; k < nodes.first_column[root + 1]; ++k)
+    into[k] = from[nodes.permutation[k]];
+  std::ranges::fill(subtree.update, 0.0);
+  const std::int32_t* outside = subtree.outside.data();
+  double* const x = subtree.work.data();
+  for (std::int64_t s = subtree.first; s <= root; ++s) {
+    const std::int64_t n = nodes.n_columns(s), n_rows = nodes.n_rows(s), first = nodes.first_column[s];
+    std::copy_n(&into[first], n, x);
+    std::fill(x + n, x + n_rows, 0.0);
+    eliminate(panel(s, 0, 0, n_rows, n), x);
+    std::copy_n(x, n, &into[first]);
+    const std::int64_t* const rows = nodes.rows_of(s).data();
+    std::int64_t i = n;
+    for (; i < n_rows && rows[i] < nodes.first_column[root + 1]; ++i) into[rows[i]] += x[i];
+    for (; i < n_rows; ++i) subtree.update[*outside++] += x[i];
+  }
+  branches[subtree.branch]->forward_done.reach(1);
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::assemble(Front& front) {
+  const std::int64_t s = branches[front.branch]->root, n = nodes.n_columns(s), first = nodes.first_column[s];
+  for (std::int64_t k = 0; k < n; ++k) front.values[k] = from[nodes.permutation[first + k]];
+  std::fill(front.values.begin() + n, front.values.end(), 0.0);
+  for (const std::size_t child : front.children) {
+    const Branch& branch = *branches[child];
+    branch.forward_done.wait_for(1);
+    const std::span<double> update = subtree_of[child] >= 0
+                                         ? std::span(subtrees[subtree_of[child]].update)
+                                         : std::span(fronts[front_of[child]]->values).last(branch.in_front.size());
+    if (front_of[child] >= 0) {
+      for (const Column& panel : fronts[front_of[child]]->panels) {
+        const double* const of_panel = panel.update.data() + (panel.update.size() - update.size());
+        for (std::size_t i = 0; i < update.size(); ++i) update[i] += of_panel[i];
+      }
+    }
+    for (std::size_t i = 0; i < update.size(); ++i) front.values[branch.in_front[i]] += update[i];
+  }
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::forward_panel(Front& front, std::size_t p) {
+  const std::int64_t s = branches[front.branch]->root, n_rows = nodes.n_rows(s), first = nodes.first_column[s];
+  Column& own = front.panels[p];
+  const std::int64_t width = own.end - own.begin;
+  if (p == 0) assemble(front);
+  // A panel reaches stage 1 with its own solution, and one more with every further panel whose rows it has updated.
+  for (std::size_t q = 0; q < p; ++q) front.panels[q].progress.wait_for(static_cast<std::int32_t>(p - q + 1));
+  double* const x = &into[first + own.begin];
+  std::copy_n(front.values.data() + own.begin, width, x);
+  for (std::size_t q = 0; q < p; ++q) {
+    const Column& before = front.panels[q];
+    const double* const update = before.update.data() + (own.begin - before.end);
+    for (std::int64_t i = 0; i < width; ++i) x[i] += update[i];
+  }
+  eliminate(panel(s, own.begin, own.begin, width, width), x);
+  own.progress.reach(1);
+  std::ranges::fill(own.update, 0.0);
+  const std::size_t n_panels = front.panels.size();
+  const auto first_row = [&](std::size_t q) {  // the rows below follow the last panel
+    return q < n_panels ? front.panels[q].begin : q == n_panels ? nodes.n_columns(s) : n_rows;
+  };
+  for (std::size_t q = p + 1; q <= n_panels;) {
+    const std::int64_t row = first_row(q);
+    q = next_group(p, q, n_panels + 1);
+    subtract_product(panel(s, row, own.begin, first_row(q) - row, width), x, own.update.data() + (row - own.end));
+    own.progress.reach(static_cast<std::int32_t>(q - p));
+  }
+  if (p + 1 < n_panels) return;
+  for (std::size_t q = 0; q < p; ++q) front.panels[q].progress.wait_for(static_cast<std::int32_t>(p - q + 2));
+  branches[front.branch]->forward_done.reach(1);
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::backward_panel(Front& front, std::size_t p) {
+  const Branch& branch = *branches[front.branch];
+  const std::int64_t s = branch.root, n = nodes.n_columns(s), first = nodes.first_column[s];
+  const std::span<const std::int64_t> below = nodes.rows_below(s);
+  Column& own = front.panels[p];
+  const std::int64_t width = own.end - own.begin;
+  double* const values = front.values.data() + n;
+  if (p + 1 == front.panels.size()) {
+    if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
+    for (std::size_t i = 0; i < below.size(); ++i) values[i] = solution[below[i]];
+    own.progress.reach(1);
+  } else {
+    front.panels.back().progress.wait_for(1);
+  }
+  double* const x = &solution[first + own.begin];
+  std::copy_n(&from[first + own.begin], width, x);
+  subtract_transposed_product(panel(s, n, own.begin, std::ssize(below), width), values, x);
+  // The same groups, the one that becomes known last at the end.
+  for (std::size_t end = front.panels.size(); end > p + 1;) {
+    std::size_t begin = p + 1;
+    for (std::size_t next = begin; next < end; next = next_group(p, next, end)) begin = next;
+    for (std::size_t q = begin; q < end; ++q) front.panels[q].progress.wait_for(2);
+    const std::int64_t row = front.panels[begin].begin;
+    subtract_transposed_product(panel(s, row, own.begin, front.panels[end - 1].end - row, width),
+                                &solution[first + row], x);
+    end = begin;
+  }
+  substitute(panel(s, own.begin, own.begin, width, width), x);
+  own.progress.reach(2);
+  if (p == 0) branches[front.branch]->backward_done.reach(1);
+  for (std::int64_t k = 0; k < width; ++k) into[nodes.permutation[first + own.begin + k]] = x[k];
+}
+
+template <typename Entry>
+void SupernodalPass<Entry>::Impl::backward_subtree(Subtree& subtree) {
+  const Branch& branch = *branches[subtree.branch];
+  if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
+  const std::span<const std::int64_t> below = nodes.rows_below(branch.root);
+  for (std::size_t i = 0; i < below.size(); ++i) subtree.update[i] = solution[below[i]];
+  const std::int32_t* outside = subtree.outside.data() + subtree.outside.size();
+  double* const x = subtree.work.data();
+  const std::int64_t end = nodes.first_column[branch.root + 1];
+  for (std::int64_t s = branch.root; s >= subtree.first; --s) {
+    const std::int64_t n = nodes.n_columns(s), n_rows = nodes.n_rows(s), first = nodes.first_column[s];
+    const std::int64_t* const rows = nodes.rows_of(s).data();
+    std::copy_n(&from[first], n, x);
+    std::int64_t i = n_rows;
+    for (; i > n && rows[i - 1] >= end; --i) x[i - 1] = subtree.update[*--outside];
+    for (; i > n; --i) x[i - 1] = solution[rows[i - 1]];
+    substitute(panel(s, 0, 0, n_rows, n), x);
+    std::copy_n(x, n, &solution[first]);
+  }
+  for (std::int64_t k = nodes.first_column[subtree.first]; k < end; ++k) into[nodes.permutation[k]] = solution[k];
+}
+
+template <typename Entry>
+SupernodalPass<Entry>::SupernodalPass(const Supernodes& supernodes) : impl_(std::make_unique<Impl>(supernodes)) {}
+template <typename Entry>
+SupernodalPass<Entry>::~SupernodalPass() = default;
+
+template <typename Entry>
+TaskList& SupernodalPass<Entry>::forward(const Entry* factor, std::span<const double> b, std::span<double> y) {
+  impl_->factor = factor;
+  impl_->from = b;
+  impl_->into = y;
+  return impl_->forward;
+}
+
+template <typename Entry>
+TaskList& SupernodalPass<Entry>::backward(const Entry* factor, std::span<const double> y, std::span<double> x) {
+  impl_->factor = factor;
+  impl_->from = y;
+  impl_->into = x;
+  return impl_->backward;
+}
+
+template class SupernodalPass<double>;
+template class SupernodalPass<float>;
+
+}  // namespace creepcontact::linalg
