@@ -20,7 +20,7 @@ void for_each_index(std::size_t n, Operation operation) {
 }
 
 /// Entries that stay in the innermost cache while they are worked on.
-inline constexpr std::size_t piece_length = 1024;
+inline constexpr std::size_t piece_length = 256;
 
 /// operation(begin, length) for consecutive pieces of 0 .. n-1.
 template <typename Operation>

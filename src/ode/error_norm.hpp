@@ -22,14 +22,19 @@ inline constexpr double local_share = 0.4;
 /// Collective: x is what all members of the team have. 0 if that is nothing.
 /// @param size  of the part of this member
 /// @param weighted  (begin, length) -> these entries of its part of x, as an Eigen array
-template <typename Weighted>
-double error_norm(const Team& team, std::size_t size, Weighted weighted) {
+/// @param sum  (size, term) -> sum of term(begin, length) over the pieces of its part
+template <typename Weighted, typename Sum>
+double error_norm(const Team& team, std::size_t size, const Weighted& weighted, const Sum& sum) {
   std::array<double, 2> sums{
-      sum_over_pieces(size,
-                      [&](std::size_t begin, std::size_t n) { return weighted(begin, n).square().square().sum(); }),
+      sum(size, [&](std::size_t begin, std::size_t n) { return weighted(begin, n).square().square().sum(); }),
       static_cast<double>(size)};
   team.sum(sums);
   return sums[1] > 0 ? std::sqrt(std::sqrt(sums[0] / sums[1])) : 0;
+}
+
+template <typename Weighted>
+double error_norm(const Team& team, std::size_t size, const Weighted& weighted) {
+  return error_norm(team, size, weighted, [](std::size_t n, const auto& term) { return sum_over_pieces(n, term); });
 }
 
 /// Of the errors x_i w_i.

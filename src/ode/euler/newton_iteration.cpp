@@ -32,9 +32,9 @@ struct NewtonIteration::Krylov {
       : system(of),
         size(of.size()),
         right(make_vector(of.team(), size, context)),
-        correction(make_vector(of.team(), size, context)),
+        correction(N_VClone(right.get())),
         solver(SUNLinSol_SPGMR(right.get(), SUN_PREC_RIGHT, krylov_dimension, context)) {
-    if (!solver) throw std::bad_alloc();
+    if (!solver || !correction) throw std::bad_alloc();
     SUNLinSol_SPGMRSetMaxRestarts(solver.get(), max_krylov_restarts);
     SUNLinSolSetATimes(solver.get(), this, multiply);
     SUNLinSolSetPreconditioner(solver.get(), this, nullptr, precondition);
@@ -55,6 +55,9 @@ struct NewtonIteration::Krylov {
       throw RecoverableError("the linear equations of the Newton iteration could not be solved");
     return SUNLinSolResNorm(solver.get());
   }
+
+  /// What the last solve() found.
+  std::span<const double> found() const { return view(correction.get(), size); }
 
   /// No exception may cross SUNDIALS.
   template <typename Call>
@@ -104,10 +107,11 @@ NewtonIteration::~NewtonIteration() = default;
 
 void NewtonIteration::run(const Equation& equation, std::span<double> y, std::span<const double> image,
                           std::span<double> rate, ConvergenceWatch& watch) {
-  const std::span<const double> dy = view(krylov_->correction.get(), y.size());
   for_each_index(y.size(), [&](std::size_t i) { residual_[i] = image[i] - y[i]; });
+  std::span<const double> dy;
   while (true) {
     const double left = krylov_->solve(equation, residual_, forcing * euclidean_norm(team_, residual_));
+    dy = krylov_->found();
     std::ranges::copy(y, base_.begin());
     for_each_index(y.size(), [&](std::size_t i) { y[i] += dy[i]; });
     if (watch.see(std::max(max_difference(team_, y, base_), left)) != ConvergenceWatch::State::running) break;

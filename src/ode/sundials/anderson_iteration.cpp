@@ -35,11 +35,11 @@ struct AndersonIteration::Kinsol {
   Kinsol(std::size_t size, int depth, double trust_factor, const Team& of)
       : team(of),
         iterate(make_vector(team, size, context)),
-        ones(make_vector(team, size, context)),
+        ones(N_VClone(iterate.get())),
         memory(KINCreate(context)),
         image(size),
         trust(trust_factor) {
-    if (!memory) throw std::bad_alloc();
+    if (!memory || !ones) throw std::bad_alloc();
     N_VConst(1.0, ones.get());
     void* const kinsol = memory.get();
     check(KINSetErrHandlerFn(kinsol, ignore_message, nullptr), "KINSetErrHandlerFn");

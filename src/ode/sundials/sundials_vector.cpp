@@ -10,20 +10,21 @@
 #include <type_traits>
 #include <utility>
 
-#include "../elementwise.hpp"
 #include "../error_norm.hpp"
-#include "../state_norms.hpp"
+#include "delayed_operations.hpp"
 
 namespace creepcontact::ode {
 
 namespace {
 
-/// Begins as that of the serial vector does, so that the operations that need no other member are its own.
+/// Begins as that of the serial vector does, so that its macros and its destructor serve.
 struct Content {
   _N_VectorContent_Serial serial;
   const Team* team;
-  std::size_t counted;      // entries here that are not padding
-  std::size_t all_counted;  // by all members
+  std::size_t counted;         // entries here that are not padding
+  std::size_t all_counted;     // by all members
+  DelayedOperations* delayed;  // on this vector and all clones of the first one
+  std::size_t* vectors;        // that share them
 };
 static_assert(std::is_standard_layout_v<Content>);
 
@@ -33,38 +34,56 @@ Content& content(N_Vector v) {
 std::size_t length(N_Vector v) {
   return NV_LENGTH_S(v);
 }
+void finish(N_Vector v) {
+  content(v).delayed->finish(NV_DATA_S(v));
+}
+/// Delayed with those of z. Operations on x are finished if they are delayed elsewhere.
+bool delayed_with(N_Vector z, N_Vector x) {
+  const bool together = content(x).delayed == content(z).delayed;
+  if (!together) finish(x);
+  return together;
+}
+/// z = operation of x and y. @param c  coefficients of x and y, or the number added
+void delay(Elementwise::Kind kind, std::array<double, 2> c, N_Vector x, N_Vector y, N_Vector z) {
+  const bool later = delayed_with(z, x) & delayed_with(z, y);
+  content(z).delayed->add({.kind = kind, .c = c, .x = NV_DATA_S(x), .y = NV_DATA_S(y), .z = NV_DATA_S(z)});
+  if (!later) finish(z);
+}
 std::span<const double> entries(N_Vector v) {
+  finish(v);
   return {NV_DATA_S(v), content(v).counted};
 }
 
-// z may be x or y in all of these: entry i is read before it is written.
+double* data(N_Vector v) {
+  finish(v);
+  return NV_DATA_S(v);
+}
+
+using Kind = Elementwise::Kind;
 
 void linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z) {
-  const double *p = NV_DATA_S(x), *q = NV_DATA_S(y);
-  double* r = NV_DATA_S(z);
-  for_each_index(length(z), [=](std::size_t i) { r[i] = a * p[i] + b * q[i]; });
+  delay(Kind::sum, {a, b}, x, y, z);
 }
-
 void scale(realtype a, N_Vector x, N_Vector z) {
-  const double* p = NV_DATA_S(x);
-  double* r = NV_DATA_S(z);
-  for_each_index(length(z), [=](std::size_t i) { r[i] = a * p[i]; });
+  delay(Kind::multiple, {a}, x, x, z);
 }
-
 void fill(realtype a, N_Vector z) {
-  double* r = NV_DATA_S(z);
-  for_each_index(length(z), [=](std::size_t i) { r[i] = a; });
+  delay(Kind::constant, {a}, z, z, z);
 }
-
-/// z = sum c_k x_k, piece by piece; only x_0 may be z.
-int linear_combination(int terms, realtype* c, N_Vector* x, N_Vector z) {
-  double* r = NV_DATA_S(z);
-  for_each_piece(length(z), [=](std::size_t begin, std::size_t n) {
-    auto sum = piece(r, begin, n);
-    sum = c[0] * piece(NV_DATA_S(x[0]), begin, n);
-    for (int k = 1; k < terms; ++k) sum += c[k] * piece(NV_DATA_S(x[k]), begin, n);
-  });
-  return 0;
+void product(N_Vector x, N_Vector y, N_Vector z) {
+  delay(Kind::product, {}, x, y, z);
+}
+void quotient(N_Vector x, N_Vector y, N_Vector z) {
+  delay(Kind::quotient, {}, x, y, z);
+}
+void absolute(N_Vector x, N_Vector z) {
+  delay(Kind::absolute, {}, x, x, z);
+}
+void inverse(N_Vector x, N_Vector z) {
+  delay(Kind::inverse, {}, x, x, z);
+}
+void shift(N_Vector x, realtype a, N_Vector z) {
+  delay(Kind::shift, {a}, x, x, z);
 }
 
 // What SUNDIALS takes of all entries, in all that the integrators here use of it.
@@ -73,32 +92,42 @@ sunindextype length_of_all(N_Vector v) {
   return std::max<sunindextype>(content(v).all_counted, 1);
 }
 
-/// Over the entries of all members that are not padding.
+/// Sum of of_piece(begin, length) over the entries here that are not padding.
 template <typename OfPiece>
-double sum_of_all(N_Vector x, OfPiece&& of_piece) {
-  return content(x).team->sum(sum_over_pieces(content(x).counted, std::forward<OfPiece>(of_piece)));
+double own_sum(N_Vector x, N_Vector y, const OfPiece& of_piece) {
+  delayed_with(x, y);
+  return content(x).delayed->finish_and_sum({NV_DATA_S(x), NV_DATA_S(y)}, content(x).counted, of_piece);
+}
+template <typename OfPiece>
+double sum_of_all(N_Vector x, N_Vector y, const OfPiece& of_piece) {
+  return content(x).team->sum(own_sum(x, y, of_piece));
 }
 
 realtype dot(N_Vector x, N_Vector y) {
   const double *p = NV_DATA_S(x), *q = NV_DATA_S(y);
-  return sum_of_all(x,
+  return sum_of_all(x, y,
                     [=](std::size_t begin, std::size_t n) { return (piece(p, begin, n) * piece(q, begin, n)).sum(); });
 }
 
 /// Takes the place of the root mean square in every test of CVODE and ARKODE.
 realtype weighted_norm(N_Vector x, N_Vector w) {
-  return error_norm(*content(x).team, entries(x), entries(w));
+  const double *p = NV_DATA_S(x), *q = NV_DATA_S(w);
+  return error_norm(
+      *content(x).team, content(x).counted,
+      [=](std::size_t begin, std::size_t n) { return piece(p, begin, n) * piece(q, begin, n); },
+      [&](std::size_t, const auto& term) { return own_sum(x, w, term); });
 }
 
 realtype weighted_euclidean_norm(N_Vector x, N_Vector w) {
   const double *p = NV_DATA_S(x), *q = NV_DATA_S(w);
-  return std::sqrt(sum_of_all(
-      x, [=](std::size_t begin, std::size_t n) { return (piece(p, begin, n) * piece(q, begin, n)).square().sum(); }));
+  return std::sqrt(sum_of_all(x, w, [=](std::size_t begin, std::size_t n) {
+    return (piece(p, begin, n) * piece(q, begin, n)).square().sum();
+  }));
 }
 
 realtype absolute_sum(N_Vector x) {
   const double* p = NV_DATA_S(x);
-  return sum_of_all(x, [=](std::size_t begin, std::size_t n) { return piece(p, begin, n).abs().sum(); });
+  return sum_of_all(x, x, [=](std::size_t begin, std::size_t n) { return piece(p, begin, n).abs().sum(); });
 }
 
 realtype largest(N_Vector x) {
@@ -113,6 +142,17 @@ realtype smallest(N_Vector x) {
   return content(x).team->min(own);
 }
 
+void destroy(N_Vector v) {
+  if (v->content != nullptr) {
+    finish(v);  // what is delayed may use it
+    if (--*content(v).vectors == 0) {
+      delete content(v).delayed;
+      delete content(v).vectors;
+    }
+  }
+  N_VDestroy_Serial(v);
+}
+
 N_Vector clone_empty(N_Vector v) {
   const N_Vector result = N_VNewEmpty(v->sunctx);
   if (result == nullptr) return nullptr;
@@ -124,6 +164,7 @@ N_Vector clone_empty(N_Vector v) {
     return nullptr;
   }
   *own = content(v);
+  ++*own->vectors;
   own->serial.own_data = SUNFALSE;
   own->serial.data = nullptr;
   result->content = own;
@@ -150,10 +191,16 @@ Vector make_vector(const Team& team, std::size_t size, SUNContext context) {
   N_Vector_Ops ops = serial->ops;
   ops->nvclone = clone;
   ops->nvcloneempty = clone_empty;
+  ops->nvdestroy = destroy;
+  ops->nvgetarraypointer = data;
   ops->nvlinearsum = linear_sum;
   ops->nvscale = scale;
   ops->nvconst = fill;
-  ops->nvlinearcombination = linear_combination;
+  ops->nvprod = product;
+  ops->nvdiv = quotient;
+  ops->nvabs = absolute;
+  ops->nvinv = inverse;
+  ops->nvaddconst = shift;
   ops->nvgetlength = length_of_all;
   ops->nvdotprod = dot;
   ops->nvwrmsnorm = weighted_norm;
@@ -161,13 +208,25 @@ Vector make_vector(const Team& team, std::size_t size, SUNContext context) {
   ops->nvl1norm = absolute_sum;
   ops->nvmaxnorm = largest;
   ops->nvmin = smallest;
+  // The serial vector's own would not know of what is delayed; no integrator here uses them.
+  ops->nvcompare = nullptr;
+  ops->nvinvtest = nullptr;
+  ops->nvconstrmask = nullptr;
+  ops->nvminquotient = nullptr;
+  ops->nvwrmsnormmask = nullptr;
+  ops->nvsetarraypointer = nullptr;
   // The first clone takes over what the serial vector cannot hold.
   const auto all = static_cast<std::size_t>(team.sum(static_cast<double>(size)));
-  Content own{*static_cast<N_VectorContent_Serial>(serial->content), &team, size, all};
+  auto delayed = std::make_unique<DelayedOperations>(length(serial.get()));
+  auto vectors = std::make_unique<std::size_t>(0);
+  Content own{*static_cast<N_VectorContent_Serial>(serial->content), &team, size, all, delayed.get(), vectors.get()};
   void* const of_serial = std::exchange(serial->content, &own);
   Vector v(clone(serial.get()));
   serial->content = of_serial;
+  serial->ops->nvdestroy = N_VDestroy_Serial;
   if (!v) throw std::bad_alloc();
+  static_cast<void>(delayed.release());  // the vectors' own now
+  static_cast<void>(vectors.release());
   N_VConst(0.0, v.get());
   return v;
 }
