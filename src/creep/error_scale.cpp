@@ -37,8 +37,7 @@ std::vector<double> ErrorScale::typical(const Assembly& assembly, const Equilibr
   std::vector<double> sums;  // of the squares, then of the points
   for (const BodyState& state : at.bodies)
     sums.push_back(numerics::sum_over_points(state.stress.size() / 6, [&](std::size_t p) {
-      const double q = tensor::von_mises(tensor::view(state.stress, p));
-      return q * q;
+      return tensor::squared_von_mises(tensor::view(state.stress, p));
     }));
   for (const BodyState& state : at.bodies) {
     const std::size_t n_points = state.stress.size() / 6;

@@ -116,7 +116,7 @@ class BubbleTerms {
 
   Matrix3 stiffness(const LaneModuli<P>& moduli) const {
     const Matrix3& m = bubble_.moments;
-    if (moduli.uniform) return moduli.twice_mu[0] / 2 * bubble_.shear + moduli.bulk()[0] * (m.transpose() * m);
+    if (moduli.uniform) return moduli.twice_mu[0] / 2 * bubble_.shear + moduli.bulk()[0] * m.transpose().lazyProduct(m);
     const Matrix3 squares = weighted_squares(gradient_, weight_ * moduli.twice_mu / 2);
     return third * squares + squares.trace() * Matrix3::Identity() +
            m.transpose() * weighted_squares(linear_, weight_ * moduli.bulk()) * m;

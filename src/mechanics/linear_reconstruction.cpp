@@ -60,17 +60,26 @@ LinearReconstruction::LinearReconstruction(const Blocks& blocks, const NodeEntri
 LinearReconstruction::Rows LinearReconstruction::gradient(const ElementBlock& block, std::size_t e,
                                                           std::span<const double> means,
                                                           const Eigen::Ref<const Rows>& own) const {
-  const std::size_t element = block.start().element + e;
-  const Index width = own.cols();
-  const auto mean = [&](std::size_t i) { return Eigen::Map<const Eigen::RowVectorXd>(&means[i * width], width); };
-  Rows right = Rows::Zero(3, width);
-  for (std::size_t k = offsets_[element]; k < offsets_[element + 1]; ++k)
-    right += volumes_[neighbours_[k]] * (centres_[neighbours_[k]] - centres_[element]) *
-             (mean(neighbours_[k]) - mean(element));
+  const std::size_t element = block.start().element + e, width = own.cols();
+  const double* const mean = &means[element * width];
+  Rows right = Rows::Zero(3, own.cols());
+  double *x = right.data(), *y = x + width, *z = y + width;
+  const auto add = [&](const Vector3& position, double weight, const double* values) {
+    const Vector3 arm = weight * (position - centres_[element]);
+    for (std::size_t i = 0; i < width; ++i) {
+      const double difference = values[i] - mean[i];
+      x[i] += arm[0] * difference;
+      y[i] += arm[1] * difference;
+      z[i] += arm[2] * difference;
+    }
+  };
+  for (std::size_t k = offsets_[element]; k < offsets_[element + 1]; ++k) {
+    const std::uint32_t other = neighbours_[k];
+    add(centres_[other], volumes_[other], &means[other * width]);
+  }
+  const std::size_t first = block.start().point + e * block.n_points();
   for (std::size_t p = 0; p < block.n_points(); ++p)
-    right += own_weight * volumes_[element] *
-             (positions_[block.start().point + e * block.n_points() + p] - centres_[element]) *
-             (own.row(p) - mean(element));
+    add(positions_[first + p], own_weight * volumes_[element], &own.coeffRef(static_cast<Index>(p), 0));
   return inverse_[element] * right;
 }
 

@@ -4,6 +4,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
+#include "creepcontact/numerics/parallel.hpp"
 #include "element_block.hpp"
 #include "linear_reconstruction.hpp"
 #include "node_entries.hpp"
@@ -26,19 +27,22 @@ template <typename Values>
 void Discretization::average_at_nodes(std::size_t width, std::span<double> node_values, const Values& values) const {
   std::fill(node_values.begin(), node_values.end(), 0.0);
   std::vector<double> volume_at(n_nodes_, 0.0);
-  for (const auto& block : blocks_) {
-    for (std::size_t e = 0; e < block->n_elements(); ++e) {
-      const Rows at_nodes = values(*block, e);
-      const double volume = block->weights(e).sum();
-      const auto cell = block->nodes(e);
-      for (std::size_t a = 0; a < cell.size(); ++a) {
-        const std::size_t node = cell[a];
-        volume_at[node] += volume;
-        for (std::size_t i = 0; i < width; ++i)
-          node_values[node * width + i] += volume * at_nodes.data()[a * width + i];
+  constexpr std::size_t at_once = 1024;
+  std::vector<Rows> at_nodes(at_once);
+  for (const auto& block : blocks_)
+    for (std::size_t begin = 0; begin < block->n_elements(); begin += at_once) {
+      const std::size_t n = std::min(at_once, block->n_elements() - begin);
+      numerics::for_each_index(n, numerics::parallel_elements,
+                               [&](std::size_t k) { at_nodes[k] = values(*block, begin + k); });
+      for (std::size_t k = 0; k < n; ++k) {  // in order, for the same bits
+        const double volume = block->weights(begin + k).sum();
+        const double* value = at_nodes[k].data();
+        for (const std::int64_t node : block->nodes(begin + k)) {
+          volume_at[node] += volume;
+          for (std::size_t i = 0; i < width; ++i) node_values[node * width + i] += volume * *value++;
+        }
       }
     }
-  }
   for (std::size_t node = 0; node < n_nodes_; ++node)
     for (std::size_t i = 0; i < width && volume_at[node] > 0; ++i) node_values[node * width + i] /= volume_at[node];
 }

@@ -61,6 +61,11 @@ inline Tensor6 deviator(const Tensor6& a) {
   return s;
 }
 
+/// Square of the von Mises stress, without the root where a sum of squares needs it
+inline double squared_von_mises(const Tensor6& stress) {
+  return 1.5 * deviator(stress).squaredNorm();
+}
+
 /// von Mises equivalent stress q = sqrt(3/2 s:s)
 inline double von_mises(const Tensor6& stress) {
   return std::sqrt(1.5) * deviator(stress).norm();
