@@ -30,7 +30,7 @@ int check(const Command& self, const Arguments& arguments) {
   if (line.has("threads")) line.require_within("threads", threads, cores());
   config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
-  use_threads(threads);
+  const ThreadChoice choice(threads);
   run::check(config, std::cout, options);
   return 0;
 }

@@ -36,9 +36,9 @@ int run(const Command& self, const Arguments& arguments) {
 
   config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
-  use_threads(threads);
+  ThreadChoice choice(threads);
   if (quiet) log::set_level(log::Level::warning);
-  RunProgress progress(config.time.output, quiet);
+  RunProgress progress(config.time.output, quiet, choice);
   options.observer = &progress;
   const run::RunResult result = run::run(config, options);
   if (!result.message.empty()) {

@@ -24,8 +24,8 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-RunProgress::RunProgress(const std::vector<double>& output_times, bool quiet)
-    : output_times_(output_times), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+RunProgress::RunProgress(const std::vector<double>& output_times, bool quiet, ThreadChoice& threads)
+    : output_times_(output_times), threads_(threads), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 RunProgress::~RunProgress() {
   before_message();
@@ -41,6 +41,11 @@ double RunProgress::share_done(double time) const {
 }
 
 void RunProgress::step(double time, const RunCounters& work) {
+  if (const std::optional<int> changed = threads_.look()) {
+    before_message();
+    log::info("other programs use the machine more or less than before: {} from here on",
+              *changed == 1 ? "one thread" : fmt::format("{} threads", *changed));
+  }
   if (quiet_) return;
   const Clock::time_point now = Clock::now();
   const double since = std::chrono::duration<double>(now - last_).count();

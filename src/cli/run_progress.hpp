@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "creepcontact/run/run.hpp"
+#include "thread_settings.hpp"
 
 namespace creepcontact::cli {
 
 class RunProgress final : public run::RunObserver {
  public:
-  /// @param output_times  ascending, the last is the end of the run
-  RunProgress(const std::vector<double>& output_times, bool quiet);
+  /// @param output_times  ascending, the last is the end of the run @param threads  adapted as the run goes on; must
+  /// outlive the object
+  RunProgress(const std::vector<double>& output_times, bool quiet, ThreadChoice& threads);
   ~RunProgress() override;
   RunProgress(const RunProgress&) = delete;
   RunProgress& operator=(const RunProgress&) = delete;
@@ -27,6 +29,7 @@ class RunProgress final : public run::RunObserver {
   double share_done(double time) const;
 
   std::vector<double> output_times_;
+  ThreadChoice& threads_;
   bool quiet_, terminal_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now(), last_ = start_;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/contact/load_balance.hpp"
+#include "creepcontact/linalg/factorizations.hpp"
 #include "factored_flexibility.hpp"
 
 namespace creepcontact::contact {
@@ -42,7 +44,9 @@ CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, 
   for (std::size_t b = 0; b < bodies.size(); ++b)
     factored_.emplace_back(bodies[b], at[b], dense ? sides_[b].trailing : std::vector<std::int64_t>(), make_solver);
   if (admit) admit(*this, dense ? dense_bytes_ : 0.0);
-  for (std::size_t b = 0; b < bodies.size(); ++b) factored_[b].factorize(at[b]);
+  std::vector<std::size_t> all(bodies.size());
+  std::iota(all.begin(), all.end(), 0);
+  factorize(all, at);
   if (dense) {
     for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
     sum_flexibilities();
@@ -50,6 +54,12 @@ CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, 
     make_operator(at);
   }
   immovable_ = immovable_rows(problem_);
+}
+
+void CondensedInterface::factorize(std::span<const std::size_t> bodies, Conditions at) {
+  std::vector<double> entries;
+  for (const std::size_t b : bodies) entries.push_back(static_cast<double>(factored_[b].solver().factor_bytes()) / 8);
+  linalg::for_each_factorization(entries, [&](std::size_t i) { factored_[bodies[i]].factorize(at[bodies[i]]); });
 }
 
 void CondensedInterface::make_operator(Conditions at) {
@@ -113,11 +123,9 @@ void CondensedInterface::sum_flexibilities() {
 }
 
 void CondensedInterface::refactorize(std::span<const std::size_t> bodies, Conditions at) {
-  for (const std::size_t b : bodies) {
-    factored_[b].factorize(at[b]);
-    if (!large_) condense(b);
-  }
+  factorize(bodies, at);
   if (!large_) {
+    for (const std::size_t b : bodies) condense(b);
     sum_flexibilities();
     return;
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/numerics/long_vectors.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -21,9 +22,7 @@ constexpr double least_step = 1e-6;  // relative to the time: a body that slides
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
   for (std::size_t b = 0; b < at.bodies.size(); ++b) {
-    const std::vector<double>& stress = at.bodies[b].stress;
-    const double sum = Eigen::Map<const Eigen::VectorXd>(stress.data(), stress.size()).sum();
-    if (!std::isfinite(sum))
+    if (!numerics::is_finite(at.bodies[b].stress))
       throw RecoverableError(
           fmt::format("the stress of body '{}' is no longer finite at t = {:.6g}; use shorter steps, or an integrator "
                       "with error control",
@@ -68,7 +67,7 @@ double CreepSystem::load_time(double t) const {
 void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.valid = false;
   into.time = t;
-  into.y.assign(y.begin(), y.end());
+  numerics::copy(y, into.y);
   layout_.views(into.y, views_);
   const History& history = has_friction() && t < history_.friction.time ? before_ : history_;
   try {
@@ -89,7 +88,7 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
 }
 
 bool CreepSystem::is_at(double t, std::span<const double> y, const Evaluation& of) const {
-  return of.valid && of.time == t && !team().any(!std::ranges::equal(of.y, y));
+  return of.valid && of.time == t && !team().any(!numerics::equal(of.y, y));
 }
 
 const Evaluation& CreepSystem::evaluate_step(double t, std::span<const double> y) {
@@ -125,8 +124,7 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   together(team(), [&] {
     for (std::size_t b = 0; b < points_.size(); ++b)
       if (!points_[b].empty()) points_[b].rate(points_state(b, at, y), layout_.part(b, rate));
-    const double sum = Eigen::Map<const Eigen::VectorXd>(rate.data(), rate.size()).sum();
-    if (!std::isfinite(sum)) throw RecoverableError(describe_overflow(at, rate));
+    if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
 }
 

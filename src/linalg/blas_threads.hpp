@@ -7,7 +7,7 @@
 namespace creepcontact::linalg {
 
 /// While one lives, the BLAS uses all cores OpenMP may use, and no other thread factorises. Without OpenBLAS only the
-/// latter.
+/// latter. Within for_each_factorization() it does nothing: that has decided.
 class BlasFactorization {
  public:
   BlasFactorization();

@@ -4,13 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
-// One version per instruction set; the loader takes the best that the processor has.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define CREEPCONTACT_BEST_INSTRUCTIONS [[gnu::target_clones("avx512f", "arch=haswell", "default")]]
-#else
-#define CREEPCONTACT_BEST_INSTRUCTIONS
-#endif
-#define CREEPCONTACT_INLINE [[gnu::always_inline]] inline
+#include "creepcontact/base/instruction_sets.hpp"
 
 namespace creepcontact::linalg {
 

@@ -119,6 +119,7 @@ class CondensedInterface {
   void make_problem();
   void make_rows();
   void condense(std::size_t body);
+  void factorize(std::span<const std::size_t> bodies, Conditions at);
   void make_operator(Conditions at);
   void sum_flexibilities();
   void warn_of_held_overlaps(const InterfaceLoad& load);

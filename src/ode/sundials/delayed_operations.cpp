@@ -1,39 +1,50 @@
 #include "delayed_operations.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "creepcontact/base/instruction_sets.hpp"
 
 namespace creepcontact::ode {
 
-void Elementwise::operator()(std::size_t begin, std::size_t n) const {
-  const auto a = piece(x, begin, n), b = piece(y, begin, n);
-  auto result = piece(z, begin, n);
+namespace {
+
+/// z may be x or y: entry i is read before it is written.
+template <typename Operation>
+CREEPCONTACT_INLINE void for_each_entry(std::size_t n, const Operation& operation) {
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i) operation(i);
+}
+
+CREEPCONTACT_LONG_VECTORS
+void run_operation(Elementwise::Kind kind, double a, double b, const double* x, const double* y, double* z,
+                   std::size_t n) {
+  using Kind = Elementwise::Kind;
   switch (kind) {
     case Kind::sum:
-      result = c[0] * a + c[1] * b;
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = a * x[i] + b * y[i]; });
     case Kind::multiple:
-      result = c[0] * a;
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = a * x[i]; });
     case Kind::constant:
-      result.setConstant(c[0]);
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = a; });
     case Kind::product:
-      result = a * b;
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = x[i] * y[i]; });
     case Kind::quotient:
-      result = a / b;
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = x[i] / y[i]; });
     case Kind::absolute:
-      result = a.abs();
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = std::abs(x[i]); });
     case Kind::inverse:
-      result = a.inverse();
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = 1 / x[i]; });
     case Kind::shift:
-      result = a + c[0];
-      return;
+      return for_each_entry(n, [=](std::size_t i) { z[i] = x[i] + a; });
   }
+}
+
+}  // namespace
+
+void Elementwise::operator()(std::size_t begin, std::size_t n) const {
+  run_operation(kind, c[0], c[1], x + begin, y + begin, z + begin, n);
 }
 
 void DelayedOperations::run(const std::vector<Elementwise>& due) const {
