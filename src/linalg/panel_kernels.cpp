@@ -15,12 +15,10 @@ struct Vectors;
 template <>
 struct Vectors<4> {
   using Double = double __attribute__((vector_size(4 * sizeof(double))));
-  using Float = float __attribute__((vector_size(4 * sizeof(float))));
 };
 template <>
 struct Vectors<8> {
   using Double = double __attribute__((vector_size(8 * sizeof(double))));
-  using Float = float __attribute__((vector_size(8 * sizeof(float))));
 };
 template <std::size_t width>
 using Vector = typename Vectors<width>::Double;
@@ -29,25 +27,19 @@ template <std::size_t width>
 CREEPCONTACT_INLINE void load(const double* from, Vector<width>& vector) {
   std::memcpy(&vector, from, sizeof vector);
 }
-template <std::size_t width>
-CREEPCONTACT_INLINE void load(const float* from, Vector<width>& vector) {
-  typename Vectors<width>::Float narrow;
-  std::memcpy(&narrow, from, sizeof narrow);
-  vector = __builtin_convertvector(narrow, Vector<width>);
-}
 
 /// Of columns so short, the next eight are brought into the cache while these are used. Of longer ones the processor
 /// itself fetches what follows, better than a program can.
 constexpr std::int64_t short_column = 640;
 
 /// to -= L from for `width` rows of `columns` columns.
-template <std::size_t width, std::size_t columns, bool fetch, typename Entry>
-CREEPCONTACT_INLINE void subtract_rows(const Entry* first, std::int64_t stride, const double* from, double* to) {
+template <std::size_t width, std::size_t columns, bool fetch>
+CREEPCONTACT_INLINE void subtract_rows(const double* first, std::int64_t stride, const double* from, double* to) {
   Vector<width> sum, entries;
   load<width>(to, sum);
 #pragma GCC unroll 8
   for (std::size_t k = 0; k < columns; ++k) {
-    const Entry* const column = first + k * stride;
+    const double* const column = first + k * stride;
     if (fetch) __builtin_prefetch(column + columns * stride);
     load<width>(column, entries);
     sum -= entries * from[k];
@@ -56,8 +48,8 @@ CREEPCONTACT_INLINE void subtract_rows(const Entry* first, std::int64_t stride, 
 }
 
 /// to -= L from, for `columns` columns.
-template <std::size_t columns, bool fetch = false, typename Entry>
-CREEPCONTACT_INLINE void subtract_columns(const Entry* first, std::int64_t stride, std::int64_t n_rows,
+template <std::size_t columns, bool fetch = false>
+CREEPCONTACT_INLINE void subtract_columns(const double* first, std::int64_t stride, std::int64_t n_rows,
                                           const double* from, double* to) {
   std::int64_t row = 0;
   for (; row + 8 <= n_rows; row += 8) subtract_rows<8, columns, fetch>(first + row, stride, from, to + row);
@@ -68,14 +60,14 @@ CREEPCONTACT_INLINE void subtract_columns(const Entry* first, std::int64_t strid
   for (; row < n_rows; ++row) {
     double sum = to[row];
 #pragma GCC unroll 8
-    for (std::size_t k = 0; k < columns; ++k) sum -= static_cast<double>(first[k * stride + row]) * from[k];
+    for (std::size_t k = 0; k < columns; ++k) sum -= first[k * stride + row] * from[k];
     to[row] = sum;
   }
 }
 
 /// to -= L^T from, for `columns` columns.
-template <std::size_t columns, bool fetch = false, typename Entry>
-CREEPCONTACT_INLINE void subtract_dot_products(const Entry* first, std::int64_t stride, std::int64_t n_rows,
+template <std::size_t columns, bool fetch = false>
+CREEPCONTACT_INLINE void subtract_dot_products(const double* first, std::int64_t stride, std::int64_t n_rows,
                                                const double* from, double* to) {
   std::array<Vector<8>, columns> sums{};
   std::int64_t row = 0;
@@ -84,7 +76,7 @@ CREEPCONTACT_INLINE void subtract_dot_products(const Entry* first, std::int64_t 
     load<8>(from + row, right);
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < columns; ++k) {
-      const Entry* const column = first + k * stride + row;
+      const double* const column = first + k * stride + row;
       if (fetch) __builtin_prefetch(column - 8 * stride);
       load<8>(column, entries);
       sums[k] += entries * right;
@@ -108,7 +100,7 @@ CREEPCONTACT_INLINE void subtract_dot_products(const Entry* first, std::int64_t 
 #pragma GCC unroll 8
   for (std::size_t k = 0; k < columns; ++k) {
     double sum = (halves[k][0] + halves[k][2]) + (halves[k][1] + halves[k][3]);
-    for (std::int64_t i = row; i < n_rows; ++i) sum += static_cast<double>(first[k * stride + i]) * from[i];
+    for (std::int64_t i = row; i < n_rows; ++i) sum += first[k * stride + i] * from[i];
     to[k] -= sum;
   }
 }
@@ -139,23 +131,23 @@ CREEPCONTACT_INLINE void for_each_strip_backwards(std::int64_t n_columns, const 
 }
 
 /// The reciprocals of a diagonal: divisions that do not wait for each other.
-template <std::size_t columns, typename Entry>
-CREEPCONTACT_INLINE std::array<double, columns> reciprocals(const Entry* corner, std::int64_t stride) {
+template <std::size_t columns>
+CREEPCONTACT_INLINE std::array<double, columns> reciprocals(const double* corner, std::int64_t stride) {
   std::array<double, columns> result;
 #pragma GCC unroll 8
-  for (std::size_t k = 0; k < columns; ++k) result[k] = 1 / static_cast<double>(corner[k * (stride + 1)]);
+  for (std::size_t k = 0; k < columns; ++k) result[k] = 1 / corner[k * (stride + 1)];
   return result;
 }
 
 /// x1 = L11^-1 x1, then x2 -= L21 x1, for `columns` columns. @param corner  the first entry of L11
-template <std::size_t columns, typename Entry>
-CREEPCONTACT_INLINE void eliminate_columns(const Entry* corner, std::int64_t stride, std::int64_t n_rows, double* x) {
+template <std::size_t columns>
+CREEPCONTACT_INLINE void eliminate_columns(const double* corner, std::int64_t stride, std::int64_t n_rows, double* x) {
   const std::array<double, columns> inverse = reciprocals<columns>(corner, stride);
 #pragma GCC unroll 8
   for (std::size_t k = 0; k < columns; ++k) {
     x[k] *= inverse[k];
 #pragma GCC unroll 8
-    for (std::size_t i = k + 1; i < columns; ++i) x[i] -= static_cast<double>(corner[k * stride + i]) * x[k];
+    for (std::size_t i = k + 1; i < columns; ++i) x[i] -= corner[k * stride + i] * x[k];
   }
   const std::int64_t below = n_rows - static_cast<std::int64_t>(columns);
   if (n_rows <= short_column)
@@ -165,8 +157,8 @@ CREEPCONTACT_INLINE void eliminate_columns(const Entry* corner, std::int64_t str
 }
 
 /// x1 = L11^-T (x1 - L21^T x2), for `columns` columns.
-template <std::size_t columns, typename Entry>
-CREEPCONTACT_INLINE void substitute_columns(const Entry* corner, std::int64_t stride, std::int64_t n_rows, double* x) {
+template <std::size_t columns>
+CREEPCONTACT_INLINE void substitute_columns(const double* corner, std::int64_t stride, std::int64_t n_rows, double* x) {
   const std::array<double, columns> inverse = reciprocals<columns>(corner, stride);
   const std::int64_t below = n_rows - static_cast<std::int64_t>(columns);
   if (n_rows <= short_column)
@@ -177,13 +169,16 @@ CREEPCONTACT_INLINE void substitute_columns(const Entry* corner, std::int64_t st
   for (std::size_t up = 1; up <= columns; ++up) {
     const std::size_t k = columns - up;
 #pragma GCC unroll 8
-    for (std::size_t i = k + 1; i < columns; ++i) x[k] -= static_cast<double>(corner[k * stride + i]) * x[i];
+    for (std::size_t i = k + 1; i < columns; ++i) x[k] -= corner[k * stride + i] * x[i];
     x[k] *= inverse[k];
   }
 }
 
-template <typename Entry>
-CREEPCONTACT_INLINE void eliminate_any(const Panel<Entry>& panel, double* x) {
+constexpr std::int64_t chunk = 4096;  // rows whose part of the vector stays in the innermost cache
+
+}  // namespace
+
+CREEPCONTACT_BEST_INSTRUCTIONS void eliminate(const Panel& panel, double* x) {
   for_each_strip(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         eliminate_columns<columns>(panel.entries + column * (panel.stride + 1), panel.stride, panel.n_rows - column,
@@ -191,8 +186,7 @@ CREEPCONTACT_INLINE void eliminate_any(const Panel<Entry>& panel, double* x) {
       });
 }
 
-template <typename Entry>
-CREEPCONTACT_INLINE void substitute_any(const Panel<Entry>& panel, double* x) {
+CREEPCONTACT_BEST_INSTRUCTIONS void substitute(const Panel& panel, double* x) {
   for_each_strip_backwards(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         substitute_columns<columns>(panel.entries + column * (panel.stride + 1), panel.stride, panel.n_rows - column,
@@ -200,10 +194,7 @@ CREEPCONTACT_INLINE void substitute_any(const Panel<Entry>& panel, double* x) {
       });
 }
 
-constexpr std::int64_t chunk = 4096;  // rows whose part of the vector stays in the innermost cache
-
-template <typename Entry>
-CREEPCONTACT_INLINE void subtract_product_any(const Panel<Entry>& panel, const double* from, double* to) {
+CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product(const Panel& panel, const double* from, double* to) {
   for (std::int64_t row = 0; row < panel.n_rows; row += chunk) {
     const std::int64_t n_rows = panel.n_rows - row < chunk ? panel.n_rows - row : chunk;
     for_each_strip(
@@ -214,42 +205,12 @@ CREEPCONTACT_INLINE void subtract_product_any(const Panel<Entry>& panel, const d
   }
 }
 
-template <typename Entry>
-CREEPCONTACT_INLINE void subtract_transposed_product_any(const Panel<Entry>& panel, const double* from, double* to) {
+CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product(const Panel& panel, const double* from, double* to) {
   for_each_strip(
       panel.n_columns, [&]<std::size_t columns>(std::int64_t column) __attribute__((always_inline)) {
         subtract_dot_products<columns>(panel.entries + column * panel.stride, panel.stride, panel.n_rows, from,
                                        to + column);
       });
-}
-
-}  // namespace
-
-CREEPCONTACT_BEST_INSTRUCTIONS void eliminate(const Panel<double>& panel, double* x) {
-  eliminate_any(panel, x);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void eliminate(const Panel<float>& panel, double* x) {
-  eliminate_any(panel, x);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void substitute(const Panel<double>& panel, double* x) {
-  substitute_any(panel, x);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void substitute(const Panel<float>& panel, double* x) {
-  substitute_any(panel, x);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product(const Panel<double>& panel, const double* from, double* to) {
-  subtract_product_any(panel, from, to);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_product(const Panel<float>& panel, const double* from, double* to) {
-  subtract_product_any(panel, from, to);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product(const Panel<double>& panel, const double* from,
-                                                                double* to) {
-  subtract_transposed_product_any(panel, from, to);
-}
-CREEPCONTACT_BEST_INSTRUCTIONS void subtract_transposed_product(const Panel<float>& panel, const double* from,
-                                                                double* to) {
-  subtract_transposed_product_any(panel, from, to);
 }
 
 }  // namespace creepcontact::linalg

@@ -50,7 +50,7 @@ struct SupernodalCholesky::Impl {
   std::int64_t n_entries;
   std::int64_t n_trailing;
   double rcond = 0;
-  std::optional<SupernodalPass<double>> passes;
+  std::optional<SupernodalPass> passes;
   SingleTask nothing;
   std::vector<double> copy;
 };

@@ -56,8 +56,7 @@ struct Branch {
 
 }  // namespace
 
-template <typename Entry>
-struct SupernodalPass<Entry>::Impl {
+struct SupernodalPass::Impl {
   struct Subtree {
     std::size_t branch = 0;
     std::int64_t first = 0;             // supernode
@@ -114,8 +113,8 @@ struct SupernodalPass<Entry>::Impl {
   void cut_tree(const Tree& tree);
   void place_children();
   void list_tasks(const Tree& tree);
-  Panel<Entry> panel(std::int64_t s, std::int64_t row, std::int64_t column, std::int64_t n_rows,
-                     std::int64_t n_columns) const {
+  Panel panel(std::int64_t s, std::int64_t row, std::int64_t column, std::int64_t n_rows,
+              std::int64_t n_columns) const {
     const std::int64_t stride = nodes.n_rows(s);
     return {factor + nodes.first_value[s] + column * stride + row, stride, n_rows, n_columns};
   }
@@ -138,22 +137,19 @@ struct SupernodalPass<Entry>::Impl {
   Backward backward{*this};
 
   // of the pass under way
-  const Entry* factor = nullptr;
+  const double* factor = nullptr;
   std::span<const double> from;
   std::span<double> into;
 };
 
-template <typename Entry>
-SupernodalPass<Entry>::Impl::Impl(const Supernodes& supernodes)
-    : nodes(supernodes), solution(supernodes.permutation.size()) {
+SupernodalPass::Impl::Impl(const Supernodes& supernodes) : nodes(supernodes), solution(supernodes.permutation.size()) {
   const Tree tree(nodes);
   cut_tree(tree);
   place_children();
   list_tasks(tree);
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::cut_tree(const Tree& tree) {
+void SupernodalPass::Impl::cut_tree(const Tree& tree) {
   double all = 0;
   for (std::int64_t s = 0; s < nodes.size(); ++s)
     if (tree.parent[s] < 0) all += tree.entries[s];
@@ -209,8 +205,7 @@ std::vector<std::int32_t> positions(std::span<const std::int64_t> rows, std::spa
   return result;
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::place_children() {
+void SupernodalPass::Impl::place_children() {
   for (const auto& branch : branches)
     if (branch->parent >= 0)
       branch->in_front = positions(nodes.rows_below(branch->root), nodes.rows_of(branches[branch->parent]->root));
@@ -230,8 +225,7 @@ void SupernodalPass<Entry>::Impl::place_children() {
   }
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::list_tasks(const Tree& tree) {
+void SupernodalPass::Impl::list_tasks(const Tree& tree) {
   for (auto subtree = subtrees.rbegin(); subtree != subtrees.rend(); ++subtree) {  // in the order of the factor
     tasks.push_back({&*subtree, nullptr, 0});
     work.push_back(tree.entries[branches[subtree->branch]->root]);
@@ -252,8 +246,7 @@ void SupernodalPass<Entry>::Impl::list_tasks(const Tree& tree) {
   backward_work.assign(work.rbegin(), work.rend());
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::reset() {
+void SupernodalPass::Impl::reset() {
   for (const auto& branch : branches) {
     branch->forward_done.reset();
     branch->backward_done.reset();
@@ -262,8 +255,7 @@ void SupernodalPass<Entry>::Impl::reset() {
     for (Column& panel : front->panels) panel.progress.reset();
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::forward_subtree(Subtree& subtree) {
+void SupernodalPass::Impl::forward_subtree(Subtree& subtree) {
   const std::int64_t root = branches[subtree.branch]->root;
   for (std::int64_t k = nodes.first_column[subtree.first]; k < nodes.first_column[root + 1]; ++k)
     into[k] = from[nodes.permutation[k]];
@@ -284,8 +276,7 @@ void SupernodalPass<Entry>::Impl::forward_subtree(Subtree& subtree) {
   branches[subtree.branch]->forward_done.reach(1);
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::assemble(Front& front) {
+void SupernodalPass::Impl::assemble(Front& front) {
   const std::int64_t s = branches[front.branch]->root, n = nodes.n_columns(s), first = nodes.first_column[s];
   for (std::int64_t k = 0; k < n; ++k) front.values[k] = from[nodes.permutation[first + k]];
   std::fill(front.values.begin() + n, front.values.end(), 0.0);
@@ -305,8 +296,7 @@ void SupernodalPass<Entry>::Impl::assemble(Front& front) {
   }
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::forward_panel(Front& front, std::size_t p) {
+void SupernodalPass::Impl::forward_panel(Front& front, std::size_t p) {
   const std::int64_t s = branches[front.branch]->root, n_rows = nodes.n_rows(s), first = nodes.first_column[s];
   Column& own = front.panels[p];
   const std::int64_t width = own.end - own.begin;
@@ -338,8 +328,7 @@ void SupernodalPass<Entry>::Impl::forward_panel(Front& front, std::size_t p) {
   branches[front.branch]->forward_done.reach(1);
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::backward_panel(Front& front, std::size_t p) {
+void SupernodalPass::Impl::backward_panel(Front& front, std::size_t p) {
   const Branch& branch = *branches[front.branch];
   const std::int64_t s = branch.root, n = nodes.n_columns(s), first = nodes.first_column[s];
   const std::span<const std::int64_t> below = nodes.rows_below(s);
@@ -372,8 +361,7 @@ void SupernodalPass<Entry>::Impl::backward_panel(Front& front, std::size_t p) {
   for (std::int64_t k = 0; k < width; ++k) into[nodes.permutation[first + own.begin + k]] = x[k];
 }
 
-template <typename Entry>
-void SupernodalPass<Entry>::Impl::backward_subtree(Subtree& subtree) {
+void SupernodalPass::Impl::backward_subtree(Subtree& subtree) {
   const Branch& branch = *branches[subtree.branch];
   if (branch.parent >= 0) branches[branch.parent]->backward_done.wait_for(1);
   const std::span<const std::int64_t> below = nodes.rows_below(branch.root);
@@ -394,28 +382,21 @@ void SupernodalPass<Entry>::Impl::backward_subtree(Subtree& subtree) {
   for (std::int64_t k = nodes.first_column[subtree.first]; k < end; ++k) into[nodes.permutation[k]] = solution[k];
 }
 
-template <typename Entry>
-SupernodalPass<Entry>::SupernodalPass(const Supernodes& supernodes) : impl_(std::make_unique<Impl>(supernodes)) {}
-template <typename Entry>
-SupernodalPass<Entry>::~SupernodalPass() = default;
+SupernodalPass::SupernodalPass(const Supernodes& supernodes) : impl_(std::make_unique<Impl>(supernodes)) {}
+SupernodalPass::~SupernodalPass() = default;
 
-template <typename Entry>
-TaskList& SupernodalPass<Entry>::forward(const Entry* factor, std::span<const double> b, std::span<double> y) {
+TaskList& SupernodalPass::forward(const double* factor, std::span<const double> b, std::span<double> y) {
   impl_->factor = factor;
   impl_->from = b;
   impl_->into = y;
   return impl_->forward;
 }
 
-template <typename Entry>
-TaskList& SupernodalPass<Entry>::backward(const Entry* factor, std::span<const double> y, std::span<double> x) {
+TaskList& SupernodalPass::backward(const double* factor, std::span<const double> y, std::span<double> x) {
   impl_->factor = factor;
   impl_->from = y;
   impl_->into = x;
   return impl_->backward;
 }
-
-template class SupernodalPass<double>;
-template class SupernodalPass<float>;
 
 }  // namespace creepcontact::linalg

@@ -30,7 +30,6 @@ struct Supernodes {
 };
 
 /// One thread at a time may use it; the tasks of one call are shared.
-template <typename Entry>
 class SupernodalPass {
  public:
   /// @param supernodes  what it refers to must outlive the object. Cost: a few passes over the rows
@@ -38,9 +37,9 @@ class SupernodalPass {
   ~SupernodalPass();
 
   /// y = L^-1 P b as tasks; valid until the next call. The arrays must not overlap. @param factor  entries of L
-  TaskList& forward(const Entry* factor, std::span<const double> b, std::span<double> y);
+  TaskList& forward(const double* factor, std::span<const double> b, std::span<double> y);
   /// x = P^T L^-T y
-  TaskList& backward(const Entry* factor, std::span<const double> y, std::span<double> x);
+  TaskList& backward(const double* factor, std::span<const double> y, std::span<double> x);
 
  private:
   struct Impl;
