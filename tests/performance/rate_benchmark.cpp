@@ -1,19 +1,15 @@
 /// A creep rate and a Jacobian product of two blocks in contact against the passes through the factors that they
-/// contain, and the shares of a whole run. Counters are ratios measured in one run: `of_a_pass` to a forward and a
-/// backward pass through all factors on one thread, `of_the_floor` to the time in which one thread reads the factors
-/// twice.
+/// contain. Counters are ratios measured in one run: `of_a_pass` to a forward and a backward pass through all factors
+/// on one thread, `of_the_floor` to the time in which one thread reads the factors twice.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <omp.h>
-#include <sys/resource.h>
 
 #include <map>
-#include <numeric>
 
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/model.hpp"
-#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
 
@@ -107,38 +103,6 @@ const std::vector<std::vector<std::int64_t>> cases{{10, 15}, {1, 2}};  // 50,000
 BENCHMARK(pass)->ArgsProduct({{10, 15}, {1}})->Unit(benchmark::kMillisecond);
 BENCHMARK(rate)->ArgsProduct(cases)->Unit(benchmark::kMillisecond);
 BENCHMARK(product)->ArgsProduct(cases)->Unit(benchmark::kMillisecond);
-
-/// 50,000 unknowns, tolerance 1e-3: `other` is the share of all that is neither the factorisation nor passes, `memory`
-/// the growth of the resident memory over the bytes of the factors and 14 state vectors.
-void run(benchmark::State& state) {
-  omp_set_num_threads(static_cast<int>(state.range(1)));
-  const auto peak = [] {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
-  };
-  for ([[maybe_unused]] auto _ : state) {
-    const auto start = Clock::now();
-    const config::Config config = pressed_blocks(static_cast<int>(state.range(0)));
-    Stopwatch watch;
-    const model::Model model = model::build_model(config);
-    creep::EquilibriumSolver solver(model.assembly, model.solver, watch);
-    creep::CreepSystem system(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
-                              config.time.tolerance, watch);
-    const auto integrator =
-        ode::make_integrator(config.time.integrator, system, {.tolerance = 1e-3, .end_time = config.time.end});
-    integrator->initialize(0, std::vector<double>(system.size()));
-    while (integrator->time() < config.time.end) integrator->step(config.time.end);
-    const double total = seconds_since(start);
-    double bytes = 14.0 * 8 * static_cast<double>(system.size());
-    for (std::size_t b = 0; b < model.bodies().size(); ++b)
-      bytes += static_cast<double>(solver.interface().factored(b).solver().factor_bytes());
-    state.counters["solves"] = static_cast<double>(system.run_counters().elastic_solves);
-    state.counters["other"] = 1 - (watch.seconds(Part::factorize) + watch.seconds(Part::solve)) / total;
-    state.counters["memory"] = peak() / bytes;
-  }
-}
-BENCHMARK(run)->ArgsProduct({{10}, {1, 2}})->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace
 }  // namespace creepcontact::test

@@ -4,6 +4,7 @@
 ///                  elastic solve
 ///   passes, points, contact, results, rest   shares of the run without the factorisation; rest: vectors of the
 ///                  integrator, mesh and model
+///   memory         the largest resident memory over the bytes of the factors and 14 state vectors; of the sizes so far
 ///   of_one_thread  the time over that of the run on one thread
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ double factor_bytes(std::int64_t size) {
 void ball_on_block(benchmark::State& state) {
   static std::map<std::int64_t, double> of_one_thread;
   const std::int64_t size = state.range(0), threads = state.range(1);
-  const double reading = 2 * factor_bytes(size) / bandwidth();
+  const double factors = factor_bytes(size), reading = 2 * factors / bandwidth();
   omp_set_num_threads(static_cast<int>(threads));
   for ([[maybe_unused]] auto _ : state) {
     const io::Summary summary = run_once(size);
@@ -77,8 +78,11 @@ void ball_on_block(benchmark::State& state) {
     if (threads == 1) of_one_thread[size] = seconds.total;
     const auto solves = static_cast<double>(summary.elastic_solves);
     const double integration = seconds.total - seconds.factorize;
-    double unknowns = 0;
-    for (const auto& [name, body] : summary.bodies) unknowns += static_cast<double>(body.dofs);
+    double unknowns = 0, state_bytes = 0;
+    for (const auto& [name, body] : summary.bodies) {
+      unknowns += static_cast<double>(body.dofs);
+      state_bytes += 6.0 * 8 * static_cast<double>(body.integration_points);
+    }
     state.counters["unknowns"] = unknowns;
     state.counters["solves"] = solves;
     state.counters["of_the_floor"] = seconds.total / (seconds.factorize + solves * reading);
@@ -87,6 +91,7 @@ void ball_on_block(benchmark::State& state) {
     state.counters["contact"] = seconds.contact / integration;
     state.counters["results"] = seconds.output / integration;
     state.counters["rest"] = 1 - (seconds.solve + seconds.material + seconds.contact + seconds.output) / integration;
+    state.counters["memory"] = summary.peak_memory_mb * (1 << 20) / (factors + 14 * state_bytes);
     if (of_one_thread.contains(size)) state.counters["of_one_thread"] = seconds.total / of_one_thread[size];
   }
 }
