@@ -8,6 +8,7 @@
 #include "euler/beta_euler.hpp"
 #include "euler/explicit_euler.hpp"
 #include "euler/isochronous.hpp"
+#include "log_adams.hpp"
 #include "runge_kutta_chebyshev.hpp"
 #include "singular_start.hpp"
 #include "sundials/arkode_integrator.hpp"
@@ -38,6 +39,10 @@ const std::vector<IntegratorInfo>& integrators() {
        CvodeIntegrator::bdf},
       {"cvode_adams", "CVODE Adams of order 1 to 6, fixed-point iterations, error control: while stress relaxes",
        CvodeIntegrator::adams},
+      {"log_adams",
+       "Adams of order 1 to 3 in logarithmic time, damped by the stiffness of each point, error control: one rate "
+       "evaluation per step",
+       make<LogAdams>},
       {"arkode_erk",
        "ARKODE explicit Runge-Kutta, 3(2) of Bogacki and Shampine (`table = \"bogacki_shampine_4_2_3\"`) or another, "
        "error control: for times short compared with the relaxation",

@@ -13,7 +13,7 @@ namespace {
 /// z may be x or y: entry i is read before it is written.
 template <typename Operation>
 CREEPCONTACT_INLINE void for_each_entry(std::size_t n, const Operation& operation) {
-#pragma GCC ivdep
+#pragma omp simd
   for (std::size_t i = 0; i < n; ++i) operation(i);
 }
 

@@ -45,9 +45,9 @@ bool delayed_with(N_Vector z, N_Vector x) {
 }
 /// z = operation of x and y. @param c  coefficients of x and y, or the number added
 void delay(Elementwise::Kind kind, std::array<double, 2> c, N_Vector x, N_Vector y, N_Vector z) {
-  const bool later = delayed_with(z, x) & delayed_with(z, y);
+  const bool x_later = delayed_with(z, x), y_later = delayed_with(z, y);
   content(z).delayed->add({.kind = kind, .c = c, .x = NV_DATA_S(x), .y = NV_DATA_S(y), .z = NV_DATA_S(z)});
-  if (!later) finish(z);
+  if (!x_later || !y_later) finish(z);
 }
 std::span<const double> entries(N_Vector v) {
   finish(v);
