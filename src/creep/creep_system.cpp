@@ -16,8 +16,8 @@ namespace {
 constexpr double same_gamma = 1.25;
 /// Of the strain that the tolerance stands for: where hardening begins to count.
 constexpr double min_share = 0.3;
-constexpr double near = 0.1;         // of the tolerance: an evaluation that stands for an accepted point
-constexpr double least_step = 1e-6;  // relative to the time: a body that slides off in so short a step does slide off
+constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation that stands for an accepted point
+constexpr double least_step = 1e-6;    // relative to the time: a body that slides off in so short a step does slide off
 
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
@@ -250,7 +250,7 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
   const std::span<const double> scale = scale_.values();
   double largest = 0;
   for (std::size_t i = 0; i < y.size(); ++i) largest = std::max(largest, std::abs(y[i] - of.y[i]) / scale[i]);
-  return team().max(largest) <= near * tolerance_;
+  return team().max(largest) <= near_accepted * tolerance_;
 }
 
 double CreepSystem::longest_step() const {
