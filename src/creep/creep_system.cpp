@@ -17,6 +17,7 @@ constexpr double same_gamma = 1.25;
 /// Of the strain that the tolerance stands for: where hardening begins to count.
 constexpr double min_share = 0.3;
 constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation that stands for an accepted point
+constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
 constexpr double least_step = 1e-6;    // relative to the time: a body that slides off in so short a step does slide off
 
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
@@ -213,9 +214,12 @@ std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVa
   const std::vector<double> values = evaluate(scalar, body, at, y);
   std::array<double, 4> extreme{-std::numeric_limits<double>::infinity()};
   if (!values.empty()) {
-    const auto largest = std::ranges::max_element(values);
-    const Vector3& x = assembly().bodies()[body].discretization().point_coordinates()[largest - values.begin()];
-    extreme = {*largest, x.x(), x.y(), x.z()};
+    const double most = *std::ranges::max_element(values);
+    // Where several points have it but for rounding, the first: the place does not depend on rounding.
+    const auto first =
+        std::ranges::find_if(values, [=](double v) { return !(v < most - same_value * std::abs(most)); });
+    const Vector3& x = assembly().bodies()[body].discretization().point_coordinates()[first - values.begin()];
+    extreme = {most, x.x(), x.y(), x.z()};
   }
   team().broadcast(extreme, team().rank_of_max(extreme[0]));
   return Extreme{extreme[0], body, {extreme[1], extreme[2], extreme[3]}};
