@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <map>
 
 #include "creepcontact/config/reader.hpp"
@@ -20,31 +18,10 @@
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
+#include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A directory that is removed at the end.
-class Directory {
- public:
-  Directory() {
-    std::string pattern = (fs::temp_directory_path() / "benchmark_run.XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = pattern;
-  }
-  ~Directory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Directory(const Directory&) = delete;
-  Directory& operator=(const Directory&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// @param size  of the small elements, in thousandths
 config::Config ball_on_block(std::int64_t size) {
@@ -53,7 +30,7 @@ config::Config ball_on_block(std::int64_t size) {
 }
 
 io::Summary run_once(std::int64_t size) {
-  const Directory directory;
+  const io::test::TemporaryDirectory directory;
   run::run(ball_on_block(size), {.output = directory.path().string()});
   return *io::read_summary(directory.path() / "summary.json");
 }
