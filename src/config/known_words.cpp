@@ -153,7 +153,7 @@ constexpr std::array words{
     KnownWord{"time", "restart resume",
               "to continue from the last checkpoint, use the option --resume of creepcontact run"},
     KnownWord{"time.integrator=", "bdf", "backward differentiation formulas (BDF) are 'cvode_bdf'"},
-    KnownWord{"time.integrator=", "adams", "Adams' method is 'cvode_adams'"},
+    KnownWord{"time.integrator=", "adams", "Adams' methods are 'cvode_adams' and 'log_adams'"},
     KnownWord{"time.integrator=", "euler forward_euler explicit", "Euler's explicit method is 'explicit_euler'"},
     KnownWord{"time.integrator=", "backward_euler implicit_euler implicit", "Euler's implicit method is 'beta_euler'"},
     KnownWord{"time.integrator=", "rk rk4 rk45 runge_kutta erk", "explicit Runge-Kutta methods are 'arkode_erk'"},

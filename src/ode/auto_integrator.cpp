@@ -7,6 +7,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
+#include "relaxing_share.hpp"
 
 namespace creepcontact::ode {
 namespace {
@@ -19,15 +20,14 @@ constexpr double max_stable_steps = 300;  // in a step, for rkc2 to take over: 2
 
 /// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
 constexpr double stabilized_share = 0.2;
+/// Of the tolerance, for cvode_bdf: its errors add up to three tolerances where stress relaxes by several mechanisms.
+constexpr double implicit_share = 0.5;
 constexpr std::size_t quiet_steps = 200;  // after which methods given up may be tried again
 
 constexpr std::size_t looks = 20;  // steps between looks ahead
+constexpr double relaxing = 0.1;   // share of the creep that changes the stress, for log_adams
 /// Contact that grows keeps the steps of all methods short: the cost of cvode_bdf may be twice that of smooth problems.
 constexpr double patience = 2;
-/// Of the error estimates of the last steps: where stability limits them, noise keeps the estimates at a tenth. Steps
-/// that accuracy limits would not become longer with cvode_bdf.
-constexpr double limited_by_accuracy = 0.15;
-constexpr double limit_of_stability = 0.7;  // of the stable step: no step of low order is longer for long
 
 /// Solves of cvode_bdf over some decades of time, its start included, as in the examples.
 double implicit_cost(double decades, double tolerance) {
@@ -39,14 +39,15 @@ double implicit_cost(double decades, double tolerance) {
 AutoIntegrator::AutoIntegrator(System& system, const IntegratorOptions& options)
     : system_(system),
       options_(options),
-      method_(options.linear_solver == LinearSolver::tangent ? Method::tangent : Method::functional),
+      method_(options.linear_solver == LinearSolver::tangent ? Method::tangent : Method::log_adams),
       current_(make(method_)) {}
 
 std::unique_ptr<Integrator> AutoIntegrator::make(Method method) const {
   IntegratorOptions options = options_;
   if (method == Method::stabilized) options.tolerance *= stabilized_share;
+  if (method == Method::krylov) options.tolerance *= implicit_share;
   options.linear_solver = method == Method::tangent ? LinearSolver::tangent : LinearSolver::krylov;
-  const char* name = method == Method::stabilized ? "rkc2" : method == Method::functional ? "cvode_adams" : "cvode_bdf";
+  const char* name = method == Method::stabilized ? "rkc2" : is_functional(method) ? describe(method) : "cvode_bdf";
   return make_integrator(name, system_, options);
 }
 
@@ -58,22 +59,37 @@ const char* AutoIntegrator::describe(Method method) {
       return "cvode_bdf with linear_solver = \"tangent\"";
     case Method::stabilized:
       return "rkc2";
-    case Method::functional:
+    case Method::cvode_adams:
       return "cvode_adams";
+    case Method::log_adams:
+      return "log_adams";
   }
   return "";
 }
 
 void AutoIntegrator::initialize(double t, std::span<const double> y, double step) {
+  choose_functional(t, y);
   current_->initialize(t, y, step);
   begin_watch(t);
 }
 
+void AutoIntegrator::choose_functional(double t, std::span<const double> y) {
+  if (chosen_ || method_ != Method::log_adams) return;
+  std::optional<double> share;
+  try {
+    share = relaxing_share(system_, t, y);
+  } catch (const RecoverableError&) {
+    return;  // initialize() will say it
+  }
+  chosen_ = share.has_value();
+  if (!share || *share >= relaxing) return;
+  method_ = Method::cvode_adams;
+  current_ = make(method_);
+}
+
 void AutoIntegrator::begin_watch(double loads_since) {
   remaining_step_estimate_.begin(loads_since);
-  stable_remaining_step_estimate_.begin(loads_since);
   last_look_ = time();
-  errors_.clear();
   steps_with_method_ = 0;
   recent_.clear();
   trouble_ = false;
@@ -102,10 +118,8 @@ StepReport AutoIntegrator::step(double t_limit) {
 
 void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   last_step_ = report.step;
-  errors_.push_back(report.error_estimate);
-  if (errors_.size() > 3 * looks) errors_.pop_front();
   if (++steps_with_method_ == quiet_steps) given_up_.clear();
-  if (method_ == Method::functional && steps_with_method_ % looks == 0) look_ahead(t_limit);
+  if (is_functional(method_) && steps_with_method_ % looks == 0) look_ahead(t_limit);
   if (trouble_) return;
   recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations});
   if (recent_.size() <= window) return;
@@ -122,23 +136,18 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
 
 void AutoIntegrator::look_ahead(double t_limit) {
   if (!(time() < t_limit) || std::isinf(t_limit)) return;
-  const double stable = system_.stable_step(time(), state());
   remaining_step_estimate_.see(time(), (time() - last_look_) / static_cast<double>(looks));
-  stable_remaining_step_estimate_.see(time(), stable);
   last_look_ = time();
-  const bool at_limit = last_step_ > limit_of_stability * stable;
-  if (!at_limit && *std::max_element(errors_.begin(), errors_.end()) > limited_by_accuracy) return;
-  const std::optional<double> ahead =
-      (at_limit ? stable_remaining_step_estimate_ : remaining_step_estimate_).count(t_limit);
-  const double cost = implicit_cost(remaining_step_estimate_.decades(t_limit), options_.tolerance);
-  if (!ahead || *ahead < (at_limit ? 1 : patience) * cost) return;
+  const std::optional<double> ahead = remaining_step_estimate_.count(t_limit);
+  const double cost = implicit_cost(remaining_step_estimate_.decades(t_limit), implicit_share * options_.tolerance);
+  if (!ahead || *ahead < patience * cost || last_step_ < system_.stable_step(time(), state())) return;
   trouble_ = true;
   reason_ = fmt::format("from t = {:.6g} on, the former would need about {:.2g} more steps", time(), *ahead);
 }
 
 AutoIntegrator::Method AutoIntegrator::choose(double step) {
   const auto free = [&](Method method) { return !given_up_.contains(method); };
-  if (method_ == Method::functional && free(Method::krylov)) return Method::krylov;
+  if (is_functional(method_) && free(Method::krylov)) return Method::krylov;
   const bool moderate = step <= max_stable_steps * system_.stable_step(time(), state());
   if (free(Method::stabilized) && moderate) return Method::stabilized;
   if (free(Method::tangent) && system_.newton_solver() != nullptr) return Method::tangent;
@@ -151,7 +160,7 @@ void AutoIntegrator::change_to(Method method, const std::string& reason) {
   recent_.clear();
   steps_with_method_ = 0;
   if (method == method_) return;
-  log::write(method_ == Method::functional ? log::Level::info : log::Level::warning,
+  log::write(is_functional(method_) ? log::Level::info : log::Level::warning,
              fmt::format("time integration changes from {} to {}: {}", describe(method_), describe(method), reason));
   const double t = time();
   const std::vector<double> y(state().begin(), state().end());
@@ -174,6 +183,7 @@ RestartPoint AutoIntegrator::save() const {
   std::vector<double>& methods = point.memory["methods"];  // the present one, then those given up
   methods.push_back(static_cast<double>(method_));
   for (const Method method : given_up_) methods.push_back(static_cast<double>(method));
+  point.memory["chosen"] = {chosen_ ? 1.0 : 0.0};
   point.memory["loads_since"] = {remaining_step_estimate_.begin()};
   return point;
 }
@@ -181,6 +191,7 @@ RestartPoint AutoIntegrator::save() const {
 void AutoIntegrator::restore(const RestartPoint& point) {
   const std::vector<double>& methods = point.memory.at("methods");
   method_ = static_cast<Method>(static_cast<int>(methods.at(0)));
+  chosen_ = point.memory.at("chosen").at(0) != 0;
   given_up_.clear();
   for (std::size_t i = 1; i < methods.size(); ++i) given_up_.insert(static_cast<Method>(static_cast<int>(methods[i])));
   current_ = make(method_);

@@ -11,8 +11,8 @@
 
 namespace creepcontact::ode {
 
-/// Begins with cvode_adams, which needs no Jacobian products: where stress relaxes it takes half the solves of
-/// cvode_bdf. Where creep becomes steady its step stays at the stable one, and cvode_bdf takes over as soon as the
+/// Begins with log_adams, which needs no Jacobian products and one evaluation per step. Where its steps stay short
+/// though they exceed the stable one, so that stability may be what limits them, cvode_bdf takes over as soon as the
 /// steps that lie ahead cost more than that would. Where the iterations of cvode_bdf fail in many steps, or no step
 /// succeeds, it goes on with rkc2 if the steps are moderate multiples of the stable one, else with the tangent
 /// stiffness if the system offers it; from rkc2 back when its stages have become too many. Every change is logged.
@@ -37,10 +37,13 @@ class AutoIntegrator final : public Integrator {
   void restore(const RestartPoint& point) override;
 
  private:
-  enum class Method { krylov, tangent, stabilized, functional };
+  enum class Method { krylov, tangent, stabilized, cvode_adams, log_adams };  // numbers of checkpoints
+  static bool is_functional(Method method) { return method == Method::cvode_adams || method == Method::log_adams; }
 
   std::unique_ptr<Integrator> make(Method method) const;
   static const char* describe(Method method);
+  /// Between log_adams and cvode_adams, at the first breakpoint after which something creeps.
+  void choose_functional(double t, std::span<const double> y);
   /// @param loads_since  time of the last breakpoint
   void begin_watch(double loads_since);
   void watch(const StepReport& report, double t_limit);
@@ -55,16 +58,15 @@ class AutoIntegrator final : public Integrator {
   System& system_;
   const IntegratorOptions options_;
   Method method_;
+  bool chosen_ = false;  ///< between log_adams and cvode_adams
   std::set<Method> given_up_;
   std::unique_ptr<Integrator> current_;
   std::deque<Observation> recent_;  ///< the last steps, the oldest first
   double last_step_ = 0;
   std::size_t steps_with_method_ = 0;
-  RemainingStepEstimate remaining_step_estimate_,
-      stable_remaining_step_estimate_;  ///< of cvode_adams, and of stable length
+  RemainingStepEstimate remaining_step_estimate_;
   double last_look_ = 0;
-  std::deque<double> errors_;  ///< estimates of the last steps
-  bool trouble_ = false;       ///< seen at the end of the last step
+  bool trouble_ = false;  ///< seen at the end of the last step
   std::string reason_;
   std::string failure_;  ///< of the first method that made no step from here
   Counters before_;      ///< of the integrators before the present one

@@ -27,7 +27,7 @@ std::unique_ptr<Integrator> make(System& system, const IntegratorOptions& option
 const std::vector<IntegratorInfo>& integrators() {
   static const std::vector<IntegratorInfo> all = {
       {"auto",
-       "the default: chooses by itself, `cvode_adams` while stress relaxes, `cvode_bdf` when creep becomes steady, "
+       "the default: chooses by itself, `log_adams` while stress relaxes, `cvode_bdf` when creep becomes steady, "
        "`rkc2` or the tangent stiffness if these fail",
        make<AutoIntegrator>},
       {"explicit_euler", "explicit Euler; fixed, stable or adaptive steps (Stankevich 2012)", make<ExplicitEuler>},

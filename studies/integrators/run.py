@@ -49,6 +49,7 @@ METHODS = {
     "arkode_dirk": (["integrator=arkode_dirk"], TOLERANCES),
     "arkode_dirk, tangent": (["integrator=arkode_dirk", "linear_solver=tangent"], TOLERANCES),
     "cvode_adams": (["integrator=cvode_adams"], TOLERANCES),
+    "log_adams": (["integrator=log_adams"], TOLERANCES),
     "arkode_erk": (["integrator=arkode_erk"], TOLERANCES),
     "arkode_erk, dormand_prince_7_4_5": (["integrator=arkode_erk", "table=dormand_prince_7_4_5"], TOLERANCES),
     "explicit_euler, stable": (["integrator=explicit_euler"], EXPLICIT),

@@ -83,7 +83,7 @@ class Results(RunTest):
         summary = self.summary()
         self.assertLessEqual(SUMMARY, set(summary))
         self.assertEqual((summary["status"], summary["time_reached"]), ("completed", 10))
-        self.assertEqual((summary["integrator"], summary["method"]), ("auto", "cvode_adams"))
+        self.assertEqual((summary["integrator"], summary["method"]), ("auto", "log_adams"))
         self.assertEqual(summary["steps"], len(steps))
         self.assertEqual(set(summary["bodies"]), {"shaft", "disc"})
         self.assertEqual(set(summary["bodies"]["disc"]), {"dofs", "elements", "integration_points", "initial_von_mises",

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double E = 2e5, A = 1e-13, n = 4;  // [MPa], [1/h]
 
-const std::vector<std::string> integrators{"cvode_bdf",   "cvode_adams",    "arkode_erk",
+const std::vector<std::string> integrators{"cvode_bdf",   "cvode_adams",    "log_adams", "arkode_erk",
                                            "arkode_dirk", "explicit_euler", "beta_euler"};
 
 /// A bar of 2 along z, free at its sides.

@@ -35,7 +35,7 @@ TEST(Recontact, IsNotPassedOverByAnyIntegrator) {
     toml += support(std::string(name) + "_x0", "x");
     toml += support(std::string(name) + "_y0", "y");
   }
-  for (const char* integrator : {"cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk"}) {
+  for (const char* integrator : {"cvode_bdf", "cvode_adams", "log_adams", "arkode_erk", "arkode_dirk"}) {
     SCOPED_TRACE(integrator);
     const Table history = run_case(toml, geo, {std::string("time.integrator=") + integrator}).history;
     for (const double t : {500.0, 1000.0}) EXPECT_RELATIVE(history.at("p", t), pressure_by_small_steps(t), 3e-3);

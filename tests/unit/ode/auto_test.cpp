@@ -43,10 +43,12 @@ class Auto : public testing::Test {
     }
     return methods;
   }
-  /// As if cvode_adams had been left already.
+  /// As if log_adams had been left already.
   static void begin_with_bdf(Integrator& integrator, std::size_t size) {
-    integrator.restore(
-        {.time = 0, .next_step = 0, .state = Values(size), .memory = {{"methods", {0}}, {"loads_since", {0}}}});
+    integrator.restore({.time = 0,
+                        .next_step = 0,
+                        .state = Values(size),
+                        .memory = {{"methods", {0}}, {"chosen", {1}}, {"loads_since", {0}}}});
   }
   static void expect_steady(const ParallelBars& bars, std::span<const double> state, double tolerance) {
     const Values stress = bars.stress(state);
@@ -55,7 +57,7 @@ class Auto : public testing::Test {
   }
 };
 
-const std::string functional = "cvode_adams", krylov = "cvode_bdf",
+const std::string functional = "log_adams", krylov = "cvode_bdf",
                   tangent = "cvode_bdf with linear_solver = \"tangent\"", stabilized = "rkc2";
 
 std::int64_t cost(const System& system) {
@@ -73,6 +75,30 @@ TEST_F(Auto, NeedsNoJacobianProductsWhileStressRelaxes) {
   run(*bdf, end);
   EXPECT_LT(cost(bar), cost(of_bdf));
   EXPECT_NEAR(RelaxingBar::stress(integrator->state()[0]), RelaxingBar::exact_stress(end), 0.05);
+}
+
+/// Constant stress: y' = 1 + y / 5, whatever the points would do by themselves.
+class GrowingRate : public TestSystem {
+ public:
+  GrowingRate() : TestSystem(1, 1e-3) {}
+
+ protected:
+  void f(double, std::span<const double> y, std::span<double> rate) const override { rate[0] = 1 + y[0] / 5; }
+  void df(double, std::span<const double>, std::span<const double> v, std::span<double> product) const override {
+    product[0] = v[0] / 5;
+  }
+  void local(double, std::span<const double>, std::span<double> diagonal) const override { diagonal[0] = -10; }
+};
+
+TEST_F(Auto, IntegratesInRealTimeWhereCreepDoesNotChangeTheStress) {
+  GrowingRate system;
+  auto integrator = make_integrator("auto", system, {.tolerance = 1e-3, .end_time = 3});
+  integrator->initialize(0, Values(1));
+  EXPECT_EQ(run(*integrator, 3), std::vector<std::string>{"cvode_adams"});
+  EXPECT_NEAR(integrator->state()[0], 5 * std::expm1(3.0 / 5), 2e-6);
+  auto resumed = make_integrator("auto", system, {.tolerance = 1e-3, .end_time = 3});
+  resumed->restore(integrator->save());
+  EXPECT_EQ(resumed->method(), "cvode_adams");
 }
 
 TEST_F(Auto, TakesBdfBeforeManyStableStepsLieAhead) {

@@ -91,6 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                    {"time.integrator=arkode_erk", "contact_solver.acceleration=none", "contact_solver.alpha=1.0",
                     "contact_solver.max_iterations=20"}},
         ResumeCase{"cvode_bdf", 5e-4, {}}, ResumeCase{"cvode_adams", 5e-4, {"time.integrator=cvode_adams"}},
+        ResumeCase{"log_adams", 5e-4, {"time.integrator=log_adams"}},
         ResumeCase{"cvode_with_breakpoints", 5e-4, {"time.breakpoints=[0.75, 1, 2]"}},
         ResumeCase{"elastic",
                    0,

@@ -1,0 +1,16 @@
+#pragma once
+/// Whether creep changes the stress.
+
+#include <optional>
+#include <span>
+
+#include "creepcontact/ode/system.hpp"
+
+namespace creepcontact::ode {
+
+/// The change of the rate that the creep itself causes, relative to the one it would cause if no point could deform:
+/// 0 where loads maintain a uniform stress, 1 between rigid grips. None if nothing creeps, or without JacobianProducts.
+/// Collective. Cost: a rate evaluation at (t, y) and a Jacobian product.
+std::optional<double> relaxing_share(System& system, double t, std::span<const double> y);
+
+}  // namespace creepcontact::ode
