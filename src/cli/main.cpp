@@ -16,9 +16,9 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/platform/interrupt.hpp"
+#include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "standard_output.hpp"
-#include "thread_settings.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -127,7 +127,7 @@ int guarded(const Arguments& arguments) {
 int main(int argc, char** argv) {
   using namespace creepcontact;
   platform::end_at_signals();
-  if (argc > 1 && argv[1][0] != '-') cli::set_libraries(argv);  // what needs no threads does not start twice
+  if (argc > 1 && argv[1][0] != '-') platform::set_libraries(argv);  // what needs no threads does not start twice
   std::set_terminate(cli::give_up);
   cli::StandardOutput output;
   const int status = cli::guarded(cli::Arguments(argv + 1, argv + argc));

@@ -102,9 +102,9 @@ Value<Equation> equation_table() {
     found.location = item.location;
     if (found.terms.empty()) context.errors.add(item.child("terms").location, "an empty list", "at least one term");
     std::set<int> nodes;
-    for (const Equation::Term& term : found.terms)
-      if (!nodes.insert(term.node).second)
-        context.errors.add(item.child("terms").location, fmt::format("node {} has two terms", term.node),
+    for (const Equation::Term& one : found.terms)
+      if (!nodes.insert(one.node).second)
+        context.errors.add(item.child("terms").location, fmt::format("node {} has two terms", one.node),
                            "one term per node");
     return found;
   });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/numerics/long_vectors.hpp"
@@ -19,6 +20,12 @@ constexpr double min_share = 0.3;
 constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation that stands for an accepted point
 constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
 constexpr double least_step = 1e-6;    // relative to the time: a body that slides off in so short a step does slide off
+
+void resize_tangents(const std::vector<MaterialPoints>& points,
+                     std::vector<std::vector<material::StressTangent>>& tangents) {
+  tangents.resize(points.size());
+  for (std::size_t b = 0; b < points.size(); ++b) tangents[b].resize(points[b].size());
+}
 
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
@@ -66,7 +73,7 @@ double CreepSystem::load_time(double t) const {
 }
 
 void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
-  into.valid = false;
+  into.valid = into.has_tangents = false;
   into.time = t;
   numerics::copy(y, into.y);
   layout_.views(into.y, views_);
@@ -122,9 +129,15 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   const Evaluation& at = evaluate_step(t, y);
   ++rate_evaluations_;
   const auto lap = watch_.lap(Part::material);
+  const bool with_tangents = std::exchange(tangents_needed_, false);
+  if (with_tangents) resize_tangents(points_, step_.tangents);
   together(team(), [&] {
-    for (std::size_t b = 0; b < points_.size(); ++b)
-      if (!points_[b].empty()) points_[b].rate(points_state(b, at, y), layout_.part(b, rate));
+    for (std::size_t b = 0; b < points_.size(); ++b) {
+      if (points_[b].empty()) continue;
+      const auto tangents = with_tangents ? std::span(step_.tangents[b]) : std::span<material::StressTangent>();
+      points_[b].rate(points_state(b, at, y), layout_.part(b, rate), tangents);
+    }
+    step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
 }
@@ -141,11 +154,21 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
       points_[b].derivative(points_state(b, at, y), {stress_change_[b], layout_.part(b, v)}, layout_.part(b, product));
 }
 
+const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
+  tangents_needed_ = true;
+  if (step_.has_tangents) return step_.tangents;
+  resize_tangents(points_, step_.tangents);
+  for (std::size_t b = 0; b < points_.size(); ++b)
+    if (!points_[b].empty()) points_[b].tangents(points_state(b, step_, step_.y), step_.tangents[b]);
+  step_.has_tangents = true;
+  return step_.tangents;
+}
+
 void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty() && !local_[b]) preconditioners_[b].linearize(points_[b], points_state(b, at, y));
+    if (!points_[b].empty() && !local_[b]) preconditioners_[b].linearize(points_state(b, at, y), step_tangents()[b]);
   local_gamma_ = 0;
 }
 
@@ -226,13 +249,25 @@ std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVa
 }
 
 double CreepSystem::stable_step(double t, std::span<const double> y) {
-  return 2 * std::ranges::min(relaxation_times(evaluate_step(t, y)));
+  evaluate_step(t, y);
+  const auto lap = watch_.lap(Part::material);
+  step_tangents();
+  return 2 * std::ranges::min(relaxation_times(step_));
 }
 
 std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
   std::vector<double> times;
+  std::vector<material::StressTangent> found;
   for (std::size_t b = 0; b < points_.size(); ++b) {
-    const double fastest = points_[b].empty() ? 0 : points_[b].stiffest_rate(points_state(b, at, at.y));
+    double fastest = 0;
+    if (!points_[b].empty()) {
+      const PointsState state = points_state(b, at, at.y);
+      if (!at.has_tangents) {
+        found.resize(points_[b].size());
+        points_[b].tangents(state, found);
+      }
+      fastest = points_[b].stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
+    }
     times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
   }
   team().min(times);

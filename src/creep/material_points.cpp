@@ -84,14 +84,44 @@ MaterialPoints::LawStress::LawStress(const MaterialPoints& points, std::span<con
   points.body_.discretization().fit_mean_stress(fitted_);
 }
 
-void MaterialPoints::rate(const PointsState& given, std::span<double> rate) const {
+namespace {
+void add(const material::StressTangent& part, material::StressTangent& sum) {
+  sum.deviatoric += part.deviatoric;
+  sum.radial += part.radial;
+  sum.volumetric += part.volumetric;
+}
+}  // namespace
+
+void MaterialPoints::rate(const PointsState& given, std::span<double> rate,
+                          std::span<material::StressTangent> tangents) const {
   const LawStress stress(*this, given.stress);
   const PointsState at{given.laws, given.elastic, stress, given.state};
-  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
+  const auto for_each_law = [&](std::size_t p, const auto& evaluate) {
     const std::span<double> own = of_point(p, rate);
     std::fill_n(own.begin(), 6, 0.0);
     for (const Mechanism& mechanism : mechanisms_)
-      mechanism.law->rate(seen_by(mechanism, p, at), {tensor::writable(own, 0), mechanism.internal.of(own)});
+      evaluate(*mechanism.law, seen_by(mechanism, p, at),
+               material::PointRate{tensor::writable(own, 0), mechanism.internal.of(own)});
+  };
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
+    if (tangents.empty()) {
+      for_each_law(p, [](const auto& law, const auto& point, const auto& into) { law.rate(point, into); });
+      return;
+    }
+    material::StressTangent sum;
+    for_each_law(
+        p, [&](const auto& law, const auto& point, const auto& into) { add(law.rate_and_tangent(point, into), sum); });
+    tangents[p] = sum;
+  });
+}
+
+void MaterialPoints::tangents(const PointsState& given, std::span<material::StressTangent> into) const {
+  const LawStress stress(*this, given.stress);
+  const PointsState at{given.laws, given.elastic, stress, given.state};
+  numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
+    material::StressTangent sum;
+    for (const Mechanism& mechanism : mechanisms_) add(mechanism.law->stress_tangent(seen_by(mechanism, p, at)), sum);
+    into[p] = sum;
   });
 }
 
@@ -159,17 +189,6 @@ std::vector<double> MaterialPoints::evaluate(const material::StateVariable& vari
   return values;
 }
 
-material::StressTangent MaterialPoints::tangent(std::size_t p, const PointsState& at) const {
-  material::StressTangent sum;
-  for (const Mechanism& mechanism : mechanisms_) {
-    const material::StressTangent part = mechanism.law->stress_tangent(seen_by(mechanism, p, at));
-    sum.deviatoric += part.deviatoric;
-    sum.radial += part.radial;
-    sum.volumetric += part.volumetric;
-  }
-  return sum;
-}
-
 double MaterialPoints::stiffest_with_internal(std::size_t p, const PointsState& at, Eigen::VectorXd& v,
                                               Eigen::VectorXd& product) const {
   constexpr int iterations = 12;
@@ -186,14 +205,14 @@ double MaterialPoints::stiffest_with_internal(std::size_t p, const PointsState& 
   return size;
 }
 
-double MaterialPoints::stiffest_rate(const PointsState& at) const {
+double MaterialPoints::stiffest_rate(const PointsState& at, std::span<const material::StressTangent> tangents) const {
   double stiffest = 0;
 #pragma omp parallel reduction(max : stiffest) if (n_points_ >= numerics::parallel_points)
   {
     Eigen::VectorXd v(stride_), product(stride_);
 #pragma omp for schedule(static)
     for (std::size_t p = 0; p < n_points_; ++p) {
-      const material::StressTangent part = tangent(p, at);
+      const material::StressTangent& part = tangents[p];
       const material::Moduli& moduli = at.elastic.at(p);
       stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),
                            (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric});

@@ -4,10 +4,10 @@
 
 namespace creepcontact::creep {
 
-void PointPreconditioner::linearize(const MaterialPoints& points, const PointsState& at) {
-  locals_.resize(points.size());
+void PointPreconditioner::linearize(const PointsState& at, std::span<const material::StressTangent> tangents) {
+  locals_.resize(tangents.size());
   numerics::for_each_index(locals_.size(), numerics::parallel_points, [&](std::size_t p) {
-    const material::StressTangent part = points.tangent(p, at);
+    const material::StressTangent& part = tangents[p];
     Local& local = locals_[p];
     tensor::Map direction = tensor::writable(local.direction, 0);
     direction = tensor::deviator(tensor::view(at.stress, p));

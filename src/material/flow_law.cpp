@@ -5,8 +5,12 @@
 namespace creepcontact::material {
 namespace {
 
+EquivalentRate at_any_stress(const FlowLaw& law, double q, const PointState& at) {
+  return law.equivalent_rate(q == 0.0 ? vanishing_stress : q, at);
+}
+
 StressTangent tangent(const FlowLaw& law, double q, const PointState& at) {
-  const EquivalentRate f = law.equivalent_rate(q == 0.0 ? vanishing_stress : q, at);
+  const EquivalentRate f = at_any_stress(law, q, at);
   return coaxial_tangent(q, f.value, f.slope);
 }
 
@@ -24,6 +28,13 @@ void FlowLaw::derivative(const PointState& at, const PointChange& change, PointR
 
 StressTangent FlowLaw::stress_tangent(const PointState& at) const {
   return tangent(*this, deviator(at.stress).q, at);
+}
+
+StressTangent FlowLaw::rate_and_tangent(const PointState& at, PointRate into) const {
+  const Deviator now = deviator(at.stress);
+  const EquivalentRate f = at_any_stress(*this, now.q, at);
+  if (now.q > 0.0) add_flow(now, f.value, into.creep_strain);
+  return coaxial_tangent(now.q, f.value, f.slope);
 }
 
 }  // namespace creepcontact::material

@@ -22,6 +22,7 @@ class FlowLaw : public CreepLaw {
   void rate(const PointState& at, PointRate into) const final;
   void derivative(const PointState& at, const PointChange& change, PointRate into) const final;
   StressTangent stress_tangent(const PointState& at) const final;
+  StressTangent rate_and_tangent(const PointState& at, PointRate into) const final;
 };
 
 }  // namespace creepcontact::material

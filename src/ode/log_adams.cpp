@@ -28,6 +28,7 @@ constexpr double adams_smallest_step = 1e-12;  // relative to the time
 constexpr int adams_max_attempts = 30, attempts_of_high_order = 3;
 /// In half stable steps, for each order. Beyond, it may be unstable: what its error estimates miss, or see late.
 constexpr std::array<double, LogAdamsHistory::max_order + 1> stiffness_limit{0, HUGE_VAL, HUGE_VAL, 3};
+constexpr int stable_steps = 4;  // for which the stable step is taken to stay
 constexpr double first_power = 0, power_step = 0.25, smallest_power = 0, largest_power = 1.25;
 constexpr double better_power = 0.9;  // its error, relative to that of the present one
 /// Smaller errors are rounding where the rate is constant, which power 0 integrates exactly.
@@ -50,6 +51,7 @@ void LogAdams::initialize(double t, std::span<const double> y, double step) {
   proposal_ = step;
   order_ = 1;
   climbing_ = true;
+  stable_age_ = 0;
   power_direction_ = 1;
   history_ = {.clock = {.origin = t, .unit = 0}, .power = first_power, .count = 1};
   phi_.resize(1, std::vector<double>(state_.size()));
@@ -154,7 +156,8 @@ void LogAdams::predict(double s) {
 
 void LogAdams::correct(const StepClock::Target& target, double s) {
   system_.rate(target.time, next_state_, change_);
-  stiffness_ = 2 * target.step / system_.stable_step(target.time, next_state_);
+  if (stable_age_ == 0) stable_ = system_.stable_step(target.time, next_state_);
+  stiffness_ = 2 * target.step / stable_;
   const double weight = std::exp(history_.power * s);
   for_each_index(change_.size(), [&](std::size_t i) { change_[i] = weight * change_[i] - extrapolated_[i]; });
   if (JacobianProducts* jacobian = system_.jacobian()) {
@@ -202,6 +205,7 @@ void LogAdams::accept(const StepClock::Target& target, double s) {
   std::swap(state_, next_state_);
   begin_ = time();
   last_step_ = target.step;
+  stable_age_ = (stable_age_ + 1) % stable_steps;
   clock_.advance(target);
   ++counters_.steps;
   system_.accept(time(), state_);
@@ -217,13 +221,16 @@ void LogAdams::follow_power(Errors& errors) {
   if (better) {
     const auto k = static_cast<std::size_t>(order_);
     const LogAdamsHistory::Matrix matrix = history_.moved(history_.nodes, change);
+    const Row& row = matrix[k];
     const Row integrals = history_.last_step_integrals(power, order_ + 1);
-    for_each_index(work_.size(), [&](std::size_t i) {
-      double sum = 0;
-      for (std::size_t j = 0; j <= k; ++j) sum += matrix[k][j] * phi_[j][i];
-      work_[i] = sum;
+    const auto term = [&](std::size_t j, std::size_t begin, std::size_t n) {
+      return row[j] * piece(std::as_const(phi_[std::min(j, k)]).data(), begin, n);
+    };
+    static_assert(LogAdamsHistory::max_order == 3);
+    const double size = norm_([&](std::size_t begin, std::size_t n) {
+      return term(0, begin, n) + term(1, begin, n) + term(2, begin, n) + term(3, begin, n);
     });
-    const double other = std::abs(integrals[k] - integrals[k - 1]) * norm_of(work_);
+    const double other = std::abs(integrals[k] - integrals[k - 1]) * size;
     better = other < better_power * errors.own;
     if (better) {
       transform(matrix);
@@ -319,6 +326,7 @@ RestartPoint LogAdams::save() const {
                   {"log_time", {history_.clock.origin, history_.clock.unit}},
                   {"power", {history_.power, static_cast<double>(power_direction_)}},
                   {"order", {static_cast<double>(order_), climbing_ ? 1.0 : 0.0, last_step_}},
+                  {"stable_step", {stable_, static_cast<double>(stable_age_)}},
                   {"nodes", {history_.nodes.begin(), history_.nodes.begin() + history_.count}},
                   {"phi", std::move(rates)}};
   return point;
@@ -336,6 +344,8 @@ void LogAdams::restore(const RestartPoint& point) {
   order_ = static_cast<int>(order.at(0));
   climbing_ = order.at(1) != 0;
   last_step_ = order.at(2);
+  stable_ = point.memory.at("stable_step").at(0);
+  stable_age_ = static_cast<int>(point.memory.at("stable_step").at(1));
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   norm_.set_scale(system_.scale());
   state_ = point.state;

@@ -83,6 +83,8 @@ class LogAdams final : public Integrator {
   Row stretch_{}, integrals_{};           ///< of the present step
   int order_ = 1;
   bool climbing_ = true;     ///< in the starting phase, in which every step raises the order
+  double stable_ = 0;        ///< stable step, of a few steps ago at most
+  int stable_age_ = 0;       ///< in steps
   double stiffness_ = 0;     ///< of the last step: its length in half stable steps
   int power_direction_ = 1;  ///< in which another power is tried next
   double begin_ = 0, last_step_ = 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What an accuracy costs with each integrator: runs of the examples against tight ones. See README.md.
 
-usage: run.py [PROGRAM] [--fast] [--case NAME]... [--output DIR]
+usage: run.py [PROGRAM] [--fast] [--case NAME]... [--method NAME]... [--output DIR]
 PROGRAM: else the environment variable CREEPCONTACT, else build/release/bin/creepcontact
 """
 
@@ -136,12 +136,13 @@ def measure(program, case, model, method, value, reference, max_solves):
     return row
 
 
-def measure_case(program, case, model, max_solves, fast):
-    """Rows of all methods; after a run with too many solves the tighter ones of the method are left out."""
+def measure_case(program, case, model, methods, max_solves, fast):
+    """Rows of these methods; after a run with too many solves the tighter ones of the method are left out."""
     _, reference = run(program, model, REFERENCE, float("inf"))
     if reference is None:
         raise SystemExit(f"{case}: the reference run gave up")
-    for method, (_, (key, values)) in METHODS.items():
+    for method in methods:
+        _, (key, values) = METHODS[method]
         for value in FAST_VALUES[key] if fast else values:
             row = measure(program, case, model, method, value, reference, max_solves)
             print(*(row[name] for name in ("case", "method", "value", "status", "elastic_solves", "error")), flush=True)
@@ -155,6 +156,7 @@ def main():
     parser.add_argument("program", nargs="?", default=os.environ.get("CREEPCONTACT", DEFAULT_PROGRAM))
     parser.add_argument("--fast", action="store_true", help="one small case, two tolerances: seconds")
     parser.add_argument("--case", action="append", choices=CASES, help="these only")
+    parser.add_argument("--method", action="append", choices=METHODS, help="these only")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("results/integrators"))
     arguments = parser.parse_args()
 
@@ -165,7 +167,8 @@ def main():
     with open(arguments.output / "runs.csv", "w", newline="") as file:
         writer = None
         for case, model in cases.items():
-            for row in measure_case(arguments.program, case, model, max_solves, arguments.fast):
+            for row in measure_case(arguments.program, case, model, arguments.method or METHODS, max_solves,
+                                    arguments.fast):
                 writer = writer or csv.DictWriter(file, row)
                 if not rows:
                     writer.writeheader()

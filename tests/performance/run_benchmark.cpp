@@ -1,7 +1,6 @@
 /// Whole runs of a ball on a block at four sizes: mesh, factors, time integration and results. Counters:
 ///   of_the_floor   the time of the run over that of the factorisation and of one thread that reads the factors twice
-///   per
-///                  elastic solve
+///                  per elastic solve
 ///   passes, points, contact, results, rest   shares of the run without the factorisation; rest: vectors of the
 ///                  integrator, mesh and model
 ///   memory         the largest resident memory over the bytes of the factors and 14 state vectors; of the sizes so far
@@ -15,6 +14,7 @@
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/model/model.hpp"
+#include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
@@ -80,4 +80,9 @@ BENCHMARK(ball_on_block)
 }  // namespace
 }  // namespace creepcontact::test
 
-BENCHMARK_MAIN();
+/// With the settings that the program makes for itself.
+int main(int argc, char** argv) {
+  creepcontact::platform::set_libraries(argv);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

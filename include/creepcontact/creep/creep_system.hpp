@@ -27,7 +27,10 @@ struct Evaluation {
   std::vector<double> y;  ///< the state, of size StateLayout::size()
   Equilibrium equilibrium;
   std::vector<LawParameters> laws;  ///< one per body
-  bool valid = false;               ///< false until a solve has succeeded
+  /// Of all points, one list per body; meaningful where has_tangents.
+  std::vector<std::vector<material::StressTangent>> tangents;
+  bool has_tangents = false;
+  bool valid = false;  ///< false until a solve has succeeded
 };
 
 /// The creep rate as the integrators see it. It is a pure function of (t, y) and the history of accepted steps:
@@ -134,6 +137,8 @@ class CreepSystem final : public ode::System,
   bool is_near(double t, std::span<const double> y, const Evaluation& of) const;
   /// The time at which the loads are evaluated for t: t moved inside the segment of begin_segment().
   double load_time(double t) const;
+  /// The tangents at step_.
+  const std::vector<std::vector<material::StressTangent>>& step_tangents();
   PointsState points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const;
   double smallest_start_exponent(double t, const Evaluation& at) const;
   std::string describe_overflow(const Evaluation& at, std::span<const double> rate) const;
@@ -147,7 +152,8 @@ class CreepSystem final : public ode::System,
   std::vector<PointPreconditioner> preconditioners_;
   /// For bodies with internal variables: the point-wise part of their Newton systems, made with local_gamma_.
   std::vector<std::unique_ptr<MaterialTangent>> local_;
-  double local_gamma_ = 0;  // 0: not prepared
+  double local_gamma_ = 0;        // 0: not prepared
+  bool tangents_needed_ = false;  // since the last rate: so they may be computed with the next one
   bool may_start_singular_ = false;
   double segment_begin_ = -std::numeric_limits<double>::infinity();
   double segment_end_ = std::numeric_limits<double>::infinity();

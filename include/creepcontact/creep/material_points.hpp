@@ -55,7 +55,8 @@ class MaterialPoints {
   void update(const mechanics::BodyConditions& at, LawParameters& into) const;
 
   // The rates of all points and their directional derivative, n_points x stride. Cost: one pass over the points.
-  void rate(const PointsState& at, std::span<double> rate) const;
+  /// @param tangents  of all points, set to what tangents() gives; or empty
+  void rate(const PointsState& at, std::span<double> rate, std::span<material::StressTangent> tangents = {}) const;
   void derivative(const PointsState& at, const PointsChange& change, std::span<double> rate_change) const;
   /// The derivative at point p only. @param change, rate_change  of this point
   void derivative_at(std::size_t p, const PointsState& at, const PointsChange& change,
@@ -72,11 +73,12 @@ class MaterialPoints {
   /// n_points x variable.width()
   std::vector<double> evaluate(const material::StateVariable& variable, const PointsState& at) const;
 
-  /// Sum of the stress tangents of the laws at point p.
-  material::StressTangent tangent(std::size_t p, const PointsState& at) const;
+  /// Sums of the stress tangents of the laws, one per point. Cost: one pass over the points.
+  void tangents(const PointsState& at, std::span<material::StressTangent> into) const;
   /// Largest eigenvalue over all points of C H, or of the point-wise Jacobian if there are internal variables. The
   /// stable step of explicit Euler is 2 divided by it (Cormeau 1975).
-  double stiffest_rate(const PointsState& at) const;
+  /// @param tangents  of tangents(at)
+  double stiffest_rate(const PointsState& at, std::span<const material::StressTangent> tangents) const;
 
  private:
   /// The stress as the laws see it: with fitted mean stress (Discretization::fit_mean_stress) if a law depends on the

@@ -17,7 +17,8 @@ class PointPreconditioner {
   explicit PointPreconditioner(std::size_t stride) : stride_(stride) {}
 
   /// Computes and stores C H of every point. Cost: one pass over the points.
-  void linearize(const MaterialPoints& points, const PointsState& at);
+  /// @param tangents  of MaterialPoints::tangents(at)
+  void linearize(const PointsState& at, std::span<const material::StressTangent> tangents);
   /// z = (I + gamma C H)^-1 r. @param r, z  n_points x stride
   void apply(double gamma, std::span<const double> r, std::span<double> z) const;
 

@@ -76,6 +76,12 @@ class CreepLaw {
   /// d(strain rate)/d(stress) with the internal variables held constant.
   virtual StressTangent stress_tangent(const PointState& at) const = 0;
 
+  /// rate() and stress_tangent() at once, which costs less for some laws.
+  virtual StressTangent rate_and_tangent(const PointState& at, PointRate into) const {
+    rate(at, into);
+    return stress_tangent(at);
+  }
+
   /// True if rate() gives the creep strain itself instead of a rate, as a function of the current stress and time
   /// (ageing theory).
   virtual bool is_isochronous() const { return false; }

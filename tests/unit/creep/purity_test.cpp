@@ -98,6 +98,31 @@ TEST_P(Purity, OutputsBetweenEvaluationsChangeNothing) {
             std::vector<double>(plain.rate.scale().begin(), plain.rate.scale().end()));
 }
 
+/// From the second evaluation on they are computed with the rate.
+TEST_P(Purity, TangentsAreTheSameWithTheRateAndWithoutIt) {
+  const config::Config of = config();
+  System plain(of), asked(of);
+  const std::vector<Point> steps = path(plain, 1);
+  const auto preconditioned = [](System& system, const Point& at) {
+    system.rate.prepare_preconditioner(at.t, at.y);
+    std::vector<double> result(at.y.size());
+    system.rate.precondition(0.3, at.y, result);
+    return result;
+  };
+  for (const Point& step : steps) {
+    EXPECT_EQ(rate_at(asked, step), rate_at(plain, step));
+    const double stable = asked.rate.stable_step(step.t, step.y);
+    EXPECT_EQ(stable, plain.rate.stable_step(step.t, step.y));
+    EXPECT_EQ(preconditioned(asked, step), preconditioned(plain, step));
+    for (System* system : {&plain, &asked}) system->rate.accept(step.t, step.y);
+    plain.rate.forget_evaluations();
+    plain.rate.evaluate_step(step.t, step.y);
+    EXPECT_EQ(plain.rate.stable_step(step.t, step.y), stable);
+    rate_at(plain, step);
+    rate_at(plain, step);  // nothing asked for tangents in between
+  }
+}
+
 TEST_P(Purity, ThreadsShareAnAssembly) {
   const config::Config of = config();
   System system(of);

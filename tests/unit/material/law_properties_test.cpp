@@ -206,6 +206,22 @@ TEST_P(CreepLawProperties, StressTangentIsTheDerivativeInTheStress) {
   }
 }
 
+TEST_P(CreepLawProperties, RateAndTangentAreTheSameAtOnce) {
+  for (const double size : {0.0, 1.0, 150.0}) {
+    const Tensor6 stress = random(6, -size, size);
+    Eigen::VectorXd own(law->n_internal()), own_at_once(law->n_internal());
+    const Tensor6 alone = rate(stress, &own);
+    Tensor6 at_once = Tensor6::Zero();
+    const StressTangent a = law->stress_tangent(point(stress));
+    const StressTangent b = law->rate_and_tangent(point(stress), {tensor::writable(at_once), numbers(own_at_once)});
+    EXPECT_EQ(at_once, alone);
+    EXPECT_EQ(own_at_once, own);
+    EXPECT_EQ(a.deviatoric, b.deviatoric);
+    EXPECT_EQ(a.radial, b.radial);
+    EXPECT_EQ(a.volumetric, b.volumetric);
+  }
+}
+
 TEST_P(CreepLawProperties, RotatedStressGivesTheRotatedRate) {
   const auto rotate = [](const Matrix3& R, const Tensor6& a) {
     return tensor::from_matrix(R * tensor::to_matrix(a) * R.transpose());
