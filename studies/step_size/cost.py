@@ -40,7 +40,7 @@ def cost_cell(rows, target):
 
 
 def run_cell(row):
-    setting = row["time.step_factor"] or row["time.tolerance"]
+    setting = row.get("time.step_factor") or row.get("time.tolerance") or row["time.step"]
     result = f"{float(row['error']):.1e}, {row['elastic_solves']}" if row["error"] else row["status"]
     return f"{setting}: {result}".replace("e-0", "e-")
 

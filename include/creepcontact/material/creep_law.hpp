@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
@@ -78,7 +79,7 @@ class CreepLaw {
 
   /// rate() and stress_tangent() at once, which costs less for some laws.
   virtual StressTangent rate_and_tangent(const PointState& at, PointRate into) const {
-    rate(at, into);
+    rate(at, std::move(into));
     return stress_tangent(at);
   }
 
