@@ -165,6 +165,7 @@ void AutoIntegrator::change_to(Method method, const std::string& reason) {
   const double t = time();
   const std::vector<double> y(state().begin(), state().end());
   before_ = counters();
+  current_.reset();  // its memory is needed for the next
   current_ = make(method);
   method_ = method;
   current_->initialize(t, y, 0);

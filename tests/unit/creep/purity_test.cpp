@@ -114,12 +114,11 @@ TEST_P(Purity, TangentsAreTheSameWithTheRateAndWithoutIt) {
     const double stable = asked.rate.stable_step(step.t, step.y);
     EXPECT_EQ(stable, plain.rate.stable_step(step.t, step.y));
     EXPECT_EQ(preconditioned(asked, step), preconditioned(plain, step));
-    for (System* system : {&plain, &asked}) system->rate.accept(step.t, step.y);
     plain.rate.forget_evaluations();
-    plain.rate.evaluate_step(step.t, step.y);
     EXPECT_EQ(plain.rate.stable_step(step.t, step.y), stable);
     rate_at(plain, step);
     rate_at(plain, step);  // nothing asked for tangents in between
+    for (System* system : {&plain, &asked}) system->rate.accept(step.t, step.y);
   }
 }
 
