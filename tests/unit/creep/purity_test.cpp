@@ -45,7 +45,7 @@ class Purity : public testing::TestWithParam<const char*> {
     if (method == "friction" || method == "tresca") {
       overrides.insert(overrides.end(), {"contacts.0.friction='0.1+0.02*t'",
                                          "loads=[{on='upper_bottom',body='upper',traction=['0.02*t',0,0]}]"});
-      if (method == "tresca") overrides.push_back("contact_solver.friction=tresca");
+      if (method == "tresca") overrides.emplace_back("contact_solver.friction=tresca");
     } else {
       overrides.push_back("contact_solver.method=" + method);
     }
