@@ -9,7 +9,7 @@
 namespace creepcontact::platform {
 namespace {
 
-constexpr int rounds = 30;
+constexpr int rounds = 30, attempts = 3;  // something short may disturb one attempt
 constexpr double share_seconds = 1e-4;  // of a thread in a round: as in the loops over integration points
 constexpr double min_speedup = 0.6;     // of the number of threads
 
@@ -56,7 +56,8 @@ int useful_threads(int most) {
   if (most < 2) return 1;
   const std::int64_t n = calibrated();
   for (int threads = most; threads > 1; threads /= 2)
-    if (speedup(threads, n) > min_speedup * threads) return threads;
+    for (int attempt = 0; attempt < attempts; ++attempt)
+      if (speedup(threads, n) > min_speedup * threads) return threads;
   return 1;
 }
 
