@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
@@ -68,23 +69,28 @@ const char* AutoIntegrator::describe(Method method) {
 }
 
 void AutoIntegrator::initialize(double t, std::span<const double> y, double step) {
-  choose_functional(t, y);
   current_->initialize(t, y, step);
+  starting_ = true;
   begin_watch(t);
 }
 
-void AutoIntegrator::choose_functional(double t, std::span<const double> y) {
+void AutoIntegrator::choose_functional(double t_limit) {
   if (chosen_ || method_ != Method::log_adams) return;
+  const double t = time();
+  const std::vector<double> y(state().begin(), state().end());
+  if (!(system_.stable_step(t, y) < t_limit - t)) return;  // what creeps until then changes little
   std::optional<double> share;
   try {
     share = relaxing_share(system_, t, y);
   } catch (const RecoverableError&) {
-    return;  // initialize() will say it
+    return;  // the step will tell
   }
   chosen_ = share.has_value();
   if (!share || *share >= relaxing) return;
+  const double step = current_->next_step();
   method_ = Method::cvode_adams;
   current_ = make(method_);
+  current_->initialize(t, y, step);
 }
 
 void AutoIntegrator::begin_watch(double loads_since) {
@@ -100,6 +106,7 @@ StepReport AutoIntegrator::step(double t_limit) {
   if (trouble_) change_to(choose(last_step_), reason_);
   for (;;) {
     try {
+      if (std::exchange(starting_, false)) choose_functional(t_limit);
       const StepReport report = current_->step(t_limit);
       failure_.clear();
       watch(report, t_limit);

@@ -42,8 +42,8 @@ class AutoIntegrator final : public Integrator {
 
   std::unique_ptr<Integrator> make(Method method) const;
   static const char* describe(Method method);
-  /// Between log_adams and cvode_adams, at the first breakpoint after which something creeps.
-  void choose_functional(double t, std::span<const double> y);
+  /// Between log_adams and cvode_adams, at the first breakpoint after which stress may relax before t_limit.
+  void choose_functional(double t_limit);
   /// @param loads_since  time of the last breakpoint
   void begin_watch(double loads_since);
   void watch(const StepReport& report, double t_limit);
@@ -58,7 +58,8 @@ class AutoIntegrator final : public Integrator {
   System& system_;
   const IntegratorOptions options_;
   Method method_;
-  bool chosen_ = false;  ///< between log_adams and cvode_adams
+  bool chosen_ = false;    ///< between log_adams and cvode_adams
+  bool starting_ = false;  ///< at a breakpoint
   std::set<Method> given_up_;
   std::unique_ptr<Integrator> current_;
   std::deque<Observation> recent_;  ///< the last steps, the oldest first

@@ -94,11 +94,22 @@ TEST_F(Auto, IntegratesInRealTimeWhereCreepDoesNotChangeTheStress) {
   GrowingRate system;
   auto integrator = make_integrator("auto", system, {.tolerance = 1e-3, .end_time = 3});
   integrator->initialize(0, Values(1));
-  EXPECT_EQ(run(*integrator, 3), std::vector<std::string>{"cvode_adams"});
+  EXPECT_EQ(run(*integrator, 3), (std::vector<std::string>{"log_adams", "cvode_adams"}));  // from the first step on
   EXPECT_NEAR(integrator->state()[0], 5 * std::expm1(3.0 / 5), 2e-6);
   auto resumed = make_integrator("auto", system, {.tolerance = 1e-3, .end_time = 3});
   resumed->restore(integrator->save());
   EXPECT_EQ(resumed->method(), "cvode_adams");
+}
+
+/// Nothing relaxes before the first breakpoint: the choice waits.
+TEST_F(Auto, ChoosesWhereStressMayRelax) {
+  GrowingRate system;
+  auto integrator = make_integrator("auto", system, {.tolerance = 1e-3, .end_time = 3});
+  integrator->initialize(0, Values(1));
+  EXPECT_EQ(run(*integrator, 0.1), std::vector<std::string>{"log_adams"});
+  const Values reached(integrator->state().begin(), integrator->state().end());
+  integrator->initialize(0.1, reached);
+  EXPECT_EQ(run(*integrator, 3), (std::vector<std::string>{"log_adams", "cvode_adams"}));
 }
 
 TEST_F(Auto, TakesBdfBeforeManyStableStepsLieAhead) {
