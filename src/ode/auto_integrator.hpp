@@ -11,11 +11,12 @@
 
 namespace creepcontact::ode {
 
-/// Begins with log_adams, which needs no Jacobian products and one evaluation per step. Where its steps stay short
-/// though they exceed the stable one, so that stability may be what limits them, cvode_bdf takes over as soon as the
-/// steps that lie ahead cost more than that would. Where the iterations of cvode_bdf fail in many steps, or no step
-/// succeeds, it goes on with rkc2 if the steps are moderate multiples of the stable one, else with the tangent
-/// stiffness if the system offers it; from rkc2 back when its stages have become too many. Every change is logged.
+/// Begins with log_adams, which needs no Jacobian products and one evaluation per step; where creep hardly changes the
+/// stress, with cvode_adams. Where the steps of either stay short though they exceed the stable one, so that stability
+/// may be what limits them, cvode_bdf takes over as soon as the steps that lie ahead cost more than that would. Where
+/// the iterations of cvode_bdf fail in many steps, or no step succeeds, it goes on with rkc2 if the steps are moderate
+/// multiples of the stable one, else with the tangent stiffness if the system offers it; from rkc2 back when its stages
+/// have become too many. Every change is logged.
 class AutoIntegrator final : public Integrator {
  public:
   AutoIntegrator(System& system, const IntegratorOptions& options);
