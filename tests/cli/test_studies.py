@@ -52,7 +52,8 @@ class IntegratorStudy(unittest.TestCase):
             self.assertLess(few, many, method)
 
     def test_auto_stays_with_log_adams_while_stress_relaxes(self):
-        self.assertEqual(self.runs("auto"), self.runs("log_adams"))
+        with_choice = [(error, solves + 1) for error, solves in self.runs("log_adams")]
+        self.assertEqual(self.runs("auto"), with_choice)
         self.assertEqual({row["changed_method"] for row in self.rows}, {"0"})
 
     def test_tables_show_every_run(self):
