@@ -10,8 +10,8 @@ namespace creepcontact::platform {
 namespace {
 
 constexpr int rounds = 30, attempts = 3;  // something short may disturb one attempt
-constexpr double share_seconds = 1e-4;  // of a thread in a round: as in the loops over integration points
-constexpr double min_speedup = 0.6;     // of the number of threads
+constexpr double share_seconds = 1e-4;    // of a thread in a round: as in the loops over integration points
+constexpr double min_speedup = 0.6;       // of the number of threads
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
