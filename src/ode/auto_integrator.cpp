@@ -76,20 +76,25 @@ void AutoIntegrator::initialize(double t, std::span<const double> y, double step
 
 void AutoIntegrator::choose_functional(double t_limit) {
   if (chosen_ || method_ != Method::log_adams) return;
-  const double t = time();
-  const std::vector<double> y(state().begin(), state().end());
-  if (!(system_.stable_step(t, y) < t_limit - t)) return;  // what creeps until then changes little
+  const double stable = system_.stable_step(time(), state());
+  if (!(stable < t_limit - time())) return;  // what creeps until then changes little
   std::optional<double> share;
   try {
-    share = relaxing_share(system_, t, y);
+    share = relaxing_share(system_, time(), state(), stable);
   } catch (const RecoverableError&) {
     return;  // the step will tell
   }
   chosen_ = share.has_value();
-  if (!share || *share >= relaxing) return;
-  const double step = current_->next_step();
-  method_ = Method::cvode_adams;
-  current_ = make(method_);
+  if (share && *share < relaxing) go_on_with(Method::cvode_adams, current_->next_step());
+}
+
+void AutoIntegrator::go_on_with(Method method, double step) {
+  const double t = time();
+  const std::vector<double> y(state().begin(), state().end());
+  before_ = counters();
+  current_.reset();  // its memory is needed for the next
+  current_ = make(method);
+  method_ = method;
   current_->initialize(t, y, step);
 }
 
@@ -169,13 +174,7 @@ void AutoIntegrator::change_to(Method method, const std::string& reason) {
   if (method == method_) return;
   log::write(is_functional(method_) ? log::Level::info : log::Level::warning,
              fmt::format("time integration changes from {} to {}: {}", describe(method_), describe(method), reason));
-  const double t = time();
-  const std::vector<double> y(state().begin(), state().end());
-  before_ = counters();
-  current_.reset();  // its memory is needed for the next
-  current_ = make(method);
-  method_ = method;
-  current_->initialize(t, y, 0);
+  go_on_with(method, 0);
 }
 
 Integrator::Counters AutoIntegrator::counters() const {

@@ -52,6 +52,8 @@ class AutoIntegrator final : public Integrator {
   /// The best of those not given up, or the present one if there is none.
   Method choose(double step);
   void change_to(Method method, const std::string& reason);
+  /// Starts another method from the present state. @param step  see initialize()
+  void go_on_with(Method method, double step);
 
   struct Observation {
     std::int64_t failures, evaluations;  ///< counters after the step

@@ -7,11 +7,10 @@
 
 namespace creepcontact::ode {
 
-std::optional<double> relaxing_share(System& system, double t, std::span<const double> y) {
+std::optional<double> relaxing_share(System& system, double t, std::span<const double> y, double stable_step) {
   JacobianProducts* jacobian = system.jacobian();
-  if (jacobian == nullptr) return std::nullopt;
-  const double gamma = system.stable_step(t, y);
-  if (std::isinf(gamma)) return std::nullopt;
+  if (jacobian == nullptr || std::isinf(stable_step)) return std::nullopt;
+  const double gamma = stable_step;
   std::vector<double> rate(y.size()), product(y.size()), own(y.size()), whole(y.size());
   system.rate(t, y, rate);
   jacobian->jacobian_times(t, y, rate, product);

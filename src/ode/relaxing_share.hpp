@@ -11,6 +11,7 @@ namespace creepcontact::ode {
 /// The change of the rate that the creep itself causes, relative to the one it would cause if no point could deform:
 /// 0 where loads maintain a uniform stress, 1 between rigid grips. None if nothing creeps, or without JacobianProducts.
 /// Collective. Cost: a rate evaluation at (t, y) and a Jacobian product.
-std::optional<double> relaxing_share(System& system, double t, std::span<const double> y);
+/// @param stable_step  of the system at (t, y)
+std::optional<double> relaxing_share(System& system, double t, std::span<const double> y, double stable_step);
 
 }  // namespace creepcontact::ode

@@ -112,6 +112,19 @@ TEST_F(Auto, ChoosesWhereStressMayRelax) {
   EXPECT_EQ(run(*integrator, 3), (std::vector<std::string>{"log_adams", "cvode_adams"}));
 }
 
+TEST_F(Auto, TheChoiceKeepsTheCountsOfEarlierSteps) {
+  GrowingRate system;
+  auto integrator = make_integrator("auto", system, {.tolerance = 1e-3, .end_time = 3});
+  integrator->initialize(0, Values(1));
+  run(*integrator, 0.1);
+  const std::int64_t steps = integrator->counters().steps;
+  const Values reached(integrator->state().begin(), integrator->state().end());
+  integrator->initialize(0.1, reached);
+  integrator->step(3);
+  ASSERT_EQ(integrator->method(), "cvode_adams");
+  EXPECT_EQ(integrator->counters().steps, steps + 1);
+}
+
 TEST_F(Auto, TakesBdfBeforeManyStableStepsLieAhead) {
   const double end = 1e3 * tau;
   std::map<std::string, double> costs;
