@@ -1,5 +1,7 @@
 #include "first_step.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,8 +21,10 @@ double first_step(System& system, const ErrorNorm& norm, const Start& start, std
       for_each_index(state.size(), [&](std::size_t i) { state[i] = start.state[i] + h * start.rate[i]; });
       system.rate(std::min(start.time + h, start.latest), state, rate);
       break;
-    } catch (const RecoverableError&) {
-      if (attempt == max_attempts) throw;
+    } catch (const RecoverableError& error) {
+      if (attempt == max_attempts)
+        throw SolverError(
+            fmt::format("{}: no step is possible from t = {:.6g}: {}", start.of.name(), start.time, error.what()));
       ++failures;
       h *= 0.25;
     }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/ode/system.hpp"
 #include "error_norm.hpp"
 
@@ -10,6 +11,7 @@ namespace creepcontact::ode {
 
 /// Where a first step starts, and what bounds it.
 struct Start {
+  const Integrator& of;
   double time = 0;
   const std::vector<double>& state;
   const std::vector<double>& rate;
@@ -20,7 +22,7 @@ struct Start {
 /// A tenth of the step over which the rate changes the state by the tolerance, found from half a stable step.
 /// Cost: one rate evaluation, and one more for each failure that was answered by a quarter of the length.
 /// @param state, rate  work space
-/// @throws RecoverableError if none of them succeeds
+/// @throws SolverError if none of them succeeds
 /// Source: Sommeijer, Shampine, Verwer (1997), section 3.3.
 double first_step(System& system, const ErrorNorm& norm, const Start& start, std::vector<double>& state,
                   std::vector<double>& rate, std::int64_t& failures);

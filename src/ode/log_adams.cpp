@@ -10,6 +10,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "first_step.hpp"
+#include "step_failures.hpp"
 
 namespace creepcontact::ode {
 
@@ -25,7 +26,7 @@ constexpr double growth_ahead = 1.2;  // of the steps that a higher order would 
 constexpr double adams_failure_cut = 0.5;
 constexpr double adams_tiny_error = 1e-10;
 constexpr double adams_smallest_step = 1e-12;  // relative to the time
-constexpr int adams_max_attempts = 30, attempts_of_high_order = 3;
+constexpr int attempts_of_high_order = 3;
 /// In half stable steps, for each order. Beyond, it may be unstable: what its error estimates miss, or see late.
 constexpr std::array<double, LogAdamsHistory::max_order + 1> stiffness_limit{0, HUGE_VAL, HUGE_VAL, 3};
 constexpr int stable_steps = 4;  // for which the stable step is taken to stay
@@ -55,13 +56,10 @@ void LogAdams::initialize(double t, std::span<const double> y, double step) {
   power_direction_ = 1;
   history_ = {.clock = {.origin = t, .unit = 0}, .power = first_power, .count = 1};
   phi_.resize(1, std::vector<double>(state_.size()));
-  try {
+  at_start(*this, t, [&] {
     system_.rate(t, state_, phi_[0]);
     history_.clock.unit = 0.5 * system_.stable_step(t, state_);
-  } catch (const RecoverableError& error) {
-    throw SolverError(
-        fmt::format("{}: the creep rate cannot be computed at the start, t = {:.6g}: {}", name(), t, error.what()));
-  }
+  });
 }
 
 void LogAdams::begin(double t_limit) {
@@ -70,27 +68,23 @@ void LogAdams::begin(double t_limit) {
   history_.clock.unit = std::min(history_.clock.unit, latest - time());
   if (!(history_.clock.unit > 0)) history_.clock.unit = latest - time();
   if (proposal_ > 0) return;
-  try {
-    const Start start{time(), state_, phi_[0], latest, stable};
-    proposal_ =
-        first_stretch * ode::first_step(system_, norm_, start, next_state_, change_, counters_.convergence_failures);
-  } catch (const RecoverableError& error) {
-    throw SolverError(fmt::format("{}: no step is possible from t = {:.6g}: {}", name(), time(), error.what()));
-  }
+  const Start start{*this, time(), state_, phi_[0], latest, stable};
+  proposal_ =
+      first_stretch * ode::first_step(system_, norm_, start, next_state_, change_, counters_.convergence_failures);
 }
 
 StepReport LogAdams::step(double t_limit) {
   if (!(t_limit > time())) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time()));
   if (last_step_ == 0) begin(t_limit);
   double h = proposal_;
-  for (int attempt = 1;; ++attempt) {
+  for (StepAttempts attempts(*this, counters_);; attempts.again(h)) {
     const StepClock::Target target = clock_.target(h, t_limit, StepClock::stretch);
-    if (attempt == 1 && target.step < adams_sliver * std::max(last_step_, adams_smallest_step * std::abs(time()))) {
+    if (attempts.count() == 1 &&
+        target.step < adams_sliver * std::max(last_step_, adams_smallest_step * std::abs(time()))) {
       slide(target);
       return {.time = time(), .step = target.step, .order = order_, .error_estimate = 0};
     }
     const double s = history_.clock.at(target.time);
-    std::string reason;
     try {
       predict(s);
       correct(target, s);
@@ -100,24 +94,18 @@ StepReport LogAdams::step(double t_limit) {
         const bool cut = target.step < h;  // by the limit: says nothing about the step that accuracy allows
         accept(target, s);
         follow_power(of);
-        const double next = target.step * std::min(choose_order(of), attempt > 1 ? 1.0 : adams_largest_growth);
+        const double next = target.step * std::min(choose_order(of), attempts.count() > 1 ? 1.0 : adams_largest_growth);
         proposal_ = cut ? std::max(h, next) : next;
         return report;
       }
-      ++counters_.rejected_steps;
-      reason = fmt::format(
-          "the local error stays above the tolerance ({:.2g} times) however small the step. Most often a load or "
-          "temperature jumps there: list that time in time.breakpoints; otherwise use a larger tolerance",
-          of.own);
+      attempts.rejected(of.own);
       h = shortened(target.step, of);
-      if (attempt >= attempts_of_high_order) order_ = 1;
+      if (attempts.count() >= attempts_of_high_order) order_ = 1;
     } catch (const RecoverableError& failure) {
-      ++counters_.convergence_failures;
-      reason = failure.what();
+      attempts.failed(failure);
       h = adams_failure_cut * target.step;
     }
     climbing_ = false;
-    if (attempt == adams_max_attempts || h <= adams_smallest_step * std::abs(time())) give_up(h, reason);
   }
 }
 
@@ -129,6 +117,10 @@ void LogAdams::slide(const StepClock::Target& target) {
   to[0] = s;
   transform(history_.moved(to, 0));
   history_.nodes = to;
+  finish(target);
+}
+
+void LogAdams::finish(const StepClock::Target& target) {
   begin_ = time();
   clock_.advance(target);
   std::swap(state_, next_state_);
@@ -202,14 +194,9 @@ void LogAdams::accept(const StepClock::Target& target, double s) {
   });
   history_.add(s);
   history_.count = order_ + 1;
-  std::swap(state_, next_state_);
-  begin_ = time();
   last_step_ = target.step;
   stable_age_ = (stable_age_ + 1) % stable_steps;
-  clock_.advance(target);
-  ++counters_.steps;
-  system_.accept(time(), state_);
-  norm_.set_scale(system_.scale());
+  finish(target);
 }
 
 /// Tries a neighbour of the present power; one that is no better changes the direction of the next trial.
@@ -293,18 +280,12 @@ double LogAdams::shortened(double h, const Errors& errors) {
                           : adams_largest_cut);
 }
 
-void LogAdams::give_up(double h, const std::string& reason) const {
-  throw SolverError(
-      fmt::format("{}: no step is possible from t = {:.6g}, not even one of {:.3g}: {}", name(), time(), h, reason));
-}
-
 void LogAdams::interpolate(double t, std::span<double> y) const {
   if (t == time()) {
     std::ranges::copy(state_, y.begin());
     return;
   }
-  if (!(t >= begin_ && t < time()))
-    throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", name(), t));
+  require_in_last_step(*this, t, begin_);
   add_integral(history_.dense_integrals(history_.clock.at(t)), y);
 }
 

@@ -64,12 +64,13 @@ class LogAdams final : public Integrator {
   /// Of the change of the rate plus factor * term.
   double norm_with(double factor, const std::vector<double>& term) const;
   void accept(const StepClock::Target& target, double s);
+  /// Goes to next_state_.
+  void finish(const StepClock::Target& target);
   void follow_power(Errors& errors);
   void transform(const LogAdamsHistory::Matrix& matrix);
   /// Chooses the next order. @returns the factor by which the step may change
   double choose_order(const Errors& errors);
   double shortened(double h, const Errors& errors);
-  [[noreturn]] void give_up(double h, const std::string& reason) const;
 
   System& system_;
   const IntegratorOptions options_;

@@ -10,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "elementwise.hpp"
 #include "first_step.hpp"
+#include "step_failures.hpp"
 
 namespace creepcontact::ode {
 
@@ -22,9 +23,6 @@ constexpr int max_stages = 200;
 constexpr double step_safety = 0.8;
 constexpr double largest_growth = 10, largest_cut = 0.1;
 constexpr double failure_cut = 0.25;
-/// Relative to the time: a method that creeps up to a point with ever smaller steps has failed.
-constexpr double smallest_stabilized_step = 1e-12;
-constexpr int max_stabilized_attempts = 30;
 constexpr double tiny_error = 1e-10;  // grows no further than a larger one would
 }  // namespace
 
@@ -41,13 +39,10 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
   begin_ = t;
   proposal_ = step;
   controlled_step_ = controlled_error_ = 0;
-  try {
+  at_start(*this, t, [&] {
     system_.rate(t, state_, rate_);
     radius_ = radius(t, state_);
-  } catch (const RecoverableError& error) {
-    throw SolverError(
-        fmt::format("{}: the creep rate cannot be computed at the start, t = {:.6g}: {}", name(), t, error.what()));
-  }
+  });
 }
 
 RestartPoint RungeKuttaChebyshev::save() const {
@@ -79,22 +74,17 @@ double RungeKuttaChebyshev::radius(double t, std::span<const double> y) {
 }
 
 double RungeKuttaChebyshev::first_step(double t_limit) {
-  const Start start{time(), state_, rate_, latest_first_end(time(), t_limit, options_.end_time), 2 / radius_};
-  try {
-    return ode::first_step(system_, norm_, start, newer_, stage_rate_, counters_.convergence_failures);
-  } catch (const RecoverableError& error) {
-    throw SolverError(fmt::format("{}: no step is possible from t = {:.6g}: {}", name(), time(), error.what()));
-  }
+  const Start start{*this, time(), state_, rate_, latest_first_end(time(), t_limit, options_.end_time), 2 / radius_};
+  return ode::first_step(system_, norm_, start, newer_, stage_rate_, counters_.convergence_failures);
 }
 
 StepReport RungeKuttaChebyshev::step(double t_limit) {
   if (!(t_limit > time())) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time()));
   if (!(proposal_ > 0)) proposal_ = first_step(t_limit);
   double h = proposal_;
-  for (int attempt = 1;; ++attempt) {
+  for (StepAttempts attempts(*this, counters_);; attempts.again(h)) {
     if (radius_ > 0) h = std::min(h, chebyshev_stability_bound(max_stages) / radius_);
     const StepClock::Target target = clock_.target(h, t_limit, StepClock::stretch);
-    std::string reason;
     try {
       run_stages(target);
       const double error = local_error(target.step);
@@ -102,23 +92,17 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
         const double next_radius = radius(target.time, newer_);
         const bool cut = target.step < h;  // by the limit: says nothing about the step that accuracy allows
         accept(target);
-        proposal_ = cut ? h : next_step_after(target.step, error, attempt > 1);
+        proposal_ = cut ? h : next_step_after(target.step, error, attempts.count() > 1);
         radius_ = next_radius;
         return {.time = time(), .step = target.step, .order = 2, .error_estimate = error};
       }
-      ++counters_.rejected_steps;
-      reason = fmt::format(
-          "the local error stays above the tolerance ({:.2g} times) however small the step. Most often a load or "
-          "temperature jumps there: list that time in time.breakpoints; otherwise use a larger tolerance",
-          error);
+      attempts.rejected(error);
       // An error that is no number fails the comparison, too.
       h = target.step * (error < 1e9 ? std::max(largest_cut, step_safety / std::cbrt(error)) : largest_cut);
     } catch (const RecoverableError& failure) {
-      ++counters_.convergence_failures;
-      reason = failure.what();
+      attempts.failed(failure);
       h = failure_cut * target.step;
     }
-    if (attempt == max_stabilized_attempts || h <= smallest_stabilized_step * std::abs(time())) give_up(h, reason);
   }
 }
 
@@ -174,18 +158,12 @@ double RungeKuttaChebyshev::next_step_after(double h, double error, bool repeate
   return h * std::clamp(factor, largest_cut, repeated ? 1.0 : largest_growth);
 }
 
-void RungeKuttaChebyshev::give_up(double h, const std::string& reason) const {
-  throw SolverError(
-      fmt::format("{}: no step is possible from t = {:.6g}, not even one of {:.3g}: {}", name(), time(), h, reason));
-}
-
 void RungeKuttaChebyshev::interpolate(double t, std::span<double> y) const {
   if (t == time()) {
     std::ranges::copy(state_, y.begin());
     return;
   }
-  if (!(t >= begin_ && t < time()))
-    throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", name(), t));
+  require_in_last_step(*this, t, begin_);
   const double x = (t - begin_) / last_step_;
   const double to_end = x * x * (3 - 2 * x);
   const double old_slope = last_step_ * x * (1 - x) * (1 - x);

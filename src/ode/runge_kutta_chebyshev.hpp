@@ -48,7 +48,6 @@ class RungeKuttaChebyshev final : public Integrator {
   double radius(double t, std::span<const double> y);
   void accept(const StepClock::Target& target);
   double next_step_after(double h, double error, bool repeated);
-  [[noreturn]] void give_up(double h, const std::string& reason) const;
 
   System& system_;
   const IntegratorOptions options_;

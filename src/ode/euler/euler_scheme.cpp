@@ -8,6 +8,7 @@
 
 #include "../elementwise.hpp"
 #include "../first_step.hpp"
+#include "../step_failures.hpp"
 #include "creepcontact/base/error.hpp"
 
 namespace creepcontact::ode {
@@ -44,12 +45,7 @@ void EulerScheme::initialize(double t, std::span<const double> y, double step) {
   stable_.reset();
   system_.forget_evaluations();
   if (doubling_) doubling_->set_scale(system_.scale());
-  try {
-    system_.rate(t, current_.state, current_.rate);
-  } catch (const RecoverableError& error) {
-    throw SolverError(
-        fmt::format("{}: the creep rate cannot be computed at the start, t = {:.6g}: {}", name(), t, error.what()));
-  }
+  at_start(*this, t, [&] { system_.rate(t, current_.state, current_.rate); });
 }
 
 RestartPoint EulerScheme::save() const {
@@ -111,13 +107,9 @@ double EulerScheme::wanted_step(double t_limit) {
 double EulerScheme::adaptive_step(double t_limit) {
   if (!(proposal_ > 0)) {
     const double latest = latest_first_end(time(), t_limit, options_.end_time);
-    const Start start{time(), current_.state, current_.rate, latest, known_stable_step()};
+    const Start start{*this, time(), current_.state, current_.rate, latest, known_stable_step()};
     EulerPoint& work = doubling_->work();
-    try {
-      proposal_ = first_step(system_, doubling_->norm(), start, work.state, work.rate, counters_.convergence_failures);
-    } catch (const RecoverableError& error) {
-      throw SolverError(fmt::format("{}: no step is possible from t = {:.6g}: {}", name(), time(), error.what()));
-    }
+    proposal_ = first_step(system_, doubling_->norm(), start, work.state, work.rate, counters_.convergence_failures);
   }
   return needs_stable_step() ? std::min(proposal_, longest_adaptive_step() * known_stable_step()) : proposal_;
 }
@@ -206,8 +198,7 @@ void EulerScheme::interpolate(double t, std::span<double> y) const {
     std::ranges::copy(current_.state, y.begin());
     return;
   }
-  if (!(t >= begin_ && t < time()))
-    throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", name(), t));
+  require_in_last_step(*this, t, begin_);
   const double theta = (t - begin_) / last_step_;
   for_each_index(y.size(), [&](std::size_t i) {
     const double change = current_.state[i] - previous_.state[i];

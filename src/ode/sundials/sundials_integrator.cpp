@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "../error_norm.hpp"
+#include "../step_failures.hpp"
 #include "creepcontact/base/error.hpp"
 
 namespace creepcontact::ode {
@@ -158,8 +159,7 @@ void SundialsIntegrator::interpolate(double t, std::span<double> y) const {
     std::ranges::copy(state(), y.begin());
     return;
   }
-  if (!(t >= begin_ && t < time_))
-    throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", name_, t));
+  require_in_last_step(*this, t, begin_);
   check(interpolate_into(t, work_.get()), "GetDky");
   std::ranges::copy(view(work_.get(), y.size()), y.begin());
 }
