@@ -55,8 +55,8 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       points_.emplace_back(bodies[b], min_share * tolerance * scale_.values()[layout_.offset(b)]);
     else
       points_.emplace_back(bodies[b]);
-    preconditioners_.emplace_back(layout_.stride(b));
   }
+  preconditioners_.resize(bodies.size());
   for (const MaterialPoints& points : points_)
     local_.push_back(points.has_internal_variables() ? std::make_unique<MaterialTangent>(points) : nullptr);
 }
@@ -187,6 +187,25 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
     // Of the last evaluation, which may be nearer than the point prepared for.
     if (!prepared) local_[b]->prepare(gamma, points_state(b, step_, step_.y));
     local_[b]->solution(right, {}, result);
+  }
+}
+
+void CreepSystem::precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
+                                    std::span<double> z) {
+  const Evaluation& at = evaluate_step(t, y);
+  const auto lap = watch_.lap(Part::material);
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    if (points_[b].empty()) continue;
+    const PointsState state = points_state(b, at, y);
+    const std::span<const double> right = layout_.part(b, r);
+    const std::span<double> result = layout_.part(b, z);
+    if (!local_[b]) {
+      PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
+      continue;
+    }
+    local_[b]->prepare(gamma, state);
+    local_[b]->solution(right, {}, result);
+    local_gamma_ = 0;
   }
 }
 

@@ -57,6 +57,8 @@ class CreepSystem final : public ode::System,
                       std::span<double> product) override;
   void prepare_preconditioner(double t, std::span<const double> y) override;
   void precondition(double gamma, std::span<const double> r, std::span<double> z) override;
+  void precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
+                         std::span<double> z) override;
   ode::JacobianProducts* jacobian() override { return this; }
   /// Null unless contact is condensed to dense matrices.
   ode::NewtonSolver* newton_solver() override { return solver_.interface().is_dense() ? this : nullptr; }

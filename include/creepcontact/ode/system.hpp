@@ -21,6 +21,12 @@ class JacobianProducts {
   virtual void prepare_preconditioner(double t, std::span<const double> y) = 0;
   /// z = (I - gamma J_local)^-1 r, with J_local the point-wise part of df/dy at the prepared point.
   virtual void precondition(double gamma, std::span<const double> r, std::span<double> z) = 0;
+  /// Both at once, for a single use of J_local: nothing need be stored.
+  virtual void precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
+                                 std::span<double> z) {
+    prepare_preconditioner(t, y);
+    precondition(gamma, r, z);
+  }
 };
 
 /// Direct solution of Newton systems.

@@ -107,6 +107,9 @@ TEST_P(Purity, TangentsAreTheSameWithTheRateAndWithoutIt) {
     system.rate.prepare_preconditioner(at.t, at.y);
     std::vector<double> result(at.y.size());
     system.rate.precondition(0.3, at.y, result);
+    std::vector<double> once(at.y.size());
+    system.rate.precondition_once(at.t, at.y, 0.3, at.y, once);
+    EXPECT_EQ(once, result);
     return result;
   };
   for (const Point& step : steps) {
