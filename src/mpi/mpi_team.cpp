@@ -1,0 +1,60 @@
+#include "creepcontact/mpi/mpi_team.hpp"
+
+#include <mpi.h>
+
+#include <cstdlib>
+
+#include "creepcontact/base/error.hpp"
+#include "long_messages.hpp"
+
+namespace creepcontact::mpi {
+
+Library::Library(int& argc, char**& argv) {
+  int provided = 0;
+  // MPI's errors end the run by themselves.
+  if (MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS || provided < MPI_THREAD_FUNNELED)
+    throw SolverError("MPI cannot be started");
+}
+
+Library::~Library() {
+  MPI_Finalize();
+}
+
+void abort_all(int status) {
+  MPI_Abort(MPI_COMM_WORLD, status);
+  std::abort();
+}
+
+MpiTeam::MpiTeam() {
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &size_);
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  MPI_Comm_size(machine, &size_on_machine_);
+  MPI_Comm_free(&machine);
+}
+
+void MpiTeam::broadcast(std::span<double> values, int root) const {
+  for_each_message(values, [&](std::span<double> part) {
+    MPI_Bcast(part.data(), static_cast<int>(part.size()), MPI_DOUBLE, root, MPI_COMM_WORLD);
+  });
+}
+
+std::vector<double> MpiTeam::gather(std::span<const double> values) const {
+  return gather_to_root(values);
+}
+
+void MpiTeam::reduce(Operation operation, std::span<double> values) const {
+  const MPI_Op op = operation == Operation::sum ? MPI_SUM : operation == Operation::max ? MPI_MAX : MPI_MIN;
+  // To one and back: MPI_Allreduce may give different bits to different processes.
+  for_each_message(values, [&](std::span<double> part) {
+    const int n = static_cast<int>(part.size());
+    if (rank_ == 0)
+      MPI_Reduce(MPI_IN_PLACE, part.data(), n, MPI_DOUBLE, op, 0, MPI_COMM_WORLD);
+    else
+      MPI_Reduce(part.data(), nullptr, n, MPI_DOUBLE, op, 0, MPI_COMM_WORLD);
+    MPI_Bcast(part.data(), n, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  });
+}
+
+}  // namespace creepcontact::mpi
