@@ -35,31 +35,37 @@ std::vector<std::int64_t> contact_unknowns(const RowMatrix& reduced) {
 
 CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, std::span<const Pair> pairs,
                                        const RigidBodyModes& rigid_body_modes, Conditions at, double dense_bytes,
-                                       const Admission& admit, const linalg::StiffnessSolverFactory& make_solver)
-    : bodies_(bodies), pairs_(pairs), rigid_body_modes_(rigid_body_modes), sides_(bodies.size()) {
+                                       const Admission& admit, const linalg::StiffnessSolverFactory& make_solver,
+                                       const Team& team)
+    : bodies_(bodies), pairs_(pairs), rigid_body_modes_(rigid_body_modes), team_(team), sides_(bodies.size()) {
   rigid_body_modes_.require_contact(pairs_);
   make_problem();
   make_rows();
   const bool dense = dense_bytes_ <= dense_bytes;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     factored_.emplace_back(bodies[b], at[b], dense ? sides_[b].trailing : std::vector<std::int64_t>(), make_solver);
-  if (admit) admit(*this, dense ? dense_bytes_ : 0.0);
+  if (!dense && team_.size() > 1)
+    throw ConfigError(
+        fmt::format("contact: its matrices would take {:.0f} MB, more than contact_solver.dense_limit_mb allows; without "
+                    "them contact cannot be solved on several processes: raise the limit, or use one process",
+                    dense_bytes_ / 1e6));
+  if (admit) together(team_, [&] { admit(*this, dense ? dense_bytes_ : 0.0); });
   std::vector<std::size_t> all(bodies.size());
   std::iota(all.begin(), all.end(), 0);
   factorize(all, at);
-  if (dense) {
-    for (std::size_t b = 0; b < bodies.size(); ++b) condense(b);
-    sum_flexibilities();
-  } else {
+  if (dense)
+    condense(all);
+  else
     make_operator(at);
-  }
-  immovable_ = immovable_rows(problem_);
+  if (is_here()) immovable_ = immovable_rows(problem_);
 }
 
 void CondensedInterface::factorize(std::span<const std::size_t> bodies, Conditions at) {
   std::vector<double> entries;
   for (const std::size_t b : bodies) entries.push_back(static_cast<double>(factored_[b].solver().factor_bytes()) / 8);
-  linalg::for_each_factorization(entries, [&](std::size_t i) { factored_[bodies[i]].factorize(at[bodies[i]]); });
+  const auto factorize_one = [&](std::size_t i) { factored_[bodies[i]].factorize(at[bodies[i]]); };
+  if (team_.size() == 1) return linalg::for_each_factorization(entries, factorize_one);
+  for (std::size_t i = 0; i < bodies.size(); ++i) factorize_one(i);  // all processes the same one
 }
 
 void CondensedInterface::make_operator(Conditions at) {
@@ -110,10 +116,16 @@ void CondensedInterface::make_rows() {
   }
 }
 
-void CondensedInterface::condense(std::size_t b) {
-  Side& side = sides_[b];
-  side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver(), problem_.has_friction());
-  problem_.bodies[b].matrix = side.condensed.take_flexibility();
+void CondensedInterface::condense(std::span<const std::size_t> bodies) {
+  together(team_, [&] {
+    if (!is_here()) return;
+    for (const std::size_t b : bodies) {
+      Side& side = sides_[b];
+      side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver(), problem_.has_friction());
+      problem_.bodies[b].matrix = side.condensed.take_flexibility();
+    }
+    sum_flexibilities();
+  });
 }
 
 void CondensedInterface::sum_flexibilities() {
@@ -125,8 +137,7 @@ void CondensedInterface::sum_flexibilities() {
 void CondensedInterface::refactorize(std::span<const std::size_t> bodies, Conditions at) {
   factorize(bodies, at);
   if (!large_) {
-    for (const std::size_t b : bodies) condense(b);
-    sum_flexibilities();
+    condense(bodies);
     return;
   }
   earlier_products_ += large_->n_products();
@@ -242,7 +253,7 @@ void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) cons
 
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
   const BodyRows& rows = rows_[body];
-  if (rows.rows.empty() || y.empty()) return;
+  if (rows.rows.empty() || y.empty() || !is_here()) return;
   if (!large_) {
     gap(rows.rows) += sides_[body].condensed.gaps(y);
     return;
@@ -254,7 +265,7 @@ void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, 
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) {
   const BodyRows& rows = rows_[body];
-  if (rows.rows.empty() || y.empty()) return;
+  if (rows.rows.empty() || y.empty() || !is_here()) return;
   const Eigen::VectorXd own = multiplier(rows.rows);
   if (large_) {
     Eigen::VectorXd forces = rows.reduced.transpose() * own;

@@ -27,6 +27,14 @@ void resize_tangents(const std::vector<MaterialPoints>& points,
   for (std::size_t b = 0; b < points.size(); ++b) tangents[b].resize(points[b].size());
 }
 
+std::vector<double> min_strains(const Assembly& assembly, const ErrorScale& scale, double tolerance) {
+  const StateLayout layout(assembly);
+  std::vector<double> result;
+  for (std::size_t b = 0; b < assembly.bodies().size(); ++b)
+    result.push_back(layout.stride(b) > 0 ? min_share * tolerance * scale.strain()[b] : material::PointState{}.min_strain);
+  return result;
+}
+
 /// Laws take a stress that is not a number for none, and a run would go on without creep.
 void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
   for (std::size_t b = 0; b < at.bodies.size(); ++b) {
@@ -43,21 +51,14 @@ void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
 CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch)
     : solver_(solver),
       watch_(watch),
-      layout_(solver.assembly()),
       scale_(solver.assembly(), survey.stress),
+      laws_(solver.assembly(), min_strains(solver.assembly(), scale_, tolerance)),
       may_start_singular_(survey.singular_start),
       tolerance_(tolerance),
       history_(solver.initial_history()),
       before_(history_) {
-  const std::vector<mechanics::Body>& bodies = solver.assembly().bodies();
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (layout_.stride(b) > 0)
-      points_.emplace_back(bodies[b], min_share * tolerance * scale_.values()[layout_.offset(b)]);
-    else
-      points_.emplace_back(bodies[b]);
-  }
-  preconditioners_.resize(bodies.size());
-  for (const MaterialPoints& points : points_)
+  preconditioners_.resize(laws_.points().size());
+  for (const MaterialPoints& points : laws_.points())
     local_.push_back(points.has_internal_variables() ? std::make_unique<MaterialTangent>(points) : nullptr);
 }
 
@@ -76,7 +77,7 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.valid = into.has_tangents = false;
   into.time = t;
   numerics::copy(y, into.y);
-  layout_.views(into.y, views_);
+  laws_.layout().views(into.y, views_);
   const History& history = has_friction() && t < history_.friction.time ? before_ : history_;
   try {
     solver_.solve(t, views_, history, into.equilibrium);
@@ -87,10 +88,10 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   } catch (const SolverError& error) {
     throw RecoverableError(error.what());
   }
-  into.laws.resize(points_.size());
+  into.laws.resize(laws_.points().size());
   together(team(), [&] {
     require_finite_stress(assembly(), into.equilibrium);
-    for (std::size_t b = 0; b < points_.size(); ++b) points_[b].update(into.equilibrium.conditions[b], into.laws[b]);
+    for (std::size_t b = 0; b < laws_.points().size(); ++b) laws_.points()[b].update(into.equilibrium.conditions[b], into.laws[b]);
   });
   into.valid = true;
 }
@@ -120,22 +121,17 @@ void CreepSystem::forget_evaluations() {
   step_.valid = output_.valid = false;
 }
 
-PointsState CreepSystem::points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const {
-  return {at.laws[body], at.equilibrium.conditions[body].elastic(), at.equilibrium.bodies[body].stress,
-          layout_.part(body, y)};
-}
-
 void CreepSystem::rate(double t, std::span<const double> y, std::span<double> rate) {
   const Evaluation& at = evaluate_step(t, y);
   ++rate_evaluations_;
   const auto lap = watch_.lap(Part::material);
   const bool with_tangents = std::exchange(tangents_needed_, false);
-  if (with_tangents) resize_tangents(points_, step_.tangents);
+  if (with_tangents) resize_tangents(laws_.points(), step_.tangents);
   together(team(), [&] {
-    for (std::size_t b = 0; b < points_.size(); ++b) {
-      if (points_[b].empty()) continue;
+    for (std::size_t b = 0; b < laws_.points().size(); ++b) {
+      if (laws_.points()[b].empty()) continue;
       const auto tangents = with_tangents ? std::span(step_.tangents[b]) : std::span<material::StressTangent>();
-      points_[b].rate(points_state(b, at, y), layout_.part(b, rate), tangents);
+      laws_.points()[b].rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
     }
     step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
@@ -146,20 +142,20 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
                                  std::span<double> product) {
   const Evaluation& at = evaluate_step(t, y);
   ++jacobian_products_;
-  layout_.views(v, views_);
+  laws_.layout().views(v, views_);
   solver_.linearized(at.equilibrium, views_, stress_change_);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty())
-      points_[b].derivative(points_state(b, at, y), {stress_change_[b], layout_.part(b, v)}, layout_.part(b, product));
+  for (std::size_t b = 0; b < laws_.points().size(); ++b)
+    if (!laws_.points()[b].empty())
+      laws_.points()[b].derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)}, laws_.layout().part(b, product));
 }
 
 const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
   tangents_needed_ = true;
   if (step_.has_tangents) return step_.tangents;
-  resize_tangents(points_, step_.tangents);
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty()) points_[b].tangents(points_state(b, step_, step_.y), step_.tangents[b]);
+  resize_tangents(laws_.points(), step_.tangents);
+  for (std::size_t b = 0; b < laws_.points().size(); ++b)
+    if (!laws_.points()[b].empty()) laws_.points()[b].tangents(laws_.state(b, step_, step_.y), step_.tangents[b]);
   step_.has_tangents = true;
   return step_.tangents;
 }
@@ -167,8 +163,8 @@ const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tange
 void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty() && !local_[b]) preconditioners_[b].linearize(points_state(b, at, y), step_tangents()[b]);
+  for (std::size_t b = 0; b < laws_.points().size(); ++b)
+    if (!laws_.points()[b].empty() && !local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
   local_gamma_ = 0;
 }
 
@@ -176,16 +172,16 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
   const auto lap = watch_.lap(Part::material);
   const bool prepared = gamma < same_gamma * local_gamma_ && local_gamma_ < same_gamma * gamma;
   if (!prepared) local_gamma_ = gamma;
-  for (std::size_t b = 0; b < points_.size(); ++b) {
-    if (points_[b].empty()) continue;
-    const std::span<const double> right = layout_.part(b, r);
-    const std::span<double> result = layout_.part(b, z);
+  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
+    if (laws_.points()[b].empty()) continue;
+    const std::span<const double> right = laws_.layout().part(b, r);
+    const std::span<double> result = laws_.layout().part(b, z);
     if (!local_[b]) {
       preconditioners_[b].apply(gamma, right, result);
       continue;
     }
     // Of the last evaluation, which may be nearer than the point prepared for.
-    if (!prepared) local_[b]->prepare(gamma, points_state(b, step_, step_.y));
+    if (!prepared) local_[b]->prepare(gamma, laws_.state(b, step_, step_.y));
     local_[b]->solution(right, {}, result);
   }
 }
@@ -194,11 +190,11 @@ void CreepSystem::precondition_once(double t, std::span<const double> y, double 
                                     std::span<double> z) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < points_.size(); ++b) {
-    if (points_[b].empty()) continue;
-    const PointsState state = points_state(b, at, y);
-    const std::span<const double> right = layout_.part(b, r);
-    const std::span<double> result = layout_.part(b, z);
+  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
+    if (laws_.points()[b].empty()) continue;
+    const PointsState state = laws_.state(b, at, y);
+    const std::span<const double> right = laws_.layout().part(b, r);
+    const std::span<double> result = laws_.layout().part(b, z);
     if (!local_[b]) {
       PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
       continue;
@@ -211,9 +207,9 @@ void CreepSystem::precondition_once(double t, std::span<const double> y, double 
 
 void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {
   const Evaluation& at = evaluate_step(t, y);
-  if (!tangent_) tangent_.emplace(solver_, points_, layout_, watch_);
+  if (!tangent_) tangent_.emplace(solver_, laws_.points(), laws_.layout(), watch_);
   std::vector<PointsState> states;
-  for (std::size_t b = 0; b < points_.size(); ++b) states.push_back(points_state(b, at, y));
+  for (std::size_t b = 0; b < laws_.points().size(); ++b) states.push_back(laws_.state(b, at, y));
   tangent_->prepare(gamma, states, at.equilibrium.stiffness_scale);
 }
 
@@ -223,8 +219,8 @@ void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) 
 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
   double smallest = 1;
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty()) smallest = std::min(smallest, points_[b].start_exponent(t, points_state(b, at, at.y)));
+  for (std::size_t b = 0; b < laws_.points().size(); ++b)
+    if (!laws_.points()[b].empty()) smallest = std::min(smallest, laws_.points()[b].start_exponent(t, laws_.state(b, at, at.y)));
   return team().min(smallest);
 }
 
@@ -236,24 +232,14 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
                                   std::span<double> change) {
   const Evaluation& at = evaluate_step(stress_time, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (!points_[b].empty()) points_[b].add_increment(t, duration, points_state(b, at, y), layout_.part(b, change));
-}
-
-bool CreepSystem::has(const material::StateVariable& variable) const {
-  return std::ranges::any_of(points_, [&](const MaterialPoints& points) { return points.has(variable); });
-}
-
-std::vector<double> CreepSystem::evaluate(const material::StateVariable& variable, std::size_t body,
-                                          const Evaluation& at, std::span<const double> y) const {
-  if (!points_[body].has(variable)) return {};
-  return points_[body].evaluate(variable, points_state(body, at, y));
+  for (std::size_t b = 0; b < laws_.points().size(); ++b)
+    if (!laws_.points()[b].empty()) laws_.points()[b].add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,
                                                          const Evaluation& at, std::span<const double> y) const {
-  if (!points_[body].has(scalar)) return std::nullopt;
-  const std::vector<double> values = evaluate(scalar, body, at, y);
+  if (!laws_.points()[body].has(scalar)) return std::nullopt;
+  const std::vector<double> values = laws_.evaluate(scalar, body, at, y);
   std::array<double, 4> extreme{-std::numeric_limits<double>::infinity()};
   if (!values.empty()) {
     const double most = *std::ranges::max_element(values);
@@ -277,15 +263,15 @@ double CreepSystem::stable_step(double t, std::span<const double> y) {
 std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
   std::vector<double> times;
   std::vector<material::StressTangent> found;
-  for (std::size_t b = 0; b < points_.size(); ++b) {
+  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
     double fastest = 0;
-    if (!points_[b].empty()) {
-      const PointsState state = points_state(b, at, at.y);
+    if (!laws_.points()[b].empty()) {
+      const PointsState state = laws_.state(b, at, at.y);
       if (!at.has_tangents) {
-        found.resize(points_[b].size());
-        points_[b].tangents(state, found);
+        found.resize(laws_.points()[b].size());
+        laws_.points()[b].tangents(state, found);
       }
-      fastest = points_[b].stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
+      fastest = laws_.points()[b].stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
     }
     times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
   }
@@ -295,11 +281,11 @@ std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
 
 std::vector<std::optional<RelaxationTime>> CreepSystem::initial_relaxation(const Evaluation& at, double near) const {
   std::vector<std::optional<RelaxationTime>> times;
-  for (std::size_t b = 0; b < points_.size(); ++b)
-    if (points_[b].empty())
+  for (std::size_t b = 0; b < laws_.points().size(); ++b)
+    if (laws_.points()[b].empty())
       times.emplace_back();
     else
-      times.emplace_back(relaxation_time(team(), points_[b], points_state(b, at, at.y), near));
+      times.emplace_back(relaxation_time(team(), laws_.points()[b], laws_.state(b, at, at.y), near));
   return times;
 }
 
@@ -322,7 +308,7 @@ void CreepSystem::apply_preloads(double t, std::span<const double> y) {
   if (!solver_.has_preload_due(t, history_)) return;
   forget_evaluations();
   step_.y.assign(y.begin(), y.end());
-  layout_.views(step_.y, views_);
+  laws_.layout().views(step_.y, views_);
   solver_.apply_preloads(t, load_time(t), views_, history_);
 }
 
@@ -359,10 +345,10 @@ RunCounters CreepSystem::run_counters() const {
 }
 
 std::string CreepSystem::describe_overflow(const Evaluation& at, std::span<const double> rate) const {
-  for (std::size_t b = 0; b < points_.size(); ++b) {
-    const std::size_t stride = layout_.stride(b);
-    for (std::size_t p = 0; stride > 0 && p < points_[b].size(); ++p) {
-      const auto own = layout_.part(b, rate).subspan(p * stride, stride);
+  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
+    const std::size_t stride = laws_.layout().stride(b);
+    for (std::size_t p = 0; stride > 0 && p < laws_.points()[b].size(); ++p) {
+      const auto own = laws_.layout().part(b, rate).subspan(p * stride, stride);
       if (std::ranges::all_of(own, [](double value) { return std::isfinite(value); })) continue;
       const mechanics::Body& body = assembly().bodies()[b];
       const Vector3& x = body.discretization().point_coordinates()[p];

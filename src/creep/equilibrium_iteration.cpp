@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
+#include "contact_broadcast.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
 
 namespace creepcontact::creep {
@@ -87,7 +89,7 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
   for (std::size_t b = 0; b < work_.size(); ++b)
     if (interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)) changed.push_back(b);
   interface_.refactorize(changed, at);
-  contact_solver_->flexibility_changed();
+  if (contact_solver_) contact_solver_->flexibility_changed();
   active_set_.flexibility_changed();
   counters_.factorizations += std::ssize(changed);
   ++factors_;
@@ -201,16 +203,28 @@ void EquilibriumSolver::leave_residual(const Equilibrium& of) {
 void EquilibriumSolver::solve_contact(const contact::InterfaceLoad& load, const contact::ContactState& from,
                                       Equilibrium& into) {
   const auto lap = watch_.lap(Part::contact);
-  if (recorder_ != nullptr) recorder_->begin_solve(load.time);
-  try {
-    contact::ContactResult result = contact_solver_->solve(interface_.contact_load(load), from);
-    counters_.schwarz_iterations += result.iterations;
-    ++counters_.contact_solves;
-    into.contact = std::move(result.state);
-    into.gaps = std::move(result.gap);
-  } catch (const contact::UnbalancedLoad& unbalanced) {
-    interface_.report(unbalanced, load.time);
-  }
+  contact::ContactResult result;
+  std::optional<contact::SlidingOff> sliding;  // which no team can agree on: it is of `contact`
+  together(assembly_.team(), [&] {
+    if (!interface_.is_here()) return;
+    if (recorder_ != nullptr) recorder_->begin_solve(load.time);
+    try {
+      result = contact_solver_->solve(interface_.contact_load(load), from);
+    } catch (const contact::UnbalancedLoad& unbalanced) {
+      try {
+        interface_.report(unbalanced, load.time);
+      } catch (const contact::SlidingOff& error) {
+        sliding = error;
+      }
+    }
+  });
+  if (assembly_.team().any(sliding.has_value()))
+    throw sliding.value_or(contact::SlidingOff("the loads move the assembly"));
+  broadcast(assembly_.team(), result);
+  counters_.schwarz_iterations += result.iterations;
+  ++counters_.contact_solves;
+  into.contact = std::move(result.state);
+  into.gaps = std::move(result.gap);
 }
 
 double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const contact::ContactState& from,

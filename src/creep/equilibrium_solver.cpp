@@ -8,6 +8,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "contact_broadcast.hpp"
 #include "fixed_contact_solve.hpp"
 
 namespace creepcontact::creep {
@@ -20,28 +21,7 @@ std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) 
   return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
 }
 
-using Linearization = std::vector<contact::NodeLinearization>;
-
-std::vector<double> packed(const Linearization& nodes) {
-  std::vector<double> values;
-  for (const contact::NodeLinearization& node : nodes)
-    values.insert(values.end(), {static_cast<double>(node.status), node.friction, node.direction.x(),
-                                 node.direction.y(), node.equation.x(), node.equation.y(), node.flexibility});
-  return values;
-}
-
-Linearization unpacked(const std::vector<double>& values) {
-  constexpr std::size_t width = 7;
-  Linearization nodes;
-  for (std::size_t i = 0; i + width <= values.size(); i += width)
-    nodes.push_back({static_cast<contact::ContactStatus>(static_cast<int>(values[i])),
-                     values[i + 1],
-                     {values[i + 2], values[i + 3]},
-                     {values[i + 4], values[i + 5]},
-                     values[i + 6]});
-  return nodes;
-}
-
+using creep::packed;
 std::vector<double> packed(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
@@ -80,15 +60,14 @@ void restore_friction(const Memory& memory, History& history) {
 /// The contact of fixed_contact_solve(), near one state.
 struct ClosedRows {
   contact::CondensedInterface& interface;
-  contact::ActiveSetSystem& active_set;
-  const contact::ContactState& at;
+  const std::function<contact::ContactState(const Eigen::VectorXd& gap)> change;
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
     interface.add_trace(body, y, gap);
   }
   contact::ContactState close(const Eigen::VectorXd& gap) const {
     // Initial strains are in equilibrium with themselves: no resultants.
-    return active_set.solve_change(at, gap);
+    return change(gap);
   }
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
     interface.add_multipliers(body, multiplier, y);
@@ -110,7 +89,8 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
       interface_([&] {
         const auto lap = watch.lap(Part::factorize);
         return contact::CondensedInterface(assembly.bodies(), assembly.pairs(), assembly.rigid_body_modes(), at_start,
-                                           1e6 * options.dense_limit_mb, admit, options.stiffness_solver);
+                                           1e6 * options.dense_limit_mb, admit, options.stiffness_solver,
+                                           assembly.team());
       }()),
       contact_solver_(make_contact_solver()),
       active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)) {
@@ -127,6 +107,7 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
 EquilibriumSolver::~EquilibriumSolver() = default;
 
 std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver() const {
+  if (!interface_.is_here()) return nullptr;
   const contact::ContactProblem& problem = interface_.problem();
   if (problem.has_friction()) {
     contact::FrictionOptions options{options_.friction, options_.schwarz};
@@ -173,9 +154,18 @@ void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
   linalg::backward(substitutions);
 }
 
+contact::ContactState EquilibriumSolver::contact_change(const contact::ContactState& at, const Eigen::VectorXd& gap) {
+  contact::ContactState change;
+  together(assembly_.team(), [&] {
+    if (interface_.is_here()) change = active_set_.solve_change(at, gap);
+  });
+  broadcast(assembly_.team(), change);
+  return change;
+}
+
 void EquilibriumSolver::set_recorder(contact::IterationRecorder* recorder) {
   recorder_ = recorder;
-  contact_solver_->set_recorder(recorder);
+  if (contact_solver_) contact_solver_->set_recorder(recorder);
 }
 
 void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
@@ -191,7 +181,7 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
       sides.push_back({&factored.solver(), work_[b].free});
     }
   }
-  ClosedRows rows{interface_, active_set_, at.contact};
+  ClosedRows rows{interface_, [&](const Eigen::VectorXd& gap) { return contact_change(at.contact, gap); }};
   const contact::ContactState change = fixed_contact_solve(sides, interface_.n_rows(), rows, watch_);
   const auto lap = watch_.lap(Part::material);
   stress.resize(n_bodies);
@@ -362,7 +352,7 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
   memory["contact.interference"] = history.interference;
   memory["contact.preloaded_until"] = {history.preloaded_until};
   memory["contact.reached"].assign(history.reached.begin(), history.reached.end());
-  memory["contact.sweeps_given_up"] = {contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
+  memory["contact.sweeps_given_up"] = {contact_solver_ && contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
   if (history.friction.slip.size() > 0) save_friction(history, memory);
   if (!stiffness_changes_) return;
   for (std::size_t b = 0; b < work_.size(); ++b)
@@ -387,7 +377,8 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   history.interference = memory.at("contact.interference");
   history.preloaded_until = memory.at("contact.preloaded_until").at(0);
   history.reached = vector_of(memory.at("contact.reached"));
-  if (memory.at("contact.sweeps_given_up").at(0) != 0) contact_solver_->give_up_sweeps();
+  if (memory.at("contact.sweeps_given_up").at(0) != 0 && contact_solver_)
+    contact_solver_->give_up_sweeps();
   if (interface_.problem().has_friction()) restore_friction(memory, history);
   history.accepted.clear();
   if (!stiffness_changes_) return;

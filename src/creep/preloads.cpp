@@ -94,7 +94,7 @@ void EquilibriumSolver::find_interference(const std::vector<std::size_t>& pairs,
     return found.contact;
   };
   search.change = [&](const contact::ContactState& at, const Eigen::VectorXd& gap) {
-    return Eigen::VectorXd(scale * active_set_.solve_change(at, gap).multiplier);
+    return Eigen::VectorXd(scale * contact_change(at, gap).multiplier);
   };
   search.closed = [&](const contact::ContactState& at) {
     contact::ContactState closed = at;

@@ -25,6 +25,56 @@ Body::~Body() = default;
 Body::Body(Body&&) noexcept = default;
 Body& Body::operator=(Body&&) noexcept = default;
 
+namespace {
+
+/// What falls to a part of the loads of a body.
+class PartOfLoads final : public Load {
+ public:
+  /// @param inner  those of the part, numbered as in the whole body
+  PartOfLoads(std::span<const std::unique_ptr<const Load>> loads, std::size_t n_whole, std::vector<char> loaded_nodes,
+              std::vector<std::size_t> inner)
+      : loads_(loads), n_whole_(n_whole), loaded_nodes_(std::move(loaded_nodes)), inner_(std::move(inner)) {}
+
+  void add(double t, std::span<double> forces) const override {
+    std::vector<double> whole(n_whole_, 0.0);
+    for (const auto& load : loads_) load->add(t, whole);
+    const std::size_t n_nodes = loaded_nodes_.size();
+    for (std::size_t i = 0; i < 3 * n_nodes; ++i)
+      if (loaded_nodes_[i / 3] != 0) forces[i] += whole[i];
+    for (std::size_t i = 0; i < inner_.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) forces[3 * (n_nodes + i) + k] += whole[3 * (n_nodes + inner_[i]) + k];
+  }
+  void append_beyond(const Cut& cut, std::vector<PointForces>& parts) const override {
+    for (const auto& load : loads_) load->append_beyond(cut, parts);
+  }
+
+ private:
+  std::span<const std::unique_ptr<const Load>> loads_;
+  std::size_t n_whole_;
+  std::vector<char> loaded_nodes_;
+  std::vector<std::size_t> inner_;
+};
+
+}  // namespace
+
+Body::Body(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Body Body::part(std::span<const std::size_t> elements, const std::vector<char>& loaded_nodes) const {
+  auto of_part = std::make_unique<Impl>(*impl_, elements);
+  if (!impl_->loads.empty()) {
+    std::vector<std::size_t> inner;
+    for (const std::size_t element : elements)
+      if (const auto own = impl_->discretization.inner(element)) inner.push_back(*own);
+    of_part->loads.push_back(std::make_unique<PartOfLoads>(
+        impl_->loads, 3 * (impl_->mesh.nodes.size() + impl_->discretization.n_inner()), loaded_nodes, std::move(inner)));
+  }
+  return Body(std::move(of_part));
+}
+
+bool Body::is_whole() const {
+  return impl_->is_whole;
+}
+
 void Body::add_load(std::unique_ptr<const Load> load) {
   impl_->loads.push_back(std::move(load));
   try {

@@ -22,6 +22,22 @@ struct Body::Impl {
     if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
   }
 
+  /// See Body::part().
+  Impl(const Impl& whole, std::span<const std::size_t> elements)
+      : name(whole.name),
+        mesh(whole.mesh),
+        material(whole.material),
+        supports(whole.supports),
+        discretization(whole.discretization.part(whole.mesh, elements)),
+        constraints(whole.constraints),
+        parts(whole.parts),
+        free_motions(whole.free_motions),
+        fixing_dofs(whole.fixing_dofs),
+        temperature(whole.temperature),
+        is_whole(false) {
+    if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
+  }
+
   std::string name;
   mesh::Mesh mesh;
   material::Material material;
@@ -34,6 +50,7 @@ struct Body::Impl {
   std::optional<TemperatureField> temperature;
   std::unique_ptr<const TemperatureAtPositions> temperature_at_points;
   std::vector<std::unique_ptr<const Load>> loads;
+  bool is_whole = true;
 };
 
 }  // namespace creepcontact::mechanics

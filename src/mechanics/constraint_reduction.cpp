@@ -40,7 +40,7 @@ linalg::SparseMatrix Constraints::reduce(const linalg::SparseMatrix& lower) cons
     for (std::int64_t i = 0; i < column.size(); ++i) rows += 3 - n_held(column.row_node(i));
     for (int j = n_held(b); j < 3; ++j, --rows) {
       const std::int64_t free = free_index(b)[j];
-      column_start[free + 1] = column_start[free] + rows;
+      column_start[free + 1] = column_start[free] + std::max<std::int64_t>(0, rows);  // none at a node without elements
     }
   }
   reduced.resizeNonZeros(column_start[n_free()]);

@@ -19,7 +19,40 @@ std::span<double> work_space(std::size_t n) {
 
 }  // namespace
 
-Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.size()), nodes_(mesh.nodes) {
+Discretization::Discretization(const mesh::Mesh& mesh) {
+  append(mesh);
+  if (blocks_.empty())
+    throw ModelError(mesh.section.dimension() == 3 ? "the mesh has no volume elements"
+                                                   : "the mesh has no surface elements");
+  if (std::ranges::any_of(blocks_, [](const auto& block) { return LinearReconstruction::serves(block->type()); }))
+    reconstruction_ = std::make_shared<LinearReconstruction>(
+        blocks_, *entries_, coordinates_, weights_, [this](std::size_t entry) { return element_of_entry(entry); });
+}
+
+Discretization Discretization::part(const mesh::Mesh& mesh, std::span<const std::size_t> elements) const {
+  mesh::Mesh some;
+  some.nodes = mesh.nodes;
+  some.section = mesh.section;
+  some.axial_node = mesh.axial_node;
+  std::size_t first = 0;
+  auto next = elements.begin();
+  for (const mesh::CellBlock& cells : mesh.blocks) {
+    if (!mesh.is_bulk(cells.type)) continue;
+    mesh::CellBlock& chosen = some.blocks.emplace_back(mesh::CellBlock{.type = cells.type, .connectivity = {}});
+    for (; next != elements.end() && *next < first + cells.size(); ++next) {
+      const auto cell = cells.cell(*next - first);
+      chosen.connectivity.insert(chosen.connectivity.end(), cell.begin(), cell.end());
+    }
+    first += cells.size();
+  }
+  Discretization result;
+  result.append(some);
+  return result;
+}
+
+void Discretization::append(const mesh::Mesh& mesh) {
+  n_nodes_ = mesh.nodes.size();
+  nodes_ = mesh.nodes;
   std::vector<std::int64_t> node_of_entry;
   for (const mesh::CellBlock& cells : mesh.blocks) {
     if (!mesh.is_bulk(cells.type) || cells.connectivity.empty()) continue;
@@ -36,14 +69,8 @@ Discretization::Discretization(const mesh::Mesh& mesh) : n_nodes_(mesh.nodes.siz
       for (std::size_t p = 0; p < block.n_points(); ++p) coordinates_.push_back(block.point(e, p, mesh.nodes));
     }
   }
-  if (blocks_.empty())
-    throw ModelError(mesh.section.dimension() == 3 ? "the mesh has no volume elements"
-                                                   : "the mesh has no surface elements");
   n_entries_ = node_of_entry.size();
   entries_ = std::make_shared<NodeEntries>(n_nodes_, node_of_entry);
-  if (std::ranges::any_of(blocks_, [](const auto& block) { return LinearReconstruction::serves(block->type()); }))
-    reconstruction_ = std::make_shared<LinearReconstruction>(
-        blocks_, *entries_, coordinates_, weights_, [this](std::size_t entry) { return element_of_entry(entry); });
 }
 
 std::size_t Discretization::n_nodes() const {
@@ -82,6 +109,12 @@ std::size_t Discretization::first_point(std::size_t element) const {
   if (element == n_elements_) return n_points_;
   const ElementBlock& block = block_of(element);
   return block.start().point + (element - block.start().element) * block.n_points();
+}
+
+std::optional<std::size_t> Discretization::inner(std::size_t element) const {
+  const ElementBlock& block = block_of(element);
+  if (block.n_inner() == 0) return std::nullopt;
+  return block.start().inner + (element - block.start().element);
 }
 
 std::span<const std::int64_t> Discretization::element_nodes(std::size_t element) const {

@@ -36,7 +36,7 @@ void FactoredBody::factorize(const BodyConditions& at) {
   try {
     solver_->factorize(usable ? analyzed : stiffness(at));
   } catch (const linalg::SingularMatrix& error) {
-    if (factored_ || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
+    if (factored_ || !body_->is_whole() || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
     stabilize(at);
   }
   moduli_ = at.moduli;

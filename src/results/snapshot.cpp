@@ -116,17 +116,18 @@ Sample BodyFields::at_point(std::size_t point) const {
           row(state_at_points_, point)};
 }
 
-Snapshot::Snapshot(const creep::CreepSystem& system, double time, const creep::Evaluation& at)
-    : system_(system), time_(time), at_(at) {}
+Snapshot::Snapshot(const creep::BodyLaws& laws, const contact::CondensedInterface& interface, double time,
+                   const creep::Evaluation& at)
+    : laws_(laws), interface_(interface), time_(time), at_(at) {}
 
 const BodyFields& Snapshot::fields(std::size_t body) {
   const auto found = fields_.find(body);
   if (found != fields_.end()) return found->second;
   std::vector<mechanics::CreepStrainView> creep;
-  system_.layout().views(at_.y, creep);
+  laws_.layout().views(at_.y, creep);
   std::vector<PointState> variables;
   for (const material::StateVariable* variable : material::state_variables())
-    if (std::vector<double> values = system_.evaluate(*variable, body, at_, at_.y); !values.empty())
+    if (std::vector<double> values = laws_.evaluate(*variable, body, at_, at_.y); !values.empty())
       variables.push_back({variable, std::move(values)});
   return fields_
       .try_emplace(body, assembly().bodies()[body], at_.equilibrium.conditions[body], at_.equilibrium.bodies[body],
@@ -142,8 +143,7 @@ const std::vector<double>& Snapshot::reactions(std::size_t body) {
   // residual = reactions + contact forces
   std::vector<double> contact(forces.size(), 0.0);
   assembly().bodies()[body].residual_forces(at_.equilibrium.conditions[body], state.stress, forces);
-  const contact::CondensedInterface& interface = system_.solver().interface();
-  if (interface.n_rows() > 0) interface.add_contact_forces(body, at_.equilibrium.contact.multiplier, contact);
+  if (interface_.n_rows() > 0) interface_.add_contact_forces(body, at_.equilibrium.contact.multiplier, contact);
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] -= contact[i];
   return forces;
 }

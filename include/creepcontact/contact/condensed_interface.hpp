@@ -17,6 +17,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/base/team.hpp"
 #include "creepcontact/contact/body_rows.hpp"
 #include "creepcontact/contact/condensed_rows.hpp"
 #include "creepcontact/contact/rigid_body_modes.hpp"
@@ -56,12 +57,15 @@ class CondensedInterface {
   /// @param at  conditions of all bodies, whose stiffness is factored
   /// @param dense_bytes  bound on the dense matrices, in bytes; beyond it the flexibility is an operator
   /// @param admit  see Admission
+  /// @param team  the processes that share the bodies, and their solvers; must outlive the object. Only its member 0
+  /// has the dense matrices (is_here())
   /// @throws ModelError as FactoredBody::factorize and RigidBodyModes::require_contact
   /// Cost: the factorisations, and n_contact^2 x n_rows operations per body.
   CondensedInterface(std::span<const mechanics::Body> bodies, std::span<const Pair> pairs,
                      const RigidBodyModes& rigid_body_modes, Conditions at, double dense_bytes = unbounded,
                      const Admission& admit = {},
-                     const linalg::StiffnessSolverFactory& make_solver = linalg::default_stiffness_solver);
+                     const linalg::StiffnessSolverFactory& make_solver = linalg::default_stiffness_solver,
+                     const Team& team = serial_team());
   ~CondensedInterface();
   static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
@@ -92,6 +96,9 @@ class CondensedInterface {
   InterfaceLoad no_load() const;
   /// Adds the work of the external forces of a body on its rigid-body modes.
   void add_resultant(std::size_t body, const mechanics::BodyConditions& at, InterfaceLoad& load) const;
+  /// True in the process that has the dense matrices, and solves the contact problem for all. In the others problem() has
+  /// nodes and rigid-body modes, but no flexibilities, and add_trace() and add_multipliers() do nothing.
+  bool is_here() const { return team_.rank() == 0; }
   /// gap += G^T y2. @param y  L^-1 P f on all free dofs of the body
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap);
   /// The load in the form the contact solver takes. Warns once if, along an unconstrained mode, the loads are out of
@@ -118,7 +125,7 @@ class CondensedInterface {
  private:
   void make_problem();
   void make_rows();
-  void condense(std::size_t body);
+  void condense(std::span<const std::size_t> bodies);
   void factorize(std::span<const std::size_t> bodies, Conditions at);
   void make_operator(Conditions at);
   void sum_flexibilities();
@@ -132,6 +139,7 @@ class CondensedInterface {
   std::span<const mechanics::Body> bodies_;
   std::span<const Pair> pairs_;
   const RigidBodyModes& rigid_body_modes_;
+  const Team& team_;
   std::vector<mechanics::FactoredBody> factored_;
   std::vector<Side> sides_;
   std::vector<BodyRows> rows_;

@@ -8,30 +8,19 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/creep/body_laws.hpp"
 #include "creepcontact/creep/elastic_survey.hpp"
+#include "creepcontact/creep/evaluation.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/creep/error_scale.hpp"
 #include "creepcontact/creep/material_points.hpp"
 #include "creepcontact/creep/material_tangent.hpp"
 #include "creepcontact/creep/point_preconditioner.hpp"
 #include "creepcontact/creep/relaxation.hpp"
-#include "creepcontact/creep/state_layout.hpp"
 #include "creepcontact/creep/tangent_system.hpp"
 #include "creepcontact/ode/system.hpp"
 
 namespace creepcontact::creep {
-
-/// The equilibrium of a state (t, y) and the parameters of the laws at that time.
-struct Evaluation {
-  double time = 0;        ///< the time at which the loads are taken
-  std::vector<double> y;  ///< the state, of size StateLayout::size()
-  Equilibrium equilibrium;
-  std::vector<LawParameters> laws;  ///< one per body
-  /// Of all points, one list per body; meaningful where has_tangents.
-  std::vector<std::vector<material::StressTangent>> tangents;
-  bool has_tangents = false;
-  bool valid = false;  ///< false until a solve has succeeded
-};
 
 /// The creep rate as the integrators see it. It is a pure function of (t, y) and the history of accepted steps:
 /// evaluations for outputs (evaluate_output) never change what the steps compute. One thread at a time.
@@ -47,7 +36,7 @@ class CreepSystem final : public ode::System,
   CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch);
   ~CreepSystem() override;
 
-  std::size_t size() const override { return layout_.size(); }
+  std::size_t size() const override { return laws_.layout().size(); }
   const Team& team() const override { return assembly().team(); }
   /// @throws RecoverableError if no equilibrium is found, or if the stress or a rate is not finite
   void rate(double t, std::span<const double> y, std::span<double> rate) override;
@@ -115,10 +104,11 @@ class CreepSystem final : public ode::System,
 
   const EquilibriumSolver& solver() const { return solver_; }
   const Assembly& assembly() const { return solver_.assembly(); }
-  const StateLayout& layout() const { return layout_; }
+  const BodyLaws& laws() const { return laws_; }
+  const StateLayout& layout() const { return laws_.layout(); }
 
   /// True if some law of some body has this variable (damage, life fraction, ...).
-  bool has(const material::StateVariable& variable) const;
+  bool has(const material::StateVariable& variable) const { return laws_.has(variable); }
   struct Extreme {
     double value = 0;
     std::size_t body = 0;
@@ -129,9 +119,6 @@ class CreepSystem final : public ode::System,
   /// @param y  the state, equal or close to that of `at`
   std::optional<Extreme> largest(const material::StateVariable& scalar, std::size_t body, const Evaluation& at,
                                  std::span<const double> y) const;
-  /// The variable at all points of a body, n_points x variable.width(); empty if none of its laws has it.
-  std::vector<double> evaluate(const material::StateVariable& variable, std::size_t body, const Evaluation& at,
-                               std::span<const double> y) const;
 
  private:
   void solve(double t, std::span<const double> y, Evaluation& into);
@@ -141,15 +128,13 @@ class CreepSystem final : public ode::System,
   double load_time(double t) const;
   /// The tangents at step_.
   const std::vector<std::vector<material::StressTangent>>& step_tangents();
-  PointsState points_state(std::size_t body, const Evaluation& at, std::span<const double> y) const;
   double smallest_start_exponent(double t, const Evaluation& at) const;
   std::string describe_overflow(const Evaluation& at, std::span<const double> rate) const;
 
   EquilibriumSolver& solver_;
   Stopwatch& watch_;
-  StateLayout layout_;
   ErrorScale scale_;
-  std::vector<MaterialPoints> points_;    // one per body
+  BodyLaws laws_;
   std::optional<TangentSystem> tangent_;  // made at first use
   std::vector<PointPreconditioner> preconditioners_;
   /// For bodies with internal variables: the point-wise part of their Newton systems, made with local_gamma_.

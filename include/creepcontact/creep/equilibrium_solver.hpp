@@ -142,6 +142,8 @@ class EquilibriumSolver {
   void forward();
   /// gap += the traces of the displacements that forward() left in terms of the factors.
   void add_traces(Eigen::VectorXd& gap);
+  /// The change of contact with these gaps while what is closed stays closed.
+  contact::ContactState contact_change(const contact::ContactState& at, const Eigen::VectorXd& gap);
   void solve_contact(const contact::InterfaceLoad& load, const contact::ContactState& from, Equilibrium& into);
   void backward(const Eigen::VectorXd& multiplier);
 

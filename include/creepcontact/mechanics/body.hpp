@@ -30,6 +30,14 @@ class Body {
   Body(Body&&) noexcept;
   Body& operator=(Body&&) noexcept;
 
+  /// This body as one of several processes has it: all nodes and constraints, but only some of the elements and loads.
+  /// What it computes by element loops (stiffness, right-hand sides, residuals) are parts of sums over the processes.
+  /// @param elements  ascending; may be empty @param loaded_nodes  one mark per node: whose nodal forces are in this part
+  /// Precondition: this body outlives the part
+  Body part(std::span<const std::size_t> elements, const std::vector<char>& loaded_nodes) const;
+  /// False for a part.
+  bool is_whole() const;
+
   /// Only while the model is built. A volume load refers to discretization() of this body.
   /// @throws ModelError if its forces at t = 0 are not finite; the body is then unchanged
   void add_load(std::unique_ptr<const Load> load);
@@ -91,6 +99,7 @@ class Body {
 
  private:
   struct Impl;
+  explicit Body(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

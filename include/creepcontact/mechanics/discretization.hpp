@@ -3,6 +3,7 @@
 /// nodal forces have 3 n_nodes entries, node by node; stresses and strains n_points x 6 in Mandel order.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,9 @@ class Discretization {
   /// Takes the volume cells of the mesh, block by block; cells of lower dimension are ignored.
   /// @throws ModelError if there are none, or naming an element with Jacobian <= 0 and its position
   explicit Discretization(const mesh::Mesh& mesh);
+  /// That of some of its elements on the same nodes; possibly of none. It does not smooth (fit_mean_stress, to_nodes),
+  /// which needs the neighbours. @param elements  ascending
+  Discretization part(const mesh::Mesh& mesh, std::span<const std::size_t> elements) const;
 
   std::size_t n_nodes() const;
   std::size_t n_elements() const;
@@ -61,6 +65,8 @@ class Discretization {
   std::span<const double> weights() const;
   /// The points of an element are contiguous: element e has [first_point(e), first_point(e+1)).
   std::size_t first_point(std::size_t element) const;
+  /// The inner displacement of an element; nullopt if it has none.
+  std::optional<std::size_t> inner(std::size_t element) const;
   std::span<const std::int64_t> element_nodes(std::size_t element) const;
   mesh::CellType element_type(std::size_t element) const;
 
@@ -88,6 +94,8 @@ class Discretization {
   /// error of quadratic elements drops out, whose leading part is orthogonal to linear functions.
   Eigen::MatrixXd to_corners(std::size_t element) const;
 
+  /// True if fit_mean_stress() uses values of neighbouring elements, as it does in linear elements and tet10.
+  bool smooths_over_neighbours() const { return reconstruction_ != nullptr; }
   /// True if fit_mean_stress() has an effect: the body has linear, hex20 or tet10 elements.
   bool fits_mean_stress() const;
   /// Smooths the mean stress at the points. In hex20 it is replaced by its fit by a linear function per element; in
@@ -114,6 +122,8 @@ class Discretization {
   void to_elements(std::span<const double> point_values, int width, std::span<double> element_values) const;
 
  private:
+  Discretization() = default;
+  void append(const mesh::Mesh& mesh);
   /// Element means, n_elements x width; empty if no element is reconstructed.
   std::vector<double> reconstruction_means(std::span<const double> point_values, int width) const;
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

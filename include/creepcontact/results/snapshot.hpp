@@ -59,13 +59,16 @@ class BodyFields {
 /// State of the model at one output time. Smoothed fields are computed at their first use.
 class Snapshot {
  public:
-  /// @param system, at  must outlive the object
-  Snapshot(const creep::CreepSystem& system, double time, const creep::Evaluation& at);
+  /// @param laws, interface, at  must outlive the object
+  Snapshot(const creep::BodyLaws& laws, const contact::CondensedInterface& interface, double time,
+           const creep::Evaluation& at);
+  Snapshot(const creep::CreepSystem& system, double time, const creep::Evaluation& at)
+      : Snapshot(system.laws(), system.solver().interface(), time, at) {}
 
   double time() const { return time_; }
-  const creep::Assembly& assembly() const { return system_.assembly(); }
+  const creep::Assembly& assembly() const { return laws_.assembly(); }
   const creep::Equilibrium& equilibrium() const { return at_.equilibrium; }
-  bool has(const material::StateVariable& variable) const { return system_.has(variable); }
+  bool has(const material::StateVariable& variable) const { return laws_.has(variable); }
   /// Fields of a body; computed at the first call.
   const BodyFields& fields(std::size_t body);
   /// Support reactions of a body (3 n_nodes): nodal residual integral B^T sigma - F without the contact forces.
@@ -75,7 +78,8 @@ class Snapshot {
   double value(const Probe& probe);
 
  private:
-  const creep::CreepSystem& system_;
+  const creep::BodyLaws& laws_;
+  const contact::CondensedInterface& interface_;
   double time_;
   const creep::Evaluation& at_;
   std::map<std::size_t, BodyFields> fields_;
