@@ -14,5 +14,7 @@ target_compile_definitions(creepcontact_io PRIVATE
     CREEPCONTACT_MESHER_FROM_BIN="${mesher_from_bin}/creepcontact-mesher"
     CREEPCONTACT_MESHER_INSTALLED="${CMAKE_INSTALL_FULL_LIBEXECDIR}/creepcontact/creepcontact-mesher")
 if(TARGET creepcontact)
-  add_dependencies(creepcontact creepcontact_mesher)
+  foreach(program IN LISTS creepcontact_programs)
+    add_dependencies(${program} creepcontact_mesher)
+  endforeach()
 endif()

@@ -18,6 +18,7 @@
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/platform/memory.hpp"
+#include "processes.hpp"
 #include "standard_output.hpp"
 
 namespace creepcontact::cli {
@@ -49,7 +50,8 @@ const std::vector<Command>& commands() {
 }
 
 std::string help() {
-  std::string text = "creepcontact COMMAND [arguments]\n\nCreep of bodies in contact.\n\nCommands\n";
+  std::string text =
+      fmt::format("{} COMMAND [arguments]\n\nCreep of bodies in contact.\n\nCommands\n", Processes::program());
   for (const Command& command : commands()) text += fmt::format("  {:<8}{}\n", command.name, command.summary);
   text += "\nOptions\n  --help     show this help; after a command: help on it\n  --version  show the version\n";
   return text;
@@ -57,12 +59,13 @@ std::string help() {
 
 int dispatch(const Arguments& arguments) {
   const std::string first = arguments.empty() ? "" : arguments.front();
+  if (!Processes::share(first) && !Processes::is_first()) return 0;
   if (first == "--help" || first == "-h") {
     std::cout << help();
     return 0;
   }
   if (first == "--version") {
-    std::cout << "creepcontact " CREEPCONTACT_VERSION "\n";
+    std::cout << Processes::program() << " " CREEPCONTACT_VERSION "\n";
     return 0;
   }
   if (first.empty()) throw ConfigError("no command; see creepcontact --help");
@@ -85,26 +88,23 @@ void print_error(const std::string& message) {
 }
 
 /// Errors have their exit status; anything unforeseen counts as a failure of the solver.
-int guarded(const Arguments& arguments) {
+Ending guarded(const Arguments& arguments) {
   try {
-    return dispatch(arguments);
+    return {dispatch(arguments)};
   } catch (const Error& error) {
-    print_error(error.what());
-    return error.exit_status();
+    return {error.exit_status(), error.what()};
   } catch (const std::bad_alloc&) {
-    print_error(platform::out_of_memory);
+    return {SolverError::status, platform::out_of_memory};
   } catch (const std::filesystem::filesystem_error& error) {
-    print_error(fmt::format("'{}': {}", error.path1().string(), error.code().message()));
-    return ConfigError::status;
+    return {ConfigError::status, fmt::format("'{}': {}", error.path1().string(), error.code().message())};
   } catch (const std::system_error& error) {
-    print_error(
-        fmt::format("the system refuses a resource: {}; limits (ulimit -a) on memory, threads or open files may be "
-                    "too low",
-                    error.code().message()));
+    return {SolverError::status,
+            fmt::format("the system refuses a resource: {}; limits (ulimit -a) on memory, threads or open files may be "
+                        "too low",
+                        error.code().message())};
   } catch (const std::exception& error) {
-    print_error(error.what());
+    return {SolverError::status, error.what()};
   }
-  return SolverError::status;
 }
 
 /// Where an exception cannot be caught: in threads, and in functions that libraries call.
@@ -129,8 +129,10 @@ int main(int argc, char** argv) {
   platform::end_at_signals();
   if (argc > 1 && argv[1][0] != '-') platform::set_libraries(argv);  // what needs no threads does not start twice
   std::set_terminate(cli::give_up);
+  cli::Processes processes(argc, argv);
   cli::StandardOutput output;
-  const int status = cli::guarded(cli::Arguments(argv + 1, argv + argc));
+  const auto [status, message] = processes.end(cli::guarded(cli::Arguments(argv + 1, argv + argc)));
+  if (!message.empty() && cli::Processes::is_first()) cli::print_error(message);
   const int lost = output.finish();
   if (lost == 0) return status;
   cli::print_error(

@@ -6,6 +6,7 @@
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
+#include "processes.hpp"
 #include "run_progress.hpp"
 #include "thread_settings.hpp"
 
@@ -36,11 +37,14 @@ int run(const Command& self, const Arguments& arguments) {
 
   config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
+  options.processes = Processes::of_run();
   ThreadChoice choice(threads);
-  if (quiet) log::set_level(log::Level::warning);
+  if (quiet && Processes::is_first()) log::set_level(log::Level::warning);
+  quiet = quiet || !Processes::is_first();
   RunProgress progress(config.time.output, quiet, choice);
   options.observer = &progress;
   const run::RunResult result = run::run(config, options);
+  if (!Processes::is_first()) return result.exit_status;
   if (!result.message.empty()) {
     if (result.exit_status != 0) {
       std::cerr << "error: " << result.message << '\n';

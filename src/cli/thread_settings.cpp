@@ -3,12 +3,15 @@
 #include <omp.h>
 
 #include "creepcontact/run/threads.hpp"
+#include "processes.hpp"
 
 namespace creepcontact::cli {
 
 ThreadChoice::ThreadChoice(int wanted) {
-  const int most = run::affordable_threads(wanted > 0 ? wanted : omp_get_max_threads());
-  if (wanted == 0) watch_.emplace(most);
+  const int own = Processes::threads(omp_get_max_threads());
+  const int most = run::affordable_threads(wanted > 0 ? wanted : own);
+  // Where other processes of the program use the cores too, measuring would see them.
+  if (wanted == 0 && own == omp_get_max_threads()) watch_.emplace(most);
   omp_set_num_threads(watch_ ? watch_->threads() : most);
 }
 

@@ -3,21 +3,43 @@
 #include <mpi.h>
 
 #include <cstdlib>
+#include <thread>
 
 #include "creepcontact/base/error.hpp"
 #include "long_messages.hpp"
 
 namespace creepcontact::mpi {
 
+namespace {
+
+MPI_Comm for_the_end = MPI_COMM_NULL;  // of all processes
+
+}  // namespace
+
 Library::Library(int& argc, char**& argv) {
   int provided = 0;
   // MPI's errors end the run by themselves.
   if (MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS || provided < MPI_THREAD_FUNNELED)
     throw SolverError("MPI cannot be started");
+  MPI_Comm_dup(MPI_COMM_WORLD, &for_the_end);
 }
 
 Library::~Library() {
+  MPI_Comm_free(&for_the_end);
   MPI_Finalize();
+}
+
+bool all_arrive(std::optional<std::chrono::seconds> at_most) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(for_the_end, &request);
+  for (int done = 0;;) {
+    MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+    if (done != 0) return true;
+    if (at_most && Clock::now() - start > *at_most) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 void abort_all(int status) {

@@ -308,14 +308,14 @@ RestartPoint LogAdams::save() const {
                   {"power", {history_.power, static_cast<double>(power_direction_)}},
                   {"order", {static_cast<double>(order_), climbing_ ? 1.0 : 0.0, last_step_}},
                   {"stable_step", {stable_, static_cast<double>(stable_age_)}},
-                  {"nodes", {history_.nodes.begin(), history_.nodes.begin() + history_.count}},
-                  {"phi", std::move(rates)}};
+                  {"nodes", {history_.nodes.begin(), history_.nodes.begin() + history_.count}}};
+  point.states["phi"] = std::move(rates);
   return point;
 }
 
 void LogAdams::restore(const RestartPoint& point) {
   const std::vector<double>& nodes = point.memory.at("nodes");
-  const std::vector<double>& rates = point.memory.at("phi");
+  const std::vector<double>& rates = point.states.at("phi");
   const std::vector<double>& order = point.memory.at("order");
   history_.clock = {.origin = point.memory.at("log_time").at(0), .unit = point.memory.at("log_time").at(1)};
   history_.power = point.memory.at("power").at(0);

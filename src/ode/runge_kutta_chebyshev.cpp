@@ -48,14 +48,14 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
 RestartPoint RungeKuttaChebyshev::save() const {
   RestartPoint point = Integrator::save();
   point.memory = {{"lost_time", {clock_.lost()}},
-                  {"rate", rate_},
                   {"radius", {radius_}},
                   {"controlled", {controlled_step_, controlled_error_}}};
+  point.states["rate"] = rate_;
   return point;
 }
 
 void RungeKuttaChebyshev::restore(const RestartPoint& point) {
-  rate_ = point.memory.at("rate");
+  rate_ = point.states.at("rate");
   radius_ = point.memory.at("radius").at(0);
   controlled_step_ = point.memory.at("controlled").at(0);
   controlled_error_ = point.memory.at("controlled").at(1);

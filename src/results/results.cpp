@@ -31,8 +31,9 @@ std::map<std::string, std::string> names_with_units(const std::string& units) {
 }  // namespace
 
 Results::Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
-                 std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation)
+                 std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation, bool writes)
     : probes_(std::move(probes)), surfaces_(assembly), field_times_(config.output.field_times) {
+  if (!writes) return;
   std::vector<std::string> names;
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);
   history_ = std::make_unique<io::HistoryWriter>(directory / "history.csv", names, continuation, config.output.csv);
@@ -90,6 +91,7 @@ std::vector<io::FieldData> Results::named(std::vector<io::FieldData> arrays) con
 }
 
 void Results::sync() {
+  if (!history_) return;
   background_.wait();
   std::vector<std::filesystem::path> files{history_->path(), steps_->path()};
   for (io::FieldWriter* const writer : {fields_.get(), contact_.get(), revolved_.get()})
@@ -99,6 +101,7 @@ void Results::sync() {
 }
 
 void Results::step(const ode::StepReport& report, const RunCounters& work, std::int64_t n_active_contacts) {
+  if (!steps_) return;
   steps_->write({.time = report.time,
                  .step = report.step,
                  .order = report.order,

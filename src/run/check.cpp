@@ -73,7 +73,7 @@ void check(const config::Config& config, std::ostream& report, const CheckOption
                                       : fmt::format("temperature: {:.6g} to {:.6g}\n", range->low, range->high);
   text += fmt::format("unknowns of the time integration: {}\n", layout.size());
   if (contact_bytes > 1e6 * config.contact_solver.dense_limit_mb) contact_bytes = 0;
-  const MemoryNeed need = memory_need(config, model, contact_bytes, [&](std::size_t b) {
+  const MemoryNeed need = memory_need(config, model.assembly, contact_bytes, [&](std::size_t b) {
     return static_cast<double>(mechanics::estimate_factor_bytes(model.bodies()[b]));
   });
   text += fmt::format("estimated memory: {}\n", platform::memory_text(need.total() + platform::peak_memory()));
@@ -83,7 +83,7 @@ void check(const config::Config& config, std::ostream& report, const CheckOption
   rigid_body_modes.require_contact(model.pairs());
   contact::require_balance(model.bodies(), model.pairs(), rigid_body_modes, model.assembly.at(0), 0);
   creep::require_loaded(model.assembly, config.time.output, model.breakpoints);
-  if (options.resume) Checkpoints(config, model, directory).read(layout.size());
+  if (options.resume) Checkpoints(config, model, creep::Distribution(model.assembly), directory).read();
   if (options.fields)
     for (const std::filesystem::path& file : write_model_view(config, model, directory))
       report << fmt::format("written: {}\n", file.string());

@@ -5,21 +5,37 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/base/team.hpp"
 #include "fingerprint.hpp"
 
 namespace creepcontact::run {
 namespace {
 
-const std::string prefix = "integrator.";   // of its arrays
+const std::string prefix = "integrator.";           // of its arrays
+const std::string state_prefix = "integrator.of_state.";  // of those like the state
 constexpr std::size_t max_differences = 5;  // named
 
 }  // namespace
 
 Checkpoints::Checkpoints(const config::Config& config, const model::Model& model,
-                         const std::filesystem::path& directory)
-    : config_(config), path_(directory / checkpoint_name), fingerprint_(fingerprint(config, model)) {}
+                         const creep::Distribution& distribution, const std::filesystem::path& directory)
+    : config_(config),
+      distribution_(distribution),
+      path_(directory / checkpoint_name),
+      fingerprint_(fingerprint(config, model)) {}
 
-io::Checkpoint Checkpoints::read(std::size_t state_size) const {
+io::Checkpoint Checkpoints::read() const {
+  io::Checkpoint checkpoint;
+  together(distribution_.team(), [&] {
+    checkpoint = whole();
+    checkpoint.state = distribution_.own_states(checkpoint.state);
+    for (auto& [name, values] : checkpoint.arrays)
+      if (name.starts_with(state_prefix)) values = distribution_.own_states(values);
+  });
+  return checkpoint;
+}
+
+io::Checkpoint Checkpoints::whole() const {
   io::Checkpoint checkpoint = io::read_last_checkpoint(path_);
   std::vector<std::string> changes = differences(checkpoint.fingerprint, fingerprint_);
   if (changes.size() > max_differences) {
@@ -27,7 +43,7 @@ io::Checkpoint Checkpoints::read(std::size_t state_size) const {
     changes.resize(max_differences);
     changes.push_back(fmt::format("and {} more", more));
   }
-  if (!changes.empty() || checkpoint.state.size() != state_size)
+  if (!changes.empty() || checkpoint.state.size() != creep::StateLayout(distribution_.whole()).size())
     throw ConfigError(
         fmt::format("{}: the checkpoint belongs to another model than '{}': {}; use the configuration it was written "
                     "with, or run without --resume",
@@ -47,17 +63,29 @@ io::Checkpoint Checkpoints::take(double time, const ode::Integrator* integrator,
   checkpoint.next_step = point.next_step;
   checkpoint.state = std::move(point.state);
   for (auto& [name, values] : point.memory) checkpoint.arrays[prefix + name] = std::move(values);
+  for (auto& [name, values] : point.states) checkpoint.arrays[state_prefix + name] = std::move(values);
   return checkpoint;
 }
 
 bool Checkpoints::due() const {
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - last_;
-  return since.count() >= config_.output.checkpoint_seconds;
+  const bool own = since.count() >= config_.output.checkpoint_seconds;
+  return distribution_.team().any(distribution_.is_root() && own);
 }
 
 void Checkpoints::write(const io::Checkpoint& checkpoint) {
   if (written_ == checkpoint.time) return;
-  io::write_checkpoint(path_, checkpoint);
+  if (distribution_.team().size() == 1) {
+    io::write_checkpoint(path_, checkpoint);
+  } else {
+    io::Checkpoint all = checkpoint;
+    all.state = distribution_.gather_states(checkpoint.state);
+    for (auto& [name, values] : all.arrays)
+      if (name.starts_with(state_prefix)) values = distribution_.gather_states(values);
+    together(distribution_.team(), [&] {
+      if (distribution_.is_root()) io::write_checkpoint(path_, all);
+    });
+  }
   written_ = checkpoint.time;
   last_ = std::chrono::steady_clock::now();
 }
@@ -73,7 +101,10 @@ void restore(const io::Checkpoint& checkpoint, const config::Config& config, ode
   }
   ode::RestartPoint point{checkpoint.time, checkpoint.next_step, checkpoint.state, {}};
   for (const auto& [name, values] : checkpoint.arrays)
-    if (name.starts_with(prefix)) point.memory[name.substr(prefix.size())] = values;
+    if (name.starts_with(state_prefix))
+      point.states[name.substr(state_prefix.size())] = values;
+    else if (name.starts_with(prefix))
+      point.memory[name.substr(prefix.size())] = values;
   integrator.restore(point);
 }
 

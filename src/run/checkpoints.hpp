@@ -7,6 +7,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/creep/distribution.hpp"
 #include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/ode/integrator.hpp"
@@ -17,22 +18,28 @@ inline constexpr const char* checkpoint_name = "checkpoint.h5";  // in the direc
 
 class Checkpoints {
  public:
-  Checkpoints(const config::Config& config, const model::Model& model, const std::filesystem::path& directory);
+  Checkpoints(const config::Config& config, const model::Model& model, const creep::Distribution& distribution,
+              const std::filesystem::path& directory);
 
-  /// The last one on disk. @param state_size  of the model
+  /// The last one on disk; of several processes each gets its part, however many had written it. Collective.
   /// @throws ConfigError if there is none, or it is of another model: what differs
-  io::Checkpoint read(std::size_t state_size) const;
+  io::Checkpoint read() const;
   /// Of an earlier run in the same directory.
   void remove() const { io::remove_checkpoints(path_); }
 
   /// The run as it is now. @param integrator  at a restart point; none if nothing creeps
   io::Checkpoint take(double time, const ode::Integrator* integrator, const creep::CreepSystem& system) const;
+  /// Collective.
   bool due() const;
-  /// Results up to its time must be on disk. Does nothing if it has been written already.
+  /// Results up to its time must be on disk. Does nothing if it has been written already. One file for all processes.
+  /// Collective.
   void write(const io::Checkpoint& checkpoint);
 
  private:
+  io::Checkpoint whole() const;
+
   const config::Config& config_;
+  const creep::Distribution& distribution_;
   std::filesystem::path path_;
   std::string fingerprint_;
   std::optional<double> written_;  // time of the last one

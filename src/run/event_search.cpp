@@ -17,18 +17,23 @@ double first_time(double from, double to, const std::function<bool(double)>& hol
   return after;
 }
 
-std::optional<double> find_events(double from, double to, const StateAt& state_at, creep::CreepSystem& system,
+std::optional<double> find_events(double from, double to, const StateAt& state_at, WholeState& whole,
                                   results::EventWatch& events, RunObserver* observer) {
   if (!events.is_waiting()) return std::nullopt;
-  const auto snapshot_at = [&](double t) {
-    return results::Snapshot(system, t, system.evaluate_output(t, state_at(t)));
-  };
-  results::Snapshot at_end = snapshot_at(to);
+  const std::vector<double> holding = whole.look(to, state_at(to), [&](results::Snapshot& at_end) {
+    const std::vector<std::size_t> numbers = events.holding(at_end);
+    return std::vector<double>(numbers.begin(), numbers.end());
+  });
   std::vector<std::pair<double, std::size_t>> found;
-  for (const std::size_t event : events.holding(at_end)) {
+  for (const double number : holding) {
+    const auto event = static_cast<std::size_t>(number);
     const auto holds = [&](double t) {
-      results::Snapshot snapshot = snapshot_at(t);
-      return events.holds(event, snapshot);
+      return !whole
+                  .look(t, state_at(t),
+                        [&](results::Snapshot& snapshot) {
+                          return std::vector<double>(events.holds(event, snapshot) ? 1 : 0);
+                        })
+                  .empty();
     };
     found.emplace_back(first_time(from, to, holds), event);
   }

@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/results/event_watch.hpp"
 #include "creepcontact/run/run.hpp"
+#include "whole_state.hpp"
 
 namespace creepcontact::run {
 
@@ -24,7 +24,7 @@ using StateAt = std::function<std::span<const double>(double)>;
 /// @param observer  told before messages; may be null
 /// @returns the time of that stop, if there is one
 /// Cost: an equilibrium at `to`, and at most 34 per event that happens; none if no event is left to happen
-std::optional<double> find_events(double from, double to, const StateAt& state_at, creep::CreepSystem& system,
+std::optional<double> find_events(double from, double to, const StateAt& state_at, WholeState& whole,
                                   results::EventWatch& events, RunObserver* observer);
 
 }  // namespace creepcontact::run

@@ -13,7 +13,7 @@ std::string nothing_left(const config::Config& config, const model::Model& model
   using Status = io::Summary::Status;
   const auto summary = io::read_summary(directory / "summary.json");
   if (!summary || (summary->status != Status::completed && summary->status != Status::ruptured)) return {};
-  const double reached = Checkpoints(config, model, directory).read(creep::StateLayout(model.assembly).size()).time;
+  const double reached = Checkpoints(config, model, creep::Distribution(model.assembly), directory).read().time;
   if (summary->status == Status::ruptured)
     return fmt::format("nothing is left to do: the run ended by rupture at t = {:.6g}", summary->time_reached);
   for (const config::Event& event : config.events)

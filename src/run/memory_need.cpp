@@ -26,15 +26,15 @@ std::string threads_text(int threads) {
 
 }  // namespace
 
-MemoryNeed memory_need(const config::Config& config, const model::Model& model, double contact_bytes,
+MemoryNeed memory_need(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor) {
   const bool tangent = config.time.linear_solver == settings::LinearSolver::tangent;
-  const creep::StateLayout layout(model.assembly);
+  const creep::StateLayout layout(assembly);
   MemoryNeed need;
   need.contact = (tangent ? 2 : 1) * contact_bytes;
   need.state = 8 * state_vectors * static_cast<double>(layout.size());
-  for (std::size_t b = 0; b < model.bodies().size(); ++b) {
-    const mechanics::Body& body = model.bodies()[b];
+  for (std::size_t b = 0; b < assembly.bodies().size(); ++b) {
+    const mechanics::Body& body = assembly.bodies()[b];
     const bool has_tangent = tangent && body.material().creeps();
     need.factors += (has_tangent ? 2 : 1) * of_factor(b);
     // What a tangent eliminates at the points.
@@ -53,16 +53,20 @@ int affordable_threads(int wanted) {
   return threads;
 }
 
-std::string memory_shortage(const MemoryNeed& need) {
+std::string memory_shortage(const MemoryNeed& of_one, int processes_here) {
+  const MemoryNeed need{processes_here * of_one.factors, of_one.contact, processes_here * of_one.points,
+                        processes_here * of_one.state};
   const auto text = [&](double more, const std::string& also, const platform::Room& room, int threads) {
     std::vector<std::string> cures;
+    if (processes_here > 1) cures.emplace_back("use fewer processes on this machine, or more machines");
     if (threads > 1) cures.emplace_back("use --threads 1");
     if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
     cures.emplace_back("allow the program more memory");
     return fmt::format(
-        "the model needs about {} more memory (factors {}, contact matrices {}, integration points and nodes {}, state "
+        "the model needs about {} more memory{} (factors {}, contact matrices {}, integration points and nodes {}, state "
         "and integrator {}{}), but only {} are left: {}; {}",
-        platform::memory_text(more), platform::memory_text(need.factors), platform::memory_text(need.contact),
+        platform::memory_text(more), processes_here > 1 ? fmt::format(" for {} processes on this machine", processes_here) : "",
+        platform::memory_text(need.factors), platform::memory_text(need.contact),
         platform::memory_text(need.points), platform::memory_text(need.state), also, platform::memory_text(room.bytes),
         room.reason, fmt::join(cures, ", or "));
   };
@@ -76,10 +80,10 @@ std::string memory_shortage(const MemoryNeed& need) {
   return {};
 }
 
-void require_memory(const config::Config& config, const model::Model& model, double contact_bytes,
-                    const std::function<double(std::size_t body)>& of_factor) {
-  const MemoryNeed need = memory_need(config, model, contact_bytes, of_factor);
-  if (const std::string shortage = memory_shortage(need); !shortage.empty())
+void require_memory(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
+                    int processes_here, const std::function<double(std::size_t body)>& of_factor) {
+  const MemoryNeed need = memory_need(config, assembly, contact_bytes, of_factor);
+  if (const std::string shortage = memory_shortage(need, processes_here); !shortage.empty())
     throw ModelError(fmt::format("{}: {}", config.mesh.file.string(), shortage));
 }
 

@@ -18,17 +18,18 @@ struct MemoryNeed {
   double total() const { return factors + contact + points + state; }
 };
 
-/// What a run takes beyond its model. @param contact_bytes  the matrices of all contact zones
+/// What a run takes beyond its model. @param assembly  what this process has of it @param contact_bytes  the matrices of all contact zones
 /// @param of_factor  bytes of a body's factor, with those that its factorisation takes besides
-MemoryNeed memory_need(const config::Config& config, const model::Model& model, double contact_bytes,
+MemoryNeed memory_need(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor);
 
 /// Between the analysis of all bodies and their factorisation: refuses a model for which there is no memory before
 /// anything of it is taken.
+/// @param processes_here  that need as much each, and share the memory of this machine
 /// @throws ModelError with the need, what there is, and what bounds it
-void require_memory(const config::Config& config, const model::Model& model, double contact_bytes,
-                    const std::function<double(std::size_t body)>& of_factor);
+void require_memory(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
+                    int processes_here, const std::function<double(std::size_t body)>& of_factor);
 /// What it says of a need; empty if there is memory for it.
-std::string memory_shortage(const MemoryNeed& need);
+std::string memory_shortage(const MemoryNeed& need, int processes_here = 1);
 
 }  // namespace creepcontact::run

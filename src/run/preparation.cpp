@@ -37,10 +37,11 @@ void require_output(const std::filesystem::path& directory, bool resume) {
   if (resume) io::require_checkpoint(directory / checkpoint_name);
 }
 
-creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model, Stopwatch& watch) {
-  return creep::EquilibriumSolver(model.assembly, model.solver, watch,
+creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model,
+                                     const creep::Assembly& assembly, int processes_here, Stopwatch& watch) {
+  return creep::EquilibriumSolver(assembly, model.solver, watch,
                                   [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
-                                    require_memory(config, model, contact_bytes, [&](std::size_t b) {
+                                    require_memory(config, assembly, contact_bytes, processes_here, [&](std::size_t b) {
                                       const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
                                       return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
                                     });
@@ -55,7 +56,8 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
 }
 
 std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, creep::CreepSystem& system) {
-  if (system.size() == 0) return nullptr;
+  // One of several processes may have nothing that creeps.
+  if (!system.team().any(system.size() > 0)) return nullptr;
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
   return ode::make_integrator(time.integrator, system, options);

@@ -22,7 +22,10 @@ void require_output(const std::filesystem::path& directory, bool resume);
 
 /// Factors all bodies. @param model, watch  must outlive the solver
 /// @throws ModelError if there is not enough memory, and as EquilibriumSolver
-creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model, Stopwatch& watch);
+/// @param processes_here  on this machine, which need about as much memory each
+/// @param assembly  that of the model, or the own part of it where several processes share the model
+creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model,
+                                     const creep::Assembly& assembly, int processes_here, Stopwatch& watch);
 
 /// Surveys the elastic stress and takes up the loads of t = 0. @param solver, watch  must outlive the system
 /// @throws as survey_elastic_stress() and EquilibriumSolver::initial_history(); ConfigError if the linear solver of the

@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <utility>
 
 #include "contact_log.hpp"
+#include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
@@ -22,6 +24,7 @@
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/check.hpp"
+#include "fingerprint.hpp"
 #include "finished_run.hpp"
 #include "model_record.hpp"
 #include "preparation.hpp"
@@ -84,6 +87,27 @@ class SummaryTimer {
   std::optional<std::chrono::steady_clock::time_point> last_;
 };
 
+/// The processes read the files each for itself. @throws ConfigError if they do not have the same
+void require_one_model(const Team& team, const config::Config& config, const model::Model& model) {
+  if (team.size() == 1) return;
+  const std::string text = fmt::format("{}\n{}", CREEPCONTACT_VERSION, fingerprint(config, model));
+  const FileBytes file = read_file(config.file);
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  sum.add(file.bytes.data(), file.bytes.size());
+  // In two halves: numbers that a double holds.
+  const double high = static_cast<double>(sum.value() >> 32U), low = static_cast<double>(sum.value() & 0xffffffffU);
+  std::vector<double> of_root{high, low};
+  team.broadcast(of_root, 0);
+  together(team, [&] {
+    if (of_root != std::vector<double>{high, low})
+      throw ConfigError(
+          fmt::format("process {} reads another configuration or mesh than process 0, or is another version of the "
+                      "program: all need the same files and the same program, as on a file system that they share",
+                      team.rank()));
+  });
+}
+
 Diagnosis diagnosis(const creep::CreepSystem& system) {
   Diagnosis result;
   const std::vector<double> times = system.relaxation_times(system.step_evaluation());
@@ -100,21 +124,37 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   Stopwatch watch;
   log::WarningRecord warnings;
   const std::filesystem::path directory = output_directory(config, options.output);
+  const Team& team = *options.processes.team;
+  const bool writes = team.rank() == 0;
 
   std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
   std::optional<platform::DirectoryLock> lock;
-  require_output(directory, options.resume);
-  if (path_is_directory(directory)) lock.emplace(directory);
   std::vector<std::string> earlier_warnings;
-  if (const auto earlier = io::read_summary(directory / "summary.json"); earlier && options.resume)
-    earlier_warnings = earlier->warnings;
-  std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
-  if (!options.resume)
-    for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(directory / file, ignored);
-  const model::Model model = model::build_model(config);
-  auto probes = results::make_probes(config, model);  // errors in them show before anything is factored
-  if (options.resume)
-    if (std::string reason = nothing_left(config, model, directory); !reason.empty()) return {0, std::move(reason)};
+  together(team, [&] {
+    require_output(directory, options.resume);
+    if (!writes) return;
+    if (path_is_directory(directory)) lock.emplace(directory);
+    if (const auto earlier = io::read_summary(directory / "summary.json"); earlier && options.resume)
+      earlier_warnings = earlier->warnings;
+    std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
+    if (!options.resume)
+      for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(directory / file, ignored);
+  });
+  std::optional<model::Model> built;
+  std::vector<std::unique_ptr<results::Probe>> probes;
+  std::string reason_to_end;
+  together(team, [&] {
+    built.emplace(model::build_model(config));
+    probes = results::make_probes(config, *built);  // errors in them show before anything is factored
+    if (options.resume) reason_to_end = nothing_left(config, *built, directory);
+  });
+  model::Model& model = *built;
+  require_one_model(team, config, model);
+  if (team.any(writes && !reason_to_end.empty())) return {0, std::move(reason_to_end)};
+  const creep::Distribution distribution =
+      team.size() == 1 ? creep::Distribution(model.assembly)
+                       : creep::Distribution(model.assembly, team, options.processes.deal(model.bodies()));
+  if (team.size() > 1) model.solver.stiffness_solver = options.processes.stiffness_solver;
   platform::Background loading;  // of what the checkpoint at the end needs
   // Where address space is short, it must not vanish between the check of the memory and its use.
   if (std::isfinite(platform::address_space().bytes))
@@ -128,8 +168,9 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     log::info("body '{}': {} elements, {} unknowns", body.name(), body.discretization().n_elements(),
               body.constraints().n_free());
   std::optional<ContactLog> contact_log;
-  if (!options.log_contact.empty()) contact_log.emplace(options.log_contact, config.output.csv);
-  creep::EquilibriumSolver solver = make_solver(config, model, watch);
+  if (!options.log_contact.empty() && writes) contact_log.emplace(options.log_contact, config.output.csv);
+  creep::EquilibriumSolver solver =
+      make_solver(config, model, distribution.own(), options.processes.on_this_machine, watch);
   if (contact_log) solver.set_recorder(&*contact_log);
   for (const contact::Pair& pair : solver.interface().pairs())
     if (pair.ties_nodes())
@@ -143,11 +184,15 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   creep::CreepSystem system = make_system(config, model, solver, watch);
 
   interrupt.emplace();  // from here on there is something to save
-  std::error_code failure;
-  std::filesystem::create_directories(directory, failure);
-  if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
-  if (!lock) lock.emplace(directory);
-  TimeLoop loop(config, model, system, std::move(probes), watch, directory, options.resume, options.observer);
+  together(team, [&] {
+    if (!writes) return;
+    std::error_code failure;
+    std::filesystem::create_directories(directory, failure);
+    if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
+    if (!lock) lock.emplace(directory);
+  });
+  TimeLoop loop(config, model, distribution, system, std::move(probes), watch, directory, options.resume,
+                options.observer);
 
   const auto write_summary = [&](io::Summary::Status status, const std::string& message) {
     const auto lap = watch.lap(Part::output);
@@ -155,17 +200,21 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     summary.status = status;
     summary.message = message;
     summary.warnings = joined(earlier_warnings, warnings);
-    io::write_summary(directory / "summary.json", summary);
+    together(team, [&] {
+      if (writes) io::write_summary(directory / "summary.json", summary);
+    });
     return summary;
   };
   // Should the run be killed, its last summary says how far it came.
   SummaryTimer summary_due;
   bool described = options.resume && path_exists(directory / "model.json");
   loop.after_output = [&] {
-    if (!std::exchange(described, true))
-      io::write_model_record(directory / "model.json",
-                             model_record(config, model, make_summary(config, model, loop, watch)));
-    if (summary_due()) write_summary(io::Summary::Status::interrupted, "killed after this time was reached");
+    together(team, [&] {
+      if (!std::exchange(described, true) && writes)
+        io::write_model_record(directory / "model.json",
+                               model_record(config, model, make_summary(config, model, loop, watch)));
+    });
+    if (team.any(summary_due())) write_summary(io::Summary::Status::interrupted, "killed after this time was reached");
   };
 
   const auto failed = [&](int status, const std::string& cause) {
@@ -207,10 +256,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (loop.resumed())
     result.details += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
   result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
-  if (!result.advice.empty()) {
-    for (const std::string& line : result.advice) warnings.add(line);
-    write_summary(summary.status, summary.message);
-  }
+  for (const std::string& line : result.advice) warnings.add(line);
+  if (team.any(!result.advice.empty())) write_summary(summary.status, summary.message);
   return result;
 }
 

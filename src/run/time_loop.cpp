@@ -25,14 +25,16 @@ constexpr double failing_with = 0.9;  // damage at which steps that cannot be ma
 
 }  // namespace
 
-TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, creep::CreepSystem& system,
-                   std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
+TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, const creep::Distribution& distribution,
+                   creep::CreepSystem& system, std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
                    const std::filesystem::path& directory, bool resume, RunObserver* observer)
     : config_(config),
       model_(model),
+      distribution_(distribution),
       system_(system),
+      whole_(distribution, system),
       watch_(watch),
-      checkpoints_(config, model, directory),
+      checkpoints_(config, model, distribution, directory),
       observer_(observer),
       life_(system),
       outcome_(model.assembly),
@@ -41,7 +43,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
       state_(system.size(), 0.0) {
   io::Continuation continuation;
   if (resume) {
-    resumed_ = checkpoints_.read(system.size());
+    resumed_ = checkpoints_.read();
     time_ = resumed_->time;
     has_output_ = true;
     earlier_ = resumed_->counters;
@@ -49,10 +51,13 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cree
     outcome_.restore(resumed_->arrays);
     probe_record_.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
-  } else {
+  } else if (distribution.is_root()) {
     checkpoints_.remove();
   }
-  results_ = std::make_unique<results::Results>(config, directory, model.assembly, std::move(probes), continuation);
+  together(distribution.team(), [&] {
+    results_ = std::make_unique<results::Results>(config, directory, model.assembly, std::move(probes), continuation,
+                                                  distribution.is_root());
+  });
   events_.emplace(config, results_->probes());
   if (resumed_) events_->restore(resumed_->arrays);
   integrator_ = make_integrator(config.time, system);
@@ -72,14 +77,22 @@ io::Checkpoint TimeLoop::checkpoint() const {
 void TimeLoop::finish_fields() {
   const bool settled = std::exchange(settled_, false);
   std::optional<io::Checkpoint> later = std::exchange(after_fields_, {});  // dropped if they fail
-  results_->wait();
+  wait_for_fields();
   settled_ = settled;
   if (later) kept_ = std::move(later);
 }
 
+bool TimeLoop::interrupted(const platform::Interrupt& interrupt) const {
+  return distribution_.team().any(interrupt.requested());
+}
+
+void TimeLoop::wait_for_fields() {
+  together(distribution_.team(), [&] { results_->wait(); });
+}
+
 void TimeLoop::keep_restart_point() {
   if (!at_restart_point()) return;
-  const bool writing = results_->is_writing();
+  const bool writing = distribution_.team().any(results_->is_writing());
   if (!writing) finish_fields();
   // The copy costs little against a step, but not nothing: made if the next restart point may be far, a result that
   // fails to be written may spoil the step, or rupture may end within it.
@@ -98,7 +111,7 @@ void TimeLoop::write_checkpoint() {
   finish_fields();
   const bool here = settled_ && (at_restart_point() || time_ >= config_.time.end);
   if (!here && !kept_) return;
-  results_->sync();  // a checkpoint stands for all results before it
+  together(distribution_.team(), [&] { results_->sync(); });  // a checkpoint stands for all results before it
   checkpoints_.write(here ? checkpoint() : *kept_);
 }
 
@@ -113,22 +126,25 @@ RunCounters TimeLoop::counters() const {
 }
 
 void TimeLoop::output(double t, std::span<const double> y) {
-  const creep::Evaluation& at = system_.evaluate_output(t, y);
+  const creep::Evaluation& own = system_.evaluate_output(t, y);
   {
     const auto lap = watch_.lap(Part::output);
-    results::Snapshot snapshot(system_, t, at);
     if (after_fields_) finish_fields();  // a restart point before this output
-    results_->output(snapshot);
-    last_output_ = t;
-    probe_record_.output(t, results_->last_values());
-    life_.output(at);
-    outcome_.output(t, at.equilibrium);
-    life_.warn(t, at, at.y);
-    table_ranges_.see(at.time, model_.bodies(), at.equilibrium.conditions);
     const bool is_end = t == config_.time.end || stopped_;
-    if (t == 0 || is_end) see_uniqueness(at.equilibrium);
-    if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
-    if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at.equilibrium, "at the end");
+    life_.output(own);
+    whole_.look(t, y, [&](results::Snapshot& snapshot) -> std::vector<double> {
+      const creep::Equilibrium& at = snapshot.equilibrium();
+      results_->output(snapshot);
+      probe_record_.output(t, results_->last_values());
+      outcome_.output(t, at);
+      table_ranges_.see(at.time, model_.bodies(), at.conditions);
+      if (t == 0 || is_end) see_uniqueness(at);
+      if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
+      if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at, "at the end");
+      return {};
+    });
+    last_output_ = t;
+    life_.warn(t, own, own.y);
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -156,7 +172,10 @@ TimeLoop::End TimeLoop::run() {
     if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
       const creep::Evaluation& at = system_.evaluate_output(time_, resumed_->state);
       life_.output(at);
-      outcome_.output(time_, at.equilibrium);
+      whole_.look(time_, resumed_->state, [&](results::Snapshot& snapshot) -> std::vector<double> {
+        outcome_.output(time_, snapshot.equilibrium());
+        return {};
+      });
       return End::completed;
     }
     if (!resumed_) output(0, state_);
@@ -186,7 +205,7 @@ TimeLoop::End TimeLoop::run() {
   write_checkpoint();
   if (ruptured_) return End::ruptured;
   if (time_ < config_.time.end && !stopped_) return End::interrupted;
-  outcome_.warn_of_open_contacts();
+  if (distribution_.is_root()) outcome_.warn_of_open_contacts();
   return End::completed;
 }
 
@@ -257,7 +276,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     integrator_->initialize(time_, state_);
   resumed_.reset();
   settled_ = true;
-  while (time_ < end && !interrupt.requested()) {
+  while (time_ < end && !interrupted(interrupt)) {
     if (checkpoints_.due()) write_checkpoint();
     keep_restart_point();
     const double stop = next_break_ != last_break ? *next_break_ : end;
@@ -268,10 +287,12 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     const ode::StepReport report = integrator_->step(limit);
     settled_ = false;
     time_ = integrator_->time();
-    results_->step(report, system_.run_counters() - before, system_.n_active_contacts());
+    together(distribution_.team(),
+             [&] { results_->step(report, system_.run_counters() - before, system_.n_active_contacts()); });
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
-    table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
+    if (distribution_.team().size() == 1)
+      table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());
@@ -298,7 +319,7 @@ double TimeLoop::longest_step_end() const {
 }
 
 bool TimeLoop::stopped_within(double from, double to, const StateAt& state_at) {
-  const std::optional<double> stop = find_events(from, to, state_at, system_, *events_, observer_);
+  const std::optional<double> stop = find_events(from, to, state_at, whole_, *events_, observer_);
   if (!stop) return false;
   stopped_ = true;
   time_ = *stop;
@@ -380,14 +401,14 @@ bool TimeLoop::stopped_on_the_way(double t) {
 
 void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   for (; next_output_ != config_.time.output.end(); ++next_output_) {
-    if (interrupt.requested()) return;
+    if (interrupted(interrupt)) return;
     if (checkpoints_.due()) write_checkpoint();
     const double t = *next_output_;
     if (stopped_on_the_way(t)) return output(time_, state_);
     system_.apply_preloads(t, state_);
     system_.evaluate_step(t, state_);
     output(t, state_);
-    results_->wait();  // before the time, from which the run is resumed
+    wait_for_fields();  // before the time, from which the run is resumed
     system_.accept(t, state_);
     time_ = t;
   }

@@ -27,10 +27,11 @@ class TimeLoop {
  public:
   enum class End { completed, ruptured, interrupted };
 
+  /// @param distribution  of the model; must outlive the object @param system  of its own part
   /// @param resume  start from the checkpoint in the directory @param observer  may be null
   /// @param probes  those of the configuration
-  TimeLoop(const config::Config& config, const model::Model& model, creep::CreepSystem& system,
-           std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
+  TimeLoop(const config::Config& config, const model::Model& model, const creep::Distribution& distribution,
+           creep::CreepSystem& system, std::vector<std::unique_ptr<results::Probe>> probes, Stopwatch& watch,
            const std::filesystem::path& directory, bool resume, RunObserver* observer = nullptr);
 
   /// @throws SolverError if the run cannot go on; what was computed is on disk, a checkpoint too
@@ -88,6 +89,10 @@ class TimeLoop {
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
   io::Checkpoint checkpoint() const;
+  /// True if a process asks for the end of the run. Collective.
+  bool interrupted(const platform::Interrupt& interrupt) const;
+  /// Waits for the field files that are being written. Collective. @throws Error if the disk is full
+  void wait_for_fields();
   /// Waits for the field files that are being written. If they fail, the run is resumed from before them: from kept_.
   void finish_fields();
   /// Keeps a copy where the next step may lead to no restart point.
@@ -97,7 +102,9 @@ class TimeLoop {
 
   const config::Config& config_;
   const model::Model& model_;
+  const creep::Distribution& distribution_;
   creep::CreepSystem& system_;
+  WholeState whole_;
   Stopwatch& watch_;
   Checkpoints checkpoints_;
   std::unique_ptr<ode::Integrator> integrator_;

@@ -1,6 +1,9 @@
 #pragma once
 /// Processes of MPI as a team.
 
+#include <chrono>
+#include <optional>
+
 #include "creepcontact/base/team.hpp"
 
 namespace creepcontact::mpi {
@@ -34,6 +37,10 @@ class MpiTeam final : public Team {
 
   int rank_ = 0, size_ = 1, size_on_machine_ = 1;
 };
+
+/// Waits until all processes have called it. Apart from all other collective operations: some may be in one.
+/// @param at_most  nullopt: for ever @returns false if not all have within that time
+bool all_arrive(std::optional<std::chrono::seconds> at_most);
 
 /// Ends all processes at once, where some wait for others that have failed.
 [[noreturn]] void abort_all(int status);

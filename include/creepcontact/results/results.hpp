@@ -26,9 +26,10 @@ class Results {
  public:
   /// @param assembly  must outlive the object @param probes  as made by make_probes() for this configuration
   /// @param continuation  of an interrupted run; default: a new one
+  /// @param writes  false: this process writes no results, another one does; the object then only holds the probes
   /// @throws ConfigError if a file cannot be opened or, when resuming, does not fit
   Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
-          std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation);
+          std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation, bool writes = true);
   ~Results();
 
   /// Writes a row of history.csv. The field files of bodies and contact surfaces, if their time is one of those wanted,

@@ -2,11 +2,15 @@
 /// A whole run: model, time loop, results.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "creepcontact/base/run_counters.hpp"
+#include "creepcontact/base/team.hpp"
 #include "creepcontact/config/config.hpp"
+#include "creepcontact/creep/distribution.hpp"
+#include "creepcontact/linalg/stiffness_solver.hpp"
 
 namespace creepcontact::run {
 
@@ -20,6 +24,16 @@ class RunObserver {
   virtual void before_message() = 0;
 };
 
+/// The processes that share a run; by default there is one.
+struct Processes {
+  const Team* team = &serial_team();  ///< must outlive the run
+  int on_this_machine = 1;            ///< of them: they share its memory
+  /// Of the bodies; the processes call it together.
+  linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
+  /// Deals out the elements of the bodies, in the same way on all processes. Not called for one process.
+  std::function<creep::RankOfElement(const std::vector<mechanics::Body>& bodies)> deal = {};
+};
+
 /// Options that are not part of the configuration.
 struct RunOptions {
   std::string output;               ///< directory; empty: that of the configuration
@@ -28,6 +42,7 @@ struct RunOptions {
   /// CSV file with one row per contact iteration (time,contact_solve,set_change,iteration,method,residual,active);
   /// empty: none.
   std::string log_contact = {};
+  Processes processes = {};
 };
 
 /// Outcome of a run, for the command line.
@@ -44,6 +59,8 @@ struct RunResult {
 ///
 /// SIGINT, SIGTERM and SIGHUP end the run after the current step, with a checkpoint (exit status 130). If a solver
 /// fails, the exit status is 4, and results computed before are kept.
+/// Of several processes all must call it, with the same configuration; process 0 writes, and its report is the one to
+/// print. Errors are the same in all.
 /// @throws Error for errors found before the time loop (configuration 2, mesh or model 3)
 RunResult run(const config::Config& config, const RunOptions& options);
 

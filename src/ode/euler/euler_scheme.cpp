@@ -51,15 +51,15 @@ void EulerScheme::initialize(double t, std::span<const double> y, double step) {
 RestartPoint EulerScheme::save() const {
   RestartPoint point = Integrator::save();
   point.memory["lost_time"] = {clock_.lost()};
-  point.memory["rate"] = current_.rate;
-  if (!current_.load_residual.empty()) point.memory["load_residual"] = current_.load_residual;
+  point.states["rate"] = current_.rate;
+  if (!current_.load_residual.empty()) point.states["load_residual"] = current_.load_residual;
   if (stable_) point.memory["stable_step"] = {*stable_};
   return point;
 }
 
 void EulerScheme::restore(const RestartPoint& point) {
-  current_.rate = point.memory.at("rate");
-  if (!current_.load_residual.empty()) current_.load_residual = point.memory.at("load_residual");
+  current_.rate = point.states.at("rate");
+  if (!current_.load_residual.empty()) current_.load_residual = point.states.at("load_residual");
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   current_.state = previous_.state = point.state;
   begin_ = point.time;

@@ -11,6 +11,7 @@
 
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/creep/distribution.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/results/snapshot.hpp"
 #include "creepcontact/run/vocabulary.hpp"
@@ -112,6 +113,7 @@ struct System {
 
   Stopwatch watch;
   Model model;
+  creep::Distribution distribution{model.assembly};
   creep::EquilibriumSolver solver;
   creep::CreepSystem rate;
 };

@@ -21,7 +21,7 @@ TEST(Memory, IsComparedBeforeAnythingIsFactored) {
           factors += static_cast<double>(of_body.factor_bytes());
           EXPECT_GT(of_body.work_bytes(), 0);
         }
-        EXPECT_NO_THROW(require_memory(config, model, contact_bytes, [](std::size_t) { return 1e6; }));
+        EXPECT_NO_THROW(require_memory(config, model.assembly, contact_bytes, 1, [](std::size_t) { return 1e6; }));
       });
   EXPECT_EQ(contact, solver.interface().dense_bytes());
   for (std::size_t b = 0; b < 2; ++b)
@@ -36,7 +36,7 @@ TEST(Memory, AModelBeyondAllMachinesIsRefusedWithNumbers) {
   Stopwatch watch;
   const auto refused = [&] {
     const EquilibriumSolver solver(model.assembly, model.solver, watch, [&](const auto&, double) {
-      require_memory(config, model, 1e18, [](std::size_t) { return 1e6; });
+      require_memory(config, model.assembly, 1e18, 1, [](std::size_t) { return 1e6; });
     });
   };
   const std::string message = message_of<ModelError>(refused);
@@ -50,7 +50,7 @@ TEST(Memory, TangentsTakeMore) {
   const auto need = [&](const std::vector<std::string>& overrides) {
     const config::Config config = blocks.config(pressure_probe, overrides);
     const Model model = build_model(config);
-    return memory_need(config, model, 1e6, [](std::size_t) { return 1e6; });
+    return memory_need(config, model.assembly, 1e6, [](std::size_t) { return 1e6; });
   };
   const MemoryNeed plain = need({}), tangent = need({"time.linear_solver=tangent"});
   EXPECT_EQ(plain.factors, 2e6);

@@ -1,0 +1,90 @@
+#include "../processes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <iostream>
+#include <optional>
+#include <vector>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/mpi/mpi_team.hpp"
+#include "creepcontact/mpi/mumps_cholesky.hpp"
+#include "creepcontact/mpi/partition.hpp"
+
+namespace creepcontact::cli {
+namespace {
+
+const mpi::MpiTeam* all = nullptr;  // while the object lives
+
+/// For processes that have failed: others may need as long to come to an end.
+constexpr std::chrono::seconds longest_wait{20};
+
+}  // namespace
+
+struct Processes::Impl {
+  Impl(int& argc, char**& argv) : library(argc, argv) {}
+  mpi::Library library;
+  mpi::MpiTeam team;
+};
+
+Processes::Processes(int& argc, char**& argv) : impl_(std::make_unique<Impl>(argc, argv)) {
+  all = &impl_->team;
+  if (!is_first()) log::set_level(log::Level::off);
+}
+
+Processes::~Processes() {
+  all = nullptr;
+}
+
+const char* Processes::program() {
+  return "creepcontact-mpi";
+}
+
+bool Processes::is_first() {
+  return all == nullptr || all->rank() == 0;
+}
+
+run::Processes Processes::of_run() {
+  return {.team = all,
+          .on_this_machine = all->size_on_machine(),
+          .stiffness_solver = mpi::mumps_cholesky,
+          .deal = [](const std::vector<mechanics::Body>& bodies) {
+            std::vector<const mesh::Mesh*> meshes;
+            for (const mechanics::Body& body : bodies) meshes.push_back(&body.mesh());
+            return mpi::partition(meshes, *all);
+          }};
+}
+
+bool Processes::share(const std::string& command) {
+  if (command == "study")
+    throw ConfigError("creepcontact-mpi makes no studies, whose runs are processes of their own; use creepcontact study");
+  return command == "run";
+}
+
+int Processes::threads(int cores) {
+  return std::max(1, cores / all->size_on_machine());
+}
+
+Ending Processes::end(const Ending& own) {
+  const mpi::MpiTeam& team = impl_->team;
+  if (!mpi::all_arrive(own.status != 0 ? std::optional(longest_wait) : std::nullopt)) {
+    // Others wait in an operation that this process will never join.
+    std::cerr << fmt::format("error: process {}: {}\n", team.rank(), own.message) << std::flush;
+    mpi::abort_all(own.status);
+  }
+  const int of = team.rank_of_max(own.status + (own.message.empty() ? 0 : 0.5));
+  std::vector<double> header{static_cast<double>(own.status), static_cast<double>(own.message.size())};
+  team.broadcast(header, of);
+  std::vector<double> text(own.message.begin(), own.message.end());
+  text.resize(static_cast<std::size_t>(header[1]));
+  team.broadcast(text, of);
+  Ending result{static_cast<int>(header[0])};
+  for (const double letter : text) result.message += static_cast<char>(letter);
+  return result;
+}
+
+}  // namespace creepcontact::cli

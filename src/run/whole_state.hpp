@@ -1,0 +1,36 @@
+#pragma once
+/// The state of the whole model at an output time, of which each process has a part.
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/creep/distribution.hpp"
+#include "creepcontact/results/snapshot.hpp"
+
+namespace creepcontact::run {
+
+class WholeState {
+ public:
+  /// @param distribution, system (of its own part)  must outlive the object
+  WholeState(const creep::Distribution& distribution, creep::CreepSystem& system);
+
+  /// Calls f in the process that writes results, with the snapshot at (t, y). An error there is one in all. Collective.
+  /// @param y  of this process @returns what f returns, in all processes
+  std::vector<double> look(double t, std::span<const double> y,
+                           const std::function<std::vector<double>(results::Snapshot&)>& f);
+  creep::CreepSystem& system() { return system_; }
+
+ private:
+  const creep::Distribution& distribution_;
+  creep::CreepSystem& system_;
+  std::optional<creep::BodyLaws> laws_;  // of the whole model, if the system has only a part of it
+  creep::Evaluation space_;
+};
+
+/// Values of member 0, to all. Collective. @param values  their number matters on member 0 alone
+void broadcast(const Team& team, std::vector<double>& values);
+
+}  // namespace creepcontact::run
