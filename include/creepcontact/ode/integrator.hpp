@@ -33,7 +33,8 @@ struct RestartPoint {
   double next_step = 0;
   std::vector<double> state;
   std::map<std::string, std::vector<double>> memory;  ///< of the method itself; named after its members
-  /// Likewise, but vectors of the size of the state, one or several in turn: each process has its part of them.
+  /// Likewise, but vectors of the size of the state, one or several in turn: each process has its part of them, under
+  /// the same names.
   std::map<std::string, std::vector<double>> states = {};
 };
 

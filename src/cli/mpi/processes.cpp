@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <iostream>
 #include <optional>
 #include <vector>
@@ -84,6 +85,8 @@ Ending Processes::end(const Ending& own) {
   team.broadcast(text, of);
   Ending result{static_cast<int>(header[0])};
   for (const double letter : text) result.message += static_cast<char>(letter);
+  // From here on mpirun may end the processes that are a moment later than the first.
+  if (result.status != 0 && !is_first()) std::signal(SIGTERM, SIG_IGN);
   return result;
 }
 

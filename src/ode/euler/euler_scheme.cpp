@@ -52,14 +52,14 @@ RestartPoint EulerScheme::save() const {
   RestartPoint point = Integrator::save();
   point.memory["lost_time"] = {clock_.lost()};
   point.states["rate"] = current_.rate;
-  if (!current_.load_residual.empty()) point.states["load_residual"] = current_.load_residual;
+  point.states["load_residual"] = current_.load_residual;  // empty in schemes that leave none
   if (stable_) point.memory["stable_step"] = {*stable_};
   return point;
 }
 
 void EulerScheme::restore(const RestartPoint& point) {
   current_.rate = point.states.at("rate");
-  if (!current_.load_residual.empty()) current_.load_residual = point.states.at("load_residual");
+  current_.load_residual = point.states.at("load_residual");
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   current_.state = previous_.state = point.state;
   begin_ = point.time;
