@@ -10,9 +10,17 @@
 namespace creepcontact::run {
 namespace {
 
-/// A tangent stiffness must be condensed anew with every factorisation, which iterated contact is not made for.
-void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface) {
-  if (config.time.linear_solver != settings::LinearSolver::tangent || interface.is_dense()) return;
+/// A tangent stiffness must be condensed anew with every factorisation, which neither iterated contact nor contact of
+/// several processes is made for.
+void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface,
+                               const Team& team) {
+  if (config.time.linear_solver != settings::LinearSolver::tangent) return;
+  if (team.size() > 1)
+    throw ConfigError(
+        fmt::format("{}: time.linear_solver = \"tangent\" is not yet possible on several processes; use one process, or "
+                    "\"krylov\"",
+                    config.file.string()));
+  if (interface.is_dense()) return;
   throw ConfigError(
       fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
                   "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
@@ -50,7 +58,7 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
 
 creep::CreepSystem make_system(const config::Config& config, const model::Model& model,
                                creep::EquilibriumSolver& solver, Stopwatch& watch) {
-  require_condensed_contact(config, solver.interface());
+  require_condensed_contact(config, solver.interface(), solver.assembly().team());
   return creep::CreepSystem(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
                             config.time.tolerance, watch);
 }

@@ -49,8 +49,10 @@ class CreepSystem final : public ode::System,
   void precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
                          std::span<double> z) override;
   ode::JacobianProducts* jacobian() override { return this; }
-  /// Null unless contact is condensed to dense matrices.
-  ode::NewtonSolver* newton_solver() override { return solver_.interface().is_dense() ? this : nullptr; }
+  /// Null unless contact is condensed to dense matrices, and one process has all of them.
+  ode::NewtonSolver* newton_solver() override {
+    return solver_.interface().is_dense() && team().size() == 1 ? this : nullptr;
+  }
   /// Null unless some law may start with an infinite rate (ElasticSurvey::singular_start).
   ode::SingularRate* singular_rate() override { return may_start_singular_ ? this : nullptr; }
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;

@@ -77,6 +77,8 @@ Ending Processes::end(const Ending& own) {
     std::cerr << fmt::format("error: process {}: {}\n", team.rank(), own.message) << std::flush;
     mpi::abort_all(own.status);
   }
+  // mpirun may end the processes that are a moment later than the first.
+  if (!is_first()) std::signal(SIGTERM, SIG_IGN);
   const int of = team.rank_of_max(own.status + (own.message.empty() ? 0 : 0.5));
   std::vector<double> header{static_cast<double>(own.status), static_cast<double>(own.message.size())};
   team.broadcast(header, of);
@@ -85,8 +87,6 @@ Ending Processes::end(const Ending& own) {
   team.broadcast(text, of);
   Ending result{static_cast<int>(header[0])};
   for (const double letter : text) result.message += static_cast<char>(letter);
-  // From here on mpirun may end the processes that are a moment later than the first.
-  if (result.status != 0 && !is_first()) std::signal(SIGTERM, SIG_IGN);
   return result;
 }
 
