@@ -77,8 +77,7 @@ Ending Processes::end(const Ending& own) {
     std::cerr << fmt::format("error: process {}: {}\n", team.rank(), own.message) << std::flush;
     mpi::abort_all(own.status);
   }
-  // mpirun may end the processes that are a moment later than the first.
-  if (!is_first()) std::signal(SIGTERM, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);  // which mpirun sends to those that end a moment later than the first
   const int of = team.rank_of_max(own.status + (own.message.empty() ? 0 : 0.5));
   std::vector<double> header{static_cast<double>(own.status), static_cast<double>(own.message.size())};
   team.broadcast(header, of);

@@ -1,0 +1,180 @@
+"""creepcontact-mpi on several processes, more than there are cores: the results of one process, and errors that end all."""
+
+import csv
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+import process_case
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MPI_PROGRAM = os.environ["CREEPCONTACT_MPI_PROGRAM"]
+MPIEXEC = os.environ["CREEPCONTACT_MPIEXEC"]
+LONGEST = 100  # seconds: a collective operation that one process misses waits for ever
+
+
+def history(directory):
+    with open(directory / "history.csv", encoding="utf-8") as file:
+        names, *rows = csv.reader(file)
+    return names, [[float(value) for value in row] for row in rows]
+
+
+class MpiTest(process_case.ProcessTest):
+    def on(self, processes, *arguments, **more):
+        """Starts creepcontact-mpi on so many processes; 0: creepcontact."""
+        program = [process_case.PROGRAM] if processes == 0 else [MPIEXEC, "-n", str(processes), MPI_PROGRAM]
+        process = subprocess.Popen([*program, *map(str, arguments)], cwd=self.directory, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, **more)
+        self.addCleanup(self.end, process)
+        return process
+
+    def done(self, processes, *arguments, **more):
+        process = self.on(processes, *arguments, **more)
+        output, errors = process.communicate(timeout=LONGEST)
+        return subprocess.CompletedProcess(arguments, process.returncode, output, errors)
+
+    def run_example(self, processes, example, output, *settings):
+        done = self.done(processes, "run", ROOT / "configs" / f"{example}.toml", "--quiet", "--output", output,
+                         *[word for setting in settings for word in ("--set", setting)])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.directory / output
+
+    def expect_the_same(self, first, second, difference=1e-8):
+        names, rows = history(first)
+        same_names, same_rows = history(second)
+        self.assertEqual(names, same_names)
+        self.assertEqual(len(rows), len(same_rows))
+        for column, name in enumerate(names):
+            scale = max(abs(row[column]) for row in rows)
+            for row, same in zip(rows, same_rows):
+                self.assertLessEqual(abs(row[column] - same[column]), difference * scale, f"{name} at t = {row[0]}")
+
+    def expect_equal_runs(self, example, processes, *settings):
+        serial = self.run_example(0, example, "serial", *settings)
+        for n in processes:
+            spread = self.run_example(n, example, f"on_{n}", *settings)
+            self.expect_the_same(serial, spread)
+            steps = [len((directory / "steps.csv").read_text().splitlines()) for directory in (serial, spread)]
+            self.assertEqual(steps[0], steps[1], f"{n} processes")
+
+
+class MpiResults(MpiTest):
+    def test_shrink_fit_by_every_integrator(self):
+        for integrator in ("auto", "cvode_adams", "cvode_bdf", "arkode_erk", "explicit_euler", "beta_euler"):
+            with self.subTest(integrator):
+                self.expect_equal_runs("shrink_fit", (2,), f"time.integrator={integrator}")
+
+    def test_processes_without_elements(self):
+        self.expect_equal_runs("pressed_blocks", (1, 4), "time.integrator=cvode_bdf")
+        self.expect_equal_runs("pressed_blocks", (5,), "time.integrator=beta_euler")
+
+    def test_fields_and_reports_are_written_as_by_one_process(self):
+        directories = [self.run_example(n, "shrink_fit", f"of_{n}") for n in (0, 3)]
+        names = [sorted(path.name for path in directory.iterdir()) for directory in directories]
+        self.assertEqual(names[0], names[1])
+        self.assertIn("fields.pvd", names[0])
+
+
+class MpiContact(MpiTest):
+    def test_ball_on_block(self):
+        self.expect_equal_runs("ball_on_block", (4,))
+
+    def test_blade_root(self):
+        self.expect_equal_runs("blade_root", (2,), "time.end=1e4")
+        # Later, Adams' steps are at the limit of stability: rounding grows there, in a single process too.
+        self.expect_equal_runs("blade_root", (2,), "time.end=1e4", "time.integrator=cvode_adams")
+
+
+class MpiEnds(MpiTest):
+    def expect_error(self, processes, status, sentence, *arguments, **more):
+        done = self.done(processes, *arguments, **more)
+        self.assertEqual(done.returncode, status, done.stderr)
+        errors = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(errors), 1, done.stderr)
+        self.assertRegex(errors[0], sentence)
+
+    def test_mistakes_are_named_once(self):
+        self.expect_error(3, 2, "none.toml: cannot be read", "run", "none.toml")
+        self.expect_error(2, 2, "time.toll: unknown key", "run", "cube.toml", "--set", "time.toll=1")
+        self.expect_error(2, 2, "creepcontact-mpi makes no studies", "study", "study.toml")
+
+    def test_what_cannot_be_spread_is_refused_with_a_reason(self):
+        fit = ROOT / "configs" / "shrink_fit.toml"
+        self.expect_error(2, 2, "tangent.* is not yet possible on several processes", "run", fit, "--output", "out",
+                          "--set", "time.integrator=cvode_bdf", "--set", "time.linear_solver=tangent")
+        self.expect_error(2, 2, "more than contact_solver.dense_limit_mb allows", "run", fit, "--output", "out", "--set",
+                          "contact_solver.dense_limit_mb=1e-6")
+        self.expect_error(2, 2, "body 'shaft': elastic constants that change in time are not yet possible", "run",
+                          ROOT / "configs" / "start_stop_cycles.toml", "--output", "out")
+
+    def test_an_error_at_the_points_of_any_process_is_one_of_all(self):
+        for place in ("10*x", "10*y"):
+            self.expect_error(3, 4, "the creep rate of material 'chromium_steel' overflows, .* in body 'plate' at", "run",
+                              ROOT / "configs" / "plate_with_hole.toml", "--output", "out", "--set",
+                              f"temperature.value='{place}'", "--set", "materials.chromium_steel.creep="
+                              "[{law='expression', rate='1e-20*q^5*sqrt(50-T)'}]")
+
+    def test_mpirun_of_the_serial_program(self):
+        process = subprocess.run([MPIEXEC, "-n", "2", process_case.PROGRAM, "run", "cube.toml"], cwd=self.directory,
+                                 text=True, capture_output=True, timeout=LONGEST)
+        self.assertEqual(process.returncode, 2)
+        self.assertEqual(process.stderr.count("error: mpirun has started 2 processes of creepcontact, which would all"), 1)
+
+    def test_other_files_on_one_process(self):
+        """As on machines without a common file system."""
+        text = (self.directory / "cube.toml").read_text()
+        self.write("first.sh", f'#!/bin/sh\ncd "$OMPI_COMM_WORLD_RANK" && exec "{MPI_PROGRAM}" "$@"\n')
+        os.chmod(self.directory / "first.sh", 0o755)
+        for rank, change in ((0, ""), (1, "# another\n")):
+            (self.directory / str(rank)).mkdir()
+            self.write(f"{rank}/cube.toml", change + text)
+            self.write(f"{rank}/cube.geo", (self.directory / "cube.geo").read_text())
+        process = subprocess.run([MPIEXEC, "-n", "2", "./first.sh", "run", "cube.toml"], cwd=self.directory, text=True,
+                                 capture_output=True, timeout=LONGEST)
+        self.assertEqual(process.returncode, 2, process.stderr)
+        self.assertIn("process 1 reads another configuration or mesh than process 0", process.stderr)
+
+    def test_full_disk_keeps_what_is_complete(self):
+        self.write("limited.sh", f'#!/bin/sh\ntrap "" XFSZ\nulimit -f 60\nexec "{MPI_PROGRAM}" "$@"\n')
+        os.chmod(self.directory / "limited.sh", 0o755)
+        # Over TCP: Open MPI's shared memory is a file too.
+        process = subprocess.run([MPIEXEC, "--mca", "btl", "self,tcp", "-n", "2", "./limited.sh", "run",
+                                  ROOT / "configs" / "shrink_fit.toml", "--output", "full"], cwd=self.directory, text=True,
+                                 capture_output=True, timeout=LONGEST)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(process.stderr, "error: .*File too large")
+
+    def wait_for_rows(self, directory, process, rows=4):
+        for _ in range(1000):
+            time.sleep(0.02)
+            if process.poll() is not None:
+                return
+            if (directory / "checkpoint.h5").exists() and \
+                    len((directory / "history.csv").read_text().splitlines()) > rows:
+                return
+
+    def test_killed_and_resumed_on_other_numbers_of_processes(self):
+        settings = ("output.checkpoint_seconds=0", "time.end=1e4")
+        whole = self.run_example(0, "blade_root", "whole", *settings)
+        arguments = [ROOT / "configs" / "blade_root.toml", "--output", "killed",
+                     *[word for setting in settings for word in ("--set", setting)]]
+        killed = self.directory / "killed"
+        process = self.on(2, "run", *arguments)
+        self.wait_for_rows(killed, process)
+        workers = subprocess.run(["pgrep", "-P", str(process.pid)], capture_output=True, text=True).stdout.split()
+        os.kill(int(workers[-1]), signal.SIGKILL)
+        process.communicate(timeout=LONGEST)
+        self.assertNotEqual(process.returncode, 0)
+        process = self.on(3, "run", *arguments, "--resume")
+        self.wait_for_rows(killed, process, 12)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=LONGEST)
+        done = self.done(0, "run", *arguments, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.expect_the_same(whole, killed)
+
+
+if __name__ == "__main__":
+    process_case.unittest.main()
