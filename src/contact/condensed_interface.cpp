@@ -57,7 +57,12 @@ CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, 
     condense(all);
   else
     make_operator(at);
-  if (is_here()) immovable_ = immovable_rows(problem_);
+  std::vector<double> marks(n_rows(), 0.0);
+  if (is_here())
+    for (const int row : immovable_rows(problem_)) marks[row] = 1;
+  team_.broadcast(marks, 0);
+  for (int row = 0; row < n_rows(); ++row)
+    if (marks[row] != 0) immovable_.push_back(row);
 }
 
 void CondensedInterface::factorize(std::span<const std::size_t> bodies, Conditions at) {
@@ -251,6 +256,12 @@ void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) cons
                   rigid_body_modes_.describe(rigid_body_modes_.held() * unbalanced.motion), t, unbalanced.force));
 }
 
+void CondensedInterface::add_gaps(std::size_t body, std::span<const double> u, Eigen::VectorXd& gap) const {
+  const BodyRows& rows = rows_[body];
+  if (rows.rows.empty() || u.empty()) return;
+  gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
+}
+
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
   const BodyRows& rows = rows_[body];
   if (rows.rows.empty() || y.empty() || !is_here()) return;
@@ -260,7 +271,7 @@ void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, 
   }
   std::vector<double> u(y.size());
   factored_[body].solver().backward(y, u);
-  gap(rows.rows) += rows.reduced * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.reduced.cols());
+  add_gaps(body, u, gap);
 }
 
 void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) {

@@ -14,11 +14,6 @@ using mechanics::Body;
 
 /// What a process cannot compute from its own elements.
 void require_separable(const Body& body) {
-  if (body.stiffness_changes())
-    throw ConfigError(
-        fmt::format("body '{}': elastic constants that change in time are not yet possible on several processes; use "
-                    "one process, or constants for a mean temperature",
-                    body.name()));
   for (const auto& law : body.material().creep)
     if (law->uses_mean_stress() && body.discretization().smooths_over_neighbours())
       throw ConfigError(

@@ -18,6 +18,7 @@ constexpr double stress_tolerance = 1e-10;  // of the stress in the body, energy
 constexpr double rounding = 1e-12;          // of the displacement, energy norm
 constexpr double stalled = 0.9;  // where an iteration changes more than this part of what the last did, it stands
 constexpr double farthest = 2;   // extrapolation, in steps
+constexpr int plain_iterations = 2;           // before round-off is thought of
 constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
 
 /// Twice the elastic energy, integral sigma H^-1 sigma.
@@ -41,25 +42,31 @@ Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
 }
 
 /// What the last two accepted steps lead to. @param steps  with the factors in use, the last one first; not empty
-std::vector<FactoredDisplacement> extrapolated(double t, const std::vector<const History::Accepted*>& steps) {
-  std::vector<FactoredDisplacement> result = steps[0]->displacements;
+FreeDisplacements extrapolated(double t, const std::vector<const History::Accepted*>& steps) {
+  FreeDisplacements result = steps[0]->displacements;
   if (steps.size() < 2) return result;
   const double last = steps[0]->time, before = steps[1]->time;
   // Steps that grow fast follow those after a jump, which tell little of what comes.
   const double part = std::clamp((t - last) / (last - before), -1.0, farthest);
   for (std::size_t b = 0; b < result.size(); ++b) {
-    const FactoredDisplacement& old = steps[1]->displacements[b];
-    vector(result[b].factored) += part * (vector(result[b].factored) - vector(old.factored));
-    vector(result[b].free) += part * (vector(result[b].free) - vector(old.free));
+    const auto old = vector(steps[1]->displacements[b]);
+    vector(result[b]) += part * (vector(result[b]) - old);
   }
   return result;
 }
 
 /// Energy norms of an equilibrium.
-double displacement_norm(const Team& team, const Equilibrium& of) {
+double displacement_norm(const Assembly& assembly, const Equilibrium& of) {
   double sum = 0;
-  for (const FactoredDisplacement& displacement : of.displacements) sum += vector(displacement.factored).squaredNorm();
-  return std::sqrt(team.sum(sum));
+  std::vector<double> stress;
+  for (std::size_t b = 0; b < of.bodies.size(); ++b) {
+    const mechanics::Discretization& discretization = assembly.bodies()[b].discretization();
+    const mechanics::ElasticState moduli{of.conditions[b].moduli};
+    stress.resize(of.bodies[b].stress.size());
+    discretization.stress(of.bodies[b].displacement, moduli, {}, stress);
+    sum += elastic_energy(discretization, moduli, stress);
+  }
+  return std::sqrt(assembly.team().sum(sum));
 }
 double stress_norm(const Assembly& assembly, const Equilibrium& of) {
   double sum = 0;
@@ -87,7 +94,7 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
   const auto lap = watch_.lap(Part::factorize);
   std::vector<std::size_t> changed;
   for (std::size_t b = 0; b < work_.size(); ++b)
-    if (interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)) changed.push_back(b);
+    if (assembly_.team().any(interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0))) changed.push_back(b);
   interface_.refactorize(changed, at);
   if (contact_solver_) contact_solver_->flexibility_changed();
   active_set_.flexibility_changed();
@@ -126,14 +133,17 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   if (stiffness_changes_) from.image.resize(0);  // of other factors, perhaps
   const double contraction = stiffness.rest / (1 - stiffness.rest);
   double before = std::numeric_limits<double>::infinity();
-  while (true) {
+  std::optional<double> size;  // rarely needed
+  for (int iteration = 0;; ++iteration) {
     const double change = advance(given, from, creep, into);
     if (stiffness.rest <= exact) break;
-    const double size = displacement_norm(assembly_.team(), into);
-    if (contraction * change <= std::max(stress_tolerance * stress_norm(assembly_, into), rounding * size)) break;
-    if (change > stalled * before) {
-      if (change > good_if_stalled * size) return false;
-      break;
+    if (contraction * change <= stress_tolerance * stress_norm(assembly_, into)) break;
+    const bool stands = change > stalled * before;
+    if (stands || iteration >= plain_iterations) {
+      if (!size) size = displacement_norm(assembly_, into);
+      if (contraction * change <= rounding * *size) break;
+      if (stands && change > good_if_stalled * *size) return false;
+      if (stands) break;
     }
     before = change;
     from = into.contact;
@@ -176,7 +186,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   }
   into.displacements = extrapolated(into.time, steps);
   for (std::size_t b = 0; b < work_.size(); ++b)
-    update_state(b, into.displacements[b].free, history.contact.rigid, creep[b], into);
+    update_state(b, into.displacements[b], history.contact.rigid, creep[b], into);
   leave_residual(into);
   return given;
 }
@@ -194,7 +204,7 @@ void EquilibriumSolver::update_state(std::size_t b, std::span<const double> free
 void EquilibriumSolver::leave_residual(const Equilibrium& of) {
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < work_.size(); ++b) {
-    interface_.factored(b).residual(of.conditions[b], of.bodies[b].stress, of.displacements[b].free,
+    interface_.factored(b).residual(of.conditions[b], of.bodies[b].stress, of.displacements[b],
                                     work_[b].right_hand_side);
     assembly_.bodies()[b].clear_fixing_dofs(work_[b].right_hand_side);
   }
@@ -229,33 +239,40 @@ void EquilibriumSolver::solve_contact(const contact::InterfaceLoad& load, const 
 
 double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const contact::ContactState& from,
                                   CreepStrains creep, Equilibrium& into) {
+  if (into.stiffness_scale != 1)
+    for (Work& work : work_) vector(work.right_hand_side) /= into.stiffness_scale;
   forward();
   contact::InterfaceLoad load = given;
-  {
-    const auto lap = watch_.lap(Part::contact);
-    for (std::size_t b = 0; b < work_.size(); ++b) {
-      auto y = vector(work_[b].factored);
-      if (into.stiffness_scale != 1) y /= into.stiffness_scale;
-      if (stiffness_changes_ && !into.displacements[b].factored.empty()) y += vector(into.displacements[b].factored);
-    }
-  }
+  for (std::size_t b = 0; b < into.displacements.size(); ++b) interface_.add_gaps(b, into.displacements[b], load.gap);
   add_traces(load.gap);
   if (interface_.n_rows() > 0) solve_contact(load, from, into);
   backward(into.contact.multiplier);
-  double change = 0;
   const auto lap = watch_.lap(Part::material);
+  const double change = stiffness_changes_ ? change_norm(into.contact.multiplier) : 0;
   for (std::size_t b = 0; b < work_.size(); ++b) {
     if (stiffness_changes_) {
-      auto& [factored, free] = into.displacements[b];
-      factored.resize(work_[b].factored.size());  // zeros at the start from no displacement
-      change += (vector(work_[b].factored) - vector(factored)).squaredNorm();
-      factored = work_[b].factored;
-      free = work_[b].free;
+      std::vector<double>& free = into.displacements[b];
+      free.resize(work_[b].free.size());  // zeros at the start from no displacement
+      vector(free) += vector(work_[b].free);
+      update_state(b, free, into.contact.rigid, creep[b], into);
+    } else {
+      update_state(b, work_[b].free, into.contact.rigid, creep[b], into);
     }
-    update_state(b, work_[b].free, into.contact.rigid, creep[b], into);
   }
   ++counters_.elastic_solves;
-  return stiffness_changes_ ? std::sqrt(assembly_.team().sum(change)) : 0;
+  return change;
+}
+
+double EquilibriumSolver::change_norm(const Eigen::VectorXd& multiplier) const {
+  double energy = 0;  // u . K0 u, with the forces K0 u: parts of the right-hand sides, and those of contact
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(interface_.n_rows());
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    energy += vector(work_[b].right_hand_side).dot(vector(work_[b].free));
+    interface_.add_gaps(b, work_[b].free, gap);
+  }
+  energy = assembly_.team().sum(energy);
+  if (multiplier.size() == gap.size()) energy += multiplier.dot(gap);
+  return std::sqrt(std::max(0.0, energy));
 }
 
 }  // namespace creepcontact::creep

@@ -362,8 +362,7 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
     if (step.factors != factors_) continue;
     memory[kept_name("time", k)] = {step.time};
     for (std::size_t b = 0; b < work_.size(); ++b) {
-      memory[kept_name("factored", k, b)] = step.displacements[b].factored;
-      memory[kept_name("free", k, b)] = step.displacements[b].free;
+      memory[kept_name("free", k, b)] = step.displacements[b];
     }
     ++k;
   }
@@ -389,8 +388,7 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   for (std::size_t k = 0; memory.contains(kept_name("time", k)); ++k) {
     history.accepted.push_back({memory.at(kept_name("time", k)).at(0), {}, factors_});
     for (std::size_t b = 0; b < work_.size(); ++b)
-      history.accepted.back().displacements.push_back(
-          {memory.at(kept_name("factored", k, b)), memory.at(kept_name("free", k, b))});
+      history.accepted.back().displacements.push_back(memory.at(kept_name("free", k, b)));
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "counting.hpp"
 #include "long_messages.hpp"
 #include "node_ordering.hpp"
 
@@ -103,6 +104,9 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
     prepare();
   }
 
+  MumpsCholesky& operator=(const MumpsCholesky&) = delete;
+  ~MumpsCholesky() override { set_factor_bytes(0); }
+
   std::unique_ptr<StiffnessSolver> same_pattern() const override { return std::make_unique<MumpsCholesky>(*this); }
 
   void factorize(const linalg::SparseMatrix& lower) override {
@@ -124,6 +128,8 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
       status = mumps_.run(factor);
     }
     data.a_loc = nullptr;
+    counting().factorization_flops += data.rinfo[2];
+    set_factor_bytes(8.0 * (mumps_.info(9) < 0 ? -1e6 * mumps_.info(9) : mumps_.info(9)));
     constexpr int zero_pivot = -10;
     if (status == zero_pivot) throw linalg::SingularMatrix{-1, 0};
     if (status < 0) fail("factorise", mumps_);
@@ -171,6 +177,10 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
   double rcond() const override { return rcond_; }
 
  private:
+  void set_factor_bytes(double bytes) {
+    counting().factor_bytes += bytes - own_factor_bytes_;
+    own_factor_bytes_ = bytes;
+  }
   void set_pattern(const linalg::SparseMatrix& lower) {
     rows_.reserve(lower.nonZeros());
     columns_.reserve(lower.nonZeros());
@@ -288,6 +298,7 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
   std::vector<int> counts_, starts_;  // of the parts of the solution of all processes
   std::vector<std::int32_t> places_;  // the unknowns of these parts
   linalg::SingleTask nothing_;
+  double own_factor_bytes_ = 0;
 };
 
 }  // namespace

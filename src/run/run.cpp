@@ -108,6 +108,29 @@ void require_one_model(const Team& team, const config::Config& config, const mod
   });
 }
 
+/// Collective; empty for one process.
+std::string table_of_processes(const Processes& processes, const creep::Distribution& distribution) {
+  if (!processes.work) return {};
+  double n_elements = 0, n_points = 0;
+  for (const mechanics::Body& body : distribution.own().bodies()) {
+    n_elements += static_cast<double>(body.discretization().n_elements());
+    n_points += static_cast<double>(body.discretization().n_points());
+  }
+  std::vector<std::pair<std::string, double>> own{
+      {"elements", n_elements}, {"integration points", n_points}, {"memory [MB]", platform::peak_memory() / (1 << 20)}};
+  for (auto& item : processes.work()) own.push_back(std::move(item));
+  std::vector<double> values;
+  for (const auto& [name, value] : own) values.push_back(value);
+  const std::vector<double> all = processes.team->gather(values);
+  std::string text = "  processes:\n";
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    text += fmt::format("    {:<30}", own[i].first);
+    for (std::size_t first = 0; first < all.size(); first += own.size()) text += fmt::format("{:>12.5g}", all[first + i]);
+    text += '\n';
+  }
+  return text;
+}
+
 Diagnosis diagnosis(const creep::CreepSystem& system) {
   Diagnosis result;
   const std::vector<double> times = system.relaxation_times(system.step_evaluation());
@@ -255,6 +278,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   result.details = work_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
   if (loop.resumed())
     result.details += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
+  result.details += table_of_processes(options.processes, distribution);
   result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
   for (const std::string& line : result.advice) warnings.add(line);
   if (team.any(!result.advice.empty())) write_summary(summary.status, summary.message);

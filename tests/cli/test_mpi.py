@@ -87,6 +87,14 @@ class MpiContact(MpiTest):
         self.expect_equal_runs("blade_root", (2,), "time.end=1e4", "time.integrator=cvode_adams")
 
 
+    def test_stiffness_that_changes_in_time(self):
+        self.expect_equal_runs("start_stop_cycles", (3,), "time.end=500")
+
+    def test_preloads_and_friction(self):
+        self.expect_equal_runs("bolted_flange", (2,), "time.end=100")
+        self.expect_equal_runs("press_fit_torque", (3,))
+
+
 class MpiEnds(MpiTest):
     def expect_error(self, processes, status, sentence, *arguments, **more):
         done = self.done(processes, *arguments, **more)
@@ -106,8 +114,9 @@ class MpiEnds(MpiTest):
                           "--set", "time.integrator=cvode_bdf", "--set", "time.linear_solver=tangent")
         self.expect_error(2, 2, "more than contact_solver.dense_limit_mb allows", "run", fit, "--output", "out", "--set",
                           "contact_solver.dense_limit_mb=1e-6")
-        self.expect_error(2, 2, "body 'shaft': elastic constants that change in time are not yet possible", "run",
-                          ROOT / "configs" / "start_stop_cycles.toml", "--output", "out")
+        self.expect_error(2, 2, "depends on the mean stress, which these elements smooth over their neighbours", "run",
+                          "cube.toml", "--output", "out", "--set", "materials.steel.creep=[{law='kachanov_rabotnov', "
+                          "A=3.125e-14, n=5, B=1e-12, r=4, phi=4, alpha=0.5}]")
 
     def test_an_error_at_the_points_of_any_process_is_one_of_all(self):
         for place in ("10*x", "10*y"):

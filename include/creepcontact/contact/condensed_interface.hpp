@@ -80,6 +80,8 @@ class CondensedInterface {
   const ContactProblem& problem() const { return problem_; }
   const RigidBodyModes& rigid_body_modes() const { return rigid_body_modes_; }
   Index n_rows() const { return problem_.n_rows(); }
+  /// See immovable_rows(); of the first factors.
+  const std::vector<int>& immovable() const { return immovable_; }
   const BodyRows& rows(std::size_t body) const { return rows_[body]; }
   /// Free dofs that the factor of the body eliminates last: those that its contact rows touch. Only if is_dense().
   std::span<const std::int64_t> trailing(std::size_t body) const { return sides_[body].trailing; }
@@ -99,6 +101,8 @@ class CondensedInterface {
   /// True in the process that has the dense matrices, and solves the contact problem for all. In the others problem() has
   /// nodes and rigid-body modes, but no flexibilities, and add_trace() and add_multipliers() do nothing.
   bool is_here() const { return team_.rank() == 0; }
+  /// gap += B u. @param u  displacement on the free dofs of the body
+  void add_gaps(std::size_t body, std::span<const double> u, Eigen::VectorXd& gap) const;
   /// gap += G^T y2. @param y  L^-1 P f on all free dofs of the body
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap);
   /// The load in the form the contact solver takes. Warns once if, along an unconstrained mode, the loads are out of

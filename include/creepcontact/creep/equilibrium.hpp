@@ -17,10 +17,8 @@ struct BodyState {
   std::vector<double> stress;        ///< n_points x 6, Mandel order
 };
 
-/// Displacement of a body in terms of its factor: y = L^T u (permuted), and u on the free dofs. Empty: u = 0.
-struct FactoredDisplacement {
-  std::vector<double> factored, free;  ///< n_free each
-};
+/// Displacements of all bodies on their free dofs, n_free each; a body without numbers: u = 0.
+using FreeDisplacements = std::vector<std::vector<double>>;
 
 /// Slip of contacts with friction up to some time. Vectors over rows are zero but in tangential rows.
 struct SlipHistory {
@@ -46,8 +44,8 @@ struct Equilibrium {
   std::vector<double> interference;  ///< of preloaded contacts, per pair; zero for others
   SlipHistory friction;              ///< what the history becomes if this is accepted; empty without friction
   double stiffness_scale = 1;        ///< s: stiffness at this time relative to that of the factors
-  std::vector<FactoredDisplacement> displacements;  ///< one per body; empty unless the stiffness changes in time
-  std::int64_t factors = 0;                         ///< number of the factorisation that `displacements` refer to
+  FreeDisplacements displacements;  ///< empty unless the stiffness changes in time
+  std::int64_t factors = 0;         ///< number of the factorisation with which they were found
 };
 
 /// What evaluations depend on in addition to their arguments. Only accepted steps change it, and checkpoints store it.
@@ -60,7 +58,7 @@ struct History {
   double preloaded_until = -1;  ///< preloads and relative pairs up to this time have been applied
   struct Accepted {
     double time = 0;
-    std::vector<FactoredDisplacement> displacements;
+    FreeDisplacements displacements;
     std::int64_t factors = 0;
   };
   std::vector<Accepted> accepted;         ///< the last two steps, latest first; only if the stiffness changes in time

@@ -140,6 +140,8 @@ class EquilibriumSolver {
   /// Weighted gaps of all rows from the interferences of preloads.
   Eigen::VectorXd interference_gaps(const std::vector<double>& interference) const;
   void forward();
+  /// Energy norm of the displacements that backward() left, for the right-hand sides and these multipliers.
+  double change_norm(const Eigen::VectorXd& multiplier) const;
   /// gap += the traces of the displacements that forward() left in terms of the factors.
   void add_traces(Eigen::VectorXd& gap);
   /// The change of contact with these gaps while what is closed stays closed.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/base/run_counters.hpp"
@@ -32,6 +33,8 @@ struct Processes {
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
   /// Deals out the elements of the bodies, in the same way on all processes. Not called for one process.
   std::function<creep::RankOfElement(const std::vector<mechanics::Body>& bodies)> deal = {};
+  /// What this process has done, by name with unit, the same names in all; for the table of the work of each.
+  std::function<std::vector<std::pair<std::string, double>>()> work = {};
 };
 
 /// Options that are not part of the configuration.

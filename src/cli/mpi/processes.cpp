@@ -15,6 +15,7 @@
 #include "creepcontact/mpi/mpi_team.hpp"
 #include "creepcontact/mpi/mumps_cholesky.hpp"
 #include "creepcontact/mpi/partition.hpp"
+#include "creepcontact/mpi/work_counters.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -57,6 +58,17 @@ run::Processes Processes::of_run() {
             std::vector<const mesh::Mesh*> meshes;
             for (const mechanics::Body& body : bodies) meshes.push_back(&body.mesh());
             return mpi::partition(meshes, *all);
+          },
+          .work = [] {
+            const mpi::WorkCounters of = mpi::work_counters();
+            constexpr double mega = 1e6, giga = 1e9;
+            return std::vector<std::pair<std::string, double>>{
+                {"factors [MB]", of.factor_bytes / mega},
+                {"factorisations [Gflop]", of.factorization_flops / giga},
+                {"messages", static_cast<double>(of.messages)},
+                {"  their content [MB]", of.bytes / mega},
+                {"collective operations", static_cast<double>(of.collectives)},
+                {"  own contributions [MB]", of.collective_bytes / mega}};
           }};
 }
 

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "creepcontact/mpi/work_counters.hpp"
+
+namespace creepcontact::mpi {
+
+/// Those of this process. MPI is called from one thread.
+WorkCounters& counting();
+
+}  // namespace creepcontact::mpi
