@@ -5,7 +5,7 @@
 include(CMakePackageConfigHelpers)
 
 if(TARGET creepcontact)
-  install(TARGETS creepcontact RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  install(TARGETS ${creepcontact_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   install(TARGETS creepcontact_mesher RUNTIME DESTINATION ${mesher_directory} COMPONENT program)
   install(FILES docs/creepcontact.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
   install(FILES completions/creepcontact DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
@@ -19,6 +19,7 @@ install(DIRECTORY configs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/creepcontact/con
 install(DIRECTORY include/creepcontact DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 get_property(modules GLOBAL PROPERTY CREEPCONTACT_MODULES)
+list(REMOVE_ITEM modules creepcontact_cli creepcontact_mpi)  # the programs' own
 foreach(target IN LISTS modules ITEMS creepcontact_options)
   string(REPLACE creepcontact_ "" export_name ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name})

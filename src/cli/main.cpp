@@ -15,10 +15,10 @@
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/cli/processes.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/platform/memory.hpp"
-#include "processes.hpp"
 #include "standard_output.hpp"
 
 namespace creepcontact::cli {

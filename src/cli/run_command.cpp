@@ -3,10 +3,10 @@
 #include "command.hpp"
 #include "creepcontact/base/cores.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/cli/processes.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
-#include "processes.hpp"
 #include "run_progress.hpp"
 #include "thread_settings.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <omp.h>
 
+#include "creepcontact/cli/processes.hpp"
 #include "creepcontact/run/threads.hpp"
-#include "processes.hpp"
 
 namespace creepcontact::cli {
 

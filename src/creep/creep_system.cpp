@@ -31,7 +31,8 @@ std::vector<double> min_strains(const Assembly& assembly, const ErrorScale& scal
   const StateLayout layout(assembly);
   std::vector<double> result;
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b)
-    result.push_back(layout.stride(b) > 0 ? min_share * tolerance * scale.strain()[b] : material::PointState{}.min_strain);
+    result.push_back(layout.stride(b) > 0 ? min_share * tolerance * scale.strain()[b]
+                                          : material::PointState{}.min_strain);
   return result;
 }
 
@@ -91,7 +92,8 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.laws.resize(laws_.points().size());
   together(team(), [&] {
     require_finite_stress(assembly(), into.equilibrium);
-    for (std::size_t b = 0; b < laws_.points().size(); ++b) laws_.points()[b].update(into.equilibrium.conditions[b], into.laws[b]);
+    for (std::size_t b = 0; b < laws_.points().size(); ++b)
+      laws_.points()[b].update(into.equilibrium.conditions[b], into.laws[b]);
   });
   into.valid = true;
 }
@@ -147,7 +149,8 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < laws_.points().size(); ++b)
     if (!laws_.points()[b].empty())
-      laws_.points()[b].derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)}, laws_.layout().part(b, product));
+      laws_.points()[b].derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
+                                   laws_.layout().part(b, product));
 }
 
 const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
@@ -164,7 +167,8 @@ void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty() && !local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
+    if (!laws_.points()[b].empty() && !local_[b])
+      preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
   local_gamma_ = 0;
 }
 
@@ -220,7 +224,8 @@ void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
   double smallest = 1;
   for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty()) smallest = std::min(smallest, laws_.points()[b].start_exponent(t, laws_.state(b, at, at.y)));
+    if (!laws_.points()[b].empty())
+      smallest = std::min(smallest, laws_.points()[b].start_exponent(t, laws_.state(b, at, at.y)));
   return team().min(smallest);
 }
 
@@ -233,7 +238,8 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
   const Evaluation& at = evaluate_step(stress_time, y);
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty()) laws_.points()[b].add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
+    if (!laws_.points()[b].empty())
+      laws_.points()[b].add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,

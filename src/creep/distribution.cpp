@@ -92,8 +92,8 @@ std::vector<double> Distribution::gather_states(std::span<const double> own) con
   std::vector<double> result;
   for (std::size_t v = 0; v < n_vectors; ++v)
     for (std::size_t b = 0; b < whole_.bodies().size(); ++b) {
-      const auto part = layout.size() > 0 ? layout.part(b, own.subspan(v * layout.size(), layout.size()))
-                                          : std::span<const double>();
+      const auto part =
+          layout.size() > 0 ? layout.part(b, own.subspan(v * layout.size(), layout.size())) : std::span<const double>();
       const std::vector<double> of_body = gather_points(b, layout.stride(b), part);
       result.insert(result.end(), of_body.begin(), of_body.end());
     }

@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "contact_broadcast.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
 
 namespace creepcontact::creep {
@@ -16,9 +16,9 @@ namespace {
 constexpr double exact = 1e-12;             // of the stiffness: rounding
 constexpr double stress_tolerance = 1e-10;  // of the stress in the body, energy norm: far below any integrator's
 constexpr double rounding = 1e-12;          // of the displacement, energy norm
-constexpr double stalled = 0.9;  // where an iteration changes more than this part of what the last did, it stands
-constexpr double farthest = 2;   // extrapolation, in steps
-constexpr int plain_iterations = 2;           // before round-off is thought of
+constexpr double stalled = 0.9;      // where an iteration changes more than this part of what the last did, it stands
+constexpr double farthest = 2;       // extrapolation, in steps
+constexpr int plain_iterations = 2;  // before round-off is thought of
 constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
 
 /// Twice the elastic energy, integral sigma H^-1 sigma.
@@ -94,7 +94,8 @@ void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>
   const auto lap = watch_.lap(Part::factorize);
   std::vector<std::size_t> changed;
   for (std::size_t b = 0; b < work_.size(); ++b)
-    if (assembly_.team().any(interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0))) changed.push_back(b);
+    if (assembly_.team().any(interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)))
+      changed.push_back(b);
   interface_.refactorize(changed, at);
   if (contact_solver_) contact_solver_->flexibility_changed();
   active_set_.flexibility_changed();

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
-#include "contact_broadcast.hpp"
 #include "fixed_contact_solve.hpp"
 
 namespace creepcontact::creep {
@@ -376,8 +376,7 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   history.interference = memory.at("contact.interference");
   history.preloaded_until = memory.at("contact.preloaded_until").at(0);
   history.reached = vector_of(memory.at("contact.reached"));
-  if (memory.at("contact.sweeps_given_up").at(0) != 0 && contact_solver_)
-    contact_solver_->give_up_sweeps();
+  if (memory.at("contact.sweeps_given_up").at(0) != 0 && contact_solver_) contact_solver_->give_up_sweeps();
   if (interface_.problem().has_friction()) restore_friction(memory, history);
   history.accepted.clear();
   if (!stiffness_changes_) return;

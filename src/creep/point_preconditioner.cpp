@@ -39,9 +39,8 @@ void PointPreconditioner::apply(double gamma, std::span<const double> r, std::sp
 
 void PointPreconditioner::apply_once(const PointsState& at, std::span<const material::StressTangent> tangents,
                                      double gamma, std::span<const double> r, std::span<double> z) {
-  numerics::for_each_index(tangents.size(), numerics::parallel_points, [&](std::size_t p) {
-    Local(at, tangents[p], p).apply(gamma, &r[6 * p], &z[6 * p]);
-  });
+  numerics::for_each_index(tangents.size(), numerics::parallel_points,
+                           [&](std::size_t p) { Local(at, tangents[p], p).apply(gamma, &r[6 * p], &z[6 * p]); });
 }
 
 }  // namespace creepcontact::creep

@@ -65,8 +65,9 @@ Body Body::part(std::span<const std::size_t> elements, const std::vector<char>& 
     std::vector<std::size_t> inner;
     for (const std::size_t element : elements)
       if (const auto own = impl_->discretization.inner(element)) inner.push_back(*own);
-    of_part->loads.push_back(std::make_unique<PartOfLoads>(
-        impl_->loads, 3 * (impl_->mesh.nodes.size() + impl_->discretization.n_inner()), loaded_nodes, std::move(inner)));
+    of_part->loads.push_back(
+        std::make_unique<PartOfLoads>(impl_->loads, 3 * (impl_->mesh.nodes.size() + impl_->discretization.n_inner()),
+                                      loaded_nodes, std::move(inner)));
   }
   return Body(std::move(of_part));
 }

@@ -10,9 +10,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "counting.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
-#include "counting.hpp"
 #include "long_messages.hpp"
 #include "node_ordering.hpp"
 
@@ -286,7 +286,7 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
   std::int64_t size_;
   std::vector<std::int64_t> trailing_;
   int rank_ = 0;
-  std::vector<MUMPS_INT> order_;          // on process 0
+  std::vector<MUMPS_INT> order_;           // on process 0
   std::vector<MUMPS_INT> rows_, columns_;  // of the entries of this process, from 1
   std::vector<MUMPS_INT> own_;             // unknowns with entries, from 1
   Instance mumps_;

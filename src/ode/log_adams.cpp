@@ -153,8 +153,8 @@ void LogAdams::correct(const StepClock::Target& target, double s) {
   const double weight = std::exp(history_.power * s);
   for_each_index(change_.size(), [&](std::size_t i) { change_[i] = weight * change_[i] - extrapolated_[i]; });
   if (JacobianProducts* jacobian = system_.jacobian()) {
-    jacobian->precondition_once(target.time, next_state_, integrals_[static_cast<std::size_t>(order_)] * weight, change_,
-                                work_);
+    jacobian->precondition_once(target.time, next_state_, integrals_[static_cast<std::size_t>(order_)] * weight,
+                                change_, work_);
     std::swap(change_, work_);
   }
 }

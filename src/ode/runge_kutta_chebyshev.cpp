@@ -47,9 +47,8 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
 
 RestartPoint RungeKuttaChebyshev::save() const {
   RestartPoint point = Integrator::save();
-  point.memory = {{"lost_time", {clock_.lost()}},
-                  {"radius", {radius_}},
-                  {"controlled", {controlled_step_, controlled_error_}}};
+  point.memory = {
+      {"lost_time", {clock_.lost()}}, {"radius", {radius_}}, {"controlled", {controlled_step_, controlled_error_}}};
   point.states["rate"] = rate_;
   return point;
 }

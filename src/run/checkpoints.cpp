@@ -11,9 +11,9 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string prefix = "integrator.";           // of its arrays
+const std::string prefix = "integrator.";                 // of its arrays
 const std::string state_prefix = "integrator.of_state.";  // of those like the state
-constexpr std::size_t max_differences = 5;  // named
+constexpr std::size_t max_differences = 5;                // named
 
 }  // namespace
 

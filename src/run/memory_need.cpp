@@ -63,12 +63,14 @@ std::string memory_shortage(const MemoryNeed& of_one, int processes_here) {
     if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
     cures.emplace_back("allow the program more memory");
     return fmt::format(
-        "the model needs about {} more memory{} (factors {}, contact matrices {}, integration points and nodes {}, state "
+        "the model needs about {} more memory{} (factors {}, contact matrices {}, integration points and nodes {}, "
+        "state "
         "and integrator {}{}), but only {} are left: {}; {}",
-        platform::memory_text(more), processes_here > 1 ? fmt::format(" for {} processes on this machine", processes_here) : "",
-        platform::memory_text(need.factors), platform::memory_text(need.contact),
-        platform::memory_text(need.points), platform::memory_text(need.state), also, platform::memory_text(room.bytes),
-        room.reason, fmt::join(cures, ", or "));
+        platform::memory_text(more),
+        processes_here > 1 ? fmt::format(" for {} processes on this machine", processes_here) : "",
+        platform::memory_text(need.factors), platform::memory_text(need.contact), platform::memory_text(need.points),
+        platform::memory_text(need.state), also, platform::memory_text(room.bytes), room.reason,
+        fmt::join(cures, ", or "));
   };
   if (const platform::Room room = platform::free_memory(); need.total() + small_things > room.bytes)
     return text(need.total() + small_things, "", room, 1);

@@ -18,7 +18,8 @@ struct MemoryNeed {
   double total() const { return factors + contact + points + state; }
 };
 
-/// What a run takes beyond its model. @param assembly  what this process has of it @param contact_bytes  the matrices of all contact zones
+/// What a run takes beyond its model. @param assembly  what this process has of it @param contact_bytes  the matrices
+/// of all contact zones
 /// @param of_factor  bytes of a body's factor, with those that its factorisation takes besides
 MemoryNeed memory_need(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor);

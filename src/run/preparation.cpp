@@ -16,10 +16,10 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
                                const Team& team) {
   if (config.time.linear_solver != settings::LinearSolver::tangent) return;
   if (team.size() > 1)
-    throw ConfigError(
-        fmt::format("{}: time.linear_solver = \"tangent\" is not yet possible on several processes; use one process, or "
-                    "\"krylov\"",
-                    config.file.string()));
+    throw ConfigError(fmt::format(
+        "{}: time.linear_solver = \"tangent\" is not yet possible on several processes; use one process, or "
+        "\"krylov\"",
+        config.file.string()));
   if (interface.is_dense()) return;
   throw ConfigError(
       fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "

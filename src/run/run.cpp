@@ -125,7 +125,8 @@ std::string table_of_processes(const Processes& processes, const creep::Distribu
   std::string text = "  processes:\n";
   for (std::size_t i = 0; i < own.size(); ++i) {
     text += fmt::format("    {:<30}", own[i].first);
-    for (std::size_t first = 0; first < all.size(); first += own.size()) text += fmt::format("{:>12.5g}", all[first + i]);
+    for (std::size_t first = 0; first < all.size(); first += own.size())
+      text += fmt::format("{:>12.5g}", all[first + i]);
     text += '\n';
   }
   return text;

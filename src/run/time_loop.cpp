@@ -291,8 +291,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
              [&] { results_->step(report, system_.run_counters() - before, system_.n_active_contacts()); });
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
-    if (distribution_.team().size() == 1)
-      table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
+    if (distribution_.team().size() == 1) table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());

@@ -18,6 +18,9 @@ LIBRARY_HOME = {
     "gmsh.h": "mesher",
     "boost/geometry": "mesh",
     "boost/process": "platform",
+    "mpi.h": "mpi",
+    "dmumps_c.h": "mpi",
+    "metis.h": "mpi",
     **{f"{part}/": "ode" for part in ("arkode", "cvode", "cvodes", "ida", "kinsol", "nvector", "sundials", "sunlinsol",
                                       "sunmatrix", "sunnonlinsol")},
 }

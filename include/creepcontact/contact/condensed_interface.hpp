@@ -98,8 +98,8 @@ class CondensedInterface {
   InterfaceLoad no_load() const;
   /// Adds the work of the external forces of a body on its rigid-body modes.
   void add_resultant(std::size_t body, const mechanics::BodyConditions& at, InterfaceLoad& load) const;
-  /// True in the process that has the dense matrices, and solves the contact problem for all. In the others problem() has
-  /// nodes and rigid-body modes, but no flexibilities, and add_trace() and add_multipliers() do nothing.
+  /// True in the process that has the dense matrices, and solves the contact problem for all. In the others problem()
+  /// has nodes and rigid-body modes, but no flexibilities, and add_trace() and add_multipliers() do nothing.
   bool is_here() const { return team_.rank() == 0; }
   /// gap += B u. @param u  displacement on the free dofs of the body
   void add_gaps(std::size_t body, std::span<const double> u, Eigen::VectorXd& gap) const;

@@ -10,9 +10,9 @@
 
 #include "creepcontact/creep/body_laws.hpp"
 #include "creepcontact/creep/elastic_survey.hpp"
-#include "creepcontact/creep/evaluation.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/creep/error_scale.hpp"
+#include "creepcontact/creep/evaluation.hpp"
 #include "creepcontact/creep/material_points.hpp"
 #include "creepcontact/creep/material_tangent.hpp"
 #include "creepcontact/creep/point_preconditioner.hpp"

@@ -44,8 +44,8 @@ struct Equilibrium {
   std::vector<double> interference;  ///< of preloaded contacts, per pair; zero for others
   SlipHistory friction;              ///< what the history becomes if this is accepted; empty without friction
   double stiffness_scale = 1;        ///< s: stiffness at this time relative to that of the factors
-  FreeDisplacements displacements;  ///< empty unless the stiffness changes in time
-  std::int64_t factors = 0;         ///< number of the factorisation with which they were found
+  FreeDisplacements displacements;   ///< empty unless the stiffness changes in time
+  std::int64_t factors = 0;          ///< number of the factorisation with which they were found
 };
 
 /// What evaluations depend on in addition to their arguments. Only accepted steps change it, and checkpoints store it.

@@ -180,7 +180,8 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
   ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
   {
     System system(config);
-    TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model), system.watch, parts, false);
+    TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
+                  system.watch, parts, false);
     int outputs = 3;
     loop.after_output = [&] {
       if (--outputs == 0) std::raise(SIGINT);

@@ -33,8 +33,7 @@ class MumpsCholesky : public testing::Test {
   std::vector<double> part(const Eigen::VectorXd& whole, const linalg::SparseMatrix& own) const {
     std::vector<double> has(whole.size(), 0.0), result(whole.size(), 0.0);
     for (std::int64_t column = 0; column < own.outerSize(); ++column)
-      for (linalg::SparseMatrix::InnerIterator entry(own, column); entry; ++entry)
-        has[entry.row()] = has[column] = 1;
+      for (linalg::SparseMatrix::InnerIterator entry(own, column); entry; ++entry) has[entry.row()] = has[column] = 1;
     std::vector<double> owners = has;
     team.sum(owners);
     for (Index i = 0; i < whole.size(); ++i)
@@ -109,8 +108,8 @@ TEST_F(MumpsCholesky, NamesSingularMatricesOnAllProcesses) {
     singular.col(40) = singular.col(37);
     singular(40, 40) = singular(37, 37);
     const linalg::SparseMatrix own = shared_out(linalg::testing::lower_of(singular), team);
-    const auto solver =
-        mumps_cholesky(own, problem.node_of, in_trailing ? std::vector<std::int64_t>{37, 40} : std::vector<std::int64_t>{5});
+    const auto solver = mumps_cholesky(own, problem.node_of,
+                                       in_trailing ? std::vector<std::int64_t>{37, 40} : std::vector<std::int64_t>{5});
     EXPECT_THROW(solver->factorize(own), linalg::SingularMatrix);
   }
 }

@@ -159,7 +159,8 @@ TEST(EventsOfRuns, AreTheSameAfterAResume) {
       std::filesystem::remove_all(parts);
       {
         System system(config);
-        TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model), system.watch, parts, false);
+        TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
+                      system.watch, parts, false);
         int left = outputs;
         loop.after_output = [&] {
           if (--left == 0) std::raise(SIGINT);

@@ -11,7 +11,8 @@ namespace {
 double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs,
                        bool resume = false) {
   System system(config);
-  TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model), system.watch, directory, resume);
+  TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model), system.watch,
+                directory, resume);
   loop.after_output = [&] {
     if (--outputs == 0) std::raise(SIGINT);
   };
@@ -233,7 +234,8 @@ TEST(ResumeMistakes, ANewRunForgetsTheOldCheckpoints) {
   ASSERT_TRUE(std::filesystem::exists(out / "checkpoint.previous.h5"));
   {
     System system(config);
-    const TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model), system.watch, out,
+    const TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
+                        system.watch, out,
                         false);  // killed before its first step
   }
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.h5"));

@@ -15,7 +15,7 @@ struct Ending {
 };
 
 /// One object per program, made before anything else that takes part in the work. Each program has its own
-/// implementation (serial/processes.cpp, mpi/processes.cpp).
+/// implementation (src/serial, src/parallel).
 class Processes {
  public:
   Processes(int& argc, char**& argv);

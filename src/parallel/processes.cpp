@@ -1,4 +1,4 @@
-#include "../processes.hpp"
+#include "creepcontact/cli/processes.hpp"
 
 #include <fmt/format.h>
 
@@ -54,27 +54,30 @@ run::Processes Processes::of_run() {
   return {.team = all,
           .on_this_machine = all->size_on_machine(),
           .stiffness_solver = mpi::mumps_cholesky,
-          .deal = [](const std::vector<mechanics::Body>& bodies) {
-            std::vector<const mesh::Mesh*> meshes;
-            for (const mechanics::Body& body : bodies) meshes.push_back(&body.mesh());
-            return mpi::partition(meshes, *all);
-          },
-          .work = [] {
-            const mpi::WorkCounters of = mpi::work_counters();
-            constexpr double mega = 1e6, giga = 1e9;
-            return std::vector<std::pair<std::string, double>>{
-                {"factors [MB]", of.factor_bytes / mega},
-                {"factorisations [Gflop]", of.factorization_flops / giga},
-                {"messages", static_cast<double>(of.messages)},
-                {"  their content [MB]", of.bytes / mega},
-                {"collective operations", static_cast<double>(of.collectives)},
-                {"  own contributions [MB]", of.collective_bytes / mega}};
-          }};
+          .deal =
+              [](const std::vector<mechanics::Body>& bodies) {
+                std::vector<const mesh::Mesh*> meshes;
+                for (const mechanics::Body& body : bodies) meshes.push_back(&body.mesh());
+                return mpi::partition(meshes, *all);
+              },
+          .work =
+              [] {
+                const mpi::WorkCounters of = mpi::work_counters();
+                constexpr double mega = 1e6, giga = 1e9;
+                return std::vector<std::pair<std::string, double>>{
+                    {"factors [MB]", of.factor_bytes / mega},
+                    {"factorisations [Gflop]", of.factorization_flops / giga},
+                    {"messages", static_cast<double>(of.messages)},
+                    {"  their content [MB]", of.bytes / mega},
+                    {"collective operations", static_cast<double>(of.collectives)},
+                    {"  own contributions [MB]", of.collective_bytes / mega}};
+              }};
 }
 
 bool Processes::share(const std::string& command) {
   if (command == "study")
-    throw ConfigError("creepcontact-mpi makes no studies, whose runs are processes of their own; use creepcontact study");
+    throw ConfigError(
+        "creepcontact-mpi makes no studies, whose runs are processes of their own; use creepcontact study");
   return command == "run";
 }
 

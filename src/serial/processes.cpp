@@ -1,4 +1,4 @@
-#include "../processes.hpp"
+#include "creepcontact/cli/processes.hpp"
 
 #include <fmt/format.h>
 
