@@ -54,7 +54,7 @@ int run(const Command& self, const Arguments& arguments) {
   }
   if (!quiet) {
     std::cout << result.report << (verbose ? result.details : "");
-    for (const std::string& line : result.advice) log::warning("{}", line);
+    for (const std::string& advice : result.advice) log::warning("{}", advice);
   }
   return result.exit_status;
 }
