@@ -35,6 +35,7 @@ Elements elements_of(const mesh::Mesh& mesh) {
 
 /// Parts that share faces (in sections edges) are neighbours.
 std::vector<idx_t> pieces(Elements& elements, const mesh::Mesh& mesh, idx_t n_parts) {
+  if (n_parts == 1) return std::vector<idx_t>(elements.size(), 0);  // METIS divides by zero
   idx_t n_elements = static_cast<idx_t>(elements.size()), n_nodes = static_cast<idx_t>(mesh.nodes.size());
   idx_t common = mesh.section.dimension(), cut = 0;
   std::vector<idx_t> of_element(elements.size()), of_node(mesh.nodes.size());
