@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
+#include "creepcontact/cli/processes.hpp"
 
 namespace creepcontact::cli {
 
@@ -37,7 +38,7 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
   all.add_options()("positional", po::value(&positionals_));
   po::positional_options_description positions;
   positions.add("positional", most);
-  const std::string help = fmt::format("; see creepcontact {} --help", command_.name);
+  const std::string help = fmt::format("; see {} {} --help", Processes::program(), command_.name);
   try {
     // a beginning of a name is no name: it would hide mistypes and change its meaning with every new option
     const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
@@ -59,7 +60,7 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
     throw ConfigError(error.what() + help);
   }
   if (has("help")) {
-    std::cout << "creepcontact " << command_.name << ' ' << command_.usage << "\n\n"
+    std::cout << Processes::program() << ' ' << command_.name << ' ' << command_.usage << "\n\n"
               << command_.summary << "\n"
               << command_.details << '\n'
               << options_;

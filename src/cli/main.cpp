@@ -68,7 +68,7 @@ int dispatch(const Arguments& arguments) {
     std::cout << Processes::program() << " " CREEPCONTACT_VERSION "\n";
     return 0;
   }
-  if (first.empty()) throw ConfigError("no command; see creepcontact --help");
+  if (first.empty()) throw ConfigError(fmt::format("no command; see {} --help", Processes::program()));
   std::vector<std::string> names;
   for (const Command& command : commands()) {
     if (command.name == first) return command.execute(command, Arguments(arguments.begin() + 1, arguments.end()));
@@ -77,8 +77,8 @@ int dispatch(const Arguments& arguments) {
   const bool is_option = first.front() == '-';
   if (is_option) names = {"--help", "--version"};
   const std::string question = did_you_mean(first, names);
-  throw ConfigError(fmt::format("unknown {} '{}'{} See creepcontact --help", is_option ? "option" : "command", first,
-                                question.empty() ? "." : question));
+  throw ConfigError(fmt::format("unknown {} '{}'{} See {} --help", is_option ? "option" : "command", first,
+                                question.empty() ? "." : question, Processes::program()));
 }
 
 /// Every line is an error of its own (a configuration may have many).

@@ -35,9 +35,11 @@ int run(const Command& self, const Arguments& arguments) {
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
   if (line.has("threads")) line.require_within("threads", threads, cores());
 
-  config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
-  config.mesh.trust_geometry = line.has(trust_option);
   options.processes = Processes::of_run();
+  config::Config config;
+  together(*options.processes.team,
+           [&] { config = config::read(line.positional(), run::vocabulary(), overrides(line)); });
+  config.mesh.trust_geometry = line.has(trust_option);
   ThreadChoice choice(threads);
   if (quiet && Processes::is_first()) log::set_level(log::Level::warning);
   quiet = quiet || !Processes::is_first();

@@ -13,9 +13,10 @@ constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: oth
 constexpr double min_share_of_elastic = 1e-3;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
-/// At the first point; of several processes the largest.
-double young_modulus(const Team& team, const mechanics::BodyConditions& at) {
-  if (at.moduli.empty()) return team.max(0.0);
+/// At the first point; of several processes that share the body, the one that has it.
+double young_modulus(const Team& team, const mechanics::Body& body, const mechanics::BodyConditions& at) {
+  const auto& own = body.own_elements();
+  if (at.moduli.empty() || (own && (own->empty() || own->front() > 0))) return team.max(0.0);
   const material::Moduli& h = at.moduli.front();
   return team.max(h.mu * (3 * h.lambda + 2 * h.mu) / (h.lambda + h.mu));
 }
@@ -29,7 +30,7 @@ ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elas
   least_ = min_share_of_elastic * largest;
   for (std::size_t b = 0; b < strain_.size(); ++b)
     set(b, std::max(elastic_stress[b], min_share_of_largest * largest) /
-               young_modulus(assembly.team(), assembly.bodies()[b].at(0)));
+               young_modulus(assembly.team(), assembly.bodies()[b], assembly.bodies()[b].at(0)));
 }
 
 std::vector<double> ErrorScale::typical(const Assembly& assembly, const Equilibrium& at) {
@@ -54,7 +55,7 @@ void ErrorScale::follow(const Equilibrium& at) {
   const double largest = *std::ranges::max_element(stress);
   for (std::size_t b = 0; b < strain_.size(); ++b) {
     const double now = std::max({stress[b], min_share_of_largest * largest, least_}) /
-                       young_modulus(assembly_.team(), at.conditions[b]);
+                       young_modulus(assembly_.team(), assembly_.bodies()[b], at.conditions[b]);
     if (std::abs(now - strain_[b]) > steady * strain_[b]) set(b, now);
   }
 }

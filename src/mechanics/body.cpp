@@ -72,8 +72,8 @@ Body Body::part(std::span<const std::size_t> elements, const std::vector<char>& 
   return Body(std::move(of_part));
 }
 
-bool Body::is_whole() const {
-  return impl_->is_whole;
+const std::optional<std::vector<std::size_t>>& Body::own_elements() const {
+  return impl_->own_elements;
 }
 
 void Body::add_load(std::unique_ptr<const Load> load) {

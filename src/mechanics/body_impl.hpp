@@ -28,13 +28,13 @@ struct Body::Impl {
         mesh(whole.mesh),
         material(whole.material),
         supports(whole.supports),
-        discretization(whole.discretization.part(whole.mesh, elements)),
+        discretization(Discretization::part(whole.mesh, elements)),
         constraints(whole.constraints),
         parts(whole.parts),
         free_motions(whole.free_motions),
         fixing_dofs(whole.fixing_dofs),
         temperature(whole.temperature),
-        is_whole(false) {
+        own_elements(std::vector<std::size_t>(elements.begin(), elements.end())) {
     if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
   }
 
@@ -50,7 +50,7 @@ struct Body::Impl {
   std::optional<TemperatureField> temperature;
   std::unique_ptr<const TemperatureAtPositions> temperature_at_points;
   std::vector<std::unique_ptr<const Load>> loads;
-  bool is_whole = true;
+  std::optional<std::vector<std::size_t>> own_elements;  // of a part
 };
 
 }  // namespace creepcontact::mechanics

@@ -29,7 +29,7 @@ Discretization::Discretization(const mesh::Mesh& mesh) {
         blocks_, *entries_, coordinates_, weights_, [this](std::size_t entry) { return element_of_entry(entry); });
 }
 
-Discretization Discretization::part(const mesh::Mesh& mesh, std::span<const std::size_t> elements) const {
+mesh::Mesh some_elements(const mesh::Mesh& mesh, std::span<const std::size_t> elements) {
   mesh::Mesh some;
   some.nodes = mesh.nodes;
   some.section = mesh.section;
@@ -45,14 +45,19 @@ Discretization Discretization::part(const mesh::Mesh& mesh, std::span<const std:
     }
     first += cells.size();
   }
+  return some;
+}
+
+Discretization Discretization::part(const mesh::Mesh& mesh, std::span<const std::size_t> elements) {
   Discretization result;
-  result.append(some);
+  result.append(some_elements(mesh, elements));
   return result;
 }
 
 void Discretization::append(const mesh::Mesh& mesh) {
   n_nodes_ = mesh.nodes.size();
   nodes_ = mesh.nodes;
+  section_ = mesh.section;
   std::vector<std::int64_t> node_of_entry;
   for (const mesh::CellBlock& cells : mesh.blocks) {
     if (!mesh.is_bulk(cells.type) || cells.connectivity.empty()) continue;

@@ -22,6 +22,13 @@ std::optional<mesh::CellType> type_with_hourglass_modes(const mesh::Mesh& mesh) 
   return std::nullopt;
 }
 
+void add_own_hourglass_stiffness(const Body& body, const Eigen::VectorXd& diagonal, linalg::SparseMatrix& lower) {
+  if (const auto& own = body.own_elements())
+    add_hourglass_stiffness(some_elements(body.mesh(), *own), diagonal, lower);
+  else
+    add_hourglass_stiffness(body.mesh(), diagonal, lower);
+}
+
 }  // namespace
 
 FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std::vector<std::int64_t>& trailing,
@@ -36,7 +43,7 @@ void FactoredBody::factorize(const BodyConditions& at) {
   try {
     solver_->factorize(usable ? analyzed : stiffness(at));
   } catch (const linalg::SingularMatrix& error) {
-    if (factored_ || !body_->is_whole() || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
+    if (factored_ || !type_with_hourglass_modes(body_->mesh())) report_singular(error);
     stabilize(at);
   }
   moduli_ = at.moduli;
@@ -48,7 +55,7 @@ void FactoredBody::stabilize(const BodyConditions& at) {
   linalg::SparseMatrix all = body_->full_stiffness(at);
   hourglass_diagonal_ = all.diagonal();
   all.coeffs().setZero();
-  add_hourglass_stiffness(body_->mesh(), hourglass_diagonal_, all);
+  add_own_hourglass_stiffness(*body_, hourglass_diagonal_, all);
   hourglass_ = body_->on_free_unknowns(all).pruned();
   stabilized_ = true;
   try {
@@ -64,14 +71,14 @@ void FactoredBody::stabilize(const BodyConditions& at) {
 
 linalg::SparseMatrix FactoredBody::stiffness(const BodyConditions& at) const {
   linalg::SparseMatrix all = body_->full_stiffness(at);
-  if (stabilized_) add_hourglass_stiffness(body_->mesh(), hourglass_diagonal_, all);
+  if (stabilized_) add_own_hourglass_stiffness(*body_, hourglass_diagonal_, all);
   return body_->on_free_unknowns(all);
 }
 
 linalg::SparseMatrix FactoredBody::stiffness(std::span<const Matrix6> moduli) const {
   linalg::SparseMatrix all = body_->discretization().stiffness(moduli);
   // The elastic one also here: it stands for no material, and creep does not relax it.
-  if (stabilized_) add_hourglass_stiffness(body_->mesh(), hourglass_diagonal_, all);
+  if (stabilized_) add_own_hourglass_stiffness(*body_, hourglass_diagonal_, all);
   return body_->on_free_unknowns(all);
 }
 

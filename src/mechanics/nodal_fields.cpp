@@ -101,10 +101,6 @@ Eigen::MatrixXd Discretization::to_corners(std::size_t element) const {
   return block_of(element).to_corners();
 }
 
-bool Discretization::has_plane_stress() const {
-  return blocks_.front()->has_plane_stress();
-}
-
 bool Discretization::fits_mean_stress() const {
   if (has_plane_stress()) return false;
   return reconstruction_ || std::ranges::any_of(blocks_, [](const auto& block) { return block->fits_mean_stress(); });

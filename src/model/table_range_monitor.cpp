@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "creepcontact/base/log.hpp"
 
@@ -11,6 +13,22 @@ namespace creepcontact::model {
 namespace {
 
 constexpr double rounding = 1e-9;  // of temperatures that are interpolated
+
+using Extreme = std::array<double, 4>;  // a temperature, and its place
+
+/// @param sign  1: the largest, -1: the smallest
+Extreme extreme(const mechanics::Body& body, const std::vector<double>& temperature, int sign, const Team& team) {
+  Extreme result{};
+  double rank_by = -std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < temperature.size(); ++p) {
+    if (!(sign * temperature[p] > rank_by)) continue;
+    rank_by = sign * temperature[p];
+    const Vector3& x = body.discretization().point_coordinates()[p];
+    result = {temperature[p], x[0], x[1], x[2]};
+  }
+  team.broadcast(result, team.rank_of_max(rank_by));
+  return result;
+}
 
 }  // namespace
 
@@ -26,32 +44,30 @@ TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
 }
 
 void TableRangeMonitor::see(double t, const std::vector<mechanics::Body>& bodies,
-                            const std::vector<mechanics::BodyConditions>& conditions) {
+                            const std::vector<mechanics::BodyConditions>& conditions, const Team& team) {
   if (tables_.empty() || time_ == t || (time_ && !changes_in_time_)) return;
   time_ = t;
-  for (std::size_t b = 0; b < bodies.size(); ++b) see(bodies[b], conditions[b]);
+  for (std::size_t b = 0; b < bodies.size(); ++b) see(bodies[b], conditions[b], team);
 }
 
-void TableRangeMonitor::see(const mechanics::Body& body, const mechanics::BodyConditions& at) {
+void TableRangeMonitor::see(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team) {
   const auto found = tables_.find(body.material().name);
   if (found == tables_.end()) return;
-  const std::vector<double>& given = at.temperature;
-  const std::span<const double> temperature =
-      given.empty() ? std::span<const double>(&body.material().reference_temperature, 1) : given;
-  const auto extremes = std::minmax_element(temperature.begin(), temperature.end());
-  const auto coldest = extremes.first, hottest = extremes.second;
+  const bool has_temperature = team.any(!at.temperature.empty());
+  const double reference = body.material().reference_temperature;
+  const Extreme hottest = has_temperature ? extreme(body, at.temperature, 1, team) : Extreme{reference};
+  const Extreme coldest = has_temperature ? extreme(body, at.temperature, -1, team) : Extreme{reference};
   std::erase_if(found->second, [&](const Table& table) {
     const double margin = rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
-    const bool above = *hottest > table.range.high + margin;
-    if (!above && !(*coldest < table.range.low - margin)) return false;
-    const auto worst = above ? hottest : coldest;
+    const bool above = hottest[0] > table.range.high + margin;
+    if (!above && !(coldest[0] < table.range.low - margin)) return false;
+    const Extreme& worst = above ? hottest : coldest;
     std::string where = "the reference temperature";
-    if (!given.empty()) {
-      const Vector3& x = body.discretization().point_coordinates()[worst - temperature.begin()];
-      where = fmt::format("the temperature at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g},", x[0], x[1], x[2], at.time);
-    }
+    if (has_temperature)
+      where = fmt::format("the temperature at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g},", worst[1], worst[2], worst[3],
+                          at.time);
     log::warning("material '{}': {}: {} is {:.6g}, outside its table ({:.6g} .. {:.6g}); the end value is used",
-                 found->first, table.what, where, *worst, table.range.low, table.range.high);
+                 found->first, table.what, where, worst[0], table.range.low, table.range.high);
     return true;
   });
   if (found->second.empty()) tables_.erase(found);

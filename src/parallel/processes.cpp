@@ -23,7 +23,7 @@ namespace {
 const mpi::MpiTeam* all = nullptr;  // while the object lives
 
 /// For processes that have failed: others may need as long to come to an end.
-constexpr std::chrono::seconds longest_wait{20};
+constexpr std::chrono::seconds longest_wait{10};
 
 }  // namespace
 
@@ -35,7 +35,9 @@ struct Processes::Impl {
 
 Processes::Processes(int& argc, char**& argv) : impl_(std::make_unique<Impl>(argc, argv)) {
   all = &impl_->team;
-  if (!is_first()) log::set_level(log::Level::off);
+  if (is_first()) return;
+  log::set_level(log::Level::off);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);  // one process says that it ends
 }
 
 Processes::~Processes() {

@@ -1,6 +1,7 @@
 #include "creepcontact/results/damage_monitor.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "creepcontact/base/log.hpp"
 
@@ -36,20 +37,24 @@ void DamageMonitor::output(const creep::Evaluation& at) {
 
 void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<const double> y) {
   const std::vector<mechanics::Body>& bodies = system_.assembly().bodies();
+  const Team& team = system_.assembly().team();
   std::vector<mechanics::CreepStrainView> views;
   system_.layout().views(y, views);
-  for (std::size_t b = 0; b < bodies.size() && !warned_of_strain_; ++b)
-    for (std::size_t p = 0; !views[b].empty() && p < bodies[b].discretization().n_points(); ++p) {
+  for (std::size_t b = 0; b < bodies.size() && !warned_of_strain_; ++b) {
+    std::array<double, 4> large{};  // the strain, if it is large, and its place
+    for (std::size_t p = 0; !views[b].empty() && large[0] == 0 && p < bodies[b].discretization().n_points(); ++p) {
       const double strain = tensor::equivalent_strain(views[b].at(p));
-      if (!(strain > small_strain)) continue;
       const Vector3& x = bodies[b].discretization().point_coordinates()[p];
-      log::warning(
-          "body '{}': the creep strain has reached {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory assumes "
-          "small strain. Check the units of the creep constants of material '{}', or end the run earlier",
-          bodies[b].name(), strain, x.x(), x.y(), x.z(), time, bodies[b].material().name);
-      warned_of_strain_ = true;
-      break;
+      if (strain > small_strain) large = {strain, x.x(), x.y(), x.z()};
     }
+    team.broadcast(large, team.rank_of_max(large[0] > 0 ? 1 : 0));
+    if (large[0] == 0) continue;
+    log::warning(
+        "body '{}': the creep strain has reached {:.3g} at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}; the theory assumes "
+        "small strain. Check the units of the creep constants of material '{}', or end the run earlier",
+        bodies[b].name(), large[0], large[1], large[2], large[3], time, bodies[b].material().name);
+    warned_of_strain_ = true;
+  }
   for (std::size_t b = 0; b < bodies.size() && !warned_of_life_; ++b) {
     const auto life = system_.largest(material::life_fraction, b, at, y);
     if (!life || !(life->value > 1)) continue;

@@ -54,30 +54,30 @@ int affordable_threads(int wanted) {
 }
 
 std::string memory_shortage(const MemoryNeed& of_one, int processes_here) {
-  const MemoryNeed need{processes_here * of_one.factors, of_one.contact, processes_here * of_one.points,
-                        processes_here * of_one.state};
-  const auto text = [&](double more, const std::string& also, const platform::Room& room, int threads) {
+  const auto text = [](const MemoryNeed& need, double more, int processes, const std::string& also,
+                       const platform::Room& room, int threads) {
     std::vector<std::string> cures;
-    if (processes_here > 1) cures.emplace_back("use fewer processes on this machine, or more machines");
+    if (processes > 1) cures.emplace_back("use fewer processes on this machine, or more machines");
     if (threads > 1) cures.emplace_back("use --threads 1");
     if (need.total() > considerable * more) cures.emplace_back("make the mesh coarser");
     cures.emplace_back("allow the program more memory");
     return fmt::format(
         "the model needs about {} more memory{} (factors {}, contact matrices {}, integration points and nodes {}, "
-        "state "
-        "and integrator {}{}), but only {} are left: {}; {}",
-        platform::memory_text(more),
-        processes_here > 1 ? fmt::format(" for {} processes on this machine", processes_here) : "",
+        "state and integrator {}{}), but only {} are left: {}; {}",
+        platform::memory_text(more), processes > 1 ? fmt::format(" for {} processes on this machine", processes) : "",
         platform::memory_text(need.factors), platform::memory_text(need.contact), platform::memory_text(need.points),
         platform::memory_text(need.state), also, platform::memory_text(room.bytes), room.reason,
         fmt::join(cures, ", or "));
   };
-  if (const platform::Room room = platform::free_memory(); need.total() + small_things > room.bytes)
-    return text(need.total() + small_things, "", room, 1);
+  const MemoryNeed of_all{processes_here * of_one.factors, of_one.contact, processes_here * of_one.points,
+                          processes_here * of_one.state};
+  if (const platform::Room room = platform::free_memory(); of_all.total() + small_things > room.bytes)
+    return text(of_all, of_all.total() + small_things, processes_here, "", room, 1);
   const int threads = omp_get_max_threads();
-  const double reserved = linalg::blas_address_space(threads), all = need.total() + small_things + reserved;
+  const double reserved = linalg::blas_address_space(threads), all = of_one.total() + small_things + reserved;
   if (const platform::Room room = platform::address_space(); all > room.bytes)
-    return text(all, fmt::format(", reserved for {} {}", threads_text(threads), platform::memory_text(reserved)), room,
+    return text(of_one, all, 1,
+                fmt::format(", reserved for {} {}", threads_text(threads), platform::memory_text(reserved)), room,
                 threads);
   return {};
 }

@@ -137,7 +137,6 @@ void TimeLoop::output(double t, std::span<const double> y) {
       results_->output(snapshot);
       probe_record_.output(t, results_->last_values());
       outcome_.output(t, at);
-      table_ranges_.see(at.time, model_.bodies(), at.conditions);
       if (t == 0 || is_end) see_uniqueness(at);
       if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
       if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at, "at the end");
@@ -145,6 +144,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     });
     last_output_ = t;
     life_.warn(t, own, own.y);
+    table_ranges_.see(own.time, system_.assembly().bodies(), own.equilibrium.conditions, distribution_.team());
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -291,7 +291,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
              [&] { results_->step(report, system_.run_counters() - before, system_.n_active_contacts()); });
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
-    if (distribution_.team().size() == 1) table_ranges_.see(last.time, model_.bodies(), last.equilibrium.conditions);
+    table_ranges_.see(last.time, system_.assembly().bodies(), last.equilibrium.conditions, distribution_.team());
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());

@@ -70,6 +70,28 @@ class MpiResults(MpiTest):
         self.expect_equal_runs("pressed_blocks", (1, 4), "time.integrator=cvode_bdf")
         self.expect_equal_runs("pressed_blocks", (5,), "time.integrator=beta_euler")
 
+    def expect_equal_cubes(self, *settings):
+        """One element on two processes, of which one has none."""
+        arguments = [word for setting in ("mesh.order=2", *settings) for word in ("--set", setting)]
+        warnings = []
+        for n, output in ((0, "serial"), (2, "spread")):
+            done = self.done(n, "run", "cube.toml", "--quiet", "--output", output, *arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            warnings.append([line for line in done.stderr.splitlines() if line.startswith("warning: ")])
+        self.expect_the_same(self.directory / "serial", self.directory / "spread")
+        self.assertEqual(warnings[0], warnings[1])
+        return warnings[0]
+
+    def test_a_law_that_fits_the_mean_stress_where_there_is_no_element(self):
+        self.expect_equal_cubes("materials.steel.creep=[{law='kachanov_rabotnov', A=3.125e-14, n=5, B=1e-12, r=4, phi=4, "
+                                "alpha=0.5}]")
+
+    def test_warnings_of_points_of_any_process(self):
+        warnings = self.expect_equal_cubes("temperature.value='20+x*t'", "materials.steel.young_modulus="
+                                           "{T=[0,40], values=[200e3,199e3]}")
+        self.assertEqual(len(warnings), 1)
+        self.assertIn("outside its table", warnings[0])
+
     def test_fields_and_reports_are_written_as_by_one_process(self):
         directories = [self.run_example(n, "shrink_fit", f"of_{n}") for n in (0, 3)]
         names = [sorted(path.name for path in directory.iterdir()) for directory in directories]

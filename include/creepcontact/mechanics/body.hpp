@@ -36,7 +36,9 @@ class Body {
   /// part Precondition: this body outlives the part
   Body part(std::span<const std::size_t> elements, const std::vector<char>& loaded_nodes) const;
   /// False for a part.
-  bool is_whole() const;
+  bool is_whole() const { return !own_elements().has_value(); }
+  /// The elements of a part, numbered as in the whole body; else nullopt.
+  const std::optional<std::vector<std::size_t>>& own_elements() const;
 
   /// Only while the model is built. A volume load refers to discretization() of this body.
   /// @throws ModelError if its forces at t = 0 are not finite; the body is then unchanged

@@ -38,6 +38,9 @@ struct ElasticState {
   const Moduli& at(std::size_t point) const { return moduli[moduli.size() == 1 ? 0 : point]; }
 };
 
+/// Nodes, section and some of the bulk cells of a mesh, without groups. @param elements  numbers among them, ascending
+mesh::Mesh some_elements(const mesh::Mesh& mesh, std::span<const std::size_t> elements);
+
 /// Creep is incompressible, so large creep strains make the total strain almost incompressible. To avoid locking, the
 /// volumetric part of the elastic strain (total less creep and thermal strain) is projected. In hex8 and wedge6 it is
 /// projected on a constant (B-bar, Hughes 1980), in quadratic elements on linear functions of the position (in hex20 to
@@ -53,7 +56,7 @@ class Discretization {
   explicit Discretization(const mesh::Mesh& mesh);
   /// That of some of its elements on the same nodes; possibly of none. It does not smooth (fit_mean_stress, to_nodes),
   /// which needs the neighbours. @param elements  ascending
-  Discretization part(const mesh::Mesh& mesh, std::span<const std::size_t> elements) const;
+  static Discretization part(const mesh::Mesh& mesh, std::span<const std::size_t> elements);
 
   std::size_t n_nodes() const;
   std::size_t n_elements() const;
@@ -129,7 +132,7 @@ class Discretization {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::MatrixXd reconstructed(const ElementBlock& block, std::size_t e, std::span<const double> means,
                                 const Eigen::Ref<const Rows>& at_points) const;
-  bool has_plane_stress() const;
+  bool has_plane_stress() const { return section_.analysis == settings::Analysis::plane_stress; }
   const ElementBlock& block_of(std::size_t element) const;
   std::span<const std::int64_t> coupled_nodes(std::size_t element) const;
   /// Entries (element, local node) are numbered block by block, element by element.
@@ -146,6 +149,7 @@ class Discretization {
   std::shared_ptr<const NodeEntries> entries_;
   std::shared_ptr<const LinearReconstruction> reconstruction_;
   std::size_t n_nodes_ = 0, n_elements_ = 0, n_points_ = 0, n_inner_ = 0;
+  mesh::Section section_;
   std::vector<Vector3> nodes_;
   std::vector<Vector3> coordinates_;
   std::vector<double> weights_;

@@ -28,7 +28,7 @@ class DamageMonitor {
 
   /// To be called at every output time.
   void output(const creep::Evaluation& at);
-  /// Warns, once each, if creep strains are no longer small, or if life is used up.
+  /// Warns, once each, if creep strains are no longer small, or if life is used up. Collective.
   /// @param at  evaluation of this state or of one close to it
   void warn(double time, const creep::Evaluation& at, std::span<const double> y);
 

@@ -28,7 +28,7 @@ class Temperatures : public testing::Test {
     TableRangeMonitor monitor(of);
     for (const double t : times) {
       system.rate.rate(t, state, rate);
-      monitor.see(t, system.model.bodies(), system.equilibrium().conditions);
+      monitor.see(t, system.model.bodies(), system.equilibrium().conditions, serial_team());
     }
     return testing::internal::GetCapturedStderr();
   }
