@@ -18,13 +18,15 @@ using Extreme = std::array<double, 4>;  // a temperature, and its place
 
 /// @param sign  1: the largest, -1: the smallest
 Extreme extreme(const mechanics::Body& body, const std::vector<double>& temperature, int sign, const Team& team) {
-  Extreme result{};
   double rank_by = -std::numeric_limits<double>::infinity();
-  for (std::size_t p = 0; p < temperature.size(); ++p) {
-    if (!(sign * temperature[p] > rank_by)) continue;
-    rank_by = sign * temperature[p];
-    const Vector3& x = body.discretization().point_coordinates()[p];
-    result = {temperature[p], x[0], x[1], x[2]};
+  for (const double value : temperature) rank_by = std::max(rank_by, sign * value);
+  // Where several points have it but for rounding, the first.
+  const auto first = std::ranges::find_if(
+      temperature, [=](double value) { return sign * value >= rank_by - rounding * std::abs(rank_by); });
+  Extreme result{};
+  if (first != temperature.end()) {
+    const Vector3& x = body.discretization().point_coordinates()[first - temperature.begin()];
+    result = {*first, x[0], x[1], x[2]};
   }
   team.broadcast(result, team.rank_of_max(rank_by));
   return result;
