@@ -87,8 +87,8 @@ std::vector<double> Distribution::gather_points(std::size_t body, std::size_t wi
 std::vector<double> Distribution::gather_states(std::span<const double> own) const {
   if (!own_) return {own.begin(), own.end()};
   const StateLayout layout(*own_);
-  const double vectors = layout.size() > 0 ? static_cast<double>(own.size() / layout.size()) : 0.0;
-  const auto n_vectors = static_cast<std::size_t>(team().max(vectors));
+  const std::size_t n_own_vectors = layout.size() > 0 ? own.size() / layout.size() : 0;
+  const auto n_vectors = static_cast<std::size_t>(team().max(static_cast<double>(n_own_vectors)));
   std::vector<double> result;
   for (std::size_t v = 0; v < n_vectors; ++v)
     for (std::size_t b = 0; b < whole_.bodies().size(); ++b) {

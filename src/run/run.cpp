@@ -120,6 +120,7 @@ std::string table_of_processes(const Processes& processes, const creep::Distribu
       {"elements", n_elements}, {"integration points", n_points}, {"memory [MB]", platform::peak_memory() / (1 << 20)}};
   for (auto& item : processes.work()) own.push_back(std::move(item));
   std::vector<double> values;
+  values.reserve(own.size());
   for (const auto& [name, value] : own) values.push_back(value);
   const std::vector<double> all = processes.team->gather(values);
   std::string text = "  processes:\n";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <numeric>
 
 #include "creepcontact/mpi/mpi_team.hpp"
