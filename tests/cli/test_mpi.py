@@ -12,7 +12,7 @@ import process_case
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MPI_PROGRAM = os.environ["CREEPCONTACT_MPI_PROGRAM"]
 MPIEXEC = os.environ["CREEPCONTACT_MPIEXEC"]
-LONGEST = 100  # seconds: a collective operation that one process misses waits for ever
+LONGEST = 250  # seconds: a collective operation that one process misses waits for ever
 
 
 def history(directory):
@@ -68,7 +68,7 @@ class MpiResults(MpiTest):
 
     def test_processes_without_elements(self):
         self.expect_equal_runs("pressed_blocks", (1, 4), "time.integrator=cvode_bdf")
-        self.expect_equal_runs("pressed_blocks", (5,), "time.integrator=beta_euler")
+        self.expect_equal_runs("pressed_blocks", (3,), "time.integrator=beta_euler")
 
     def expect_equal_cubes(self, *settings):
         """One element on two processes, of which one has none."""
