@@ -59,7 +59,7 @@ run::Processes Processes::of_run() {
           .deal =
               [](const std::vector<mechanics::Body>& bodies) {
                 std::vector<const mesh::Mesh*> meshes;
-            meshes.reserve(bodies.size());
+                meshes.reserve(bodies.size());
                 for (const mechanics::Body& body : bodies) meshes.push_back(&body.mesh());
                 return mpi::partition(meshes, *all);
               },
