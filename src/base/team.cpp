@@ -1,6 +1,7 @@
 #include "creepcontact/base/team.hpp"
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -65,15 +66,12 @@ Failure describe(const std::exception_ptr& failure) {
 }
 
 /// What `root` has, to all.
-Failure broadcast(const Team& team, Failure failure, int root) {
-  std::vector<double> header{static_cast<double>(failure.kind), static_cast<double>(failure.exit_status),
-                             static_cast<double>(failure.message.size())};
+Failure of_root(const Team& team, Failure failure, int root) {
+  std::array<double, 2> header{static_cast<double>(failure.kind), static_cast<double>(failure.exit_status)};
   team.broadcast(header, root);
-  std::vector<double> text(failure.message.begin(), failure.message.end());
-  text.resize(static_cast<std::size_t>(header[2]));
-  team.broadcast(text, root);
-  failure = {static_cast<Kind>(static_cast<int>(header[0])), static_cast<int>(header[1])};
-  for (const double letter : text) failure.message += static_cast<char>(letter);
+  broadcast(team, failure.message, root);
+  failure.kind = static_cast<Kind>(static_cast<int>(header[0]));
+  failure.exit_status = static_cast<int>(header[1]);
   return failure;
 }
 
@@ -102,6 +100,21 @@ const Team& serial_team() {
   return alone;
 }
 
+void broadcast(const Team& team, std::vector<double>& values, int root) {
+  if (team.size() == 1) return;
+  std::array<double, 1> size{static_cast<double>(values.size())};
+  team.broadcast(size, root);
+  values.resize(static_cast<std::size_t>(size[0]));
+  team.broadcast(values, root);
+}
+
+void broadcast(const Team& team, std::string& text, int root) {
+  std::vector<double> letters(text.begin(), text.end());
+  broadcast(team, letters, root);
+  text.clear();
+  for (const double letter : letters) text += static_cast<char>(letter);
+}
+
 void agree_on_failure(const Team& team, const std::exception_ptr& own) {
   const Failure failure = describe(own);
   const double weight = failure.kind == Kind::none ? 0.0 : is_fatal(failure.kind) ? 2.0 : 1.0;
@@ -111,10 +124,10 @@ void agree_on_failure(const Team& team, const std::exception_ptr& own) {
   const double its_weight = heaviest > team.size() ? 2 : 1;
   const int root = static_cast<int>(its_weight * team.size() - heaviest);
   if (root == team.rank()) {
-    broadcast(team, failure, root);
+    of_root(team, failure, root);
     std::rethrow_exception(own);
   }
-  raise(broadcast(team, {}, root));
+  raise(of_root(team, {}, root));
 }
 
 }  // namespace creepcontact

@@ -42,13 +42,13 @@ CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, 
   make_problem();
   make_rows();
   const bool dense = dense_bytes_ <= dense_bytes;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    factored_.emplace_back(bodies[b], at[b], dense ? sides_[b].trailing : std::vector<std::int64_t>(), make_solver);
   if (!dense && team_.size() > 1)
     throw ConfigError(fmt::format(
         "contact: its matrices would take {:.0f} MB, more than contact_solver.dense_limit_mb allows; without "
         "them contact cannot be solved on several processes: raise the limit, or use one process",
         dense_bytes_ / 1e6));
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    factored_.emplace_back(bodies[b], at[b], dense ? sides_[b].trailing : std::vector<std::int64_t>(), make_solver);
   if (admit) together(team_, [&] { admit(*this, dense ? dense_bytes_ : 0.0); });
   std::vector<std::size_t> all(bodies.size());
   std::iota(all.begin(), all.end(), 0);

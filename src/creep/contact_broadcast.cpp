@@ -13,13 +13,9 @@ class Parcel {
     lengths_.push_back(static_cast<double>(numbers.size()));
     content_.insert(content_.end(), numbers.begin(), numbers.end());
   }
-  void send(const Team& team, std::size_t n_vectors) {
-    lengths_.resize(n_vectors);
-    team.broadcast(lengths_, 0);
-    double total = 0;
-    for (const double length : lengths_) total += length;
-    content_.resize(static_cast<std::size_t>(total));
-    team.broadcast(content_, 0);
+  void send(const Team& team) {
+    creepcontact::broadcast(team, lengths_, 0);
+    creepcontact::broadcast(team, content_, 0);
   }
   std::vector<double> take() {
     const auto from = content_.begin() + static_cast<std::ptrdiff_t>(taken_);
@@ -35,8 +31,6 @@ class Parcel {
   std::vector<double> lengths_, content_;
   std::size_t next_ = 0, taken_ = 0;
 };
-
-constexpr std::size_t n_of_state = 6;
 
 void add(const contact::ContactState& state, Parcel& to) {
   to.add(state.multiplier);
@@ -63,7 +57,7 @@ void broadcast(const Team& team, contact::ContactState& state) {
   if (team.size() == 1) return;
   Parcel parcel;
   if (team.rank() == 0) add(state, parcel);
-  parcel.send(team, n_of_state);
+  parcel.send(team);
   take(parcel, state);
 }
 
@@ -75,7 +69,7 @@ void broadcast(const Team& team, contact::ContactResult& result) {
     parcel.add(result.gap);
     parcel.add(std::vector<double>{static_cast<double>(result.iterations), static_cast<double>(result.set_changes)});
   }
-  parcel.send(team, n_of_state + 2);
+  parcel.send(team);
   take(parcel, result.state);
   result.gap = parcel.take_vector();
   const std::vector<double> counts = parcel.take();

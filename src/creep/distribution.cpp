@@ -104,6 +104,7 @@ std::vector<double> Distribution::own_states(std::span<const double> whole) cons
   if (!own_) return {whole.begin(), whole.end()};
   std::vector<double> result;
   const std::size_t size = whole_layout_.size();
+  if (whole.empty()) return result;
   if (size == 0 || whole.size() % size != 0) throw std::invalid_argument("not a whole number of states");
   for (std::size_t v = 0; v < whole.size() / size; ++v)
     for (std::size_t b = 0; b < whole_.bodies().size(); ++b) {

@@ -361,9 +361,7 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
   for (const History::Accepted& step : history.accepted) {
     if (step.factors != factors_) continue;
     memory[kept_name("time", k)] = {step.time};
-    for (std::size_t b = 0; b < work_.size(); ++b) {
-      memory[kept_name("free", k, b)] = step.displacements[b];
-    }
+    for (std::size_t b = 0; b < work_.size(); ++b) memory[kept_name("free", k, b)] = step.displacements[b];
     ++k;
   }
 }

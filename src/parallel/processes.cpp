@@ -97,13 +97,11 @@ Ending Processes::end(const Ending& own) {
   }
   std::signal(SIGTERM, SIG_IGN);  // which mpirun sends to those that end a moment later than the first
   const int of = team.rank_of_max(own.status + (own.message.empty() ? 0 : 0.5));
-  std::vector<double> header{static_cast<double>(own.status), static_cast<double>(own.message.size())};
-  team.broadcast(header, of);
-  std::vector<double> text(own.message.begin(), own.message.end());
-  text.resize(static_cast<std::size_t>(header[1]));
-  team.broadcast(text, of);
-  Ending result{static_cast<int>(header[0])};
-  for (const double letter : text) result.message += static_cast<char>(letter);
+  Ending result = own;
+  std::array<double, 1> status{static_cast<double>(own.status)};
+  team.broadcast(status, of);
+  result.status = static_cast<int>(status[0]);
+  broadcast(team, result.message, of);
   return result;
 }
 

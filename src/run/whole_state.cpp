@@ -18,16 +18,8 @@ std::vector<double> WholeState::look(double t, std::span<const double> y,
     results::Snapshot snapshot(laws, system_.solver().interface(), t, at);
     result = f(snapshot);
   });
-  broadcast(distribution_.team(), result);
+  broadcast(distribution_.team(), result, 0);
   return result;
-}
-
-void broadcast(const Team& team, std::vector<double>& values) {
-  if (team.size() == 1) return;
-  std::vector<double> size{static_cast<double>(values.size())};
-  team.broadcast(size, 0);
-  values.resize(static_cast<std::size_t>(size[0]));
-  team.broadcast(values, 0);
 }
 
 }  // namespace creepcontact::run

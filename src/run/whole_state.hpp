@@ -30,7 +30,4 @@ class WholeState {
   creep::Evaluation space_;
 };
 
-/// Values of member 0, to all. Collective. @param values  their number matters on member 0 alone
-void broadcast(const Team& team, std::vector<double>& values);
-
 }  // namespace creepcontact::run

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace creepcontact {
@@ -53,6 +54,10 @@ class SerialTeam final : public Team {
 
 /// A SerialTeam that lives as long as the program.
 const Team& serial_team();
+
+/// What `root` has, to all; how much it is matters there alone. Collective.
+void broadcast(const Team& team, std::vector<double>& values, int root);
+void broadcast(const Team& team, std::string& text, int root);
 
 /// Collective. If local work has failed on any member, all members throw the same error. Fatal errors precede a
 /// RecoverableError; among equals, that of the lowest rank is thrown, with its message and type (those of

@@ -15,8 +15,7 @@ namespace creepcontact::creep {
 /// The member of the team that has each element, per body. The same on all members.
 using RankOfElement = std::vector<std::vector<std::int32_t>>;
 
-/// In a team of one nothing is spread: the own part is the whole, and gathering and scattering copy nothing they need
-/// not. Immutable.
+/// In a team of one nothing is spread: the own part is the whole. Immutable.
 class Distribution {
  public:
   /// @param whole, team  must outlive the object

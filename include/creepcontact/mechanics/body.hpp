@@ -32,11 +32,10 @@ class Body {
 
   /// This body as one of several processes has it: all nodes and constraints, but only some of the elements and loads.
   /// What it computes by element loops (stiffness, right-hand sides, residuals) are parts of sums over the processes.
-  /// @param elements  ascending; may be empty @param loaded_nodes  one mark per node: whose nodal forces are in this
-  /// part Precondition: this body outlives the part
+  /// Precondition: this body outlives the part
+  /// @param elements  ascending; may be empty
+  /// @param loaded_nodes  one mark per node: whose nodal forces are in this part
   Body part(std::span<const std::size_t> elements, const std::vector<char>& loaded_nodes) const;
-  /// False for a part.
-  bool is_whole() const { return !own_elements().has_value(); }
   /// The elements of a part, numbered as in the whole body; else nullopt.
   const std::optional<std::vector<std::size_t>>& own_elements() const;
 

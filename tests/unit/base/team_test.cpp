@@ -42,6 +42,19 @@ TEST(Team, HandsValuesAround) {
   EXPECT_TRUE(gathered[1].empty() && gathered[2].empty());
 }
 
+TEST(Team, HandsAroundWhatOneMemberAloneKnowsTheSizeOf) {
+  std::vector<std::vector<double>> values(3);
+  std::vector<std::string> texts(3);
+  on_team(3, [&](const Team& team) {
+    values[team.rank()].assign(team.rank(), 7.0);
+    texts[team.rank()] = std::string(2 - team.rank(), 'x');
+    broadcast(team, values[team.rank()], 2);
+    broadcast(team, texts[team.rank()], 0);
+  });
+  for (const std::vector<double>& of_member : values) EXPECT_EQ(of_member, (std::vector<double>{7, 7}));
+  for (const std::string& of_member : texts) EXPECT_EQ(of_member, "xx");
+}
+
 /// What local work, by rank, makes every member throw.
 std::string thrown(int n, const std::function<void(int rank)>& local) {
   std::vector<std::string> caught(n);

@@ -39,6 +39,7 @@ TEST(Distribution, GathersWhatItDealsOut) {
     own_sizes[team.rank()] = own.size();
     EXPECT_EQ(own.size(), 2 * creep::StateLayout(distribution.own()).size());
     gathered[team.rank()] = distribution.gather_states(own);
+    EXPECT_TRUE(distribution.own_states({}).empty()) << "of a model without creep";
   });
   EXPECT_EQ(gathered[0], two_states);
   EXPECT_TRUE(gathered[1].empty() && gathered[2].empty());
