@@ -1,4 +1,4 @@
-# Runs on several processes (creepcontact-mpi) need MPI, MUMPS and METIS.
+# Runs on several processes (creepcontact-mpi) need MPI, MUMPS, METIS and PETSc.
 find_package(MPI QUIET COMPONENTS C)
 find_path(MUMPS_INCLUDE dmumps_c.h)
 find_library(MUMPS_LIBRARY dmumps)
@@ -9,17 +9,26 @@ set(mpi_library ${MPI_C_LIBRARIES})
 list(POP_FRONT mpi_library mpi_library)
 get_filename_component(mpi_libraries "${mpi_library}" DIRECTORY)
 find_library(MPI_FORTRAN_LIBRARY NAMES mpi_mpifh mpifort HINTS ${mpi_libraries})
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+  pkg_check_modules(PETSC QUIET PETSc)
+endif()
 set(creepcontact_mpi_found OFF)
-if(MPI_C_FOUND AND MPI_FORTRAN_LIBRARY AND MUMPS_INCLUDE AND MUMPS_LIBRARY AND METIS_INCLUDE AND METIS_LIBRARY)
+if(MPI_C_FOUND AND MPI_FORTRAN_LIBRARY AND MUMPS_INCLUDE AND MUMPS_LIBRARY AND METIS_INCLUDE AND METIS_LIBRARY
+   AND PETSC_FOUND)
   set(creepcontact_mpi_found ON)
 endif()
-option(CREEPCONTACT_MPI "Build creepcontact-mpi, which runs on several processes (MPI, MUMPS, METIS)"
+option(CREEPCONTACT_MPI "Build creepcontact-mpi, which runs on several processes (MPI, MUMPS, METIS, PETSc)"
        ${creepcontact_mpi_found})
 if(CREEPCONTACT_MPI)
   if(NOT creepcontact_mpi_found)
-    message(FATAL_ERROR "CREEPCONTACT_MPI needs MPI, MUMPS and METIS (Debian: libopenmpi-dev libmumps-dev libmetis-dev)")
+    message(FATAL_ERROR "CREEPCONTACT_MPI needs MPI, MUMPS, METIS and PETSc "
+                        "(Debian: libopenmpi-dev libmumps-dev libmetis-dev libpetsc-real-dev)")
   endif()
   creepcontact_find_library(MUMPS dmumps_c.h dmumps)
   target_link_libraries(MUMPS::MUMPS INTERFACE ${MPI_FORTRAN_LIBRARY})
   creepcontact_find_library(METIS metis.h metis)
+  add_library(PETSc::PETSc INTERFACE IMPORTED)  # without the compiler options of its package
+  target_include_directories(PETSc::PETSc SYSTEM INTERFACE ${PETSC_INCLUDE_DIRS})
+  target_link_libraries(PETSc::PETSc INTERFACE ${PETSC_LINK_LIBRARIES})
 endif()

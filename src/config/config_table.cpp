@@ -43,6 +43,9 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
                     "linear equations between displacements of nodes"),
       field<Config>("contact_solver", &Config::contact_solver, contact_solver_table(),
                     "settings of the contact solver"),
+      field<Config>("linear_solver", &Config::linear_solver, linear_solver_table(),
+                    "solution with the elastic stiffness")
+          .changeable(),
       field<Config>("time", &Config::time, time_table(vocabulary), "time integration", Presence::required).changeable(),
       field<Config>("output", &Config::output, output_table(), "which results are written, and where").changeable(),
       field<Config>("probes", &Config::probes, tables(probe_table(vocabulary)), "columns of `history.csv`"),

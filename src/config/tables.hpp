@@ -23,6 +23,7 @@ Value<Equation> equation_table();
 /// Two different surfaces.
 Value<std::array<Reference, 2>> two_surfaces();
 Value<ContactSolver> contact_solver_table();
+Value<settings::StiffnessSettings> linear_solver_table();
 Value<Time> time_table(const Vocabulary& vocabulary);
 Value<Output> output_table();
 Value<Probe> probe_table(const Vocabulary& vocabulary);

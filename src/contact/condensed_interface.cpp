@@ -41,14 +41,24 @@ CondensedInterface::CondensedInterface(std::span<const mechanics::Body> bodies, 
   rigid_body_modes_.require_contact(pairs_);
   make_problem();
   make_rows();
-  const bool dense = dense_bytes_ <= dense_bytes;
-  if (!dense && team_.size() > 1)
+  const auto refuse_operator = [&] {
+    if (team_.size() == 1) return;
     throw ConfigError(fmt::format(
         "contact: its matrices would take {:.0f} MB, more than contact_solver.dense_limit_mb allows; without "
         "them contact cannot be solved on several processes: raise the limit, or use one process",
         dense_bytes_ / 1e6));
+  };
+  if (dense_bytes_ - condensed_bytes_ > dense_bytes) refuse_operator();  // before bodies are analysed
+  is_condensed_ = dense_bytes_ <= dense_bytes;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    factored_.emplace_back(bodies[b], at[b], dense ? sides_[b].trailing : std::vector<std::int64_t>(), make_solver);
+    factored_.emplace_back(bodies[b], at[b], is_condensed_ ? sides_[b].trailing : std::vector<std::int64_t>(),
+                           make_solver);
+  if (error_bound() > 0) {
+    is_condensed_ = false;
+    dense_bytes_ -= condensed_bytes_;
+  }
+  const bool dense = dense_bytes_ <= dense_bytes;
+  if (!dense) refuse_operator();
   if (admit) together(team_, [&] { admit(*this, dense ? dense_bytes_ : 0.0); });
   std::vector<std::size_t> all(bodies.size());
   std::iota(all.begin(), all.end(), 0);
@@ -71,6 +81,12 @@ void CondensedInterface::factorize(std::span<const std::size_t> bodies, Conditio
   const auto factorize_one = [&](std::size_t i) { factored_[bodies[i]].factorize(at[bodies[i]]); };
   if (team_.size() == 1) return linalg::for_each_factorization(entries, factorize_one);
   for (std::size_t i = 0; i < bodies.size(); ++i) factorize_one(i);  // all processes the same one
+}
+
+double CondensedInterface::error_bound() const {
+  double result = 0;
+  for (const mechanics::FactoredBody& body : factored_) result = std::max(result, body.solver().error_bound());
+  return result;
 }
 
 void CondensedInterface::make_operator(Conditions at) {
@@ -104,7 +120,8 @@ void CondensedInterface::make_rows() {
     for (const int row : rows.rows) rows.is_slaves.push_back(problem_.node(row).slave_body == static_cast<int>(b));
     sides_[b].trailing = contact_unknowns(rows.reduced);
     const auto n = static_cast<double>(rows.rows.size()), n_trailing = static_cast<double>(sides_[b].trailing.size());
-    dense_bytes_ += 8 * (n_trailing * (n + 1.5 * n_trailing) + n * n);  // G, L22 in the factor and copied, F_b
+    condensed_bytes_ += 8 * n_trailing * (n + 1.5 * n_trailing);  // G, L22 in the factor and copied
+    dense_bytes_ += 8 * n * n;                                    // F_b
 
     const Index n_motions = body.free_motions().size();
     const auto held = rigid_body_modes_.held().middleRows(rigid_body_modes_.first_of_body(b), n_motions);
@@ -113,6 +130,7 @@ void CondensedInterface::make_rows() {
     problem_.bodies[b].rows = rows.rows;
     rows_.push_back(std::move(rows));
   }
+  dense_bytes_ += condensed_bytes_;
   if (std::ranges::all_of(pairs_, [](const Pair& pair) { return pair.acts_always(); })) return;
   // Rows that act for a time may be all that there is against a motion: round-off must not seem to hold it.
   for (Index j = 0; j < problem_.rigid.cols(); ++j) {
@@ -121,7 +139,32 @@ void CondensedInterface::make_rows() {
   }
 }
 
+void CondensedInterface::solve_for_flexibility(std::size_t body) {
+  const RowMatrix& rows = rows_[body].reduced;
+  Eigen::MatrixXd& flexibility = problem_.bodies[body].matrix;
+  if (is_here()) flexibility.resize(rows.rows(), rows.rows());
+  if (rows.cols() == 0) {
+    flexibility.setZero();
+    return;
+  }
+  std::vector<double> u(rows.cols());
+  for (int r = 0; r < rows.rows(); ++r) {
+    std::ranges::fill(u, 0.0);
+    if (is_here())  // the parts of all processes are summed
+      for (RowMatrix::InnerIterator entry(rows, r); entry; ++entry) u[entry.col()] = entry.value();
+    factored_[body].solver().forward(u, u);
+    factored_[body].solver().backward(u, u);
+    if (is_here()) flexibility.col(r) = rows * Eigen::Map<const Eigen::VectorXd>(u.data(), rows.cols());
+  }
+  flexibility = ((flexibility + flexibility.transpose()) / 2).eval();
+}
+
 void CondensedInterface::condense(std::span<const std::size_t> bodies) {
+  if (!is_condensed_) {
+    for (const std::size_t b : bodies) solve_for_flexibility(b);
+    if (is_here()) sum_flexibilities();
+    return;
+  }
   together(team_, [&] {
     if (!is_here()) return;
     for (const std::size_t b : bodies) {
@@ -264,9 +307,9 @@ void CondensedInterface::add_gaps(std::size_t body, std::span<const double> u, E
 
 void CondensedInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) {
   const BodyRows& rows = rows_[body];
-  if (rows.rows.empty() || y.empty() || !is_here()) return;
-  if (!large_) {
-    gap(rows.rows) += sides_[body].condensed.gaps(y);
+  if (rows.rows.empty() || y.empty()) return;
+  if (is_condensed_) {
+    if (is_here()) gap(rows.rows) += sides_[body].condensed.gaps(y);
     return;
   }
   std::vector<double> u(y.size());
@@ -278,7 +321,7 @@ void CondensedInterface::add_multipliers(std::size_t body, const Eigen::VectorXd
   const BodyRows& rows = rows_[body];
   if (rows.rows.empty() || y.empty() || !is_here()) return;
   const Eigen::VectorXd own = multiplier(rows.rows);
-  if (large_) {
+  if (!is_condensed_) {
     Eigen::VectorXd forces = rows.reduced.transpose() * own;
     const std::span<double> in_place(forces.data(), y.size());
     factored_[body].solver().forward(in_place, in_place);

@@ -9,13 +9,13 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
+#include "vector_views.hpp"
 
 namespace creepcontact::creep {
 namespace {
 
-constexpr double exact = 1e-12;             // of the stiffness: rounding
-constexpr double stress_tolerance = 1e-10;  // of the stress in the body, energy norm: far below any integrator's
-constexpr double rounding = 1e-12;          // of the displacement, energy norm
+constexpr double exact = 1e-12;      // of the stiffness: rounding
+constexpr double rounding = 1e-12;   // of the displacement, energy norm
 constexpr double stalled = 0.9;      // where an iteration changes more than this part of what the last did, it stands
 constexpr double farthest = 2;       // extrapolation, in steps
 constexpr int plain_iterations = 2;  // before round-off is thought of
@@ -32,13 +32,6 @@ double elastic_energy(const mechanics::Discretization& discretization, const mec
     const double deviatoric = (sigma.squaredNorm() - 3 * mean * mean) / (2 * h.mu);
     return weights[p] * (deviatoric + mean * mean / (h.lambda + 2.0 / 3.0 * h.mu));
   });
-}
-
-Eigen::Map<Eigen::VectorXd> vector(std::vector<double>& values) {
-  return {values.data(), static_cast<Index>(values.size())};
-}
-Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& values) {
-  return {values.data(), static_cast<Index>(values.size())};
 }
 
 /// What the last two accepted steps lead to. @param steps  with the factors in use, the last one first; not empty
@@ -117,9 +110,9 @@ void EquilibriumSolver::solve(double t, CreepStrains creep, const History& histo
     refactorize(into.conditions);
     change = {};
   }
-  if (!iterate(creep, history, change, into)) {
+  if (!iterate(creep, history, change.solved_with(solver_error_), into)) {
     refactorize(into.conditions);
-    iterate(creep, history, {}, into);
+    iterate(creep, history, StiffnessChange().solved_with(solver_error_), into);
   }
   if (history.friction.slip.size() > 0) into.friction = slip_until(into, history);
 }
@@ -138,7 +131,7 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
   for (int iteration = 0;; ++iteration) {
     const double change = advance(given, from, creep, into);
     if (stiffness.rest <= exact) break;
-    if (contraction * change <= stress_tolerance * stress_norm(assembly_, into)) break;
+    if (contraction * change <= options_.stress_tolerance * stress_norm(assembly_, into)) break;
     const bool stands = change > stalled * before;
     if (stands || iteration >= plain_iterations) {
       if (!size) size = displacement_norm(assembly_, into);
@@ -176,7 +169,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   given.work /= stiffness.scale;
   given.force /= stiffness.scale;
   into.displacements.clear();
-  if (!stiffness_changes_) return given;
+  if (!iterates()) return given;
   std::vector<const History::Accepted*> steps;
   for (const History::Accepted& step : history.accepted)
     if (step.factors == factors_) steps.push_back(&step);
@@ -249,9 +242,9 @@ double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const con
   if (interface_.n_rows() > 0) solve_contact(load, from, into);
   backward(into.contact.multiplier);
   const auto lap = watch_.lap(Part::material);
-  const double change = stiffness_changes_ ? change_norm(into.contact.multiplier) : 0;
+  const double change = iterates() ? change_norm(into.contact.multiplier) : 0;
   for (std::size_t b = 0; b < work_.size(); ++b) {
-    if (stiffness_changes_) {
+    if (iterates()) {
       std::vector<double>& free = into.displacements[b];
       free.resize(work_[b].free.size());  // zeros at the start from no displacement
       vector(free) += vector(work_[b].free);

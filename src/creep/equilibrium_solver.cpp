@@ -9,7 +9,6 @@
 #include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
-#include "fixed_contact_solve.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -57,23 +56,6 @@ void restore_friction(const Memory& memory, History& history) {
   friction.turning_step = turning.at(2);
 }
 
-/// The contact of fixed_contact_solve(), near one state.
-struct ClosedRows {
-  contact::CondensedInterface& interface;
-  const std::function<contact::ContactState(const Eigen::VectorXd& gap)> change;
-
-  void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
-    interface.add_trace(body, y, gap);
-  }
-  contact::ContactState close(const Eigen::VectorXd& gap) const {
-    // Initial strains are in equilibrium with themselves: no resultants.
-    return change(gap);
-  }
-  void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
-    interface.add_multipliers(body, multiplier, y);
-  }
-};
-
 }  // namespace
 
 EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptions& options, Stopwatch& watch,
@@ -102,6 +84,7 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
     work_.push_back({std::vector<double>(n_free), std::vector<double>(n_free), std::vector<double>(n_free),
                      std::vector<double>(n_full), std::vector<double>(n_full)});
   }
+  solver_error_ = interface_.error_bound();
 }
 
 EquilibriumSolver::~EquilibriumSolver() = default;
@@ -166,36 +149,6 @@ contact::ContactState EquilibriumSolver::contact_change(const contact::ContactSt
 void EquilibriumSolver::set_recorder(contact::IterationRecorder* recorder) {
   recorder_ = recorder;
   if (contact_solver_) contact_solver_->set_recorder(recorder);
-}
-
-void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
-                                   std::vector<std::vector<double>>& stress) {
-  const std::size_t n_bodies = work_.size();
-  std::vector<FactoredSide> sides;
-  {
-    const auto lap = watch_.lap(Part::material);
-    for (std::size_t b = 0; b < n_bodies; ++b) {
-      mechanics::FactoredBody& factored = interface_.factored(b);
-      factored.body().initial_strain_force(factored.elastic(), creep_change[b], work_[b].free);
-      factored.body().clear_fixing_dofs(work_[b].free);
-      sides.push_back({&factored.solver(), work_[b].free});
-    }
-  }
-  ClosedRows rows{interface_, [&](const Eigen::VectorXd& gap) { return contact_change(at.contact, gap); }};
-  const contact::ContactState change = fixed_contact_solve(sides, interface_.n_rows(), rows, watch_);
-  const auto lap = watch_.lap(Part::material);
-  stress.resize(n_bodies);
-  for (std::size_t b = 0; b < n_bodies; ++b) {
-    const mechanics::FactoredBody& factored = interface_.factored(b);
-    const mechanics::Body& body = factored.body();
-    body.constraints().expand(work_[b].free, work_[b].no_displacement, work_[b].displacement);
-    interface_.add_rigid_motion(b, change.rigid, work_[b].displacement);
-    stress[b].resize(6 * body.discretization().n_points());
-    body.discretization().stress(work_[b].displacement, factored.elastic(), creep_change[b], stress[b]);
-    if (at.stiffness_scale != 1)
-      for (double& component : stress[b]) component *= at.stiffness_scale;
-  }
-  ++counters_.elastic_solves;
 }
 
 History EquilibriumSolver::new_history() const {
@@ -331,7 +284,7 @@ void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
   }
   history.friction = at.friction;
   history.contact = at.contact;
-  if (!stiffness_changes_) return;
+  if (!iterates()) return;
   std::vector<History::Accepted>& accepted = history.accepted;
   if (!accepted.empty() && accepted.front().time == at.time) accepted.erase(accepted.begin());
   accepted.insert(accepted.begin(), {at.time, at.displacements, at.factors});
@@ -354,9 +307,9 @@ void EquilibriumSolver::save(const History& history, Memory& memory) const {
   memory["contact.reached"].assign(history.reached.begin(), history.reached.end());
   memory["contact.sweeps_given_up"] = {contact_solver_ && contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
   if (history.friction.slip.size() > 0) save_friction(history, memory);
-  if (!stiffness_changes_) return;
-  for (std::size_t b = 0; b < work_.size(); ++b)
+  for (std::size_t b = 0; b < work_.size() && stiffness_changes_; ++b)
     memory["stiffness.factor_times"].push_back(interface_.factored(b).time());
+  if (!iterates()) return;
   std::size_t k = 0;
   for (const History::Accepted& step : history.accepted) {
     if (step.factors != factors_) continue;
@@ -377,11 +330,13 @@ void EquilibriumSolver::restore(const Memory& memory, History& history) {
   if (memory.at("contact.sweeps_given_up").at(0) != 0 && contact_solver_) contact_solver_->give_up_sweeps();
   if (interface_.problem().has_friction()) restore_friction(memory, history);
   history.accepted.clear();
-  if (!stiffness_changes_) return;
-  const std::vector<double>& factor_times = memory.at("stiffness.factor_times");
-  std::vector<mechanics::BodyConditions> at;
-  for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(factor_times.at(b)));
-  refactorize(at);
+  if (stiffness_changes_) {
+    const std::vector<double>& factor_times = memory.at("stiffness.factor_times");
+    std::vector<mechanics::BodyConditions> at;
+    for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(factor_times.at(b)));
+    refactorize(at);
+  }
+  if (!iterates()) return;
   for (std::size_t k = 0; memory.contains(kept_name("time", k)); ++k) {
     history.accepted.push_back({memory.at(kept_name("time", k)).at(0), {}, factors_});
     for (std::size_t b = 0; b < work_.size(); ++b)

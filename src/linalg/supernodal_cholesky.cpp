@@ -158,10 +158,8 @@ std::unique_ptr<StiffnessSolver> SupernodalCholesky::same_pattern() const {
   return std::unique_ptr<StiffnessSolver>(new SupernodalCholesky(std::make_unique<Impl>(*impl_)));
 }
 
-std::unique_ptr<StiffnessSolver> default_stiffness_solver(const SparseMatrix& lower,
-                                                          std::span<const std::int64_t> block_of,
-                                                          std::span<const std::int64_t> trailing) {
-  return std::make_unique<SupernodalCholesky>(lower, block_of, trailing);
+std::unique_ptr<StiffnessSolver> default_stiffness_solver(const StiffnessToAnalyze& matrix) {
+  return std::make_unique<SupernodalCholesky>(matrix.lower, matrix.block_of, matrix.trailing);
 }
 
 SupernodalCholesky::~SupernodalCholesky() = default;

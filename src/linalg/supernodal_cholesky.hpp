@@ -9,7 +9,7 @@ namespace creepcontact::linalg {
 
 class SupernodalCholesky final : public StiffnessSolver {
  public:
-  /// See StiffnessSolverFactory.
+  /// See StiffnessToAnalyze. @throws as StiffnessSolverFactory
   SupernodalCholesky(const SparseMatrix& lower, std::span<const std::int64_t> block_of,
                      std::span<const std::int64_t> trailing);
   ~SupernodalCholesky() override;

@@ -157,6 +157,13 @@ void Body::residual(const BodyConditions& at, std::span<const double> stress, st
   impl_->constraints.restrict_to_free(forces, residual);
 }
 
+void Body::unloaded_residual(std::span<const double> stress, std::span<double> residual) const {
+  std::vector<double>& forces = zero_forces(3 * impl_->mesh.nodes.size());
+  impl_->discretization.add_internal_force(stress, forces);
+  std::ranges::transform(forces, forces.begin(), std::negate<>());
+  impl_->constraints.restrict_to_free(forces, residual);
+}
+
 void Body::residual_forces(const BodyConditions& at, std::span<const double> stress, std::span<double> forces) const {
   std::ranges::transform(at.external_forces(), forces.begin(), std::negate<>());
   impl_->discretization.add_internal_force(stress, forces);

@@ -10,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/mechanics/rigid_motion.hpp"
 #include "hourglass.hpp"
 
 namespace creepcontact::mechanics {
@@ -34,7 +35,11 @@ void add_own_hourglass_stiffness(const Body& body, const Eigen::VectorXd& diagon
 FactoredBody::FactoredBody(const Body& body, const BodyConditions& at, const std::vector<std::int64_t>& trailing,
                            const linalg::StiffnessSolverFactory& make_solver)
     : body_(&body), analyzed_(body.on_free_unknowns(body.full_stiffness(at))), time_(at.time) {
-  solver_ = make_solver(analyzed_, body.constraints().node_of_free(), trailing);
+  solver_ = make_solver({analyzed_, body.constraints().node_of_free(), trailing, [&body] {
+                           Eigen::MatrixXd motions = rigid_motions_on_free(body.mesh().nodes, body.constraints());
+                           for (const std::int64_t pin : body.fixing_dofs()) motions.row(pin).setZero();
+                           return motions;
+                         }});
 }
 
 void FactoredBody::factorize(const BodyConditions& at) {
@@ -99,9 +104,19 @@ std::pair<double, double> FactoredBody::stiffness_ratio(const BodyConditions& at
 void FactoredBody::residual(const BodyConditions& at, std::span<const double> stress, std::span<const double> free,
                             std::span<double> residual) const {
   body_->residual(at, stress, residual);
+  subtract_hourglass_force(free, residual);
+}
+
+void FactoredBody::unloaded_residual(std::span<const double> stress, std::span<const double> free,
+                                     std::span<double> residual) const {
+  body_->unloaded_residual(stress, residual);
+  subtract_hourglass_force(free, residual);
+}
+
+void FactoredBody::subtract_hourglass_force(std::span<const double> free, std::span<double> from) const {
   if (!stabilized_) return;
   const Index n = free.size();
-  Eigen::Map<Eigen::VectorXd>(residual.data(), n) -=
+  Eigen::Map<Eigen::VectorXd>(from.data(), n) -=
       hourglass_.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(free.data(), n);
 }
 

@@ -63,6 +63,43 @@ std::string along(const Vector3& direction) {
 
 }  // namespace
 
+Eigen::MatrixXd rigid_motions_on_free(const std::vector<Vector3>& nodes, const Constraints& constraints) {
+  Vector3 centre = Vector3::Zero();
+  for (const Vector3& node : nodes) centre += node / static_cast<double>(nodes.size());
+  const std::vector<double> no_displacement(constraints.n_full(), 0.0);
+  Eigen::VectorXd full(constraints.n_full()), free(constraints.n_free());
+  const std::size_t n_free = constraints.n_free();
+  const auto restricted = [&] {
+    constraints.restrict_to_free({full.data(), no_displacement.size()}, {free.data(), n_free});
+    return free;
+  };
+  Eigen::MatrixXd result(constraints.n_free(), 6);
+  for (int k = 0; k < 6; ++k) {
+    RigidMotion motion{.centre = centre};
+    (k < 3 ? motion.translation : motion.rotation)[k % 3] = 1;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      full.segment<3>(3 * static_cast<Index>(i)) = motion.displacement(nodes[i]);
+    // T^T T x = T^T full by conjugate gradients: without links T^T T is the identity.
+    constexpr int most_iterations = 30;
+    constexpr double accurate = 1e-10;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(free.size()), residual = restricted(), direction = residual;
+    double square = residual.squaredNorm();
+    const double end = accurate * accurate * square;
+    for (int iteration = 0; iteration < most_iterations && square > end; ++iteration) {
+      constraints.expand({direction.data(), n_free}, no_displacement, {full.data(), no_displacement.size()});
+      const Eigen::VectorXd product = restricted();
+      const double step = square / direction.dot(product);
+      x += step * direction;
+      residual -= step * product;
+      const double next = residual.squaredNorm();
+      direction = residual + next / square * direction;
+      square = next;
+    }
+    result.col(k) = x;
+  }
+  return result;
+}
+
 std::vector<Vector3> resisted_directions(const mesh::Mesh& mesh, const Constraints& constraints, std::int64_t node) {
   std::vector<Vector3> directions;
   directions.reserve(4);

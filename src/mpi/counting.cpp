@@ -5,6 +5,8 @@
 
 #include <mpi.h>
 
+#include <unordered_map>
+
 namespace creepcontact::mpi {
 
 WorkCounters& counting() {
@@ -34,11 +36,27 @@ void count_collective(int count, MPI_Datatype type) {
   counting().collective_bytes += bytes_of(count, type);
 }
 
+/// Bytes of messages that PETSc prepares once and starts many times.
+std::unordered_map<MPI_Request, double>& prepared() {
+  static std::unordered_map<MPI_Request, double> messages;
+  return messages;
+}
+
+void count_started(MPI_Request request) {
+  const auto message = prepared().find(request);
+  if (message == prepared().end()) return;  // that receives
+  ++counting().messages;
+  counting().bytes += message->second;
+}
+
 }  // namespace
 }  // namespace creepcontact::mpi
 
+using creepcontact::mpi::bytes_of;
 using creepcontact::mpi::count_collective;
 using creepcontact::mpi::count_message;
+using creepcontact::mpi::count_started;
+using creepcontact::mpi::prepared;
 
 // NOLINTBEGIN(readability-identifier-naming,readability-inconsistent-declaration-parameter-name): MPI's names
 extern "C" {
@@ -46,6 +64,32 @@ extern "C" {
 int MPI_Send(const void* buffer, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm) {
   count_message(count, type);
   return PMPI_Send(buffer, count, type, to, tag, comm);
+}
+int MPI_Isend(const void* buffer, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request) {
+  count_message(count, type);
+  return PMPI_Isend(buffer, count, type, to, tag, comm, request);
+}
+int MPI_Send_init(const void* buffer, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm,
+                  MPI_Request* request) {
+  const int status = PMPI_Send_init(buffer, count, type, to, tag, comm, request);
+  prepared()[*request] = bytes_of(count, type);
+  return status;
+}
+int MPI_Start(MPI_Request* request) {
+  count_started(*request);
+  return PMPI_Start(request);
+}
+int MPI_Startall(int n, MPI_Request* requests) {
+  for (int i = 0; i < n; ++i) count_started(requests[i]);
+  return PMPI_Startall(n, requests);
+}
+int MPI_Request_free(MPI_Request* request) {
+  prepared().erase(*request);
+  return PMPI_Request_free(request);
+}
+int MPI_Allreduce(const void* from, void* into, int count, MPI_Datatype type, MPI_Op op, MPI_Comm comm) {
+  count_collective(count, type);
+  return PMPI_Allreduce(from, into, count, type, op, comm);
 }
 int MPI_Reduce(const void* from, void* into, int count, MPI_Datatype type, MPI_Op op, int root, MPI_Comm comm) {
   count_collective(count, type);

@@ -7,6 +7,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "long_messages.hpp"
+#include "petsc.hpp"
 
 namespace creepcontact::mpi {
 
@@ -25,6 +26,7 @@ Library::Library(int& argc, char**& argv) {
 }
 
 Library::~Library() {
+  end_petsc();
   MPI_Comm_free(&for_the_end);
   MPI_Finalize();
 }

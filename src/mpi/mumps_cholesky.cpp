@@ -303,10 +303,8 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
 
 }  // namespace
 
-std::unique_ptr<linalg::StiffnessSolver> mumps_cholesky(const linalg::SparseMatrix& lower,
-                                                        std::span<const std::int64_t> block_of,
-                                                        std::span<const std::int64_t> trailing) {
-  return std::make_unique<MumpsCholesky>(lower, block_of, trailing);
+std::unique_ptr<linalg::StiffnessSolver> mumps_cholesky(const linalg::StiffnessToAnalyze& matrix) {
+  return std::make_unique<MumpsCholesky>(matrix.lower, matrix.block_of, matrix.trailing);
 }
 
 }  // namespace creepcontact::mpi

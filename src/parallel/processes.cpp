@@ -13,6 +13,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/mpi/mpi_team.hpp"
+#include "creepcontact/mpi/multigrid_stiffness.hpp"
 #include "creepcontact/mpi/mumps_cholesky.hpp"
 #include "creepcontact/mpi/partition.hpp"
 #include "creepcontact/mpi/work_counters.hpp"
@@ -56,6 +57,7 @@ run::Processes Processes::of_run() {
   return {.team = all,
           .on_this_machine = all->size_on_machine(),
           .stiffness_solver = mpi::mumps_cholesky,
+          .multigrid = mpi::multigrid_stiffness,
           .deal =
               [](const std::vector<mechanics::Body>& bodies) {
                 std::vector<const mesh::Mesh*> meshes;

@@ -82,11 +82,4 @@ std::string memory_shortage(const MemoryNeed& of_one, int processes_here) {
   return {};
 }
 
-void require_memory(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
-                    int processes_here, const std::function<double(std::size_t body)>& of_factor) {
-  const MemoryNeed need = memory_need(config, assembly, contact_bytes, of_factor);
-  if (const std::string shortage = memory_shortage(need, processes_here); !shortage.empty())
-    throw ModelError(fmt::format("{}: {}", config.mesh.file.string(), shortage));
-}
-
 }  // namespace creepcontact::run

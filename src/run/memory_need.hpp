@@ -24,13 +24,8 @@ struct MemoryNeed {
 MemoryNeed memory_need(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor);
 
-/// Between the analysis of all bodies and their factorisation: refuses a model for which there is no memory before
-/// anything of it is taken.
+/// Why there is no room for this need: what it consists of, what there is, and what bounds it. Empty if there is.
 /// @param processes_here  that need as much each, and share the memory of this machine
-/// @throws ModelError with the need, what there is, and what bounds it
-void require_memory(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
-                    int processes_here, const std::function<double(std::size_t body)>& of_factor);
-/// What it says of a need; empty if there is memory for it.
 std::string memory_shortage(const MemoryNeed& need, int processes_here = 1);
 
 }  // namespace creepcontact::run

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "checkpoints.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "creepcontact/base/log.hpp"
 #include "memory_need.hpp"
 
 namespace creepcontact::run {
@@ -20,11 +23,31 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
         "{}: time.linear_solver = \"tangent\" is not yet possible on several processes; use one process, or "
         "\"krylov\"",
         config.file.string()));
-  if (interface.is_dense()) return;
+  if (interface.error_bound() > 0)
+    throw ConfigError(
+        fmt::format("{}: time.linear_solver = \"tangent\" needs factors of the stiffness; use linear_solver.method = "
+                    "\"direct\", or "
+                    "time.linear_solver = \"krylov\"",
+                    config.file.string()));
+  if (interface.is_condensed()) return;
   throw ConfigError(
       fmt::format("{}: time.linear_solver = \"tangent\" needs the matrices of the contact zones ({:.0f} MB), and "
                   "contact_solver.dense_limit_mb = {:.6g} does not allow them; raise that limit, or use \"krylov\"",
                   config.file.string(), interface.dense_bytes() / 1e6, config.contact_solver.dense_limit_mb));
+}
+
+/// Where contact depends on its path, the elastic response of the bodies is used without an iteration that would
+/// correct it.
+creep::SolverOptions with_multigrid(const config::Config& config, creep::SolverOptions options,
+                                    const creep::Assembly& assembly, const Processes& processes) {
+  constexpr double usual_error = 0.1;             // few cycles per solve, few solves per evaluation
+  constexpr double part_of_time_tolerance = 0.1;  // more steps or larger errors do not come of it
+  const bool has_path = std::ranges::any_of(assembly.pairs(), [](const contact::Pair& pair) {
+    return pair.coupling.has_friction() || pair.preload.has_value() || !pair.acts_always();
+  });
+  options.stress_tolerance = part_of_time_tolerance * config.time.tolerance;
+  options.stiffness_solver = processes.multigrid(has_path ? options.stress_tolerance : usual_error);
+  return options;
 }
 
 }  // namespace
@@ -46,14 +69,34 @@ void require_output(const std::filesystem::path& directory, bool resume) {
 }
 
 creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model,
-                                     const creep::Assembly& assembly, int processes_here, Stopwatch& watch) {
-  return creep::EquilibriumSolver(assembly, model.solver, watch,
-                                  [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
-                                    require_memory(config, assembly, contact_bytes, processes_here, [&](std::size_t b) {
-                                      const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
-                                      return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
-                                    });
-                                  });
+                                     const creep::Assembly& assembly, const Processes& processes, Stopwatch& watch) {
+  using settings::StiffnessMethod;
+  const StiffnessMethod method = config.linear_solver.method;
+  bool is_short = false;
+  const auto admit = [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
+    const MemoryNeed need = memory_need(config, assembly, contact_bytes, [&](std::size_t b) {
+      const linalg::StiffnessSolver& of_body = analyzed.factored(b).solver();
+      return static_cast<double>(of_body.factor_bytes() + of_body.work_bytes());
+    });
+    const std::string shortage = memory_shortage(need, processes.on_this_machine);
+    if (shortage.empty()) return;
+    is_short = true;
+    throw ModelError(fmt::format("{}: {}", config.mesh.file.string(), shortage));
+  };
+  if (method != StiffnessMethod::multigrid) try {
+      creep::SolverOptions direct = model.solver;
+      if (assembly.team().size() > 1) direct.stiffness_solver = processes.stiffness_solver;
+      return creep::EquilibriumSolver(assembly, direct, watch, admit);
+    } catch (const ModelError& error) {
+      if (method == StiffnessMethod::direct || !processes.multigrid || !assembly.team().any(is_short)) throw;
+      log::warning("{}. Instead, the multigrid is used, which needs less", error.what());
+    }
+  if (!processes.multigrid)
+    throw ConfigError(fmt::format(
+        "{}: linear_solver.method = \"multigrid\" is for creepcontact-mpi, which also runs as one process; start that "
+        "program, or use \"auto\"",
+        config.file.string()));
+  return creep::EquilibriumSolver(assembly, with_multigrid(config, model.solver, assembly, processes), watch, admit);
 }
 
 creep::CreepSystem make_system(const config::Config& config, const model::Model& model,

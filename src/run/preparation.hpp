@@ -10,6 +10,7 @@
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/run/run.hpp"
 
 namespace creepcontact::run {
 
@@ -20,12 +21,11 @@ std::filesystem::path output_directory(const config::Config& config, const std::
 /// @throws ConfigError if no results can be written into the directory, or if there is nothing to resume
 void require_output(const std::filesystem::path& directory, bool resume);
 
-/// Factors all bodies. @param model, watch  must outlive the solver
-/// @throws ModelError if there is not enough memory, and as EquilibriumSolver
-/// @param processes_here  on this machine, which need about as much memory each
+/// Factors all bodies, or makes their multigrids (linear_solver.method). @param model, watch  must outlive the solver
+/// @throws ModelError if there is not enough memory, and as EquilibriumSolver; ConfigError if there is no multigrid
 /// @param assembly  that of the model, or the own part of it where several processes share the model
 creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model,
-                                     const creep::Assembly& assembly, int processes_here, Stopwatch& watch);
+                                     const creep::Assembly& assembly, const Processes& processes, Stopwatch& watch);
 
 /// Surveys the elastic stress and takes up the loads of t = 0. @param solver, watch  must outlive the system
 /// @throws as survey_elastic_stress() and EquilibriumSolver::initial_history(); ConfigError if the linear solver of the

@@ -179,7 +179,6 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   const creep::Distribution distribution =
       team.size() == 1 ? creep::Distribution(model.assembly)
                        : creep::Distribution(model.assembly, team, options.processes.deal(model.bodies()));
-  if (team.size() > 1) model.solver.stiffness_solver = options.processes.stiffness_solver;
   platform::Background loading;  // of what the checkpoint at the end needs
   // Where address space is short, it must not vanish between the check of the memory and its use.
   if (std::isfinite(platform::address_space().bytes))
@@ -194,8 +193,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
               body.constraints().n_free());
   std::optional<ContactLog> contact_log;
   if (!options.log_contact.empty() && writes) contact_log.emplace(options.log_contact, config.output.csv);
-  creep::EquilibriumSolver solver =
-      make_solver(config, model, distribution.own(), options.processes.on_this_machine, watch);
+  creep::EquilibriumSolver solver = make_solver(config, model, distribution.own(), options.processes, watch);
   if (contact_log) solver.set_recorder(&*contact_log);
   for (const contact::Pair& pair : solver.interface().pairs())
     if (pair.ties_nodes())

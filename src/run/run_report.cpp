@@ -87,9 +87,9 @@ std::string work_table(const io::Summary& summary, const StepStatistics& steps, 
   const std::int64_t others =
       std::max<std::int64_t>(0, summary.elastic_solves - summary.rhs_evaluations - summary.jacobian_products);
   line("elastic solves",
-       fmt::format("{}: {} rates, {} Jacobian products, {} others (start, outputs, tangent); {} factorisations",
-                   summary.elastic_solves, summary.rhs_evaluations, summary.jacobian_products, others,
-                   summary.factorizations));
+       fmt::format(
+           "{}: {} rates, {} Jacobian products, {} others (start, outputs, repetitions, tangent); {} factorisations",
+           summary.elastic_solves, summary.rhs_evaluations, summary.jacobian_products, others, summary.factorizations));
   if (summary.contact_solves > 0 && summary.schwarz_iterations > 0)
     line("contact",
          fmt::format("{:.1f} iterations per solve", share(summary.schwarz_iterations, summary.contact_solves)));

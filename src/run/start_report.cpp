@@ -35,7 +35,7 @@ class StartReport {
  public:
   StartReport(const config::Config& config, const model::Model& model)
       : config_(config),
-        solver_(make_solver(config, model, model.assembly, 1, watch_)),
+        solver_(make_solver(config, model, model.assembly, {}, watch_)),
         system_(make_system(config, model, solver_, watch_)),
         at_(solved(model)) {}
 

@@ -117,6 +117,40 @@ class MpiContact(MpiTest):
         self.expect_equal_runs("press_fit_torque", (3,))
 
 
+class MpiMultigrid(MpiTest):
+    """linear_solver.method = "multigrid": another approximation on every number of processes, the same results."""
+
+    def expect_results_of_factors(self, example, processes, difference, *settings):
+        direct = self.run_example(0, example, "direct", *settings)
+        for n in processes:
+            multigrid = self.run_example(n, example, f"multigrid_{n}", "linear_solver.method=multigrid", *settings)
+            self.expect_the_same(direct, multigrid, difference)
+
+    def test_shrink_fit(self):
+        self.expect_results_of_factors("shrink_fit", (1, 3), 3e-5)
+
+    def test_stiffness_that_changes(self):
+        self.expect_results_of_factors("start_stop_cycles", (2,), 5e-5, "time.end=200", "time.output=[0, 100, 200]")
+
+    def test_an_implicit_method(self):
+        self.expect_results_of_factors("shrink_fit", (2,), 1e-4, "time.integrator=cvode_bdf", "time.end=1e4",
+                                       "time.output=[0, 1e3, 1e4]")
+
+    def test_friction(self):
+        self.expect_results_of_factors("pressed_blocks", (2,), 1e-4, "contacts.0.friction=0.2")
+
+    def test_resumes_with_the_other_method(self):
+        settings = ["time.output=[0, 1e2, 1e4]"]
+        whole = self.run_example(0, "shrink_fit", "whole", *settings, "time.end=1e4")
+        for first, second in (("direct", "multigrid"), ("multigrid", "direct")):
+            self.run_example(2, "shrink_fit", first, "time.output=[0, 1e2]", "time.end=1e2",
+                             f"linear_solver.method={first}")
+            done = self.done(1, "run", ROOT / "configs" / "shrink_fit.toml", "--quiet", "--resume", "--output", first,
+                             "--set", settings[0], "--set", "time.end=1e4", "--set", f"linear_solver.method={second}")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.expect_the_same(whole, self.directory / first, 1e-4)
+
+
 class MpiEnds(MpiTest):
     def expect_error(self, processes, status, sentence, *arguments, **more):
         done = self.done(processes, *arguments, **more)
@@ -134,6 +168,11 @@ class MpiEnds(MpiTest):
         fit = ROOT / "configs" / "shrink_fit.toml"
         self.expect_error(2, 2, "tangent.* is not yet possible on several processes", "run", fit, "--output", "out",
                           "--set", "time.integrator=cvode_bdf", "--set", "time.linear_solver=tangent")
+        self.expect_error(1, 2, "tangent.* needs factors of the stiffness", "run", fit, "--output", "out", "--set",
+                          "time.integrator=cvode_bdf", "--set", "time.linear_solver=tangent", "--set",
+                          "linear_solver.method=multigrid")
+        self.expect_error(0, 2, "multigrid.* is for creepcontact-mpi", "run", fit, "--output", "out", "--set",
+                          "linear_solver.method=multigrid")
         self.expect_error(2, 2, "more than contact_solver.dense_limit_mb allows", "run", fit, "--output", "out", "--set",
                           "contact_solver.dense_limit_mb=1e-6")
         self.expect_error(2, 2, "depends on the mean stress, which these elements smooth over their neighbours", "run",

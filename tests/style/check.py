@@ -21,6 +21,7 @@ LIBRARY_HOME = {
     "mpi.h": "mpi",
     "dmumps_c.h": "mpi",
     "metis.h": "mpi",
+    "petscksp.h": "mpi",
     **{f"{part}/": "ode" for part in ("arkode", "cvode", "cvodes", "ida", "kinsol", "nvector", "sundials", "sunlinsol",
                                       "sunmatrix", "sunnonlinsol")},
 }

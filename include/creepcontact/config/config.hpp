@@ -17,6 +17,7 @@
 #include "creepcontact/settings/analysis.hpp"
 #include "creepcontact/settings/contact_settings.hpp"
 #include "creepcontact/settings/integrator_options.hpp"
+#include "creepcontact/settings/stiffness_settings.hpp"
 
 namespace creepcontact::config {
 
@@ -324,6 +325,7 @@ struct Config {
   std::vector<Rigid> rigid;
   std::vector<Equation> equations;
   ContactSolver contact_solver;
+  settings::StiffnessSettings linear_solver;
   Time time;
   Output output;
   std::vector<Probe> probes;

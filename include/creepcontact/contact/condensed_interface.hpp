@@ -7,6 +7,8 @@
 ///
 /// If the dense matrices would exceed a bound, the bodies are factored without this ordering: G = L^-1 P B^T is applied
 /// by additional substitutions, and a product with F costs one forward and one back substitution.
+/// Solvers without a factor are used in the same way, with L = I and G = B^T; within the bound on dense matrices, F is
+/// then computed column by column.
 
 #include <functional>
 #include <limits>
@@ -83,8 +85,10 @@ class CondensedInterface {
   /// See immovable_rows(); of the first factors.
   const std::vector<int>& immovable() const { return immovable_; }
   const BodyRows& rows(std::size_t body) const { return rows_[body]; }
-  /// Free dofs that the factor of the body eliminates last: those that its contact rows touch. Only if is_dense().
+  /// Free dofs that the factor of the body eliminates last: those that its contact rows touch. Only if is_condensed().
   std::span<const std::int64_t> trailing(std::size_t body) const { return sides_[body].trailing; }
+  /// True if contact is condensed onto the trailing dofs of the bodies' factors.
+  bool is_condensed() const { return is_condensed_; }
 
   /// The load without creep, external forces and contact forces: initial gaps and prescribed displacements.
   /// @throws ModelError if a gap is not finite, or a coefficient of friction is not a number of at least 0
@@ -119,6 +123,8 @@ class CondensedInterface {
   void add_rigid_motion(std::size_t body, const Eigen::VectorXd& rigid, std::span<double> displacement) const;
   /// forces (3 n_nodes) += nodal forces of the multipliers on a body.
   void add_contact_forces(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> forces) const;
+  /// Largest error bound of the bodies' solvers; 0 if all are direct.
+  double error_bound() const;
   /// Bytes that the dense matrices of the interface take, or would take if !is_dense().
   double dense_bytes() const { return dense_bytes_; }
   /// False if the flexibility is an operator, because the dense matrices would exceed the bound.
@@ -130,6 +136,7 @@ class CondensedInterface {
   void make_problem();
   void make_rows();
   void condense(std::span<const std::size_t> bodies);
+  void solve_for_flexibility(std::size_t body);
   void factorize(std::span<const std::size_t> bodies, Conditions at);
   void make_operator(Conditions at);
   void sum_flexibilities();
@@ -138,7 +145,7 @@ class CondensedInterface {
   struct Side {
     RowMatrix full_rows;                 // rows.size() x 3 n_nodes
     std::vector<std::int64_t> trailing;  // dofs that the rows touch
-    CondensedRows condensed;             // empty if !is_dense()
+    CondensedRows condensed;             // empty if !is_condensed()
   };
   std::span<const mechanics::Body> bodies_;
   std::span<const Pair> pairs_;
@@ -148,6 +155,8 @@ class CondensedInterface {
   std::vector<Side> sides_;
   std::vector<BodyRows> rows_;
   double dense_bytes_ = 0;
+  double condensed_bytes_ = 0;  // of G and L22 of all bodies, among dense_bytes_
+  bool is_condensed_ = false;   // onto the trailing dofs of factors
   bool residual_warned_ = false, overlap_warned_ = false;
   ContactProblem problem_;
   std::vector<int> immovable_;  // rows

@@ -51,7 +51,7 @@ class CreepSystem final : public ode::System,
   ode::JacobianProducts* jacobian() override { return this; }
   /// Null unless contact is condensed to dense matrices, and one process has all of them.
   ode::NewtonSolver* newton_solver() override {
-    return solver_.interface().is_dense() && team().size() == 1 ? this : nullptr;
+    return solver_.interface().is_condensed() && team().size() == 1 ? this : nullptr;
   }
   /// Null unless some law may start with an infinite rate (ElasticSurvey::singular_start).
   ode::SingularRate* singular_rate() override { return may_start_singular_ ? this : nullptr; }

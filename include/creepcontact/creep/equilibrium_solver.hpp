@@ -9,6 +9,8 @@
 /// with contact solved in each iteration. An iteration costs one elastic solve and reduces the error in the energy norm
 /// by the factor q; the projection onto the admissible contact states never increases it. If q exceeds
 /// SolverOptions::refactor_change, K(t) is factored and becomes K0.
+/// A solver that is not direct only approximates K0^-1. Its error bound e (StiffnessSolver::error_bound) adds to q, and
+/// the same iteration ends when the error of the stress is below SolverOptions::stress_tolerance.
 
 #include <cstdint>
 #include <functional>
@@ -33,7 +35,8 @@ struct SolverOptions {
   double dense_limit_mb = contact::CondensedInterface::unbounded;  ///< bound on dense contact matrices [MB]
   settings::FrictionMethod friction = settings::ContactSettings{}.friction;
   int initial_substeps = settings::ContactSettings{}.initial_substeps;  ///< with friction, see initial_history()
-  double refactor_change = 0;  ///< largest q (see above) before the stiffness is factored again
+  double refactor_change = 0;       ///< largest q (see above) before the stiffness is factored again
+  double stress_tolerance = 1e-10;  ///< error of the iteration relative to the stress in the body, energy norm
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
 };
 
@@ -50,11 +53,11 @@ class EquilibriumSolver {
   ~EquilibriumSolver();
 
   /// Equilibrium at time t for these creep strains (one view per body). A pure function of its arguments: to the last
-  /// bit if the stiffness is constant in time. Otherwise to 1e-10 of the stress, since any solve may factor again.
+  /// bit if the stiffness is constant in time and the solver direct. Otherwise to the stress tolerance.
   /// @throws SolverError if the contact iteration does not converge; ModelError if the loads push away a body that only
   /// contact holds, or drive an unconstrained motion
-  /// Cost: one forward and one back substitution per body; several if the stiffness changes.
-  /// Source: Stankevich (2012), steps 8-11 of the implicit scheme.
+  /// Cost: one forward and one back substitution per body; several if the stiffness changes or the solver is not
+  /// direct. Source: Stankevich (2012), steps 8-11 of the implicit scheme.
   void solve(double t, CreepStrains creep, const History& history, Equilibrium& into);
 
   /// Change of stress for a change of creep strain, with the closed contacts of an equilibrium held closed. Uses the
@@ -106,6 +109,8 @@ class EquilibriumSolver {
   };
   struct StiffnessChange {
     double scale = 1, rest = 0;  // s and q
+    /// With a solver of this error bound in place of the factors.
+    StiffnessChange solved_with(double error) const { return {scale, rest + error + rest * error}; }
   };
   EquilibriumSolver(const Assembly& assembly, const SolverOptions& options, Stopwatch& watch,
                     const contact::CondensedInterface::Admission& admit,
@@ -126,6 +131,8 @@ class EquilibriumSolver {
   /// Displacement and stress of a body from its free dofs.
   void update_state(std::size_t body, std::span<const double> free, const Eigen::VectorXd& rigid,
                     const mechanics::CreepStrainView& creep, Equilibrium& into) const;
+  /// Whether one elastic solve may leave an error.
+  bool iterates() const { return stiffness_changes_ || solver_error_ > 0; }
   /// Sets the right-hand sides to the residual F(t) - integral B^T sigma of the last iterate.
   void leave_residual(const Equilibrium& of);
   /// Slip up to an equilibrium that was solved from this history.
@@ -157,6 +164,7 @@ class EquilibriumSolver {
   contact::ActiveSetSystem active_set_;
   contact::IterationRecorder* recorder_ = nullptr;
   bool stiffness_changes_ = false;
+  double solver_error_ = 0;   // its bound
   std::int64_t factors_ = 0;  // number of factorisations since the start
   std::vector<Work> work_;    // scratch, no state between calls
   RunCounters counters_;

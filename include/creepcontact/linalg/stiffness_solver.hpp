@@ -1,6 +1,8 @@
 #pragma once
 /// A factored stiffness matrix K = P^T L L^T P with chosen dofs eliminated last. The trailing block L22 of the factor
 /// is then the Cholesky factor of their Schur complement: S = L22 L22^T.
+/// A solver without a factor approximates K^-1 by a symmetric positive definite linear operator. Its L is the identity,
+/// all of it is in backward(), and it has no trailing dofs.
 
 #include <Eigen/SparseCore>
 #include <cstdint>
@@ -22,8 +24,8 @@ struct SingularMatrix {
   double rcond = 0;
 };
 
-/// A sparse direct solver for one symmetric positive definite matrix, or several of the same pattern. Not safe for
-/// concurrent calls on one object; different objects may be used concurrently.
+/// A solver for one symmetric positive definite matrix, or several of the same pattern. Not safe for concurrent calls
+/// on one object; different objects may be used concurrently.
 class StiffnessSolver {
  public:
   virtual ~StiffnessSolver() = default;
@@ -55,8 +57,11 @@ class StiffnessSolver {
   virtual std::int64_t factor_bytes() const = 0;
   /// Additional temporary bytes of factorize(), known after the analysis.
   virtual std::int64_t work_bytes() const = 0;
-  /// Estimate of the reciprocal condition number of the factored matrix.
+  /// Estimate of the reciprocal condition number of the factored matrix; of the preconditioned one without a factor.
   virtual double rcond() const = 0;
+  /// Bound on |1 - e| over the eigenvalues e of (approximate K^-1) K: the relative error of a solve in the energy norm.
+  /// 0 of a direct solver.
+  virtual double error_bound() const { return 0; }
 };
 
 /// One solver's part of a pass.
@@ -69,17 +74,20 @@ struct Substitution {
 void forward(std::span<const Substitution> of_bodies);
 void backward(std::span<const Substitution> of_bodies);
 
-/// Orders and analyses a matrix; factorize() must follow. Parameters:
-/// @param lower  n x n, lower triangle; n may be 0
-/// @param block_of  n entries: dofs with the same number (those of a node) are ordered together
-/// @param trailing  dofs to be eliminated last, in this order; may be empty
+/// A matrix to be ordered and analysed.
+struct StiffnessToAnalyze {
+  const SparseMatrix& lower;               ///< n x n, lower triangle; n may be 0
+  std::span<const std::int64_t> block_of;  ///< n entries: dofs with the same number are of the same node
+  std::span<const std::int64_t> trailing;  ///< dofs to be eliminated last, in this order; may be empty
+  /// The six rigid-body motions of the body without its supports, n x 6, which iterative solvers need; may be null.
+  std::function<Eigen::MatrixXd()> rigid_motions = {};
+};
+
+/// Orders and analyses a matrix; factorize() must follow.
 /// @throws std::invalid_argument if sizes do not match or a trailing dof is named twice; SolverError if memory runs out
-using StiffnessSolverFactory = std::function<std::unique_ptr<StiffnessSolver>(
-    const SparseMatrix& lower, std::span<const std::int64_t> block_of, std::span<const std::int64_t> trailing)>;
+using StiffnessSolverFactory = std::function<std::unique_ptr<StiffnessSolver>(const StiffnessToAnalyze&)>;
 
 /// A SupernodalCholesky (CHOLMOD).
-std::unique_ptr<StiffnessSolver> default_stiffness_solver(const SparseMatrix& lower,
-                                                          std::span<const std::int64_t> block_of,
-                                                          std::span<const std::int64_t> trailing);
+std::unique_ptr<StiffnessSolver> default_stiffness_solver(const StiffnessToAnalyze& matrix);
 
 }  // namespace creepcontact::linalg

@@ -86,6 +86,8 @@ class Body {
   /// residual (n_free) = T^T (F(t) - integral B^T stress), the remainder of right_hand_side() for the stress of some
   /// displacement. Cost: one element loop.
   void residual(const BodyConditions& at, std::span<const double> stress, std::span<double> residual) const;
+  /// The same without loads: residual (n_free) = - T^T integral B^T stress
+  void unloaded_residual(std::span<const double> stress, std::span<double> residual) const;
   /// forces (3 n_nodes) = integral B^T stress - F(t): reactions at supported nodes, contact forces at contact nodes.
   void residual_forces(const BodyConditions& at, std::span<const double> stress, std::span<double> forces) const;
 

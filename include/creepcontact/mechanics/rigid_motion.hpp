@@ -31,6 +31,9 @@ struct RigidMotion {
 /// @param subset  nodes that move together
 std::vector<RigidMotion> free_rigid_motions(const mesh::Mesh& mesh, const Constraints& constraints,
                                             const std::vector<std::int64_t>& subset);
+/// The six rigid-body motions of all nodes on the free dofs, n_free x 6: of the body without its supports, whose nodes
+/// stay where they hold them (the nearest motion that supports and links allow). Cost: O(n_nodes).
+Eigen::MatrixXd rigid_motions_on_free(const std::vector<Vector3>& nodes, const Constraints& constraints);
 /// Directions in which something resists the rigid-body modes at a node: those held, and the radius of axisymmetric
 /// sections.
 std::vector<Vector3> resisted_directions(const mesh::Mesh& mesh, const Constraints& constraints, std::int64_t node);

@@ -13,10 +13,7 @@ namespace creepcontact::mpi {
 /// - only process 0 has a trailing factor, and the trailing part of y. The rest of y stays inside MUMPS, which keeps
 ///   one right-hand side: each backward() must follow its own forward();
 /// - backward() gives the whole solution to all processes.
-/// See StiffnessSolverFactory for the parameters.
 /// @throws SolverError on all processes if memory runs out on one
-std::unique_ptr<linalg::StiffnessSolver> mumps_cholesky(const linalg::SparseMatrix& lower,
-                                                        std::span<const std::int64_t> block_of,
-                                                        std::span<const std::int64_t> trailing);
+std::unique_ptr<linalg::StiffnessSolver> mumps_cholesky(const linalg::StiffnessToAnalyze& matrix);
 
 }  // namespace creepcontact::mpi

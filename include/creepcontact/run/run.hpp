@@ -29,8 +29,10 @@ class RunObserver {
 struct Processes {
   const Team* team = &serial_team();  ///< must outlive the run
   int on_this_machine = 1;            ///< of them: they share its memory
-  /// Of the bodies; the processes call it together.
+  /// Of the bodies, for more than one process, which call it together.
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
+  /// Makes multigrids with this error bound, for any number of processes; null where there are none.
+  std::function<linalg::StiffnessSolverFactory(double error)> multigrid = {};
   /// Deals out the elements of the bodies, in the same way on all processes. Not called for one process.
   std::function<creep::RankOfElement(const std::vector<mechanics::Body>& bodies)> deal = {};
   /// What this process has done, by name with unit, the same names in all; for the table of the work of each.

@@ -143,5 +143,43 @@ TEST(RigidMotions, AreTidiedForTheReader) {
   EXPECT_EQ(screw.tidied(1.0).describe(), screw.describe());
 }
 
+/// What supports and links leave of them: every motion of the free unknowns moves the nodes as the rigid body does,
+/// wherever nothing holds or guides them.
+TEST(RigidMotionsOnFree, MoveTheNodesThatNothingHolds) {
+  const std::vector<Vector3>& nodes = box().nodes;
+  std::vector<Support> supports(2);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].z() == 4) supports[0].nodes.push_back(static_cast<std::int64_t>(i));
+    if (nodes[i].x() == 0 && nodes[i].z() < 6) supports[1].nodes.push_back(static_cast<std::int64_t>(i));
+  }
+  supports[0].directions = {Vector3(0, 0, 1)};
+  supports[1].directions = {Vector3(1, 1, 0).normalized()};
+  for (const bool linked : {false, true}) {
+    mechanics::NodeLinks links;
+    if (linked) {
+      mechanics::NodeLinks::Rigid surface{.on = "top", .nodes = {}};
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].z() == 6) surface.nodes.push_back(static_cast<std::int64_t>(i));
+      links.rigid.push_back(surface);
+    }
+    const Constraints constraints(nodes, supports, links);
+    const Eigen::MatrixXd motions = rigid_motions_on_free(nodes, constraints);
+    ASSERT_EQ(motions.rows(), constraints.n_free());
+    ASSERT_EQ(motions.cols(), 6);
+    const std::vector<double> zero(constraints.n_full(), 0.0);
+    for (int k = 0; k < 6; ++k) {
+      mechanics::RigidMotion motion{.centre = {1, 1, 5}};
+      (k < 3 ? motion.translation : motion.rotation)[k % 3] = 1;
+      std::vector<double> full(constraints.n_full());
+      constraints.expand({motions.col(k).data(), static_cast<std::size_t>(motions.rows())}, zero, full);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].z() == 4 || (nodes[i].x() == 0 && nodes[i].z() < 6)) continue;
+        const Vector3 moved(full[3 * i], full[3 * i + 1], full[3 * i + 2]);
+        EXPECT_LE((moved - motion.displacement(nodes[i])).norm(), 1e-8) << k << " " << i;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace creepcontact::test

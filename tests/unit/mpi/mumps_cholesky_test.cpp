@@ -6,41 +6,18 @@
 #include <numeric>
 
 #include "creepcontact/mpi/mpi_team.hpp"
-#include "unit/linalg/matrices.hpp"
+#include "unit/mpi/matrix_parts.hpp"
 
 namespace creepcontact::mpi {
 namespace {
 
 using linalg::testing::Problem;
+using testing::dealt_out;
+using testing::part;
+using testing::shared_out;
 
-/// What one process adds to a matrix: its share of every entry, so that all have entries of all columns.
-linalg::SparseMatrix shared_out(const linalg::SparseMatrix& whole, const Team& team) {
-  linalg::SparseMatrix own = whole;
-  own.coeffs() /= team.size();
-  return own;
-}
-
-/// Or entries of every n-th column, which other processes do not know.
-linalg::SparseMatrix dealt_out(const linalg::SparseMatrix& whole, const Team& team) {
-  linalg::SparseMatrix own = whole;
-  own.prune([&](auto, auto column, double) { return column % team.size() == team.rank(); });
-  own.makeCompressed();
-  return own;
-}
-
-class MumpsCholesky : public testing::Test {
+class MumpsCholesky : public ::testing::Test {
  protected:
-  /// The whole right-hand side on process 0 where it has the unknowns, else on the process that has.
-  std::vector<double> part(const Eigen::VectorXd& whole, const linalg::SparseMatrix& own) const {
-    std::vector<double> has(whole.size(), 0.0), result(whole.size(), 0.0);
-    for (std::int64_t column = 0; column < own.outerSize(); ++column)
-      for (linalg::SparseMatrix::InnerIterator entry(own, column); entry; ++entry) has[entry.row()] = has[column] = 1;
-    std::vector<double> owners = has;
-    team.sum(owners);
-    for (Index i = 0; i < whole.size(); ++i)
-      if (has[i] > 0) result[i] = whole[i] / owners[i];
-    return result;
-  }
   const MpiTeam team;
 };
 
@@ -53,14 +30,14 @@ TEST_F(MumpsCholesky, SolvesWhatTheSerialSolverDoes) {
     for (const std::vector<std::int64_t>& trailing :
          {std::vector<std::int64_t>{}, {7}, {374, 20, 21, 22, 200, 3, 4, 5}}) {
       const linalg::SparseMatrix own = split(problem.lower, team);
-      const auto solver = mumps_cholesky(own, problem.node_of, trailing);
+      const auto solver = mumps_cholesky({own, problem.node_of, trailing});
       EXPECT_EQ(solver->size(), whole.rows());
       EXPECT_GT(solver->factor_bytes(), 0);
       EXPECT_GE(solver->work_bytes(), 0);
       for (int time = 0; time < 2; ++time) {
         solver->factorize(own);
         EXPECT_GT(solver->rcond(), 1e-9);
-        std::vector<double> y = part(b, own), x(y.size());
+        std::vector<double> y = part(b, own, team), x(y.size());
         solver->forward(y, y);
         solver->backward(y, x);
         EXPECT_LE((Eigen::VectorXd::Map(x.data(), b.size()) - expected).norm(), 1e-11 * expected.norm());
@@ -75,12 +52,12 @@ TEST_F(MumpsCholesky, TrailingPartIsThatOfTheSerialSolver) {
   const auto n_trailing = std::ssize(trailing);
   const Eigen::MatrixXd whole = problem.dense();
   const Eigen::VectorXd b = linalg::testing::random_vector(whole.rows(), 4);
-  const auto serial = linalg::default_stiffness_solver(problem.lower, problem.node_of, trailing);
+  const auto serial = linalg::default_stiffness_solver({problem.lower, problem.node_of, trailing});
   serial->factorize(problem.lower);
   const linalg::SparseMatrix own = dealt_out(problem.lower, team);
-  const auto solver = mumps_cholesky(own, problem.node_of, trailing);
+  const auto solver = mumps_cholesky({own, problem.node_of, trailing});
   solver->factorize(own);
-  std::vector<double> y = part(b, own), expected(y.size()), x(y.size());
+  std::vector<double> y = part(b, own, team), expected(y.size()), x(y.size());
   solver->forward(y, y);
   serial->forward({b.data(), y.size()}, expected);
   const Eigen::VectorXd more = linalg::testing::random_vector(n_trailing, 5);
@@ -109,15 +86,16 @@ TEST_F(MumpsCholesky, NamesSingularMatricesOnAllProcesses) {
     singular.col(40) = singular.col(37);
     singular(40, 40) = singular(37, 37);
     const linalg::SparseMatrix own = shared_out(linalg::testing::lower_of(singular), team);
-    const auto solver = mumps_cholesky(own, problem.node_of,
-                                       in_trailing ? std::vector<std::int64_t>{37, 40} : std::vector<std::int64_t>{5});
+    const std::vector<std::int64_t> trailing =
+        in_trailing ? std::vector<std::int64_t>{37, 40} : std::vector<std::int64_t>{5};
+    const auto solver = mumps_cholesky({own, problem.node_of, trailing});
     EXPECT_THROW(solver->factorize(own), linalg::SingularMatrix);
   }
 }
 
 TEST_F(MumpsCholesky, TakesNoUnknownsAndNewValues) {
   const linalg::SparseMatrix none(0, 0);
-  const auto empty = mumps_cholesky(none, {}, {});
+  const auto empty = mumps_cholesky({none, {}, {}});
   empty->factorize(none);
   std::vector<double> nothing;
   empty->forward(nothing, nothing);
@@ -125,13 +103,14 @@ TEST_F(MumpsCholesky, TakesNoUnknownsAndNewValues) {
 
   const Problem problem = linalg::testing::grid(3);
   linalg::SparseMatrix own = shared_out(problem.lower, team);
-  const auto solver = mumps_cholesky(own, problem.node_of, std::vector<std::int64_t>{1, 2});
+  const std::vector<std::int64_t> trailing{1, 2};
+  const auto solver = mumps_cholesky({own, problem.node_of, trailing});
   solver->factorize(own);
   const auto other = solver->same_pattern();
   own.coeffs() *= 2;
   other->factorize(own);
   const Eigen::VectorXd b = linalg::testing::random_vector(own.rows(), 6);
-  std::vector<double> y = part(b, own), x(y.size()), half(y.size());
+  std::vector<double> y = part(b, own, team), x(y.size()), half(y.size());
   solver->forward(y, x);
   solver->backward(x, x);
   other->forward(y, half);

@@ -48,7 +48,7 @@ TEST(RunReport, TellsWhatTheSummaryHolds) {
   const std::string table = work_table(good_summary(), steps(), 1e-4, "cvode_bdf");
   for (const char* text :
        {"100 of 1 to 4, 2 rejected, 1 iterations failed; cvode_bdf, order up to 3",
-        "270: 140 rates, 120 Jacobian products, 10 others (start, outputs, tangent); 2 factorisations",
+        "270: 140 rates, 120 Jacobian products, 10 others (start, outputs, repetitions, tangent); 2 factorisations",
         "3.0 iterations per solve", "requested for the stress: 1e-04", "0.40 of this on average, 0.60 at most",
         "10.00 s: factors 10 %, solves 50 %, material points 20 %, contact 5 %, output 5 %", "the rest 10 %", "123 MB"})
     expect_text(table, text);

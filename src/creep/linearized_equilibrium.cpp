@@ -1,0 +1,80 @@
+/// The equilibrium linearised at fixed contact: products with the Jacobian.
+
+#include <cmath>
+
+#include "creepcontact/base/index.hpp"
+#include "creepcontact/creep/equilibrium_solver.hpp"
+#include "fixed_contact_solve.hpp"
+#include "vector_views.hpp"
+
+namespace creepcontact::creep {
+namespace {
+
+constexpr double jacobian_error = 1e-3;  // where the solver is not direct, in the energy norm
+
+/// The contact of fixed_contact_solve(), near one state.
+struct ClosedRows {
+  contact::CondensedInterface& interface;
+  const std::function<contact::ContactState(const Eigen::VectorXd& gap)> change;
+  FreeDisplacements reached;  ///< by an iteration, to which what is solved for adds; empty: none
+
+  void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
+    interface.add_trace(body, y, gap);
+  }
+  contact::ContactState close(Eigen::VectorXd gap) const {
+    for (std::size_t b = 0; b < reached.size(); ++b) interface.add_gaps(b, reached[b], gap);
+    // Initial strains are in equilibrium with themselves: no resultants.
+    return change(gap);
+  }
+  void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
+    interface.add_multipliers(body, multiplier, y);
+  }
+};
+
+}  // namespace
+
+void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_change,
+                                   std::vector<std::vector<double>>& stress) {
+  const std::size_t n_bodies = work_.size();
+  std::vector<FactoredSide> sides;
+  {
+    const auto lap = watch_.lap(Part::material);
+    for (std::size_t b = 0; b < n_bodies; ++b) {
+      mechanics::FactoredBody& factored = interface_.factored(b);
+      factored.body().initial_strain_force(factored.elastic(), creep_change[b], work_[b].free);
+      factored.body().clear_fixing_dofs(work_[b].free);
+      sides.push_back({&factored.solver(), work_[b].free});
+    }
+  }
+  ClosedRows rows{interface_, [&](const Eigen::VectorXd& gap) { return contact_change(at.contact, gap); }, {}};
+  stress.resize(n_bodies);
+  // A fixed number of them: all of it stays linear in the creep strains.
+  const int corrections = solver_error_ > 0 ? static_cast<int>(std::log(jacobian_error) / std::log(solver_error_)) : 0;
+  for (int correction = 0;; ++correction) {
+    const contact::ContactState change = fixed_contact_solve(sides, interface_.n_rows(), rows, watch_);
+    ++counters_.elastic_solves;
+    const auto lap = watch_.lap(Part::material);
+    for (std::size_t b = 0; b < n_bodies; ++b) {
+      const mechanics::FactoredBody& factored = interface_.factored(b);
+      const mechanics::Body& body = factored.body();
+      std::vector<double>& free = work_[b].free;
+      if (correction > 0) vector(free) += vector(rows.reached[b]);
+      body.constraints().expand(free, work_[b].no_displacement, work_[b].displacement);
+      interface_.add_rigid_motion(b, change.rigid, work_[b].displacement);
+      stress[b].resize(6 * body.discretization().n_points());
+      body.discretization().stress(work_[b].displacement, factored.elastic(), creep_change[b], stress[b]);
+    }
+    if (correction == corrections) break;
+    rows.reached.resize(n_bodies);
+    for (std::size_t b = 0; b < n_bodies; ++b) {
+      rows.reached[b] = work_[b].free;
+      interface_.factored(b).unloaded_residual(stress[b], rows.reached[b], work_[b].free);
+      assembly_.bodies()[b].clear_fixing_dofs(work_[b].free);
+    }
+  }
+  if (at.stiffness_scale != 1)
+    for (std::vector<double>& of_body : stress)
+      for (double& component : of_body) component *= at.stiffness_scale;
+}
+
+}  // namespace creepcontact::creep
