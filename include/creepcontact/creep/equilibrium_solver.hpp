@@ -109,7 +109,7 @@ class EquilibriumSolver {
   };
   struct StiffnessChange {
     double scale = 1, rest = 0;  // s and q
-    /// With a solver of this error bound in place of the factors.
+    /// With a solver of this error bound instead of the factors.
     StiffnessChange solved_with(double error) const { return {scale, rest + error + rest * error}; }
   };
   EquilibriumSolver(const Assembly& assembly, const SolverOptions& options, Stopwatch& watch,

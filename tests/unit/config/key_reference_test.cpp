@@ -35,7 +35,7 @@ TEST(KeySections, TablesAsInTheFile) {
   EXPECT_EQ(titles, (Lines{"", "[mesh]", "[bodies.<name>]", "[materials.<name>]", "[[materials.<name>.creep]]",
                            "[materials.<name>.rupture]", "[[supports]]", "[[loads]]", "[generalized_plane_strain]",
                            "[temperature]", "[[contacts]]", "[[cyclic]]", "[[rigid]]", "[[equations]]",
-                           "[contact_solver]", "[time]", "[output]", "[[probes]]", "[[events]]"}));
+                           "[contact_solver]", "[linear_solver]", "[time]", "[output]", "[[probes]]", "[[events]]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {
