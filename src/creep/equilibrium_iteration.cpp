@@ -198,7 +198,7 @@ void EquilibriumSolver::update_state(std::size_t b, std::span<const double> free
 void EquilibriumSolver::leave_residual(const Equilibrium& of) {
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < work_.size(); ++b) {
-    interface_.factored(b).residual(of.conditions[b], of.bodies[b].stress, of.displacements[b],
+    interface_.factored(b).residual(of.conditions[b].external_forces(), of.bodies[b].stress, of.displacements[b],
                                     work_[b].right_hand_side);
     assembly_.bodies()[b].clear_fixing_dofs(work_[b].right_hand_side);
   }

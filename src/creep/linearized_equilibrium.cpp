@@ -68,7 +68,7 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
     rows.reached.resize(n_bodies);
     for (std::size_t b = 0; b < n_bodies; ++b) {
       rows.reached[b] = work_[b].free;
-      interface_.factored(b).unloaded_residual(stress[b], rows.reached[b], work_[b].free);
+      interface_.factored(b).residual({}, stress[b], rows.reached[b], work_[b].free);
       assembly_.bodies()[b].clear_fixing_dofs(work_[b].free);
     }
   }

@@ -150,17 +150,14 @@ void Body::initial_strain_force(const ElasticState& elastic, CreepStrainView str
   impl_->constraints.restrict_to_free(forces, right_hand_side);
 }
 
-void Body::residual(const BodyConditions& at, std::span<const double> stress, std::span<double> residual) const {
+void Body::residual(std::span<const double> external, std::span<const double> stress,
+                    std::span<double> residual) const {
   std::vector<double>& forces = zero_forces(3 * impl_->mesh.nodes.size());
   impl_->discretization.add_internal_force(stress, forces);
-  std::ranges::transform(at.external_forces(), forces, forces.begin(), std::minus<>());
-  impl_->constraints.restrict_to_free(forces, residual);
-}
-
-void Body::unloaded_residual(std::span<const double> stress, std::span<double> residual) const {
-  std::vector<double>& forces = zero_forces(3 * impl_->mesh.nodes.size());
-  impl_->discretization.add_internal_force(stress, forces);
-  std::ranges::transform(forces, forces.begin(), std::negate<>());
+  if (external.empty())
+    std::ranges::transform(forces, forces.begin(), std::negate<>());
+  else
+    std::ranges::transform(external, forces, forces.begin(), std::minus<>());
   impl_->constraints.restrict_to_free(forces, residual);
 }
 

@@ -101,22 +101,12 @@ std::pair<double, double> FactoredBody::stiffness_ratio(const BodyConditions& at
   return {least, largest};
 }
 
-void FactoredBody::residual(const BodyConditions& at, std::span<const double> stress, std::span<const double> free,
-                            std::span<double> residual) const {
-  body_->residual(at, stress, residual);
-  subtract_hourglass_force(free, residual);
-}
-
-void FactoredBody::unloaded_residual(std::span<const double> stress, std::span<const double> free,
-                                     std::span<double> residual) const {
-  body_->unloaded_residual(stress, residual);
-  subtract_hourglass_force(free, residual);
-}
-
-void FactoredBody::subtract_hourglass_force(std::span<const double> free, std::span<double> from) const {
+void FactoredBody::residual(std::span<const double> external, std::span<const double> stress,
+                            std::span<const double> free, std::span<double> residual) const {
+  body_->residual(external, stress, residual);
   if (!stabilized_) return;
   const Index n = free.size();
-  Eigen::Map<Eigen::VectorXd>(from.data(), n) -=
+  Eigen::Map<Eigen::VectorXd>(residual.data(), n) -=
       hourglass_.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(free.data(), n);
 }
 

@@ -40,12 +40,10 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
     require_petsc();
     set_pattern(matrix.lower);
     if (matrix.rigid_motions) set_rigid_motions(matrix.rigid_motions());
+    make_multigrid();
     check(MatCreateVecs(matrix_.get(), right_.put(), solution_.put()));
     check(VecScatterCreateToAll(solution_.get(), to_all_.put(), whole_.put()));
   }
-  MultigridStiffness(const MultigridStiffness&) = delete;
-  MultigridStiffness& operator=(const MultigridStiffness&) = delete;
-  ~MultigridStiffness() override { set_counted_bytes(0); }
 
   std::unique_ptr<StiffnessSolver> same_pattern() const override {
     throw std::logic_error("a multigrid is made for one matrix");
@@ -56,9 +54,9 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
       throw std::invalid_argument("the pattern is not the one analysed");
     if (size() == 0) return;
     set_values(lower);
-    set_up();
+    check(PCSetUp(multigrid_.get()));
     choose_degree();
-    set_counted_bytes(static_cast<double>(factor_bytes()));
+    counted_bytes_.set(static_cast<double>(factor_bytes()));
   }
 
   std::int64_t size() const override { return std::ssize(numbering_.row_of); }
@@ -86,11 +84,6 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
   double error_bound() const override { return error_; }
 
  private:
-  void set_counted_bytes(double bytes) {
-    counting().factor_bytes += bytes - counted_bytes_;
-    counted_bytes_ = bytes;
-  }
-
   void set_pattern(const linalg::SparseMatrix& lower) {
     std::vector<PetscInt> rows, columns;
     rows.reserve(2 * n_entries_ + std::ssize(numbering_.own_padding));
@@ -162,15 +155,12 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
     check(VecRestoreArray(vector, &entries));
   }
 
-  void set_up() {
-    if (multigrid_.get() == nullptr) {
-      check(PCCreate(PETSC_COMM_WORLD, multigrid_.put()));
-      check(PCSetType(multigrid_.get(), PCGAMG));
-      check(PCGAMGSetReuseInterpolation(multigrid_.get(), PETSC_TRUE));
-      check(PCSetOperators(multigrid_.get(), matrix_.get(), matrix_.get()));
-      check(PCSetFromOptions(multigrid_.get()));
-    }
-    check(PCSetUp(multigrid_.get()));
+  void make_multigrid() {
+    check(PCCreate(PETSC_COMM_WORLD, multigrid_.put()));
+    check(PCSetType(multigrid_.get(), PCGAMG));
+    check(PCGAMGSetReuseInterpolation(multigrid_.get(), PETSC_TRUE));
+    check(PCSetOperators(multigrid_.get(), matrix_.get(), matrix_.get()));
+    check(PCSetFromOptions(multigrid_.get()));
   }
 
   /// By conjugate gradients on a rough right-hand side; {0, 1} if they break down.
@@ -205,8 +195,8 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
     if (degree > largest_degree)
       throw SolverError(
           fmt::format("the multigrid of the stiffness converges too slowly (condition {:.3g}); a body may be held at "
-                      "too few nodes, "
-                      "or its elements are very thin or almost incompressible: use linear_solver.method = \"direct\"",
+                      "too few nodes, or its elements are very thin or almost incompressible: use linear_solver.method "
+                      "= \"direct\"",
                       condition));
     log::info("multigrid: {} cycles per solve of {} unknowns (condition {:.3g})", degree, size(), condition);
     chebyshev_.reset();
@@ -251,7 +241,8 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
   OwnedKSP chebyshev_;
   OwnedVec right_, solution_, whole_;
   OwnedScatter to_all_;
-  double rcond_ = 0, counted_bytes_ = 0;
+  double rcond_ = 0;
+  CountedBytes counted_bytes_;
   std::vector<PetscInt> rows_;  // scratch
   std::vector<double> values_;
   linalg::SingleTask nothing_;

@@ -105,7 +105,6 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
   }
 
   MumpsCholesky& operator=(const MumpsCholesky&) = delete;
-  ~MumpsCholesky() override { set_factor_bytes(0); }
 
   std::unique_ptr<StiffnessSolver> same_pattern() const override { return std::make_unique<MumpsCholesky>(*this); }
 
@@ -129,7 +128,7 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
     }
     data.a_loc = nullptr;
     counting().factorization_flops += data.rinfo[2];
-    set_factor_bytes(8.0 * (mumps_.info(9) < 0 ? -1e6 * mumps_.info(9) : mumps_.info(9)));
+    counted_bytes_.set(8.0 * (mumps_.info(9) < 0 ? -1e6 * mumps_.info(9) : mumps_.info(9)));
     constexpr int zero_pivot = -10;
     if (status == zero_pivot) throw linalg::SingularMatrix{-1, 0};
     if (status < 0) fail("factorise", mumps_);
@@ -177,10 +176,6 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
   double rcond() const override { return rcond_; }
 
  private:
-  void set_factor_bytes(double bytes) {
-    counting().factor_bytes += bytes - own_factor_bytes_;
-    own_factor_bytes_ = bytes;
-  }
   void set_pattern(const linalg::SparseMatrix& lower) {
     rows_.reserve(lower.nonZeros());
     columns_.reserve(lower.nonZeros());
@@ -298,7 +293,7 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
   std::vector<int> counts_, starts_;  // of the parts of the solution of all processes
   std::vector<std::int32_t> places_;  // the unknowns of these parts
   linalg::SingleTask nothing_;
-  double own_factor_bytes_ = 0;
+  CountedBytes counted_bytes_;
 };
 
 }  // namespace

@@ -83,11 +83,10 @@ class Body {
   /// @param elastic  moduli H
   void initial_strain_force(const ElasticState& elastic, CreepStrainView strain,
                             std::span<double> right_hand_side) const;
-  /// residual (n_free) = T^T (F(t) - integral B^T stress), the remainder of right_hand_side() for the stress of some
+  /// residual (n_free) = T^T (F - integral B^T stress), the remainder of right_hand_side() for the stress of some
   /// displacement. Cost: one element loop.
-  void residual(const BodyConditions& at, std::span<const double> stress, std::span<double> residual) const;
-  /// The same without loads: residual (n_free) = - T^T integral B^T stress
-  void unloaded_residual(std::span<const double> stress, std::span<double> residual) const;
+  /// @param external  F, 3 n_nodes, as BodyConditions::external_forces(); empty: no loads
+  void residual(std::span<const double> external, std::span<const double> stress, std::span<double> residual) const;
   /// forces (3 n_nodes) = integral B^T stress - F(t): reactions at supported nodes, contact forces at contact nodes.
   void residual_forces(const BodyConditions& at, std::span<const double> stress, std::span<double> forces) const;
 

@@ -41,15 +41,11 @@ class FactoredBody {
   /// The same with arbitrary symmetric moduli, one per point, instead of the elastic ones.
   linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
   /// Body::residual less the forces of the hourglass stabilisation. @param free  displacement on the free dofs
-  void residual(const BodyConditions& at, std::span<const double> stress, std::span<const double> free,
+  void residual(std::span<const double> external, std::span<const double> stress, std::span<const double> free,
                 std::span<double> residual) const;
-  /// The same without loads: force (n_free) = - T^T integral B^T stress, less the stabilisation.
-  void unloaded_residual(std::span<const double> stress, std::span<const double> free,
-                         std::span<double> residual) const;
 
  private:
   void stabilize(const BodyConditions& at);
-  void subtract_hourglass_force(std::span<const double> free, std::span<double> from) const;
   [[noreturn]] void report_singular(const linalg::SingularMatrix& error) const;
 
   const Body* body_;

@@ -62,7 +62,7 @@ TEST_P(BodyPart, SumsAreThoseOfTheWholeBody) {
   std::vector<double> right(n), residual(n);
   whole.right_hand_side(at, {creep}, right);
   whole.discretization().stress(u, at.elastic(), {creep}, stress);
-  whole.residual(at, stress, residual);
+  whole.residual(at.external_forces(), stress, residual);
   linalg::SparseMatrix stiffness = whole.on_free_unknowns(whole.full_stiffness(at));
 
   Eigen::VectorXd right_sum = Eigen::VectorXd::Zero(n), residual_sum = right_sum;
@@ -78,7 +78,7 @@ TEST_P(BodyPart, SumsAreThoseOfTheWholeBody) {
     part.discretization().stress(u, here.elastic(), {own_creep}, own_stress);
     for (std::size_t i = 0; i < own_stress.size(); ++i)
       ASSERT_NEAR(own_stress[i], stress[6 * points[i / 6] + i % 6], 1e-12 * std::abs(own_stress[i]) + 1e-12);
-    part.residual(here, own_stress, own);
+    part.residual(here.external_forces(), own_stress, own);
     residual_sum += Eigen::VectorXd::Map(own.data(), n);
     stiffness_sum += part.on_free_unknowns(part.full_stiffness(here));
   }
