@@ -32,10 +32,26 @@ bool has_line(const std::string& text, const std::string& line) {
 TEST(KeySections, TablesAsInTheFile) {
   Lines titles;
   for (const KeySection& section : sections()) titles.push_back(section.title);
-  EXPECT_EQ(titles, (Lines{"", "[mesh]", "[bodies.<name>]", "[materials.<name>]", "[[materials.<name>.creep]]",
-                           "[materials.<name>.rupture]", "[[supports]]", "[[loads]]", "[generalized_plane_strain]",
-                           "[temperature]", "[[contacts]]", "[[cyclic]]", "[[rigid]]", "[[equations]]",
-                           "[contact_solver]", "[linear_solver]", "[time]", "[output]", "[[probes]]", "[[events]]"}));
+  EXPECT_EQ(titles, (Lines{"",
+                           "[mesh]",
+                           "[bodies.<name>]",
+                           "[materials.<name>]",
+                           "[[materials.<name>.creep]]",
+                           "[materials.<name>.rupture]",
+                           "[[supports]]",
+                           "[[loads]]",
+                           "[generalized_plane_strain]",
+                           "[temperature]",
+                           "[[contacts]]",
+                           "[[cyclic]]",
+                           "[[rigid]]",
+                           "[[equations]]",
+                           "[contact_solver]",
+                           "[linear_solver]",
+                           "[time]",
+                           "[output]",
+                           "[[probes]]",
+                           "[[events]]"}));
 }
 
 TEST(KeySections, EveryKeyStandsInOneOfThem) {
