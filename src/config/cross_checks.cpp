@@ -76,6 +76,11 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
     if (table.has("reference_temperature")) continue;
     check(material.young_modulus, table.child("young_modulus").location);
     check(material.poisson_ratio, table.child("poisson_ratio").location);
+    if (const auto& given = material.orthotropic)
+      for (const auto& [constants, key] :
+           {std::pair(&given->young_moduli, "young_moduli"), std::pair(&given->poisson_ratios, "poisson_ratios"),
+            std::pair(&given->shear_moduli, "shear_moduli")})
+        for (const Function& constant : *constants) check(constant, table.child("orthotropic").child(key).location);
     if (material.rupture && by_temperature(*material.rupture)) report(material.rupture->location);
     for (const CreepMechanism& mechanism : material.creep) {
       bool seen = false;
@@ -99,6 +104,18 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
     errors.add(table.child("thermal_expansion").location,
                "'reference_temperature' is missing: the temperature at which the thermal strain is zero is not known",
                "with reference_temperature, often the temperature of assembly");
+  }
+}
+
+/// Axes of a material without any are a mistake somewhere else.
+void check_material_axes(const Config& config, const Item& root, Diagnostics& errors) {
+  for (const Body& body : config.bodies) {
+    if (!body.material_axes) continue;
+    const auto material = std::ranges::find(config.materials, body.material.name, &Material::name);
+    if (material == config.materials.end() || material->orthotropic || material->hill) continue;
+    errors.add(root.child("bodies").child(body.name).child("material_axes").location,
+               fmt::format("the material '{}' is the same in all directions", material->name),
+               fmt::format("with [materials.{0}.orthotropic] or [materials.{0}.hill]", material->name));
   }
 }
 
@@ -155,6 +172,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_regions(config.bodies, errors);
   check_temperature(config, root, errors);
   check_reference_temperature(config, root, errors);
+  check_material_axes(config, root, errors);
 }
 
 }  // namespace creepcontact::config

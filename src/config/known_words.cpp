@@ -64,7 +64,7 @@ constexpr std::array words{
     KnownWord{"materials.<name>", "law a n m norton",
               "a creep law has its own table, [[materials.<name>.creep]] with 'law' and its constants"},
     KnownWord{"materials.<name>", "yield yield_stress plastic plasticity",
-              "not in this version: materials are elastic with creep"},
+              "plasticity that depends on the rate, with hardening, is the law 'chaboche' in creep"},
     KnownWord{"materials.<name>", "conductivity specific_heat",
               "not in this version: temperatures are given, not computed"},
     KnownWord{"materials.<name>.creep[]", "type model name", "the name of the creep law is 'law'"},
@@ -86,7 +86,7 @@ constexpr std::array words{
               "'norton' and 'garofalo' depend on the temperature through their key 'activation_energy'"},
     KnownWord{"materials.<name>.creep[].law=", "user umat creep_subroutine",
               "to give your own creep rate, use 'expression'"},
-    KnownWord{"materials.<name>.creep[].law=", "omega mpc_omega chaboche plastic", "not in this version"},
+    KnownWord{"materials.<name>.creep[].law=", "omega mpc_omega", "not in this version"},
 
     // supports, loads, temperature
     KnownWord{"supports[]", "surface group set nodes face", "the surface, curve or point that is supported is 'on'"},

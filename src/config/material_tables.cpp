@@ -153,17 +153,53 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   return value;
 }
 
+Value<Orthotropic> orthotropic_table() {
+  const std::vector<std::string> T{"T"};
+  return table<Orthotropic>({
+      field<Orthotropic>("young_moduli", &Orthotropic::young_moduli, triple(function(T, greater(0))),
+                         "Young's moduli along the material axes: `[E1, E2, E3]`", Presence::required)
+          .in("stress"),
+      field<Orthotropic>(
+          "poisson_ratios", &Orthotropic::poisson_ratios, triple(function(T)),
+          "Poisson's ratios `[nu12, nu23, nu13]`: nu12 is the contraction along axis 2 under stress along "
+          "axis 1",
+          Presence::required),
+      field<Orthotropic>("shear_moduli", &Orthotropic::shear_moduli, triple(function(T, greater(0))),
+                         "shear moduli `[G12, G23, G13]`", Presence::required)
+          .in("stress"),
+  });
+}
+
+Value<Hill> hill_table() {
+  const auto ratios = triple(number(greater(0)));
+  return table<Hill>({
+      field<Hill>("normal", &Hill::normal, ratios,
+                  "`[R11, R22, R33]`: stresses along the material axes that cause the creep rate of the same von Mises "
+                  "stress of the isotropic law, relative to it"),
+      field<Hill>("shear", &Hill::shear, ratios,
+                  "`[R12, R23, R13]`: the same for shear stresses times sqrt(3); below 1: creeps faster"),
+  });
+}
+
 }  // namespace
 
 Value<Material> material_table(const Vocabulary& vocabulary) {
   const std::vector<std::string> T{"T"};
   const Range compressible{.min = -1.0, .max = 0.5, .open_min = true, .open_max = true};
-  const auto keys = table<Material>({
-      field<Material>("young_modulus", &Material::young_modulus, function(T, greater(0)), "Young's modulus",
-                      Presence::required)
+  const std::vector<Field<Material>> isotropic{
+      field<Material>("young_modulus", &Material::young_modulus, function(T, greater(0)), "Young's modulus")
+          .otherwise("required without `orthotropic`")
           .in("stress"),
-      field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio",
-                      Presence::required),
+      field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio")
+          .otherwise("required without `orthotropic`"),
+  };
+  const auto keys = table<Material>({
+      isotropic[0],
+      isotropic[1],
+      field<Material>("orthotropic", &Material::orthotropic, orthotropic_table(),
+                      "elasticity along three axes, instead of the isotropic constants"),
+      field<Material>("hill", &Material::hill, hill_table(),
+                      "anisotropic creep: the equivalent stress of Hill in all creep laws"),
       field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
                       "secant coefficient: strain = alpha(T) (T - `reference_temperature`)")
           .in("1/temperature"),
@@ -181,9 +217,18 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "reports")
           .changeable(),
   });
-  return converted<Material>(keys, [](Material material, const Item& item, Context&) -> std::optional<Material> {
+  return converted<Material>(keys, [isotropic](Material material, const Item& item, Context& context) {
     material.location = item.location;
-    return material;
+    if (!material.orthotropic) {
+      std::vector<KeyInfo> needed{isotropic[0].info, isotropic[1].info};
+      for (KeyInfo& key : needed) key.required = true;
+      require_keys(item, needed, context);
+    } else {
+      for (const std::string& key : given_keys(item, {"young_modulus", "poisson_ratio"}))
+        context.errors.add(item.child(key).location, "the elasticity is given by 'orthotropic' too",
+                           "either isotropic constants or 'orthotropic'");
+    }
+    return std::optional(std::move(material));
   });
 }
 

@@ -91,6 +91,18 @@ Value<Mesh> mesh_table() {
   });
 }
 
+Value<MaterialAxes> material_axes_table() {
+  const auto direction = triple(function({"x", "y", "z"}));
+  return table<MaterialAxes>({
+      field<MaterialAxes>("first", &MaterialAxes::first, direction, "direction of axis 1, of any length",
+                          Presence::required),
+      field<MaterialAxes>("second", &MaterialAxes::second, direction,
+                          "direction of axis 2, of any length; its part along axis 1 is taken out. Axis 3 is at right "
+                          "angles to both",
+                          Presence::required),
+  });
+}
+
 Value<Body> body_table() {
   const auto keys = table<Body>({
       field<Body>("region", &Body::region, one_or_more("a physical volume"),
@@ -102,6 +114,9 @@ Value<Body> body_table() {
       field<Body>("thickness", &Body::thickness, number(greater(0)), "plane stress only: thickness of this body")
           .in("length")
           .otherwise("that of the mesh"),
+      field<Body>("material_axes", &Body::material_axes, material_axes_table(),
+                  "axes of an orthotropic material or of Hill's creep")
+          .otherwise("axes 1, 2, 3 along x, y, z"),
   });
   return converted<Body>(keys, [](Body body, const Item& item, Context&) -> std::optional<Body> {
     body.location = item.location;

@@ -60,7 +60,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       before_(history_) {
   preconditioners_.resize(laws_.points().size());
   for (const MaterialPoints& points : laws_.points())
-    local_.push_back(points.has_internal_variables() ? std::make_unique<MaterialTangent>(points) : nullptr);
+    local_.push_back(points.has_closed_form() ? nullptr : std::make_unique<MaterialTangent>(points));
 }
 
 CreepSystem::~CreepSystem() = default;

@@ -27,10 +27,7 @@ double elastic_energy(const mechanics::Discretization& discretization, const mec
   const std::span<const double> weights = discretization.weights();
   return numerics::sum_over_points(stress.size() / 6, [&](std::size_t p) {
     const tensor::ConstMap sigma = tensor::view(stress, p);
-    const material::Moduli& h = elastic.at(p);
-    const double mean = tensor::trace(sigma) / 3;
-    const double deviatoric = (sigma.squaredNorm() - 3 * mean * mean) / (2 * h.mu);
-    return weights[p] * (deviatoric + mean * mean / (h.lambda + 2.0 / 3.0 * h.mu));
+    return weights[p] * sigma.dot(elastic.elastic_strain(p, sigma));
   });
 }
 
@@ -54,7 +51,7 @@ double displacement_norm(const Assembly& assembly, const Equilibrium& of) {
   std::vector<double> stress;
   for (std::size_t b = 0; b < of.bodies.size(); ++b) {
     const mechanics::Discretization& discretization = assembly.bodies()[b].discretization();
-    const mechanics::ElasticState moduli{of.conditions[b].moduli};
+    const mechanics::ElasticState moduli = of.conditions[b].stiffness();
     stress.resize(of.bodies[b].stress.size());
     discretization.stress(of.bodies[b].displacement, moduli, {}, stress);
     sum += elastic_energy(discretization, moduli, stress);

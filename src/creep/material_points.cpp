@@ -25,19 +25,24 @@ MaterialPoints::MaterialPoints(const mechanics::Body& body, double min_strain)
     n_state += mechanisms_.back().internal.size;
     n_parameters_ += mechanisms_.back().parameters.size;
     fits_mean_stress_ = fits_mean_stress_ || law->uses_mean_stress();
+    is_coaxial_ = is_coaxial_ && law->is_coaxial();
     for (const Function& parameter : law->parameters())
       depends_on_temperature_ = depends_on_temperature_ || parameter.depends_on_temperature();
   }
   fits_mean_stress_ = fits_mean_stress_ && body.discretization().fits_mean_stress();
   if (empty()) return;
+  if (const auto& ratios = body.material().hill) {
+    const Matrix6 of_axes = material::hill_transformation(*ratios);
+    for (const Matrix3& axes : body.material_axes()) hill_.push_back(material::turned(of_axes, axes));
+  }
   const std::vector<double> nothing(std::max<std::size_t>(6, stride_), 0.0);
   LawParameters laws;
   update(body.at(0), laws);
-  const PointsState at{laws, {}, nothing, nothing};
+  const PointsState at{laws, {}, {}, nothing};
   std::array<double, 6> values;
   for (const material::StateVariable* variable : material::state_variables())
     if (std::ranges::any_of(mechanisms_, [&](const Mechanism& mechanism) {
-          return mechanism.law->evaluate(*variable, seen_by(mechanism, 0, at), values);
+          return mechanism.law->evaluate(*variable, seen_by(mechanism, 0, at, {*this, 0, tensor::zero()}), values);
         }))
       known_.push_back(variable);
 }
@@ -65,11 +70,12 @@ void MaterialPoints::update(const mechanics::BodyConditions& at, LawParameters& 
   into.evaluated = true;
 }
 
-material::PointState MaterialPoints::seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at) const {
+material::PointState MaterialPoints::seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at,
+                                             const SeenStress& stress) const {
   const LawParameters& laws = at.laws;
   const std::span<const double> state = of_point(p, at.state);
   const Part parameters{mechanism.parameters.first + (laws.uniform ? 0 : n_parameters_ * p), mechanism.parameters.size};
-  return {.stress = tensor::view(at.stress, p),
+  return {.stress = stress.of(*mechanism.law),
           .creep_strain = tensor::view(state, 0),
           .internal = mechanism.internal.of(state),
           .parameters = parameters.of(std::span(laws.values)),
@@ -98,10 +104,12 @@ void MaterialPoints::rate(const PointsState& given, std::span<double> rate,
   const PointsState at{given.laws, given.elastic, stress, given.state};
   const auto for_each_law = [&](std::size_t p, const auto& evaluate) {
     const std::span<double> own = of_point(p, rate);
+    const SeenStress seen(*this, p, tensor::view(at.stress, p));
     std::fill_n(own.begin(), 6, 0.0);
     for (const Mechanism& mechanism : mechanisms_)
-      evaluate(*mechanism.law, seen_by(mechanism, p, at),
+      evaluate(*mechanism.law, seen_by(mechanism, p, at, seen),
                material::PointRate{tensor::writable(own, 0), mechanism.internal.of(own)});
+    turn_back(p, own);
   };
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     if (tangents.empty()) {
@@ -119,8 +127,10 @@ void MaterialPoints::tangents(const PointsState& given, std::span<material::Stre
   const LawStress stress(*this, given.stress);
   const PointsState at{given.laws, given.elastic, stress, given.state};
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
+    const SeenStress seen(*this, p, tensor::view(at.stress, p));
     material::StressTangent sum;
-    for (const Mechanism& mechanism : mechanisms_) add(mechanism.law->stress_tangent(seen_by(mechanism, p, at)), sum);
+    for (const Mechanism& mechanism : mechanisms_)
+      add(mechanism.law->stress_tangent(seen_by(mechanism, p, at, seen)), sum);
     into[p] = sum;
   });
 }
@@ -138,12 +148,14 @@ void MaterialPoints::derivative(const PointsState& given, const PointsChange& gi
 
 void MaterialPoints::derivative_at(std::size_t p, const PointsState& at, const PointsChange& change,
                                    std::span<double> rate_change) const {
+  const SeenStress seen(*this, p, tensor::view(at.stress, p)), seen_change(*this, p, tensor::view(change.stress, 0));
   std::fill_n(rate_change.begin(), 6, 0.0);
   for (const Mechanism& mechanism : mechanisms_)
     mechanism.law->derivative(
-        seen_by(mechanism, p, at),
-        {tensor::view(change.stress, 0), tensor::view(change.state, 0), mechanism.internal.of(change.state)},
+        seen_by(mechanism, p, at, seen),
+        {seen_change.of(*mechanism.law), tensor::view(change.state, 0), mechanism.internal.of(change.state)},
         {tensor::writable(rate_change, 0), mechanism.internal.of(rate_change)});
+  turn_back(p, rate_change);
 }
 
 double MaterialPoints::start_exponent(double t, const PointsState& at_points) const {
@@ -151,7 +163,8 @@ double MaterialPoints::start_exponent(double t, const PointsState& at_points) co
 #pragma omp parallel for schedule(static) reduction(min : smallest) if (n_points_ >= numerics::parallel_points)
   for (std::size_t p = 0; p < n_points_; ++p)
     for (const Mechanism& mechanism : mechanisms_) {
-      material::PointState at = seen_by(mechanism, p, at_points);
+      const SeenStress seen(*this, p, tensor::view(at_points.stress, p));
+      material::PointState at = seen_by(mechanism, p, at_points, seen);
       at.time = t;
       smallest = std::min(smallest, mechanism.law->start_exponent(at));
     }
@@ -164,11 +177,15 @@ void MaterialPoints::add_increment(double t, double duration, const PointsState&
   const PointsState at_points{given.laws, given.elastic, stress, given.state};
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     const std::span<double> own = of_point(p, change);
+    const SeenStress seen(*this, p, tensor::view(at_points.stress, p));
+    Tensor6 strain = Tensor6::Zero();
     for (const Mechanism& mechanism : mechanisms_) {
-      material::PointState at = seen_by(mechanism, p, at_points);
+      material::PointState at = seen_by(mechanism, p, at_points, seen);
       at.time = t;
-      mechanism.law->increment(at, duration, {tensor::writable(own, 0), mechanism.internal.of(own)});
+      mechanism.law->increment(at, duration, {tensor::writable(strain), mechanism.internal.of(own)});
     }
+    turn_back(p, {strain.data(), 6});
+    tensor::writable(own, 0) += strain;
   });
 }
 
@@ -178,8 +195,9 @@ std::vector<double> MaterialPoints::evaluate(const material::StateVariable& vari
   std::vector<double> values(width * n_points_, 0.0);
   numerics::for_each_index(n_points_, numerics::parallel_points, [&](std::size_t p) {
     std::array<double, 6> of_law;
+    const SeenStress seen(*this, p, tensor::view(at.stress, p));
     for (const Mechanism& mechanism : mechanisms_) {
-      if (!mechanism.law->evaluate(variable, seen_by(mechanism, p, at), of_law)) continue;
+      if (!mechanism.law->evaluate(variable, seen_by(mechanism, p, at, seen), of_law)) continue;
       for (std::size_t k = 0; k < width; ++k) {
         double& value = values[width * p + k];
         value = sums ? value + of_law[k] : std::max(value, of_law[k]);
@@ -189,14 +207,14 @@ std::vector<double> MaterialPoints::evaluate(const material::StateVariable& vari
   return values;
 }
 
-double MaterialPoints::stiffest_with_internal(std::size_t p, const PointsState& at, Eigen::VectorXd& v,
-                                              Eigen::VectorXd& product) const {
+double MaterialPoints::stiffest_at(std::size_t p, const PointsState& at, Eigen::VectorXd& v,
+                                   Eigen::VectorXd& product) const {
   constexpr int iterations = 12;
   v.setOnes();
   double size = 0;
   for (int i = 0; i < iterations; ++i) {
     v.normalize();
-    const Tensor6 change = -material::stress(at.elastic.at(p), v.head<6>());
+    const Tensor6 change = -at.elastic.stress(p, v.head<6>());
     derivative_at(p, at, {.stress = {change.data(), 6}, .state = {v.data(), stride_}}, {product.data(), stride_});
     size = product.norm();
     if (!(size > 0)) return 0;
@@ -216,7 +234,7 @@ double MaterialPoints::stiffest_rate(const PointsState& at, std::span<const mate
       const material::Moduli& moduli = at.elastic.at(p);
       stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),
                            (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric});
-      if (has_internal_variables()) stiffest = std::max(stiffest, stiffest_with_internal(p, at, v, product));
+      if (!has_closed_form()) stiffest = std::max(stiffest, stiffest_at(p, at, v, product));
     }
   }
   return stiffest;

@@ -1,5 +1,6 @@
 #include "creepcontact/creep/material_tangent.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "creepcontact/base/index.hpp"
@@ -8,7 +9,9 @@
 namespace creepcontact::creep {
 namespace {
 
-Matrix6 compliance(const material::Moduli& h) {
+Matrix6 compliance(const mechanics::ElasticState& elastic, std::size_t point) {
+  if (!elastic.matrices.empty()) return elastic.matrices[point].llt().solve(Matrix6::Identity());
+  const material::Moduli& h = elastic.at(point);
   const double volumetric = 1 / (3 * (3 * h.lambda + 2 * h.mu)), deviatoric = 1 / (2 * h.mu);
   Matrix6 result = deviatoric * Matrix6::Identity();
   result.topLeftCorner<3, 3>().array() += volumetric - deviatoric / 3;
@@ -57,7 +60,7 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
     eliminated = work.elimination.solve(eliminated).eval();
   }
   const Matrix6 modulus =
-      Matrix6(compliance(at.elastic.at(p)) + eliminated.topRightCorner<6, 6>()).partialPivLu().inverse();
+      Matrix6(compliance(at.elastic, p) + eliminated.topRightCorner<6, 6>()).partialPivLu().inverse();
   moduli_[p] = 0.5 * (modulus + modulus.transpose());
 }
 

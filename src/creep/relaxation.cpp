@@ -13,13 +13,6 @@ namespace {
 constexpr double out_of_reach = 1e12;  // times the time that the search starts from
 constexpr double exact_enough = 1e-6;
 
-/// sigma : C sigma
-double elastic_work(const Tensor6& stress, const material::Moduli& moduli) {
-  const double trace = tensor::trace(stress);
-  return tensor::deviator(stress).squaredNorm() / (2 * moduli.mu) +
-         trace * trace / (3 * (3 * moduli.lambda + 2 * moduli.mu));
-}
-
 std::vector<double> grown_until(double end, const MaterialPoints& points, const PointsState& at) {
   std::vector<double> change(points.size() * points.stride(), 0.0);
   points.add_increment(0, end, at, change);
@@ -33,7 +26,7 @@ std::vector<double> ratios(double end, const MaterialPoints& points, const Point
   std::vector<double> values(points.size());
   for (std::size_t p = 0; p < points.size(); ++p) {
     const Tensor6 stress = tensor::view(at.stress, p);
-    const double stored = elastic_work(stress, at.elastic.at(p));
+    const double stored = stress.dot(at.elastic.elastic_strain(p, stress));
     values[p] = stored > 0 ? stress.dot(grown.at(p)) / stored : 0;
   }
   return values;
@@ -70,7 +63,8 @@ double creep_over_elastic_strain(const Team& team, const MaterialPoints& points,
   const std::span<const double> weights = points.body().discretization().weights();
   const mechanics::CreepStrainView grown{change, points.stride()};
   const double stored = numerics::sum_over_points(points.size(), [&](std::size_t p) {
-    return weights[p] * elastic_work(tensor::view(at.stress, p), at.elastic.at(p));
+    const Tensor6 stress = tensor::view(at.stress, p);
+    return weights[p] * stress.dot(at.elastic.elastic_strain(p, stress));
   });
   const double spent = numerics::sum_over_points(
       points.size(), [&](std::size_t p) { return weights[p] * tensor::view(at.stress, p).dot(grown.at(p)); });

@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include "ageing.hpp"
+#include "anand.hpp"
+#include "chaboche.hpp"
 #include "expression_law.hpp"
 #include "garofalo.hpp"
 #include "hereditary.hpp"
 #include "kachanov_rabotnov.hpp"
+#include "lemaitre.hpp"
 #include "norton.hpp"
 #include "strain_hardening.hpp"
 #include "time_hardening.hpp"
@@ -20,8 +23,11 @@ const std::vector<LawInfo>& creep_laws() {
       time_hardening_info(),     // primary creep
       graham_walles_info(),      //
       strain_hardening_info(),   //
+      lemaitre_info(),           //
       ageing_info(),             //
       kachanov_rabotnov_info(),  // tertiary creep
+      chaboche_info(),           // creep and plasticity
+      anand_info(),              //
       hereditary_info(),         // viscoelastic creep
       kelvin_voigt_info(),       //
       maxwell_info(),            //

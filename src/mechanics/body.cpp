@@ -16,9 +16,9 @@ std::vector<double>& zero_forces(std::size_t n) {
 }  // namespace
 
 Body::Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-           std::optional<TemperatureField> temperature, const NodeLinks& links)
+           std::optional<TemperatureField> temperature, const NodeLinks& links, std::optional<MaterialAxes> axes)
     : impl_(std::make_unique<Impl>(std::move(name), std::move(mesh), std::move(material), std::move(supports),
-                                   std::move(temperature), links)) {
+                                   std::move(temperature), links, std::move(axes))) {
   at(0.0);  // throws where something is not admissible
 }
 Body::~Body() = default;
@@ -94,6 +94,9 @@ const mesh::Mesh& Body::mesh() const {
 }
 const material::Material& Body::material() const {
   return impl_->material;
+}
+std::span<const Matrix3> Body::material_axes() const {
+  return impl_->axes;
 }
 const Discretization& Body::discretization() const {
   return impl_->discretization;
@@ -173,7 +176,7 @@ std::vector<PointForces> Body::loads_beyond(const Cut& cut) const {
 }
 
 linalg::SparseMatrix Body::full_stiffness(const BodyConditions& at) const {
-  return impl_->discretization.stiffness({at.moduli});
+  return impl_->discretization.stiffness(at.stiffness());
 }
 
 linalg::SparseMatrix Body::on_free_unknowns(const linalg::SparseMatrix& full) const {

@@ -22,6 +22,27 @@ Moduli moduli_at(const material::Material& material, double temperature) {
   return material::lame(young_modulus, poisson_ratio);
 }
 
+/// In global axes. @param axes  one for all points, or one per point
+std::vector<Matrix6> matrices_at(const material::Material& material, std::span<const Matrix3> axes,
+                                 std::span<const double> temperature, std::size_t n_points) {
+  std::vector<Matrix6> result;
+  result.reserve(n_points);
+  const bool uniform = axes.size() == 1 && (temperature.empty() || !material.orthotropy->depends_on_temperature());
+  for (std::size_t p = 0; p < n_points; ++p) {
+    if (uniform && p > 0) {
+      result.push_back(result.front());
+      continue;
+    }
+    const double T = temperature.empty() ? material.reference_temperature : temperature[p];
+    try {
+      result.push_back(material::turned(material.orthotropy->stiffness(T), axes[axes.size() == 1 ? 0 : p]));
+    } catch (const ModelError& error) {
+      throw ModelError(fmt::format("material '{}': {}", material.name, error.what()));
+    }
+  }
+  return result;
+}
+
 bool moduli_depend_on_temperature(const material::Material& material) {
   return material.young_modulus.depends_on_temperature() || material.poisson_ratio.depends_on_temperature();
 }
@@ -75,6 +96,9 @@ void Body::update(double t, BodyConditions& at) const {
       for (const double temperature : at.temperature) at.moduli.push_back(moduli_at(material, temperature));
   }
 
+  if (material.orthotropy && (first || (new_temperature && material.orthotropy->depends_on_temperature())))
+    at.matrices = matrices_at(material, impl_->axes, at.temperature, n_points);
+
   const std::size_t n_full = 3 * impl_->mesh.nodes.size();
   at.external.assign(n_full + 3 * impl_->discretization.n_inner(), 0.0);
   for (const auto& load : impl_->loads) load->add(t, at.external);
@@ -86,7 +110,7 @@ void Body::update(double t, BodyConditions& at) const {
   at.prescribed.resize(n_full);
   if (impl_->constraints.prescribed(t, at.prescribed)) {
     std::vector<double> stress(6 * n_points), forces(n_full);
-    impl_->discretization.stress(at.prescribed, {at.moduli}, {}, stress);
+    impl_->discretization.stress(at.prescribed, at.stiffness(), {}, stress);
     impl_->discretization.add_internal_force(stress, forces);
     for (std::size_t i = 0; i < n_full; ++i) at.known[i] -= forces[i];
   }

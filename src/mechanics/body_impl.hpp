@@ -8,7 +8,7 @@ namespace creepcontact::mechanics {
 
 struct Body::Impl {
   Impl(std::string name_in, mesh::Mesh mesh_in, material::Material material_in, std::vector<Support> supports_in,
-       std::optional<TemperatureField> temperature_in, const NodeLinks& links)
+       std::optional<TemperatureField> temperature_in, const NodeLinks& links, std::optional<MaterialAxes> axes_in)
       : name(std::move(name_in)),
         mesh(std::move(mesh_in)),
         material(std::move(material_in)),
@@ -18,8 +18,9 @@ struct Body::Impl {
         parts(mesh_parts(mesh)),
         free_motions(mechanics::free_motions(mesh, parts, constraints)),
         fixing_dofs(determinate_fixing_dofs(free_motions, constraints)),
-        temperature(std::move(temperature_in)) {
-    if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
+        temperature(std::move(temperature_in)),
+        axes_of_place(std::move(axes_in)) {
+    prepare_points();
   }
 
   /// See Body::part().
@@ -34,8 +35,16 @@ struct Body::Impl {
         free_motions(whole.free_motions),
         fixing_dofs(whole.fixing_dofs),
         temperature(whole.temperature),
+        axes_of_place(whole.axes_of_place),
         own_elements(std::vector<std::size_t>(elements.begin(), elements.end())) {
+    prepare_points();
+  }
+
+  /// What depends on the places of the points.
+  void prepare_points() {
     if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
+    if (axes_of_place && material.has_axes())
+      axes = axes_of_place->at_points(discretization.point_coordinates(), mesh.section);
   }
 
   std::string name;
@@ -49,6 +58,8 @@ struct Body::Impl {
   std::vector<std::int64_t> fixing_dofs;
   std::optional<TemperatureField> temperature;
   std::unique_ptr<const TemperatureAtPositions> temperature_at_points;
+  std::optional<MaterialAxes> axes_of_place;
+  std::vector<Matrix3> axes{Matrix3::Identity()};  // of the material, one for all points or one per point
   std::vector<std::unique_ptr<const Load>> loads;
   std::optional<std::vector<std::size_t>> own_elements;  // of a part
 };

@@ -78,17 +78,17 @@ class BubbleTerms {
     add_strain(flexibility * residual, strain);
   }
 
-  /// strain += P B_b a, a in equilibrium with moduli strain - initial stress. @param moduli  P symmetric matrices
-  /// @param initial_stress  P x 6
-  void add_strain(std::span<const Matrix6> moduli, std::span<const double> initial_stress,
+  /// strain += P B_b a, a in equilibrium with moduli strain - initial stress and the force on the bubble.
+  /// @param moduli  P symmetric matrices @param initial_stress  P x 6, or empty
+  void add_strain(std::span<const Matrix6> moduli, std::span<const double> initial_stress, const Vector3& force,
                   LaneTensors<P>& strain) const {
     Matrix3 stiffness = Matrix3::Zero();
-    Vector3 residual = Vector3::Zero();
+    Vector3 residual = force;
     for (Index p = 0; p < P; ++p) {
       const Eigen::Matrix<double, 6, 3> matrix = strain_matrix(p), stress = moduli[p] * matrix;
       stiffness += weight_[p] * matrix.transpose() * stress;
-      residual += weight_[p] * (matrix.transpose() * tensor::view(initial_stress, p) -
-                                stress.transpose() * strain.row(p).matrix().transpose());
+      residual -= weight_[p] * stress.transpose() * strain.row(p).matrix().transpose();
+      if (!initial_stress.empty()) residual += weight_[p] * matrix.transpose() * tensor::view(initial_stress, p);
     }
     add_matrices(stiffness.inverse() * residual, strain);
   }

@@ -1,5 +1,6 @@
 #include "creepcontact/mechanics/discretization.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
@@ -134,6 +135,11 @@ std::span<const std::int64_t> Discretization::coupled_nodes(std::size_t element)
 
 mesh::CellType Discretization::element_type(std::size_t element) const {
   return block_of(element).type();
+}
+
+Tensor6 ElasticState::elastic_strain(std::size_t point, const Tensor6& stress) const {
+  if (matrices.empty()) return material::elastic_strain(at(point), stress);
+  return matrices[point].llt().solve(stress);
 }
 
 void Discretization::stress(std::span<const double> u, const ElasticState& elastic, CreepStrainView creep,

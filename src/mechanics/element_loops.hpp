@@ -218,17 +218,30 @@ class ElementLoops final : public ElementBlock {
       for (Index i = 0; i < 3; ++i) values.col(i) -= thermal;
     }
     project_trace(e, values);
-    const LaneModuli<n_points_v> moduli(elastic, first);
-    if constexpr (with_bubble) {
-      Vector3 force = Vector3::Zero();
+    [[maybe_unused]] Vector3 force = Vector3::Zero();  // on the bubble
+    if constexpr (with_bubble)
       if (!elastic.inner_force.empty()) force = Vector3::Map(&elastic.inner_force[3 * (start().inner + e)]);
-      bubble_terms(e).add_strain(moduli, force, values);
-    }
+    if (!elastic.matrices.empty()) return to_stress_by_matrices(e, elastic.matrices.subspan(first, P), force, values);
+    const LaneModuli<n_points_v> moduli(elastic, first);
+    if constexpr (with_bubble) bubble_terms(e).add_strain(moduli, force, values);
     if constexpr (kinematics == Kinematics::plane_stress)
       values.col(2) = -moduli.lambda / (moduli.lambda + moduli.twice_mu) * (values.col(0) + values.col(1));
     const Values spherical = moduli.lambda * (values.col(0) + values.col(1) + values.col(2));
     for (Index i = 0; i < 6; ++i) values.col(i) *= moduli.twice_mu;
     for (Index i = 0; i < 3; ++i) values.col(i) += spherical;
+  }
+
+  void to_stress_by_matrices([[maybe_unused]] std::size_t e, std::span<const Matrix6> matrices,
+                             [[maybe_unused]] const Vector3& force, Tensors& values) const {
+    if constexpr (with_bubble) bubble_terms(e).add_strain(matrices, {}, force, values);
+    for (std::size_t p = 0; p < P; ++p) {
+      Tensor6 strain = values.row(static_cast<Index>(p)).matrix().transpose();
+      if constexpr (kinematics == Kinematics::plane_stress) {
+        strain[2] = 0;
+        strain[2] = -matrices[p].row(2).dot(strain) / matrices[p](2, 2);
+      }
+      values.row(static_cast<Index>(p)) = (matrices[p] * strain).transpose().array();
+    }
   }
 
   void element_force(std::size_t e, Tensors& stress, double* element_forces) const {
@@ -273,7 +286,7 @@ class ElementLoops final : public ElementBlock {
                          [[maybe_unused]] Tensors& strain) const {
     if constexpr (with_bubble)
       bubble_terms(e).add_strain(moduli.subspan(first_point(e), P), initial_stress.subspan(6 * first_point(e), 6 * P),
-                                 strain);
+                                 Vector3::Zero(), strain);
   }
 
   Terms bubble_terms(std::size_t e) const {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -52,6 +53,7 @@ void FactoredBody::factorize(const BodyConditions& at) {
     stabilize(at);
   }
   moduli_ = at.moduli;
+  matrices_ = at.matrices;
   time_ = at.time;
   factored_ = true;
 }
@@ -91,7 +93,13 @@ std::pair<double, double> FactoredBody::stiffness_ratio(const BodyConditions& at
   if (!body_->stiffness_changes() || time_ == at.time) return {1.0, 1.0};
   const auto bulk = [](const Moduli& h) { return h.lambda + 2.0 / 3.0 * h.mu; };
   double least = std::numeric_limits<double>::infinity(), largest = 0;
-  for (std::size_t p = 0; p < at.moduli.size(); ++p) {
+  for (std::size_t p = 0; p < at.matrices.size(); ++p) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6> ratios(at.matrices[p], matrices_[p],
+                                                                   Eigen::EigenvaluesOnly);
+    least = std::min(least, ratios.eigenvalues()[0]);
+    largest = std::max(largest, ratios.eigenvalues()[5]);
+  }
+  for (std::size_t p = 0; at.matrices.empty() && p < at.moduli.size(); ++p) {
     const Moduli &now = at.moduli[p], &then = moduli_[p];
     for (const double ratio : {now.mu / then.mu, bulk(now) / bulk(then)}) {
       least = std::min(least, ratio);

@@ -55,6 +55,7 @@ Eigen::MatrixXd ElementBlock::condensed(const Eigen::MatrixXd& stiffness) const 
 }
 
 Eigen::MatrixXd ElementBlock::element_stiffness(std::size_t e, const ElasticState& elastic) const {
+  if (!elastic.matrices.empty()) return element_stiffness(e, elastic.matrices);
   const Index n_p = n_points_;
   const Eigen::MatrixXd gradients = this->gradients(e), zz = zz_strains(e);
   const Eigen::MatrixXd divergence = zz.size() > 0 ? gradients + zz : gradients;

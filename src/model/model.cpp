@@ -102,7 +102,7 @@ Model build_model(const config::Config& config) {
     errors.collect(config.bodies[b].location, [&] {
       bodies.emplace_back(config.bodies[b].name, meshes[b],
                           make_material(config.material(config.bodies[b].material.name)), supports[b], temperature,
-                          links.of_body[b]);
+                          links.of_body[b], material_axes(config.bodies[b]));
     });
   errors.raise();
 

@@ -33,8 +33,20 @@ std::shared_ptr<const material::CreepLaw> make_life_fraction(const config::Ruptu
 material::Material make_material(const config::Material& from) {
   material::Material result;
   result.name = from.name;
-  result.young_modulus = from.young_modulus;
-  result.poisson_ratio = from.poisson_ratio;
+  if (from.orthotropic) {
+    const config::Orthotropic& given = *from.orthotropic;
+    result.orthotropy = material::Orthotropy{given.young_moduli, given.poisson_ratios, given.shear_moduli};
+    result.young_modulus = result.orthotropy->average_young_modulus();
+    result.poisson_ratio = result.orthotropy->average_poisson_ratio();
+  } else {
+    result.young_modulus = from.young_modulus;
+    result.poisson_ratio = from.poisson_ratio;
+  }
+  if (from.hill) {
+    const auto &normal = from.hill->normal, &shear = from.hill->shear;
+    result.hill = material::HillRatios{{normal[0], normal[1], normal[2], shear[0], shear[1], shear[2]}};
+    material::hill_transformation(*result.hill);  // throws where it is not possible
+  }
   result.thermal_expansion = from.thermal_expansion;
   result.reference_temperature = from.reference_temperature;
   for (const config::CreepMechanism& mechanism : from.creep) {
@@ -44,6 +56,11 @@ material::Material make_material(const config::Material& from) {
   }
   if (from.rupture) result.creep.push_back(make_life_fraction(*from.rupture));
   return result;
+}
+
+std::optional<mechanics::MaterialAxes> material_axes(const config::Body& body) {
+  if (!body.material_axes) return std::nullopt;
+  return mechanics::MaterialAxes{body.material_axes->first, body.material_axes->second};
 }
 
 std::size_t body_index(const config::Config& config, const std::string& name) {

@@ -18,6 +18,7 @@ namespace creepcontact::model {
 mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis);
 
 material::Material make_material(const config::Material& material);
+std::optional<mechanics::MaterialAxes> material_axes(const config::Body& body);
 
 using Bodies = std::vector<mechanics::Body>;
 /// Meshes of the bodies, in the order of the configuration.

@@ -40,7 +40,7 @@ OutputVariable of_state_variable(const material::StateVariable& variable, std::s
           .components = variable.is_tensor ? tensor_components : std::vector<std::string>(),
           .description = variable.description,
           .label = variable.label,
-          .dimension = "",
+          .dimension = variable.dimension,
           .evaluate = evaluate,
           .point_array = variable.name,
           .state_variable = &variable};

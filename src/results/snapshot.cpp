@@ -64,7 +64,7 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   at_points(strain) = at_points(creep_strain);
   for (std::size_t p = 0; p < n_points(); ++p) {
     tensor::Map total = tensor::writable(at_points(strain), p);
-    total += material::elastic_strain(elastic.at(p), tensor_at(at_points(stress), p));
+    total += elastic.elastic_strain(p, tensor_at(at_points(stress), p));
     if (!elastic.thermal_strain.empty()) total.head<3>().array() += elastic.thermal_strain[p];
   }
   at_points(temperature) = conditions.temperature;

@@ -82,8 +82,20 @@ class Recorder {
     section.notes.push_back(given.sources.empty() ? "Sources of the data: none named (key sources of the material)."
                                                   : "Sources of the data: " + given.sources);
     io::RecordedTable elastic{"", {"property", "value", "unit"}, {}};
-    elastic.rows.push_back({"Young's modulus", given.young_modulus.text(), unit(Dimension::stress)});
-    elastic.rows.push_back({"Poisson's ratio", given.poisson_ratio.text(), ""});
+    if (given.orthotropic) {
+      elastic.rows.push_back(
+          {"Young's moduli E1, E2, E3", vector_text(given.orthotropic->young_moduli), unit(Dimension::stress)});
+      elastic.rows.push_back({"Poisson's ratios nu12, nu23, nu13", vector_text(given.orthotropic->poisson_ratios), ""});
+      elastic.rows.push_back(
+          {"shear moduli G12, G23, G13", vector_text(given.orthotropic->shear_moduli), unit(Dimension::stress)});
+    } else {
+      elastic.rows.push_back({"Young's modulus", given.young_modulus.text(), unit(Dimension::stress)});
+      elastic.rows.push_back({"Poisson's ratio", given.poisson_ratio.text(), ""});
+    }
+    if (given.hill) {
+      elastic.rows.push_back({"Hill's ratios R11, R22, R33 of creep", vector_text(given.hill->normal), ""});
+      elastic.rows.push_back({"Hill's ratios R12, R23, R13 of creep", vector_text(given.hill->shear), ""});
+    }
     if (!given.thermal_expansion.is_zero()) {
       const std::string degree = unit(Dimension::temperature);
       elastic.rows.push_back(

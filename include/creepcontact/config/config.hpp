@@ -42,12 +42,18 @@ struct Mesh {
   Location location;     ///< of `file`
 };
 
+/// [bodies.<name>.material_axes]
+struct MaterialAxes {
+  std::array<Function, 3> first, second;  ///< directions, functions of x, y, z
+};
+
 /// [bodies.<name>]
 struct Body {
   std::string name;
   std::vector<Reference> region;    ///< physical volumes, in sections physical surfaces; at least one
   Reference material;               ///< a name in Config::materials
   std::optional<double> thickness;  ///< plane stress: default Mesh::thickness
+  std::optional<MaterialAxes> material_axes;
   Location location;
 };
 
@@ -87,12 +93,27 @@ struct Rupture {
   Location location;
 };
 
+/// [materials.<name>.orthotropic]: functions of T
+struct Orthotropic {
+  std::array<Function, 3> young_moduli;    ///< E1, E2, E3
+  std::array<Function, 3> poisson_ratios;  ///< nu12, nu23, nu13
+  std::array<Function, 3> shear_moduli;    ///< G12, G23, G13
+};
+
+/// [materials.<name>.hill]: ratios of Hill's equivalent stress
+struct Hill {
+  std::array<double, 3> normal{1, 1, 1};  ///< R11, R22, R33
+  std::array<double, 3> shear{1, 1, 1};   ///< R12, R23, R13
+};
+
 /// [materials.<name>]
 struct Material {
   std::string name;
-  Function young_modulus;            ///< of T
-  Function poisson_ratio;            ///< of T
-  Function thermal_expansion = 0.0;  ///< secant, of T
+  Function young_modulus;                  ///< of T; not with `orthotropic`
+  Function poisson_ratio;                  ///< of T; not with `orthotropic`
+  std::optional<Orthotropic> orthotropic;  ///< elasticity
+  std::optional<Hill> hill;                ///< of all creep laws
+  Function thermal_expansion = 0.0;        ///< secant, of T
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;

@@ -48,6 +48,11 @@ class MaterialPoints {
   /// State variables per point, 6 (creep strain) + internal variables of all laws; 0 for an elastic body.
   std::size_t stride() const { return stride_; }
   bool has_internal_variables() const { return stride_ > 6; }
+  /// True if a point's part of the Jacobian is that of isotropic elasticity and the tangents of coaxial laws alone
+  /// (PointPreconditioner); else it follows from derivatives (MaterialTangent).
+  bool has_closed_form() const {
+    return !has_internal_variables() && hill_.empty() && !body_.material().orthotropy && is_coaxial_;
+  }
   const mechanics::Body& body() const { return body_; }
 
   /// Evaluates the parameters at the temperature of `at`; no work if they are up to date.
@@ -75,7 +80,7 @@ class MaterialPoints {
 
   /// Sums of the stress tangents of the laws, one per point. Cost: one pass over the points.
   void tangents(const PointsState& at, std::span<material::StressTangent> into) const;
-  /// Largest eigenvalue over all points of C H, or of the point-wise Jacobian if there are internal variables. The
+  /// Largest eigenvalue over all points of C H, or of the point-wise Jacobian where that has no closed form. The
   /// stable step of explicit Euler is 2 divided by it (Cormeau 1975).
   /// @param tangents  of tangents(at)
   double stiffest_rate(const PointsState& at, std::span<const material::StressTangent> tangents) const;
@@ -92,6 +97,27 @@ class MaterialPoints {
    private:
     std::span<const double> given_;
     std::vector<double> fitted_;
+  };
+
+  /// A stress, or a change of stress, at one point as the laws see it: laws of anisotropic creep through Hill's
+  /// transformation (material::hill_transformation).
+  class SeenStress {
+   public:
+    SeenStress(const MaterialPoints& points, std::size_t p, tensor::ConstMap given) : given_(given) {
+      if (points.hill_.empty()) return;
+      transformed_ = points.hill(p) * given;
+      seen_ = &transformed_;
+    }
+    SeenStress(const SeenStress&) = delete;
+    SeenStress& operator=(const SeenStress&) = delete;
+    tensor::ConstMap of(const material::CreepLaw& law) const {
+      return law.strains() && seen_ ? tensor::view(*seen_) : given_;
+    }
+
+   private:
+    tensor::ConstMap given_;
+    Tensor6 transformed_;
+    const Tensor6* seen_ = nullptr;
   };
 
   /// A contiguous part of an array.
@@ -113,17 +139,26 @@ class MaterialPoints {
   std::span<Number> of_point(std::size_t p, std::span<Number> all) const {
     return {all.data() + stride_ * p, stride_};
   }
-  material::PointState seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at) const;
-  /// Largest eigenvalue of the point-wise Jacobian, internal variables included, by power iteration.
-  double stiffest_with_internal(std::size_t p, const PointsState& at, Eigen::VectorXd& v,
-                                Eigen::VectorXd& product) const;
+  /// @param stress  as the law sees it, seen_stress()
+  material::PointState seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at,
+                               const SeenStress& stress) const;
+  /// Largest eigenvalue of the Jacobian of point p by power iteration.
+  double stiffest_at(std::size_t p, const PointsState& at, Eigen::VectorXd& v, Eigen::VectorXd& product) const;
 
   const mechanics::Body& body_;
   std::size_t n_points_, stride_;
   double min_strain_;
+  const Matrix6& hill(std::size_t p) const { return hill_[hill_.size() == 1 ? 0 : p]; }
+  /// The strain rate, or its change, of laws that saw the stress through Hill's transformation.
+  void turn_back(std::size_t p, std::span<double> rate) const {
+    if (!hill_.empty()) tensor::writable(rate, 0) = hill(p) * Tensor6(tensor::writable(rate, 0));
+  }
+
   std::vector<Mechanism> mechanisms_;
   std::vector<const material::StateVariable*> known_;  // to some law
   std::size_t n_parameters_ = 0;                       // of all laws
+  std::vector<Matrix6> hill_;                          // one for all points, or one per point; empty: isotropic creep
+  bool is_coaxial_ = true;                             // true if all laws are
   bool fits_mean_stress_ = false;                      // a law needs it and the elements support it
   bool depends_on_temperature_ = false;                // true if some parameter does
 };

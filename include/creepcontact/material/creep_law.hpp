@@ -46,8 +46,9 @@ struct PointIncrement {
   std::span<double> internal = {};  ///< n_internal()
 };
 
-/// d(rate)/d(stress) of an isotropic law, in terms of the current stress deviator s:
-///   deviatoric * P + radial * m m^T + volumetric * (1/3) I I^T,   m = s/|s|, P the deviatoric projector.
+/// d(rate)/d(stress) of an isotropic law:
+///   deviatoric * P + radial * m m^T + volumetric * (1/3) I I^T,   P the deviatoric projector,
+/// with the direction m of the strain rate, which for a coaxial law is that of the stress deviator s, s/|s|.
 struct StressTangent {
   double deviatoric = 0, radial = 0, volumetric = 0;
 };
@@ -77,11 +78,21 @@ class CreepLaw {
   /// d(strain rate)/d(stress) with the internal variables held constant.
   virtual StressTangent stress_tangent(const PointState& at) const = 0;
 
+  /// False if the direction of the strain rate is not that of the stress deviator. It then follows from derivative().
+  virtual bool is_coaxial() const { return true; }
+
   /// rate() and stress_tangent() at once, which costs less for some laws.
   virtual StressTangent rate_and_tangent(const PointState& at, PointRate into) const {
     rate(at, std::move(into));
     return stress_tangent(at);
   }
+
+  /// False for a mechanism without strain, which sees the stress itself also where creep is anisotropic.
+  virtual bool strains() const { return true; }
+
+  /// True if the law limits the stress as plasticity does: the stress without creep may then be far above what the
+  /// material ever carries.
+  virtual bool yields() const { return false; }
 
   /// True if rate() gives the creep strain itself instead of a rate, as a function of the current stress and time
   /// (ageing theory).

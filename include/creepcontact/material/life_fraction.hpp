@@ -48,6 +48,7 @@ class LifeFraction final : public CreepLaw {
   int n_internal() const override { return 1; }
   InternalKind internal_kind(int) const override { return InternalKind::fraction; }
   bool uses_mean_stress() const override { return alpha_ > 0; }
+  bool strains() const override { return false; }
 
   void rate(const PointState& at, PointRate into) const override;
   void derivative(const PointState& at, const PointChange& change, PointRate into) const override;

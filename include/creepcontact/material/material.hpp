@@ -1,11 +1,13 @@
 #pragma once
-/// A material: isotropic elasticity with thermal expansion, and its creep mechanisms.
+/// A material: isotropic or orthotropic elasticity with thermal expansion, and its creep mechanisms.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/material/anisotropy.hpp"
 #include "creepcontact/material/creep_law.hpp"
 
 namespace creepcontact::material {
@@ -37,8 +39,12 @@ struct Material {
   Function poisson_ratio;            ///< of T
   Function thermal_expansion = 0.0;  ///< secant: thermal strain = alpha(T) (T - reference_temperature)
   double reference_temperature = 0.0;
+  /// If given, this is the elasticity, and young_modulus and poisson_ratio are isotropic averages for scales.
+  std::optional<Orthotropy> orthotropy;
+  std::optional<HillRatios> hill;  ///< of all creep laws; not of the life fraction
   std::vector<std::shared_ptr<const CreepLaw>> creep;
 
+  bool has_axes() const { return orthotropy || hill; }
   bool creeps() const { return !creep.empty(); }
   /// State variables per point: 6 (creep strain) + internal variables of all laws; 0 for an elastic material.
   int n_state() const;

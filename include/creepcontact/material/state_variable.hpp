@@ -16,6 +16,7 @@ struct StateVariable {
   const char* label;       ///< for axes of plots
   bool is_tensor = false;  ///< six numbers in Mandel order instead of one
   OfSeveralLaws of_several = OfSeveralLaws::largest;
+  const char* dimension = "";  ///< of plots and lists, such as "stress"; empty: a plain number
   double minimum = 0, maximum = std::numeric_limits<double>::infinity();  ///< of a scalar; extrapolation stays within
 
   int width() const { return is_tensor ? 6 : 1; }

@@ -13,6 +13,7 @@
 #include "creepcontact/mechanics/discretization.hpp"
 #include "creepcontact/mechanics/free_motions.hpp"
 #include "creepcontact/mechanics/loads.hpp"
+#include "creepcontact/mechanics/material_axes.hpp"
 #include "creepcontact/mechanics/temperature_field.hpp"
 
 namespace creepcontact::mechanics {
@@ -22,10 +23,12 @@ namespace creepcontact::mechanics {
 class Body {
  public:
   /// @param temperature  nullopt: no thermal strain, material at its reference temperature
+  /// @param axes  of the material; nullopt: those of the coordinates
   /// @throws ModelError if an element is inverted, supports contradict each other, the elastic constants at t = 0 are
   /// not admissible, or the mesh has no volume elements
   Body(std::string name, mesh::Mesh mesh, material::Material material, std::vector<Support> supports,
-       std::optional<TemperatureField> temperature, const NodeLinks& links = {});
+       std::optional<TemperatureField> temperature, const NodeLinks& links = {},
+       std::optional<MaterialAxes> axes = std::nullopt);
   ~Body();
   Body(Body&&) noexcept;
   Body& operator=(Body&&) noexcept;
@@ -46,6 +49,8 @@ class Body {
   const std::string& name() const;
   const mesh::Mesh& mesh() const;
   const material::Material& material() const;
+  /// Material axes at the points, columns of orthonormal matrices: one for all points, or n_points.
+  std::span<const Matrix3> material_axes() const;
   const Discretization& discretization() const;
   const Constraints& constraints() const;
   const std::vector<Support>& supports() const;

@@ -16,6 +16,7 @@ struct BodyConditions {
   std::vector<double> temperature;     ///< n_points; empty if none is given
   std::vector<double> thermal_strain;  ///< n_points, equal normal strains; empty if there is none
   std::vector<Moduli> moduli;          ///< one for all points, or n_points
+  std::vector<Matrix6> matrices;       ///< n_points of anisotropic elasticity (ElasticState); else empty
   std::vector<double> external;        ///< external forces F(t), 3 (n_nodes + n_inner)
   std::vector<double> prescribed;      ///< prescribed displacement, 3 n_nodes
   std::vector<double> known;           ///< F(t) - K prescribed at the nodes, 3 n_nodes
@@ -23,8 +24,11 @@ struct BodyConditions {
 
   /// Moduli, thermal strain and forces on inner displacements; refers to this object.
   ElasticState elastic() const {
-    return {moduli, thermal_strain, has_inner_force ? std::span(external).subspan(known.size()) : std::span<double>{}};
+    return {moduli, thermal_strain, has_inner_force ? std::span(external).subspan(known.size()) : std::span<double>{},
+            matrices};
   }
+  /// Moduli alone.
+  ElasticState stiffness() const { return {.moduli = moduli, .matrices = matrices}; }
   /// External forces on the nodes, 3 n_nodes.
   std::span<const double> external_forces() const { return std::span(external).first(known.size()); }
 

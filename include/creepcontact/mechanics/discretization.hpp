@@ -29,13 +29,22 @@ struct CreepStrainView {
 };
 
 /// Elastic material data at all points. Isotropic moduli: one for all points, or one per point. Thermal strain: one
-/// equal normal strain per point. Forces on the inner displacements: 3 n_inner. The last two may be empty, meaning
-/// zero. Refers to values of the caller.
+/// equal normal strain per point. Forces on the inner displacements: 3 n_inner. Matrices of anisotropic elasticity: one
+/// per point; the isotropic moduli are then averages for scales. The last three may be empty. Refers to values of the
+/// caller.
 struct ElasticState {
   std::span<const Moduli> moduli;
   std::span<const double> thermal_strain = {};
   std::span<const double> inner_force = {};
+  std::span<const Matrix6> matrices = {};
   const Moduli& at(std::size_t point) const { return moduli[moduli.size() == 1 ? 0 : point]; }
+
+  /// Stress for an elastic strain at a point, and back.
+  Tensor6 stress(std::size_t point, const Tensor6& elastic_strain) const {
+    return matrices.empty() ? material::stress(at(point), elastic_strain) : Tensor6(matrices[point] * elastic_strain);
+  }
+  /// Cost with matrices: a decomposition.
+  Tensor6 elastic_strain(std::size_t point, const Tensor6& stress) const;
 };
 
 /// Nodes, section and some of the bulk cells of a mesh, without groups. @param elements  numbers among them, ascending

@@ -31,9 +31,9 @@ class FactoredBody {
   /// Time of the conditions that were factored.
   double time() const { return time_; }
   /// Moduli that were factored; no thermal strain.
-  ElasticState elastic() const { return {moduli_, {}}; }
-  /// Smallest and largest ratio of the bulk and shear moduli to the factored ones over all points. The eigenvalues of
-  /// K0^-1 K(t) lie between them. {1, 1} if the stiffness does not change.
+  ElasticState elastic() const { return {.moduli = moduli_, .matrices = matrices_}; }
+  /// Smallest and largest ratio of the bulk and shear moduli, or of the matrices, to the factored ones over all points.
+  /// The eigenvalues of K0^-1 K(t) lie between them. {1, 1} if the stiffness does not change.
   std::pair<double, double> stiffness_ratio(const BodyConditions& at) const;
 
   /// Stiffness on the free dofs, lower triangle, with any hourglass stabilisation. Cost: assembly.
@@ -52,6 +52,7 @@ class FactoredBody {
   std::unique_ptr<linalg::StiffnessSolver> solver_;
   linalg::SparseMatrix analyzed_;  // the stiffness, until factorize()
   std::vector<Moduli> moduli_;
+  std::vector<Matrix6> matrices_;
   double time_ = 0;
   bool factored_ = false;
 

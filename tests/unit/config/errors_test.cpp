@@ -32,6 +32,12 @@ TEST(ConfigMistakes, MissingKey) {
       "[time]\nend = 1\n" + minimal.substr(0, minimal.find("[time]")) + "[materials.gold]\nyoung_modulus = 1\n",
       "cases/block.toml:12:1: materials.gold.poisson_ratio: missing; allowed: a number in (-1, 0.5)");
   EXPECT_EQ(mistakes("title = 'x'").size(), 4u);
+  const std::string orthotropic =
+      "[materials.gold.orthotropic]\nyoung_moduli = [1, 1, 1]\npoisson_ratios = [0, 0, 0]\nshear_moduli = [1, 1, 1]\n";
+  EXPECT_TRUE(mistakes(minimal + orthotropic).empty());
+  expect_mistake(minimal + "[materials.gold]\nyoung_modulus = 1\n" + orthotropic,
+                 "cases/block.toml:13:17: materials.gold.young_modulus: the elasticity is given by 'orthotropic' too; "
+                 "allowed: either isotropic constants or 'orthotropic'");
   expect_mistake(minimal + "[[loads]]\non = \"a\"\n", at_12 + "1: loads[0]: no load; allowed: exactly one of pressure");
 }
 

@@ -35,7 +35,10 @@ TEST(KeySections, TablesAsInTheFile) {
   EXPECT_EQ(titles, (Lines{"",
                            "[mesh]",
                            "[bodies.<name>]",
+                           "[bodies.<name>.material_axes]",
                            "[materials.<name>]",
+                           "[materials.<name>.orthotropic]",
+                           "[materials.<name>.hill]",
                            "[[materials.<name>.creep]]",
                            "[materials.<name>.rupture]",
                            "[[supports]]",
@@ -100,8 +103,8 @@ TEST(KeySelection, OneTable) {
   EXPECT_EQ(selected("[output]"),
             (Lines{"output.directory", "output.fields", "output.frd", "output.revolve", "output.unit_names",
                    "output.separator", "output.decimal", "output.checkpoint_seconds"}));
-  EXPECT_EQ(selected("[bodies.shaft]"),
-            (Lines{"bodies.<name>.region", "bodies.<name>.material", "bodies.<name>.thickness"}));
+  EXPECT_EQ(selected("[bodies.shaft]"), (Lines{"bodies.<name>.region", "bodies.<name>.material",
+                                               "bodies.<name>.thickness", "bodies.<name>.material_axes"}));
   const Lines material = selected("[materials.<name>]");
   EXPECT_NE(std::find(material.begin(), material.end(), "materials.<name>.rupture"), material.end());
   EXPECT_EQ(std::find(material.begin(), material.end(), "materials.<name>.rupture.alpha"), material.end());
@@ -142,7 +145,9 @@ TEST(KeyMarkdown, RowsOfATable) {
 
 TEST(KeyMarkdown, TypesInFewWords) {
   const std::string text = key_markdown(sections(), true);
-  EXPECT_NE(text.find("| `young_modulus` | function of T, > 0 [stress] | *required* |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| `young_modulus` | function of T, > 0 [stress] | required without `orthotropic` |"),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("| `traction` | `[x, y, z]`, functions of x, y, z, t [stress] |"), std::string::npos) << text;
   EXPECT_NE(text.find("| `directory` | path | `results/<name of the configuration>` |"), std::string::npos) << text;
   EXPECT_NE(text.find("| `creep` | [`[[materials.<name>.creep]]`](#materialsnamecreep) | elastic |"), std::string::npos)

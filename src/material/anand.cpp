@@ -1,0 +1,102 @@
+#include "anand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "arrhenius.hpp"
+#include "coaxial.hpp"
+#include "constant_parameter.hpp"
+#include "viscoplastic_variables.hpp"
+
+namespace creepcontact::material {
+namespace {
+
+constexpr double least_resistance = 1e-6;  // of s0: trial states of an integrator below that count as this
+
+}  // namespace
+
+Anand::Anand(std::vector<Function> constants) : CreepLaw(std::move(constants)) {
+  require_constant("s0", parameters()[s0], 0.0);
+}
+
+Anand::Rates Anand::rates(double q, const PointState& at) {
+  const std::span<const double> p = at.parameters;
+  const bool vanishes = !(1.0 + at.internal[0] > least_resistance);
+  const double s = p[s0] * (vanishes ? least_resistance : 1.0 + at.internal[0]);
+  const double x = p[xi] * q / s;
+  const double relative = std::pow(std::sinh(x), 1.0 / p[m]);  // f/A
+  Rates r;
+  r.flow = p[A] * relative;
+  // x coth(x), which is 1 at x = 0
+  const double steepness = x > 1e-8 ? x / std::tanh(x) : 1.0;
+  r.flow_by_q = r.flow / p[m] * steepness / q;
+  r.flow_by_s = vanishes ? 0.0 : -r.flow / p[m] * steepness / s;
+  if (!(relative > 0.0) || p[h0] == 0.0) return r;
+  const double s_star = p[s_hat] * std::pow(relative, p[n]);
+  const double rest = 1.0 - s / s_star;
+  const double slow = std::pow(std::abs(rest), p[a] - 1.0);  // |1 - s/s*|^(a-1)
+  const double h = p[h0] / p[s0];
+  r.growth = h * slow * rest * r.flow;
+  // d(1 - s/s*) = (s/s*) (d ln s* - d ln s), and d ln s* = n/m x coth(x) d ln(q/s)
+  const double d_rest_by_ln_q = s / s_star * p[n] / p[m] * steepness;
+  const double d_rest_by_ln_s = -s / s_star - d_rest_by_ln_q;
+  r.growth_by_q = h * slow * (rest * r.flow_by_q + p[a] * r.flow * d_rest_by_ln_q / q);
+  r.growth_by_s = vanishes ? 0.0 : h * slow * (rest * r.flow_by_s + p[a] * r.flow * d_rest_by_ln_s / s);
+  return r;
+}
+
+void Anand::rate(const PointState& at, PointRate into) const {
+  const Deviator now = deviator(at.stress);
+  into.internal[0] = 0.0;
+  if (now.q == 0.0) return;
+  const Rates r = rates(now.q, at);
+  add_flow(now, r.flow, into.creep_strain);
+  into.internal[0] = r.growth;
+}
+
+void Anand::derivative(const PointState& at, const PointChange& change, PointRate into) const {
+  const Deviator now = deviator(at.stress);
+  const Tensor6 ds = tensor::deviator(change.stress);
+  const Rates r = rates(now.q == 0.0 ? vanishing_stress : now.q, at);
+  add_tangent(now, coaxial_tangent(now.q, r.flow, r.flow_by_q), ds, into.creep_strain);
+  into.internal[0] = 0.0;
+  if (now.q == 0.0) return;
+  const double d_resistance = at.parameters[s0] * change.internal[0];
+  add_flow(now, r.flow_by_s * d_resistance, into.creep_strain);
+  into.internal[0] = r.growth_by_q * 1.5 * now.s.dot(ds) / now.q + r.growth_by_s * d_resistance;
+}
+
+StressTangent Anand::stress_tangent(const PointState& at) const {
+  const double q = deviator(at.stress).q;
+  const Rates r = rates(q == 0.0 ? vanishing_stress : q, at);
+  return coaxial_tangent(q, r.flow, r.flow_by_q);
+}
+
+bool Anand::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  if (&variable != &drag_stress) return false;
+  into[0] = at.parameters[s0] * (1.0 + at.internal[0]);
+  return true;
+}
+
+LawInfo anand_info() {
+  return {"anand",
+          "rate = A sinh(xi q/s)^(1/m), ds = h0 |1-s/s*|^a sign(1-s/s*) d eps, s* = s_hat (rate/A)^n",
+          "L. Anand, 1985; S. B. Brown, K. H. Kim, L. Anand, 1989",
+          with_arrhenius({{"A", "rate factor [1/time]", 0.0, true},
+                          {"xi", "multiplier of the stress [-]", 0.0, true},
+                          {.key = "m", .description = "strain rate sensitivity [-]", .maximum = 1.0},
+                          {"s_hat", "coefficient of the resistance at saturation [stress]", 0.0, true},
+                          {"n", "sensitivity of the resistance at saturation to the rate [-]", 0.0, false},
+                          {"h0", "hardening modulus [stress]", 0.0, false},
+                          {"a", "exponent of the hardening [-]", 1.0, false},
+                          {.key = "s0", .description = "resistance at first [stress]", .variables = {}}}),
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            std::vector<Function> constants;
+            for (std::size_t i = 0; i < 8; ++i) constants.push_back(p.at(i).at(0));
+            constants[Anand::A] = arrhenius(constants[Anand::A], p.at(8).at(0), p.at(9).at(0), p.at(10).at(0));
+            return std::make_unique<Anand>(std::move(constants));
+          },
+          {&drag_stress}};
+}
+
+}  // namespace creepcontact::material

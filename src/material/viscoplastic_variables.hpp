@@ -1,0 +1,34 @@
+#pragma once
+/// Output variables of the unified viscoplastic laws.
+
+#include "creepcontact/material/state_variable.hpp"
+
+namespace creepcontact::material {
+
+inline constexpr StateVariable back_stress{
+    .name = "back_stress",
+    .description =
+        "centre X of the elastic range: sum of the back stresses of `chaboche`; tensor components; 0 where "
+        "there are none",
+    .label = "back stress",
+    .is_tensor = true,
+    .of_several = StateVariable::OfSeveralLaws::sum,
+    .dimension = "stress"};
+inline constexpr StateVariable isotropic_hardening{
+    .name = "isotropic_hardening",
+    .description = "growth R of the elastic range by isotropic hardening of `chaboche`; negative: softening",
+    .label = "isotropic hardening R",
+    .of_several = StateVariable::OfSeveralLaws::sum,
+    .dimension = "stress",
+    .minimum = -std::numeric_limits<double>::infinity()};
+inline constexpr StateVariable accumulated_inelastic_strain{
+    .name = "accumulated_inelastic_strain",
+    .description = "length p of the path of the inelastic strain in `chaboche`, which grows with every cycle",
+    .label = "accumulated inelastic strain",
+    .of_several = StateVariable::OfSeveralLaws::sum};
+inline constexpr StateVariable drag_stress{.name = "drag_stress",
+                                           .description = "deformation resistance s of `anand`",
+                                           .label = "deformation resistance s",
+                                           .dimension = "stress"};
+
+}  // namespace creepcontact::material
