@@ -47,7 +47,7 @@ const std::map<std::string, Sample> samples{
     {"norton_bailey", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
     {"ageing", {{{1e-13}, {5.0}, {0.4}}}},
     {"soderberg", {.parameters = {{1e-8}, {3.0}, {0.5}, {1e-13}, {5.0}}, .closed_form = true}},
-    {"rcc_mr", {.parameters = {{1e-13}, {0.4}, {5.0}, {1e-15}, {5.5}, {1e9}, {-2.0}}, .closed_form = true}},
+    {"rcc_mr", {.parameters = {{1e-13}, {0.4}, {5.0}, {1e-18}, {5.5}, {1e5}, {-2.0}}, .closed_form = true}},
     {"omega", {{{stress_function("1e-13*q^5*(1 + T/1000)")}, {stress_function("5 + 200/q")}}}},
     {"theta_projection",
      {.parameters = {{stress_function("1e-3*q*(1 + T/1000)")},

@@ -176,26 +176,45 @@ TEST(ThetaProjection, GoesOnFromTheStrainReached) {
 }
 
 TEST(RccMr, FollowsItsCurve) {
-  // Primary creep up to t_fp = 1e7 100^-2 = 1000
-  const double C1 = 1e-13, C2 = 0.4, n1 = 5, C = 1e-16, n = 5.5, C3 = 1e7, n3 = -2;
-  const ParameterValues values{{C1}, {C2}, {n1}, {C}, {n}, {C3}, {n3}};
-  const double primary = C1 * std::pow(100, n1), secondary = C * std::pow(100, n);
-  Bar bar("rcc_mr", values);
+  // Primary creep up to t_fp = 1e7 100^-2 = 1000, where both rates are equal
+  const double C1 = 1e-13, C2 = 0.4, n1 = 5, n = 5.5, C3 = 1e7, n3 = -2;
+  const double primary = C1 * std::pow(100, n1), secondary = C2 * primary * std::pow(1000, C2 - 1);
+  Bar bar("rcc_mr", {{C1}, {C2}, {n1}, {secondary / std::pow(100, n)}, {n}, {C3}, {n3}});
   bar.grow(100, 400);
   EXPECT_NEAR(bar.strain(), primary * std::pow(400, C2), 1e-15);
   EXPECT_NEAR(bar.rate(100), C2 * primary * std::pow(400, C2 - 1), 1e-15);
   bar.grow(100, 1600);
   EXPECT_NEAR(bar.strain(), primary * std::pow(1000, C2) + secondary * 1000, 1e-14);
-  EXPECT_NEAR(bar.rate(100), secondary, 1e-20);
+  EXPECT_NEAR(bar.rate(100), secondary, 1e-18);
+}
+
+TEST(RccMr, AfterAnEarlyEndOfPrimaryCreepTheRateFallsSteeply) {
+  const double C1 = 1e-13, C2 = 0.4, n1 = 5, C = 2e-17, n = 5.5, C3 = 1e7, n3 = -2;
+  const double primary = C1 * std::pow(100, n1), secondary = C * std::pow(100, n);
+  const double end_rate = C2 * primary * std::pow(1000, C2 - 1);
+  ASSERT_GT(end_rate, 3 * secondary);
+  const ParameterValues values{{C1}, {C2}, {n1}, {C}, {n}, {C3}, {n3}};
+  Bar bar("rcc_mr", values), integrated("rcc_mr", values);
+  for (Bar* each : {&bar, &integrated}) each->grow(100, 1000);
+  EXPECT_NEAR(bar.rate(100), end_rate, 1e-9 * end_rate);
+  bar.grow(100, 100);
+  integrated.integrate(100, 100, 1000);
+  EXPECT_NEAR(integrated.strain(), bar.strain(), 1e-9 * bar.strain());
+  EXPECT_NEAR(integrated.rate(100), bar.rate(100), 1e-6 * bar.rate(100));
+  bar.grow(100, 2900);
+  EXPECT_NEAR(bar.rate(100), secondary, 1e-18);
+  const double formula = primary * std::pow(1000, C2) + secondary * 3000;
+  EXPECT_GT(bar.strain(), formula);
+  EXPECT_NEAR(bar.strain(), formula, 0.04 * formula);
 }
 
 TEST(RccMr, PrimaryCreepGoesOnWhereTheStressRises) {
-  const ParameterValues values{{1e-13}, {0.4}, {5.0}, {1e-16}, {5.5}, {1e7}, {-2.0}};
+  const ParameterValues values{{1e-13}, {0.4}, {5.0}, {5e-17}, {5.5}, {1e7}, {-2.0}};
   Bar bar("rcc_mr", values);
   bar.grow(100, 1000 * (1 + 1e-9));
   const double reached = bar.strain(), after = 1e-13 * std::pow(130, 5);
   EXPECT_NEAR(bar.rate(130), 0.4 * after * std::pow(reached / after, 1 - 2.5), 1e-6 * bar.rate(130));
-  EXPECT_NEAR(bar.rate(90), 1e-16 * std::pow(90, 5.5), 1e-20);
+  EXPECT_NEAR(bar.rate(90), 5e-17 * std::pow(90, 5.5), 1e-20);
 }
 
 TEST(RccMr, WithoutAnEndOfPrimaryCreepTheRateIsContinuous) {
