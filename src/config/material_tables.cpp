@@ -6,14 +6,44 @@
 namespace creepcontact::config {
 namespace {
 
-Range range_of(const LawKey& key) {
-  return {.min = key.minimum, .max = key.maximum, .open_min = key.strict};
+Value<Function> value_of(const LawKey& key) {
+  return function(key.variables, {.min = key.minimum, .max = key.maximum, .open_min = key.strict});
+}
+
+/// A value of the key: what is allowed, in words, and its schema.
+struct LawValue {
+  std::string type, brief;
+  MakeJson json;
+  std::vector<Word> words;
+};
+
+LawValue allowed(const LawKey& key) {
+  if (!key.words.empty()) {
+    const Value<std::string> word = choice(key.name, key.words);
+    return {word.type, word.brief, word.json, word.words};
+  }
+  const Value<Function> one = value_of(key);
+  if (!key.list) return {one.type, one.brief, one.json, {}};
+  const Value<std::vector<Function>> several = list(one);
+  return {several.type, several.brief, several.json, {}};
+}
+
+/// As it is written in a file.
+std::string default_of(const LawKey& key) {
+  if (key.fallback.empty()) return "";
+  if (key.words.empty()) return key.fallback.front().text();
+  return fmt::format("\"{}\"", key.words.at(static_cast<std::size_t>(key.fallback.front()({}))));
 }
 
 std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key, Context& context) {
-  const Value<Function> value = function(key.variables, range_of(key));
+  const Value<Function> value = value_of(key);
   CreepParameter parameter{key.name, {}, item.location, true};
-  if (key.list) {
+  if (!key.words.empty()) {
+    const auto number = read_choice(item, context, key.name, key.words);
+    if (!number) return std::nullopt;
+    parameter.values = {static_cast<double>(*number)};
+    parameter.word = key.words[*number];
+  } else if (key.list) {
     const auto values = list(value).read(item, context);
     if (!values) return std::nullopt;
     if (values->empty()) {
@@ -27,6 +57,41 @@ std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key
     parameter.values = {*one};
   }
   return parameter;
+}
+
+Value<Interval> interval() {
+  const std::string type = "[low, high], two numbers that increase";
+  const Value<std::vector<double>> numbers = list(number());
+  Value<Interval> value{.type = type, .read = {}, .brief = "`[low, high]`, numbers", .json = [] {
+                          return schema_of_list(number().json(), 2);
+                        }};
+  value.read = [=](const Item& item, Context& context) -> std::optional<Interval> {
+    if (!item.node->is_array()) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    const auto found = numbers.read(item, context);
+    if (!found) return std::nullopt;
+    if (found->size() == 2 && (*found)[0] < (*found)[1]) return Interval{(*found)[0], (*found)[1]};
+    context.errors.add(item.location, fmt::format("[{}]", fmt::join(*found, ", ")), type);
+    return std::nullopt;
+  };
+  return value;
+}
+
+/// Keys of all laws.
+const std::vector<Field<CreepMechanism>>& common_keys() {
+  static const std::vector<Field<CreepMechanism>> keys{
+      field<CreepMechanism>("stress_range", &CreepMechanism::stress_range, interval(),
+                            "von Mises stresses for which the constants were determined; warns where the stress is "
+                            "larger, or smaller everywhere")
+          .in("stress")
+          .changeable(),
+      field<CreepMechanism>("temperature_range", &CreepMechanism::temperature_range, interval(),
+                            "temperatures for which the constants were determined; warns outside")
+          .in("temperature")
+          .changeable()};
+  return keys;
 }
 
 /// @returns true if the lists are of one length
@@ -63,14 +128,16 @@ void validate(CreepMechanism& mechanism, const Law& law, Context& context) {
 std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context& context) {
   std::vector<std::string> names{"law"};
   std::vector<KeyInfo> required;
+  for (const Field<CreepMechanism>& key : common_keys()) names.push_back(key.info.path);
   for (const LawKey& key : law.keys) {
     names.push_back(key.name);
-    if (key.required)
-      required.push_back({key.name, function(key.variables, range_of(key)).type, true, "", key.description});
+    if (key.required) required.push_back({key.name, allowed(key).type, true, "", key.description});
   }
   known_keys_only(item, names, context);
   require_keys(item, required, context);
   CreepMechanism mechanism{law.name, {}, item.location};
+  for (const Field<CreepMechanism>& key : common_keys())
+    if (const Item found = item.child(key.info.path); found.node) key.read(found, context, mechanism);
   for (const LawKey& key : law.keys) {
     const Item found = item.child(key.name);
     if (!found.node) {
@@ -84,14 +151,14 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
 }
 
 KeyInfo law_key(const Law& law, const LawKey& key) {
-  const Value<Function> one = function(key.variables, range_of(key));
-  const Value<std::vector<Function>> several = list(one);
+  const LawValue value = allowed(key);
   return {.path = key.name,
-          .type = key.list ? several.type : one.type,
+          .type = value.type,
           .required = key.required,
-          .default_value = key.fallback.empty() ? "" : key.fallback.front().text(),
+          .default_value = default_of(key),
           .description = key.description,
-          .brief = key.list ? several.brief : one.brief,
+          .brief = value.brief,
+          .words = value.words,
           .only_with = law.name};
 }
 
@@ -102,6 +169,7 @@ std::vector<KeyInfo> law_keys(const std::vector<Law>& laws, const std::vector<st
                              .default_value = {},
                              .description = "creep law; the other keys are the constants of this law",
                              .brief = "creep law; see `creepcontact list laws`"}};
+  for (const Field<CreepMechanism>& key : common_keys()) keys.push_back(key.info);
   for (const Law& law : laws) {
     keys.front().words.push_back({law.name, law.formula});
     for (const LawKey& key : law.keys) keys.push_back(law_key(law, key));
@@ -114,9 +182,9 @@ Json law_schema(const Law& law) {
   Json table = schema_of_table();
   table["properties"]["law"] = {{"const", law.name}};
   table["required"] = Json::array({"law"});
+  for (const Field<CreepMechanism>& key : common_keys()) add_key(key.info, key.json(), table);
   for (const LawKey& key : law.keys) {
-    const Value<Function> one = function(key.variables, range_of(key));
-    Json& own = table["properties"][key.name] = key.list ? list(one).json() : one.json();
+    Json& own = table["properties"][key.name] = allowed(key).json();
     own["description"] = key.description;
     if (key.required) table["required"].push_back(key.name);
   }
@@ -125,6 +193,7 @@ Json law_schema(const Law& law) {
 
 Json laws_schema(const std::vector<Law>& laws, const std::vector<std::string>& names) {
   Json table{{"type", "object"}, {"required", Json::array({"law"})}, {"properties", {{"law", schema_of_words(names)}}}};
+  for (const Field<CreepMechanism>& key : common_keys()) add_key(key.info, key.json(), table);
   for (const Law& law : laws)
     table["allOf"].push_back({{"if", {{"properties", {{"law", {{"const", law.name}}}}}}}, {"then", law_schema(law)}});
   return table;
@@ -212,9 +281,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
-      field<Material>("sources", &Material::sources, text(),
-                      "where the data come from, such as a standard or a test report; copied to `model.json` and "
-                      "reports")
+      field<Material>("sources", &Material::sources, one_or_more_texts("a text"),
+                      "where the data come from, such as a standard or a test report; copied to `summary.json`, "
+                      "`model.json` and reports")
           .changeable(),
   });
   return converted<Material>(keys, [isotropic](Material material, const Item& item, Context& context) {

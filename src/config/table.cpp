@@ -75,27 +75,41 @@ void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, s
   }
 }
 
-Value<std::vector<Reference>> one_or_more(const std::string& what) {
+namespace {
+
+/// @param entry  of one value; its argument is what is allowed, for messages
+template <class T>
+Value<std::vector<T>> one_or_more_of(Value<T> (*entry)(const std::string&), const std::string& what) {
   const std::string type = what + " or a list of them";
-  Value<std::vector<Reference>> value{.type = type, .read = {}};
-  value.json = [what] {
-    const Json one = reference(what).json();
+  Value<std::vector<T>> value{.type = type, .read = {}};
+  value.json = [=] {
+    const Json one = entry(what).json();
     Json several = schema_of_list(one);
     several["minItems"] = 1;
     return schema_of_any({one, several});
   };
-  value.read = [=](const Item& item, Context& context) -> std::optional<std::vector<Reference>> {
+  value.read = [=](const Item& item, Context& context) -> std::optional<std::vector<T>> {
     if (item.node->is_array()) {
-      auto all = list(reference(what)).read(item, context);
+      auto all = list(entry(what)).read(item, context);
       if (!all || !all->empty()) return all;
     } else if (item.node->is_string()) {
-      if (const auto one = reference(type).read(item, context)) return std::vector{*one};
+      if (const auto one = entry(type).read(item, context)) return std::vector{*one};
       return std::nullopt;
     }
     context.errors.add(item.location, describe(*item.node), type);
     return std::nullopt;
   };
   return value;
+}
+
+}  // namespace
+
+Value<std::vector<Reference>> one_or_more(const std::string& what) {
+  return one_or_more_of<Reference>(reference, what);
+}
+
+Value<std::vector<std::string>> one_or_more_texts(const std::string& what) {
+  return one_or_more_of<std::string>(name, what);
 }
 
 }  // namespace creepcontact::config

@@ -183,6 +183,8 @@ Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dro
 
 /// References, a single one without a list too. @param what  one of them
 Value<std::vector<Reference>> one_or_more(const std::string& what);
+/// Texts that are not empty, a single one without a list too. @param what  one of them
+Value<std::vector<std::string>> one_or_more_texts(const std::string& what);
 
 /// [[array.of.tables]]
 template <class T>

@@ -45,6 +45,8 @@ Json largest(const std::map<std::string, Summary::Largest>& values) {
 void add_life(const Summary& summary, Json& json) {
   if (!summary.damage.empty()) json["damage"] = largest(summary.damage);
   if (!summary.life_fraction.empty()) json["life_fraction"] = largest(summary.life_fraction);
+  for (const auto& [body, life] : summary.remaining_life)
+    json["remaining_life"][body] = {{"smallest", life.value}, {"place", life.position}};
   if (const auto& rupture = summary.rupture)
     json["rupture"] = {{"time", rupture->time},
                        {"body", rupture->body},
@@ -93,6 +95,7 @@ Json accuracy_json(const Summary::Accuracy& accuracy) {
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
+  for (const auto& [material, sources] : summary.sources) json["sources"][material] = sources;
   for (const auto& [name, probe] : summary.probes) json["probes"][name] = probe_json(probe);
   for (const auto& [name, time] : summary.events) json["events"][name] = time ? Json(*time) : Json(nullptr);
   json["status"] = text(summary.status);

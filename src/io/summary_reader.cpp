@@ -43,11 +43,13 @@ Summary::Largest place_of(const nlohmann::json& json, const char* value) {
   return {number(json, value), json.value("place", std::array<double, 3>{})};
 }
 
-std::map<std::string, Summary::Largest> largest_of(const nlohmann::json& summary, const char* name) {
+/// @param extreme  the name of the value of each body
+std::map<std::string, Summary::Largest> extremes_of(const nlohmann::json& summary, const char* name,
+                                                    const char* extreme) {
   std::map<std::string, Summary::Largest> result;
   const auto found = summary.find(name);
   if (found != summary.end())
-    for (const auto& [body, value] : found->items()) result[body] = place_of(value, "largest");
+    for (const auto& [body, value] : found->items()) result[body] = place_of(value, extreme);
   return result;
 }
 
@@ -129,8 +131,10 @@ std::optional<Summary> parse_summary(std::string_view text) {
     read_contacts(json, summary);
     read_probes(json, summary);
     read_accuracy(json, summary);
-    summary.damage = largest_of(json, "damage");
-    summary.life_fraction = largest_of(json, "life_fraction");
+    summary.damage = extremes_of(json, "damage", "largest");
+    summary.life_fraction = extremes_of(json, "life_fraction", "largest");
+    summary.remaining_life = extremes_of(json, "remaining_life", "smallest");
+    summary.sources = json.value("sources", std::map<std::string, std::vector<std::string>>());
     if (const auto rupture = json.find("rupture"); rupture != json.end())
       summary.rupture = {number(*rupture, "time"), rupture->value("body", ""), place_of(*rupture, "damage")};
     summary.friction_kappa = number_if_any(json, "friction_kappa");

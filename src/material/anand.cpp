@@ -91,9 +91,9 @@ LawInfo anand_info() {
                           {"a", "exponent of the hardening [-]", 1.0, false},
                           {.key = "s0", .description = "resistance at first [stress]", .variables = {}}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            p = activated(std::move(p), {Anand::A});
             std::vector<Function> constants;
             for (std::size_t i = 0; i < 8; ++i) constants.push_back(p.at(i).at(0));
-            constants[Anand::A] = arrhenius(constants[Anand::A], p.at(8).at(0), p.at(9).at(0), p.at(10).at(0));
             return std::make_unique<Anand>(std::move(constants));
           },
           {&drag_stress}};

@@ -6,13 +6,16 @@
 
 namespace creepcontact::material {
 
-/// Optional keys activation_energy, gas_constant, absolute_zero, in the order of arrhenius().
-std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own);
+/// Appends the optional keys activation_energy, gas_constant, absolute_zero.
+/// @param of  the parameters that are activated, for the description
+std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own, const std::string& of = "A");
 
-/// @param Q  energy a mole, >= 0; zero: A as it is
-/// @param R  energy a mole and degree
-/// @param absolute_zero  the temperature of absolute zero in the user's unit
-/// @returns a function of T that throws ModelError at or below absolute zero
-Function arrhenius(Function A, const Function& Q, const Function& R, const Function& absolute_zero);
+/// Values whose last three belong to the keys of with_arrhenius(): the parameters with these numbers (all of a list)
+/// are multiplied by exp(-Q/(R (T - absolute_zero))). They become functions of T that throw ModelError at or below
+/// absolute zero. With Q = 0 they are as they were.
+/// @param energy  number of the parameter Q; by default activation_energy
+/// @throws std::out_of_range if there are too few values
+ParameterValues activated(ParameterValues values, std::initializer_list<std::size_t> numbers,
+                          std::optional<std::size_t> energy = {});
 
 }  // namespace creepcontact::material

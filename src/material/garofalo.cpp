@@ -18,8 +18,8 @@ LawInfo garofalo_info() {
                           {"alpha", "inverse of the stress where the power law breaks down [1/stress]", 0.0, true},
                           {"n", "stress exponent at low stress [-]", 1.0, false}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Garofalo>(arrhenius(p.at(0).at(0), p.at(3).at(0), p.at(4).at(0), p.at(5).at(0)),
-                                              p.at(1).at(0), p.at(2).at(0));
+            p = activated(std::move(p), {0});
+            return std::make_unique<Garofalo>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
           }};
 }
 

@@ -1,5 +1,6 @@
 #include "kachanov_rabotnov.hpp"
 
+#include "arrhenius.hpp"
 #include "coaxial.hpp"
 #include "power.hpp"
 #include "stress_measure.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 constexpr double min_rest = 1e-14;  // of 1 - D
 
-enum Parameter { A, n, B, r, phi, alpha };
+enum Parameter { A, n, B, r, phi, alpha, damage_energy };
 
 }  // namespace
 
@@ -65,8 +66,14 @@ StressTangent KachanovRabotnov::stress_tangent(const PointState& at) const {
 }
 
 bool KachanovRabotnov::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
-  if (&variable != &material::damage) return false;
-  into[0] = 1.0 - integrity(at).value;
+  if (&variable == &material::damage) {
+    into[0] = 1.0 - integrity(at).value;
+    return true;
+  }
+  if (&variable != &material::remaining_life) return false;
+  const std::span<const double> p = at.parameters;
+  const double S = StressMeasure(at.stress, p[alpha]).value;
+  into[0] = S > 0.0 ? (p[phi] + 1.0) * p[B] * power(S, p[r]) / std::pow(integrity(at).value, p[phi] + 1.0) : 0.0;
   return true;
 }
 
@@ -74,21 +81,26 @@ LawInfo kachanov_rabotnov_info() {
   return {"kachanov_rabotnov",
           "rate = A (q/(1-w))^n, dw/dt = B S^r/(1-w)^phi, S = alpha max(sigma_1, 0) + (1-alpha) q",
           "L. M. Kachanov, 1958; Y. N. Rabotnov, 1969; D. R. Hayhurst, 1972",
-          {{"A", "rate at unit equivalent stress, undamaged [1/(time stress^n)]", 0.0, false},
-           {"n", "stress exponent [-]", 1.0, false},
-           {"B", "damage rate at unit stress, undamaged [1/(time stress^r)]", 0.0, false},
-           {"r", "stress exponent of damage [-]", 0.0, true},
-           {"phi", "damage exponent [-]", 0.0, false},
-           {.key = "alpha",
-            .description = "weight of the largest principal stress in S [-]",
-            .strict = false,
-            .fallback = {{0.0}},
-            .maximum = 1.0}},
+          with_arrhenius({{"A", "rate at unit equivalent stress, undamaged [1/(time stress^n)]", 0.0, false},
+                          {"n", "stress exponent [-]", 1.0, false},
+                          {"B", "damage rate at unit stress, undamaged [1/(time stress^r)]", 0.0, false},
+                          {"r", "stress exponent of damage [-]", 0.0, true},
+                          {"phi", "damage exponent [-]", 0.0, false},
+                          {.key = "alpha",
+                           .description = "weight of the largest principal stress in S [-]",
+                           .strict = false,
+                           .fallback = {{0.0}},
+                           .maximum = 1.0},
+                          {.key = "damage_activation_energy",
+                           .description = "activation energy of `B` [energy/mol]",
+                           .strict = false,
+                           .fallback = {{0.0}}}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            p = activated(activated(std::move(p), {A}), {B}, damage_energy);
             return std::make_unique<KachanovRabotnov>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0),
                                                       p.at(4).at(0), p.at(5).at(0));
           },
-          {&damage}};
+          {&damage, &remaining_life}};
 }
 
 }  // namespace creepcontact::material

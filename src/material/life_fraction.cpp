@@ -1,8 +1,15 @@
 #include "creepcontact/material/life_fraction.hpp"
 
+#include <algorithm>
+
 #include "stress_measure.hpp"
 
 namespace creepcontact::material {
+namespace {
+
+constexpr double used_up = 1e-14;  // smallest rest of life that counts
+
+}  // namespace
 
 void LifeFraction::rate(const PointState& at, PointRate into) const {
   const double S = StressMeasure(at.stress, alpha_).value;
@@ -16,8 +23,14 @@ void LifeFraction::derivative(const PointState& at, const PointChange& change, P
 }
 
 bool LifeFraction::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
-  if (&variable != &material::life_fraction) return false;
-  into[0] = at.internal[0];
+  if (&variable == &material::life_fraction) {
+    into[0] = at.internal[0];
+  } else if (&variable == &material::remaining_life) {
+    const double S = StressMeasure(at.stress, alpha_).value, rest = std::max(1.0 - at.internal[0], used_up);
+    into[0] = S > 0.0 ? data_->rate(S, at.temperature).value / rest : 0.0;
+  } else {
+    return false;
+  }
   return true;
 }
 

@@ -16,8 +16,8 @@ LawInfo norton_info() {
           with_arrhenius({{"A", "rate at unit equivalent stress [1/(time stress^n)]", 0.0, false},
                           {"n", "stress exponent [-]", 1.0, false}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Norton>(arrhenius(p.at(0).at(0), p.at(2).at(0), p.at(3).at(0), p.at(4).at(0)),
-                                            p.at(1).at(0));
+            p = activated(std::move(p), {0});
+            return std::make_unique<Norton>(p.at(0).at(0), p.at(1).at(0));
           }};
 }
 

@@ -11,7 +11,12 @@
 #include "kachanov_rabotnov.hpp"
 #include "lemaitre.hpp"
 #include "norton.hpp"
+#include "norton_bailey.hpp"
+#include "omega.hpp"
+#include "rcc_mr.hpp"
+#include "soderberg.hpp"
 #include "strain_hardening.hpp"
+#include "theta_projection.hpp"
 #include "time_hardening.hpp"
 
 namespace creepcontact::material {
@@ -20,12 +25,17 @@ const std::vector<LawInfo>& creep_laws() {
   static const std::vector<LawInfo> laws{
       norton_info(),             // secondary creep
       garofalo_info(),           //
-      time_hardening_info(),     // primary creep
+      norton_bailey_info(),      // primary creep
+      time_hardening_info(),     //
       graham_walles_info(),      //
       strain_hardening_info(),   //
       lemaitre_info(),           //
       ageing_info(),             //
+      soderberg_info(),          // primary and secondary creep
+      rcc_mr_info(),             //
       kachanov_rabotnov_info(),  // tertiary creep
+      omega_info(),              //
+      theta_projection_info(),   // all three stages
       chaboche_info(),           // creep and plasticity
       anand_info(),              //
       hereditary_info(),         // viscoelastic creep
@@ -39,7 +49,7 @@ const std::vector<LawInfo>& creep_laws() {
 
 const std::vector<const StateVariable*>& state_variables() {
   static const std::vector<const StateVariable*> all = [] {
-    std::vector<const StateVariable*> found{&damage, &life_fraction};
+    std::vector<const StateVariable*> found{&damage, &life_fraction, &remaining_life};
     for (const LawInfo& law : creep_laws())
       for (const StateVariable* variable : law.state_variables)
         if (std::ranges::find(found, variable) == found.end()) found.push_back(variable);

@@ -1,12 +1,13 @@
 #include "strain_hardening.hpp"
 
+#include "arrhenius.hpp"
 #include "constant_parameter.hpp"
 #include "power.hpp"
 
 namespace creepcontact::material {
 
-StrainHardening::StrainHardening(Function A, Function n, Function m)
-    : HardeningLaw({std::move(A), std::move(n), std::move(m)}, true) {
+StrainHardening::StrainHardening(std::string name, Function A, Function n, Function m)
+    : HardeningLaw({std::move(A), std::move(n), std::move(m)}, true), name_(std::move(name)) {
   require_constant("m", parameters()[2], 0.0, 1.0);
 }
 
@@ -36,11 +37,13 @@ LawInfo strain_hardening_info() {
   return {"strain_hardening",
           "rate = m A^(1/m) q^(n/m) eps^(1-1/m)",
           "A. Nadai, 1937",
-          {{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
-           {"n", "stress exponent [-]", 1.0, false},
-           {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}},
+          with_arrhenius(
+              {{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
+               {"n", "stress exponent [-]", 1.0, false},
+               {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<StrainHardening>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
+            p = activated(std::move(p), {0});
+            return std::make_unique<StrainHardening>("strain_hardening", p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
           },
           {&hardening_strain}};
 }

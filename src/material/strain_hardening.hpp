@@ -15,13 +15,16 @@ class StrainHardening final : public HardeningLaw {
   /// @param n  [-], >= 1
   /// @param m  [-], in (0, 1], the same at all temperatures
   /// @throws ParameterError if m is not
-  StrainHardening(Function A, Function n, Function m);
-  std::string name() const override { return "strain_hardening"; }
+  StrainHardening(std::string name, Function A, Function n, Function m);
+  std::string name() const override { return name_; }
   double equivalent_rate(double q, double eps, const PointState& at) const override;
   HardeningRate linearized_rate(double q, double eps, const PointState& at) const override;
   double accumulated(double q, double eps, const PointState& at, double duration) const override;
   /// m: wherever a load begins or jumps, some point may be virgin.
   double start_exponent(const PointState& at) const override { return at.parameters[2]; }
+
+ private:
+  std::string name_;
 };
 
 LawInfo strain_hardening_info();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arrhenius.hpp"
 #include "coaxial.hpp"
 #include "lists.hpp"
 #include "power.hpp"
@@ -56,27 +57,28 @@ void TimeHardening::increment(const PointState& at, double duration, PointIncrem
 }
 
 LawInfo time_hardening_info() {
-  return {"time_hardening",
-          "rate = A q^n m t^(m-1)",
-          "P. G. McVetty, 1934; flow theory",
-          {{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
-           {"n", "stress exponent [-]", 1.0, false},
-           {"m", "time exponent [-]; below 1: primary creep", 0.0, true}},
+  return {"time_hardening", "rate = A q^n m t^(m-1)", "P. G. McVetty, 1934; flow theory",
+          with_arrhenius({{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
+                          {"n", "stress exponent [-]", 1.0, false},
+                          {"m", "time exponent [-]; below 1: primary creep", 0.0, true}}),
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            p = activated(std::move(p), {0});
             return std::make_unique<TimeHardening>("time_hardening", p.at(0), p.at(1), p.at(2));
           }};
 }
 
 LawInfo graham_walles_info() {
-  return {"graham_walles",
-          "rate = sum of A_i q^n_i m_i t^(m_i-1)",
-          "A. Graham, K. F. A. Walles, 1955",
+  return {
+      "graham_walles", "rate = sum of A_i q^n_i m_i t^(m_i-1)", "A. Graham, K. F. A. Walles, 1955",
+      with_arrhenius(
           {{.key = "A", .description = "factors [1/(time^m stress^n)]", .minimum = 0.0, .strict = false, .list = true},
            {.key = "n", .description = "stress exponents [-]", .minimum = 1.0, .strict = false, .list = true},
            {.key = "m", .description = "time exponents [-], for example 1/3, 1, 3", .minimum = 0.0, .list = true}},
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<TimeHardening>("graham_walles", p.at(0), p.at(1), p.at(2));
-          }};
+          "all of A"),
+      [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+        p = activated(std::move(p), {0});
+        return std::make_unique<TimeHardening>("graham_walles", p.at(0), p.at(1), p.at(2));
+      }};
 }
 
 }  // namespace creepcontact::material

@@ -14,18 +14,18 @@ namespace {
 
 constexpr double rounding = 1e-9;  // of temperatures that are interpolated
 
-using Extreme = std::array<double, 4>;  // a temperature, and its place
+using Extreme = std::array<double, 4>;  // a value, and its place
 
 /// @param sign  1: the largest, -1: the smallest
-Extreme extreme(const mechanics::Body& body, const std::vector<double>& temperature, int sign, const Team& team) {
+Extreme extreme(const mechanics::Body& body, const std::vector<double>& values, int sign, const Team& team) {
   double rank_by = -std::numeric_limits<double>::infinity();
-  for (const double value : temperature) rank_by = std::max(rank_by, sign * value);
+  for (const double value : values) rank_by = std::max(rank_by, sign * value);
   // Where several points have it but for rounding, the first.
   const auto first = std::ranges::find_if(
-      temperature, [=](double value) { return sign * value >= rank_by - rounding * std::abs(rank_by); });
+      values, [=](double value) { return sign * value >= rank_by - rounding * std::abs(rank_by); });
   Extreme result{};
-  if (first != temperature.end()) {
-    const Vector3& x = body.discretization().point_coordinates()[first - temperature.begin()];
+  if (first != values.end()) {
+    const Vector3& x = body.discretization().point_coordinates()[first - values.begin()];
     result = {*first, x[0], x[1], x[2]};
   }
   team.broadcast(result, team.rank_of_max(rank_by));
@@ -40,26 +40,64 @@ TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
       if (const std::string table = fmt::format("materials.{}.", material.name); function.key.starts_with(table))
         if (const auto range = function.value.table_range("T"))
           tables_[material.name].push_back({function.key.substr(table.size()), *range});
+  for (const config::Material& material : config.materials)
+    for (std::size_t i = 0; i < material.creep.size(); ++i) {
+      const config::CreepMechanism& mechanism = material.creep[i];
+      const std::string what = fmt::format("creep[{}] ({})", i, mechanism.law);
+      if (mechanism.temperature_range) tables_[material.name].push_back({what, *mechanism.temperature_range, true});
+      if (mechanism.stress_range) stresses_[material.name].push_back({what, *mechanism.stress_range});
+    }
   // A temperature from a file may change; the field itself will tell.
   changes_in_time_ =
       config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time());
 }
 
-void TableRangeMonitor::see(double t, const std::vector<mechanics::Body>& bodies,
-                            const std::vector<mechanics::BodyConditions>& conditions, const Team& team) {
+void TableRangeMonitor::see(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at,
+                            const Team& team) {
+  if (!stresses_.empty())
+    for (std::size_t b = 0; b < bodies.size(); ++b) see_stress(bodies[b], at.bodies[b].stress, t, team);
   if (tables_.empty() || time_ == t || (time_ && !changes_in_time_)) return;
   time_ = t;
-  for (std::size_t b = 0; b < bodies.size(); ++b) see(bodies[b], conditions[b], team);
+  for (std::size_t b = 0; b < bodies.size(); ++b) see_temperature(bodies[b], at.conditions[b], team);
 }
 
-void TableRangeMonitor::see(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team) {
+void TableRangeMonitor::see_stress(const mechanics::Body& body, const std::vector<double>& stress, double t,
+                                   const Team& team) {
+  const auto found = stresses_.find(body.material().name);
+  if (found == stresses_.end()) return;
+  std::vector<double> q(stress.size() / 6);
+  for (std::size_t p = 0; p < q.size(); ++p) q[p] = tensor::von_mises(tensor::view(stress, p));
+  const Extreme largest = extreme(body, q, 1, team);
+  for (StressRange& of : found->second) {
+    of.largest = std::max(of.largest, largest[0]);
+    if (of.exceeded || !(largest[0] > of.range.high * (1 + rounding))) continue;
+    of.exceeded = true;
+    log::warning(
+        "material '{}': {}: the von Mises stress at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}, is {:.6g}, outside the "
+        "stress_range of the law ({:.6g} .. {:.6g}); the law is extrapolated",
+        found->first, of.what, largest[1], largest[2], largest[3], t, largest[0], of.range.low, of.range.high);
+  }
+}
+
+void TableRangeMonitor::finish() const {
+  for (const auto& [material, ranges] : stresses_)
+    for (const StressRange& of : ranges)
+      if (of.largest < of.range.low)
+        log::warning(
+            "material '{}': {}: the largest von Mises stress was {:.6g}, below the stress_range of the law ({:.6g} .. "
+            "{:.6g}); the law is extrapolated",
+            material, of.what, of.largest, of.range.low, of.range.high);
+}
+
+void TableRangeMonitor::see_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at,
+                                        const Team& team) {
   const auto found = tables_.find(body.material().name);
   if (found == tables_.end()) return;
   const bool has_temperature = team.any(!at.temperature.empty());
   const double reference = body.material().reference_temperature;
   const Extreme hottest = has_temperature ? extreme(body, at.temperature, 1, team) : Extreme{reference};
   const Extreme coldest = has_temperature ? extreme(body, at.temperature, -1, team) : Extreme{reference};
-  std::erase_if(found->second, [&](const Table& table) {
+  std::erase_if(found->second, [&](const Range& table) {
     const double margin = rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
     const bool above = hottest[0] > table.range.high + margin;
     if (!above && !(coldest[0] < table.range.low - margin)) return false;
@@ -68,8 +106,9 @@ void TableRangeMonitor::see(const mechanics::Body& body, const mechanics::BodyCo
     if (has_temperature)
       where = fmt::format("the temperature at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g},", worst[1], worst[2], worst[3],
                           at.time);
-    log::warning("material '{}': {}: {} is {:.6g}, outside its table ({:.6g} .. {:.6g}); the end value is used",
-                 found->first, table.what, where, worst[0], table.range.low, table.range.high);
+    log::warning("material '{}': {}: {} is {:.6g}, outside {} ({:.6g} .. {:.6g}); {}", found->first, table.what, where,
+                 worst[0], table.of_law ? "the temperature_range of the law" : "its table", table.range.low,
+                 table.range.high, table.of_law ? "the law is extrapolated" : "the end value is used");
     return true;
   });
   if (found->second.empty()) tables_.erase(found);

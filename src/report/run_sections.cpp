@@ -64,6 +64,10 @@ std::vector<std::string> sentences(const RunData& run) {
                               at_place(largest)));
   for (const auto& [name, largest] : summary.damage)
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));
+  for (const auto& [name, life] : summary.remaining_life)
+    if (!summary.rupture)
+      all.push_back(fmt::format("The remaining life of body {} is {}, with the stress and temperature of the end, {}.",
+                                name, with_unit(life.value, time), at_place(life)));
   for (const auto& [name, at] : summary.events)
     all.push_back(
         at ? fmt::format("Event {}: first true at t = {}.", name, with_unit(*at, time))

@@ -8,7 +8,10 @@
 namespace creepcontact::results {
 namespace {
 
-constexpr double small_strain = 1;  // creep strain beyond which results mean nothing any more
+constexpr double rupture_damage = 0.99;     // from here on it is rupture if life is known to end, or not known
+constexpr double certain_rupture = 0.9999;  // whatever remains of life
+constexpr double negligible_life = 1e-4;    // of the time that has passed
+constexpr double small_strain = 1;          // creep strain beyond which results mean nothing any more
 
 io::Summary::Largest largest(const creep::CreepSystem::Extreme& extreme) {
   return {extreme.value, {extreme.position.x(), extreme.position.y(), extreme.position.z()}};
@@ -28,10 +31,19 @@ creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double
   return result;
 }
 
+bool DamageMonitor::is_rupture(const creep::CreepSystem::Extreme& damage, double time,
+                               std::span<const double> y) const {
+  if (damage.value < rupture_damage) return false;
+  if (damage.value >= certain_rupture) return true;
+  const auto consumption = system_.largest(material::remaining_life, damage.body, system_.step_evaluation(), y);
+  return !consumption || consumption->value * negligible_life * time >= 1;
+}
+
 void DamageMonitor::output(const creep::Evaluation& at) {
   for (std::size_t b = 0; b < at.equilibrium.bodies.size(); ++b) {
     if (const auto damage = system_.largest(material::damage, b, at, at.y)) damage_[b] = *damage;
     if (const auto life = system_.largest(material::life_fraction, b, at, at.y)) life_[b] = *life;
+    if (const auto rate = system_.largest(material::remaining_life, b, at, at.y)) consumption_[b] = *rate;
   }
 }
 
@@ -69,6 +81,12 @@ void DamageMonitor::fill(io::Summary& summary) const {
   const std::vector<mechanics::Body>& bodies = system_.assembly().bodies();
   for (const auto& [b, extreme] : damage_) summary.damage[bodies[b].name()] = largest(extreme);
   for (const auto& [b, extreme] : life_) summary.life_fraction[bodies[b].name()] = largest(extreme);
+  for (const auto& [b, extreme] : consumption_) {
+    if (!(extreme.value > 0)) continue;
+    io::Summary::Largest& smallest = summary.remaining_life[bodies[b].name()];
+    smallest = largest(extreme);
+    smallest.value = 1 / extreme.value;
+  }
   if (rupture_) summary.rupture = {rupture_->first, bodies[rupture_->second.body].name(), largest(rupture_->second)};
 }
 

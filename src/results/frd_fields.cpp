@@ -30,6 +30,7 @@ const std::vector<Block>& blocks() {
        {"COPEN", "CSLIP", "CPRESS", "CSHEAR"}},
       {"DAMAGE", Kind::scalars, {"damage"}, {"DAMAGE"}},
       {"LIFE", Kind::scalars, {"life_fraction"}, {"LIFE"}},
+      {"REMLIFE", Kind::scalars, {"remaining_life"}, {"REMLIFE"}},
   };
   return all;
 }

@@ -10,6 +10,7 @@ namespace {
 using Location = OutputVariable::Location;
 
 constexpr std::size_t max_components = 6;
+constexpr double smallest_reciprocal = 1e-30;  // of a state variable whose output would be infinite
 
 const std::vector<std::string> vector_components{"x", "y", "z"};
 const std::vector<std::string> tensor_components{"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -35,6 +36,7 @@ OutputVariable of_state_variable(const material::StateVariable& variable, std::s
       set_cartesian(Eigen::Map<const Tensor6>(sample.state.data() + first), into);
     else
       *into = sample.state[first];
+    if (variable.is_reciprocal) *into = 1 / std::max(*into, smallest_reciprocal);
   };
   return {.name = variable.name,
           .components = variable.is_tensor ? tensor_components : std::vector<std::string>(),

@@ -79,8 +79,9 @@ class Recorder {
 
   io::RecordedSection material(const config::Material& given) const {
     io::RecordedSection section{"Material " + given.name, {}, {}, {}};
-    section.notes.push_back(given.sources.empty() ? "Sources of the data: none named (key sources of the material)."
-                                                  : "Sources of the data: " + given.sources);
+    section.notes.push_back(given.sources.empty()
+                                ? "Sources of the data: none named (key sources of the material)."
+                                : fmt::format("Sources of the data: {}", fmt::join(given.sources, "; ")));
     io::RecordedTable elastic{"", {"property", "value", "unit"}, {}};
     if (given.orthotropic) {
       elastic.rows.push_back(
@@ -190,7 +191,8 @@ class Recorder {
     for (const config::CreepParameter& parameter : mechanism.parameters) {
       if (!parameter.given) continue;
       std::vector<std::string> values;
-      for (const Function& value : parameter.values) values.push_back(value.text());
+      for (const Function& value : parameter.values)
+        values.push_back(parameter.word.empty() ? value.text() : parameter.word);
       const auto known = std::ranges::find(info->parameters, parameter.key, &material::ParameterInfo::key);
       table.rows.push_back({parameter.key, fmt::format("{}", fmt::join(values, ", ")),
                             known == info->parameters.end() ? "" : known->description});

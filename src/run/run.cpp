@@ -40,6 +40,8 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   summary.title = config.title;
   summary.units = config.units;
   summary.version = CREEPCONTACT_VERSION;
+  for (const config::Material& material : config.materials)
+    if (!material.sources.empty()) summary.sources[material.name] = material.sources;
   loop.probe_record().fill(config, summary);
   loop.events().fill(summary);
   summary.integrator = config.time.integrator;

@@ -58,6 +58,10 @@ std::string outcome_table(const io::Summary& summary) {
         fmt::format("  body '{}' has used {:.3g} % of its creep life {}\n", name, 100 * largest.value, place(largest));
   for (const auto& [name, largest] : summary.damage)
     text += fmt::format("  body '{}' has a damage of {:.3g} {}\n", name, largest.value, place(largest));
+  for (const auto& [name, life] : summary.remaining_life)
+    if (!summary.rupture)
+      text += fmt::format("  body '{}' has a remaining life of {:.4g} at the present stress {}\n", name, life.value,
+                          place(life));
   if (const auto& rupture = summary.rupture)
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));

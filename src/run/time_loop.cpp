@@ -144,7 +144,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     });
     last_output_ = t;
     life_.warn(t, own, own.y);
-    table_ranges_.see(own.time, system_.assembly().bodies(), own.equilibrium.conditions, distribution_.team());
+    table_ranges_.see(own.time, system_.assembly().bodies(), own.equilibrium, distribution_.team());
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -203,6 +203,7 @@ TimeLoop::End TimeLoop::run() {
     throw;
   }
   write_checkpoint();
+  if (ruptured_ || stopped_ || time_ >= config_.time.end) table_ranges_.finish();
   if (ruptured_) return End::ruptured;
   if (time_ < config_.time.end && !stopped_) return End::interrupted;
   if (distribution_.is_root()) outcome_.warn_of_open_contacts();
@@ -229,7 +230,7 @@ void TimeLoop::report_rupture(double time, const creep::CreepSystem::Extreme& wh
 
 bool TimeLoop::ruptured(double begin_of_step) {
   creep::CreepSystem::Extreme where = life_.largest_damage(integrator_->state());
-  const bool at_end = where.value >= results::DamageMonitor::rupture_damage;
+  const bool at_end = life_.is_rupture(where, time_, integrator_->state());
   if (!at_end && !(where.value >= almost_ruptured && time_ - begin_of_step < no_time * time_)) return false;
   double before = begin_of_step, after = time_;
   for (int halving = 0; at_end && halving < 50; ++halving) {
@@ -237,8 +238,9 @@ bool TimeLoop::ruptured(double begin_of_step) {
     if (middle == before || middle == after) break;
     integrator_->interpolate(middle, state_);
     const creep::CreepSystem::Extreme there = life_.largest_damage(state_);
-    (there.value < results::DamageMonitor::rupture_damage ? before : after) = middle;
-    if (there.value >= results::DamageMonitor::rupture_damage) where = there;
+    const bool is_rupture = life_.is_rupture(there, middle, state_);
+    (is_rupture ? after : before) = middle;
+    if (is_rupture) where = there;
   }
   time_ = after;
   if (stopped_in_step(begin_of_step)) return true;
@@ -291,7 +293,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
              [&] { results_->step(report, system_.run_counters() - before, system_.n_active_contacts()); });
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
-    table_ranges_.see(last.time, system_.assembly().bodies(), last.equilibrium.conditions, distribution_.team());
+    table_ranges_.see(last.time, system_.assembly().bodies(), last.equilibrium, distribution_.team());
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());

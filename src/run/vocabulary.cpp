@@ -50,6 +50,7 @@ config::Vocabulary vocabulary() {
       key.required = !parameter.fallback;
       key.fallback = parameter.fallback.value_or(std::vector<Function>{});
       key.maximum = parameter.maximum;
+      key.words = parameter.words;
       entry.keys.push_back(key);
     }
     entry.validate = [&law](const material::ParameterValues& values) { return validate(law, values); };

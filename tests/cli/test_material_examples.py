@@ -75,6 +75,70 @@ class SteamPipe(MaterialExampleTest):
         self.assertEqual(lives, sorted(lives))
 
 
+class OmegaPipe(MaterialExampleTest):
+    """Rigid creep in plane strain: eps = c (a/r)^2, and the pressure 2/sqrt(3) * integral of q d(ln r) gives dc/dt."""
+
+    BORE, RIM, PRESSURE, POINTS = 120, 160, 30, 8
+
+    @staticmethod
+    def virgin_rate(q):
+        s = math.log10(q / 6.895)
+        return 10**(34 - (73201 - 2709 * s - 4673 * s**2 - 569 * s**3) / 1572)  # 600 degC are 1572 degrees Rankine
+
+    @staticmethod
+    def omega(q):
+        return 10**(-2 + (7200 - 1500 * math.log10(q / 6.895)) / 1572)
+
+    @staticmethod
+    def bisected(is_below, low, high):
+        for _ in range(25):
+            middle = (low + high) / 2
+            low, high = (middle, high) if is_below(middle) else (low, middle)
+        return low
+
+    @staticmethod
+    def simpson(values, width):
+        return width / 3 * sum(v * w for v, w in zip(values, [1] + [4, 2] * (len(values) // 2 - 1) + [4, 1]))
+
+    def stress(self, rate, eps):
+        return math.exp(self.bisected(
+            lambda x: self.virgin_rate(math.exp(x)) * math.exp(self.omega(math.exp(x)) * eps) < rate, 3, 6))
+
+    def speed(self, c):
+        """dc/dt"""
+        width = math.log(self.RIM / self.BORE) / self.POINTS
+        shape = [math.exp(-2 * width * i) for i in range(self.POINTS + 1)]
+        return math.exp(self.bisected(
+            lambda v: 2 / math.sqrt(3) * self.simpson([self.stress(math.exp(v) * s, c * s) for s in shape], width) < self.PRESSURE,
+            -20, 0))
+
+    def time_of(self, c, steps=16):
+        return self.simpson([1 / self.speed(c * i / steps) for i in range(steps + 1)], c / steps)
+
+    def test_history_and_rupture(self):
+        rows = self.rows("omega_pipe.toml", {})
+        summary = self.summary()
+        self.assertEqual(summary["status"], "ruptured")
+        virgin = next(row for row in rows if row["time"] == 1e3)  # redistributed, hardly crept
+        self.expect_close(virgin["mises_inside"], self.stress(self.speed(0), 0), 1e-2)
+        self.expect_close(virgin["mises_outside"], self.stress(self.speed(0) * (self.BORE / self.RIM)**2, 0), 1e-2)
+        # The elastic stress of the start leaves more strain at the bore than rigid creep: compare durations.
+        at = {row["time"]: row for row in rows}
+        for begin, end in ((1e4, 3e4), (3e4, 6e4), (6e4, 7e4)):
+            by_hand = self.time_of(at[end]["creep_inside"]) - self.time_of(at[begin]["creep_inside"])
+            self.expect_close(end - begin, by_hand, 1e-2)
+        for time in (2e4, 5e4, 7e4):
+            row = at[time]
+            self.expect_close(row["creep_outside"] / row["creep_inside"], (self.BORE / self.RIM)**2, 5e-2)
+            q = row["mises_inside"]
+            left = math.exp(-self.omega(q) * row["creep_inside"]) / (self.omega(q) * self.virgin_rate(q))
+            self.expect_close(row["life_left_inside"], left, 2e-2)
+            self.assertTrue(0 < row["damage_outside"] < row["damage_inside"] < 1)
+        self.expect_close(summary["rupture"]["time"], self.time_of(0.3, 40), 1e-2)
+        reference = math.sqrt(3) / 2 * self.PRESSURE / math.log(self.RIM / self.BORE)
+        self.expect_close(summary["rupture"]["time"], 1 / (self.omega(reference) * self.virgin_rate(reference)), 4e-2)
+
+
 class StartStopCycles(MaterialExampleTest):
     def test_cycles_count_their_hours_at_temperature(self):
         rows = self.rows("start_stop_cycles.toml", {})

@@ -57,12 +57,14 @@ struct Body {
   Location location;
 };
 
-/// Value of one key of a creep law; `values` has one entry unless the key takes a list.
+/// Value of one key of a creep law; `values` has one entry unless the key takes a list. The value of a word is its
+/// number.
 struct CreepParameter {
   std::string key;
   std::vector<Function> values;  ///< of the variables that Vocabulary allows for this key
   Location location;
-  bool given = true;  ///< false: it is the default
+  bool given = true;      ///< false: it is the default
+  std::string word = {};  ///< of a key whose value is a word
 };
 
 /// [[materials.<name>.creep]]
@@ -71,6 +73,8 @@ struct CreepMechanism {
   std::vector<CreepParameter> parameters;  ///< one per key of the law, in the order of Vocabulary
   Location location;
   bool depends_on_temperature = false;  ///< as reported by the law
+  /// Where the data hold from which the constants come; not given: not known.
+  std::optional<Interval> stress_range, temperature_range;
 };
 
 enum class StressMeasure { von_mises, principal, mixed };
@@ -117,7 +121,7 @@ struct Material {
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;
-  std::string sources;  ///< where the data come from, for reports
+  std::vector<std::string> sources;  ///< where the data come from, for reports
   Location location;
 };
 

@@ -23,6 +23,8 @@ struct LawKey {
   std::vector<Function> fallback = {};  ///< may be empty: then there is no value
   std::vector<std::string> variables = {"T"};                ///< allowed in its expressions
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
+  /// Not empty: the value is one of these words; as a Function, its number, from 0 on.
+  std::vector<std::string> words = {};
 };
 
 /// A value that is in the range of its key but not possible for the law.

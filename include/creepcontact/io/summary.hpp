@@ -82,7 +82,9 @@ struct Summary : RunCounters {
   std::string method;  ///< integrator at work at the end, if `integrator` chose it; omitted if empty
   double time_reached = 0;
   std::map<std::string, Body> bodies;
-  std::map<std::string, Largest> damage, life_fraction;  ///< by body, if its material has them
+  std::map<std::string, Largest> damage, life_fraction;     ///< by body, if its material has them
+  std::map<std::string, Largest> remaining_life;            ///< the smallest of each body that would rupture
+  std::map<std::string, std::vector<std::string>> sources;  ///< of the data, by material; omitted if empty
   std::optional<Rupture> rupture;
   std::map<std::string, Contact> contacts;  ///< unilateral contacts, by name
   std::optional<double> friction_kappa;     ///< largest of start and end; above 1 several states may be possible

@@ -16,20 +16,33 @@ struct StateVariable {
   const char* label;       ///< for axes of plots
   bool is_tensor = false;  ///< six numbers in Mandel order instead of one
   OfSeveralLaws of_several = OfSeveralLaws::largest;
-  const char* dimension = "";  ///< of plots and lists, such as "stress"; empty: a plain number
   double minimum = 0, maximum = std::numeric_limits<double>::infinity();  ///< of a scalar; extrapolation stays within
+  const char* dimension = "";                                             ///< of the output: "time", ...
+  /// True: laws give the reciprocal of the output, which is smooth where the output may be infinite.
+  bool is_reciprocal = false;
 
   int width() const { return is_tensor ? 6 : 1; }
 };
 
-inline constexpr StateVariable damage{.name = "damage",
-                                      .description = "damage of `kachanov_rabotnov`, 0 to 1; 0 where there is none",
-                                      .label = "damage",
-                                      .maximum = 1};
+inline constexpr StateVariable damage{
+    .name = "damage",
+    .description = "damage of `kachanov_rabotnov` or `omega`, 0 to 1; 0 where there is none",
+    .label = "damage",
+    .maximum = 1};
 inline constexpr StateVariable life_fraction{
     .name = "life_fraction",
     .description = "fraction of the creep life used up, from rupture data; 0 where there are none",
     .label = "life fraction"};
+
+/// From laws with rupture: 1/(time to rupture).
+inline constexpr StateVariable remaining_life{
+    .name = "remaining_life",
+    .description =
+        "time to rupture if stress and temperature stay as they are, from `kachanov_rabotnov`, `omega` and "
+        "rupture data; 1e30 where no life is consumed",
+    .label = "remaining life",
+    .dimension = "time",
+    .is_reciprocal = true};
 
 /// Those of all laws, each once.
 const std::vector<const StateVariable*>& state_variables();

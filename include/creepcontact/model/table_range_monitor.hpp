@@ -1,6 +1,6 @@
 #pragma once
-/// Material tables in T cover a limited range; outside it their end values are used. Warns once per table when a
-/// temperature leaves the range.
+/// Material tables in T cover a limited range, outside of which their end values are used, and creep laws hold for the
+/// stresses and temperatures of their data. Warns once per range when a stress or temperature leaves it.
 
 #include <map>
 #include <optional>
@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/team.hpp"
 #include "creepcontact/config/config.hpp"
+#include "creepcontact/creep/equilibrium.hpp"
 #include "creepcontact/mechanics/body.hpp"
 
 namespace creepcontact::model {
@@ -19,20 +20,31 @@ class TableRangeMonitor {
   TableRangeMonitor() = default;
   explicit TableRangeMonitor(const config::Config& config);
 
-  /// Warns of each table that the temperature of a body leaves for the first time. Collective.
-  /// @param team  the processes that share the bodies
-  /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have tables in T; else none.
-  void see(double t, const std::vector<mechanics::Body>& bodies,
-           const std::vector<mechanics::BodyConditions>& conditions, const Team& team);
+  /// Warns of each range that the temperature or stress of a body leaves for the first time. Collective.
+  /// @param at  its bodies and conditions: of these bodies @param team  the processes that share the bodies
+  /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have ranges of T, and
+  /// the largest stress, if they have ranges of stress.
+  void see(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
+  /// To be called at the end: warns of ranges of stress that the stress has never come up to.
+  void finish() const;
 
  private:
-  struct Table {
-    std::string what;  ///< key of the table: "young_modulus"
+  struct Range {
+    std::string what;  ///< key of the table, or of the range: "young_modulus"
     Interval range;
+    bool of_law = false;  ///< not of a table
   };
-  void see(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team);
+  struct StressRange {
+    std::string what;
+    Interval range;
+    double largest = 0;  ///< stress up to now
+    bool exceeded = false;
+  };
+  void see_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team);
+  void see_stress(const mechanics::Body& body, const std::vector<double>& stress, double t, const Team& team);
 
-  std::map<std::string, std::vector<Table>> tables_;  // by material: tables not warned of yet
+  std::map<std::string, std::vector<Range>> tables_;  // by material: ranges of T not warned of yet
+  std::map<std::string, std::vector<StressRange>> stresses_;
   bool changes_in_time_ = false;
   std::optional<double> time_;  // of the last call
 };

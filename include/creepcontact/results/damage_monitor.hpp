@@ -14,15 +14,15 @@ namespace creepcontact::results {
 /// Collects extreme values for summary.json and issues warnings, each once. Calls are collective.
 class DamageMonitor {
  public:
-  /// Damage at which rupture is assumed; the time from there to 1 is negligible.
-  static constexpr double rupture_damage = 0.99;
-
   /// @param system  must outlive the object
   explicit DamageMonitor(const creep::CreepSystem& system);
 
   /// The largest damage in this state, with body and position; value 0 if no law has damage. @param y  state of the
   /// system
   creep::CreepSystem::Extreme largest_damage(std::span<const double> y) const;
+  /// True if this is rupture: nothing that would matter remains of the life of this body.
+  /// @param damage  the largest in the state y @param time  of this state
+  bool is_rupture(const creep::CreepSystem::Extreme& damage, double time, std::span<const double> y) const;
   /// Records a rupture.
   void rupture(double time, const creep::CreepSystem::Extreme& where) { rupture_ = {time, where}; }
 
@@ -36,7 +36,7 @@ class DamageMonitor {
 
  private:
   const creep::CreepSystem& system_;
-  std::map<std::size_t, creep::CreepSystem::Extreme> damage_, life_;  // by body
+  std::map<std::size_t, creep::CreepSystem::Extreme> damage_, life_, consumption_;  // by body
   std::optional<std::pair<double, creep::CreepSystem::Extreme>> rupture_;
   bool warned_of_strain_ = false, warned_of_life_ = false;
 };

@@ -298,6 +298,32 @@ TEST(ConfigMistakes, ValuesThatALawCannotHave) {
                  "cases/block.toml:14:5: materials.steel.creep[0].m: the number 0.5; allowed: any other");
 }
 
+TEST(ConfigMistakes, WordsOfALaw) {
+  const std::string law = minimal + "[[materials.steel.creep]]\nlaw = \"hardening\"\nA = 1\n";
+  expect_mistake(law + "by = \"strian\"\n",
+                 "cases/block.toml:15:6: materials.steel.creep[0].by: unknown by 'strian'; did you mean 'strain'? "
+                 "(allowed: strain, time)");
+  expect_mistake(law + "by = 1\n",
+                 "cases/block.toml:15:6: materials.steel.creep[0].by: number 1; allowed: \"strain\", \"time\"");
+}
+
+TEST(ConfigMistakes, RangesOfALaw) {
+  const std::string law = minimal + "[[materials.steel.creep]]\nlaw = \"norton\"\nA = 1\nn = 3\n";
+  const std::string at = "cases/block.toml:16:16: materials.steel.creep[0].stress_range: ";
+  expect_mistake(law + "stress_range = [200, 20]\n", at + "[200, 20]; allowed: [low, high], two numbers that increase");
+  expect_mistake(law + "stress_range = [200]\n", at + "[200]; allowed: [low, high]");
+  expect_mistake(law + "stress_range = 200\n", at + "number 200; allowed: [low, high]");
+}
+
+TEST(ConfigMistakes, Sources) {
+  const std::string gold = "[materials.gold]\nyoung_modulus = 1\npoisson_ratio = 0\n";
+  const auto with = [&](const std::string& sources) { return minimal + gold + "sources = " + sources + "\n"; };
+  const std::string place = "cases/block.toml:15:11: materials.gold.sources";
+  expect_mistake(with("3"), place + ": number 3; allowed: a text or a list of them");
+  expect_mistake(with("[]"), place + ": ");
+  expect_mistake(with("\"\""), place + ": ");
+}
+
 TEST(ConfigMistakes, ALawThatDependsOnTheTemperatureByItselfNeedsOne) {
   const std::string picky = minimal + "[[materials.steel.creep]]\nlaw = \"picky\"\nm = 1\n";
   EXPECT_TRUE(mistakes(picky).empty());

@@ -129,6 +129,28 @@ TEST(ConfigReading, MaterialsAndLawsInTheOrderOfTheVocabulary) {
   EXPECT_EQ(disc.creep[2].parameters[0].values.at(0)({.t = 1, .T = 10, .q = 100, .eps = 10}), 1011.0);
 }
 
+TEST(ConfigReading, WordsAndRangesOfALaw) {
+  const std::string law = minimal + "[[materials.steel.creep]]\nlaw = \"hardening\"\nA = 1\n";
+  const CreepMechanism of_default = parse_text(law).material("steel").creep.at(0);
+  EXPECT_EQ(of_default.parameters.at(1).values.at(0)({}), 0.0);
+  EXPECT_FALSE(of_default.parameters.at(1).given);
+  EXPECT_FALSE(of_default.stress_range || of_default.temperature_range);
+  const std::string more = "by = \"time\"\nstress_range = [20, 200]\ntemperature_range = [450, 600]\n";
+  const CreepMechanism given = parse_text(law + more).material("steel").creep.at(0);
+  EXPECT_EQ(given.parameters.at(1).values.at(0)({}), 1.0);
+  EXPECT_EQ(given.parameters.at(1).word, "time");
+  EXPECT_EQ(given.stress_range->high, 200);
+  EXPECT_EQ(given.temperature_range->low, 450);
+}
+
+TEST(ConfigReading, SourcesAreATextOrSeveral) {
+  const std::string gold = minimal + "[materials.gold]\nyoung_modulus = 1\npoisson_ratio = 0\n";
+  EXPECT_TRUE(parse_text(gold).material("gold").sources.empty());
+  EXPECT_EQ(parse_text(gold + "sources = \"a\"\n").material("gold").sources, std::vector<std::string>{"a"});
+  EXPECT_EQ(parse_text(gold + "sources = [\"a\", \"b\"]\n").material("gold").sources,
+            (std::vector<std::string>{"a", "b"}));
+}
+
 TEST(ConfigReading, SupportsAndLoads) {
   const Config config = parse_text(full);
   const Support& support = config.supports.at(0);

@@ -24,7 +24,14 @@ Vocabulary test_vocabulary() {
                    LawValidation verdict{.mistake = {}, .depends_on_temperature = !values[1][0].is_zero()};
                    if (values[0][0]({}) == 0.5) verdict.mistake = {"m", "the number 0.5", "any other"};
                    return verdict;
-                 }}};
+                 }},
+                {"hardening",
+                 {{.name = "A", .description = "factor"},
+                  {.name = "by",
+                   .description = "what hardens",
+                   .required = false,
+                   .fallback = {0.0},
+                   .words = {"strain", "time"}}}}};
   words.validate_larson_miller = [](const std::vector<double>& stress, const std::vector<double>& parameter) {
     std::optional<LawError> mistake;
     if (parameter[0] == 7) mistake = {"stress", fmt::format("{} values", stress.size()), "none"};

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "creepcontact/material/registry.hpp"
+#include "unit/material/with_defaults.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -16,7 +17,7 @@ Material of(const std::string& law, ParameterValues values) {
   material.name = "m";
   const auto& keys = find_creep_law(law)->parameters;
   for (std::size_t i = values.size(); i < keys.size(); ++i) values.push_back(keys[i].fallback.value());
-  material.creep.push_back(find_creep_law(law)->make(std::move(values)));
+  material.creep.push_back(make_law(law, std::move(values)));
   return material;
 }
 

@@ -94,7 +94,7 @@ TEST(ExpressionLaw, WhatIsAddedToASingularTermIsNotLost) {
 
 TEST(ExpressionLaw, AStartSingularInStrainIsStrainHardening) {
   const std::vector<double> parameters{3.125e-14, 5.0, 1.0 / 3};
-  const StrainHardening built_in(parameters[0], parameters[1], parameters[2]);
+  const StrainHardening built_in("strain_hardening", parameters[0], parameters[1], parameters[2]);
   const double virgin = 0;
   const PointState at{
       .stress = tensor::view(uniaxial), .internal = {&virgin, 1}, .parameters = parameters, .time = 8.0};

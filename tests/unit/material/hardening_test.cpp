@@ -79,7 +79,7 @@ TEST(StrainHardening, PrimaryCreepOfNafems) {
   const double eps = 0.1;
   Tensor6 rate = Tensor6::Zero();
   double own = 7;
-  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
   law.rate({.stress = tensor::view(uniaxial), .internal = {&eps, 1}, .parameters = parameters},
            {tensor::writable(rate), {&own, 1}});
   EXPECT_NEAR(rate[0], 0.0005, 1e-16);
@@ -88,7 +88,7 @@ TEST(StrainHardening, PrimaryCreepOfNafems) {
 
 TEST(StrainHardening, VirginMaterialFollowsTheClosedForm) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
-  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
   double own = 0;
   const double virgin = 0;
   Tensor6 strain = Tensor6::Zero();
@@ -102,7 +102,7 @@ TEST(StrainHardening, VirginMaterialFollowsTheClosedForm) {
 
 TEST(StrainHardening, NegativeAndVirginStrainCountAsTheFloor) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
-  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
   double expected = 0;
   for (const double eps : {PointState{}.min_strain, 0.0, -1e-3}) {
     Tensor6 rate = Tensor6::Zero();
@@ -119,18 +119,18 @@ TEST(StrainHardening, ASteepLawNeitherOverflowsNorUnderflows) {
   // n/m = 20 at q = 300; A^(1/m) alone would be 1e-600.
   const std::vector<double> parameters{1e-30, 1.0, 0.05};
   const double eps = 1e-28;
-  const StrainHardening law(parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
   const double f = law.equivalent_rate(300.0, eps, {.parameters = parameters});
   const double expected = 0.05 * 3e-28 * std::pow(3.0, 19.0);
   EXPECT_NEAR(f, expected, 1e-12 * expected);
 }
 
 TEST(StrainHardening, TheTimeExponentIsANumberInItsRange) {
-  EXPECT_THROW(StrainHardening(1e-13, 5.0, 1.1), ParameterError);
-  EXPECT_THROW(StrainHardening(1e-13, 5.0, 0.0), ParameterError);
-  EXPECT_THROW(StrainHardening(1e-13, 5.0, std::nan("")), ParameterError);
+  EXPECT_THROW(StrainHardening("strain_hardening", 1e-13, 5.0, 1.1), ParameterError);
+  EXPECT_THROW(StrainHardening("strain_hardening", 1e-13, 5.0, 0.0), ParameterError);
+  EXPECT_THROW(StrainHardening("strain_hardening", 1e-13, 5.0, std::nan("")), ParameterError);
   try {
-    StrainHardening(1e-13, 5.0, Function::expression("0.3 + T/1e4", {"T"}));
+    StrainHardening("strain_hardening", 1e-13, 5.0, Function::expression("0.3 + T/1e4", {"T"}));
     FAIL() << "accepted";
   } catch (const ParameterError& error) {
     EXPECT_EQ(error.key(), "m");

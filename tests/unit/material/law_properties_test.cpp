@@ -10,6 +10,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "unit/material/with_defaults.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -32,6 +33,10 @@ Function expression_rate(const std::string& text) {
   return Function::expression(text, {"q", "T", "t", "eps"});
 }
 
+Function stress_function(const std::string& text) {
+  return Function::expression(text, {"q", "T"});
+}
+
 const std::map<std::string, Sample> samples{
     {"norton", {{{1e-13}, {5.0}}}},
     {"garofalo", {{{1e-4}, {0.01}, {3.5}}}},
@@ -39,7 +44,17 @@ const std::map<std::string, Sample> samples{
     {"graham_walles",
      {.parameters = {{1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0}}, .closed_form = true}},
     {"strain_hardening", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
+    {"norton_bailey", {.parameters = {{1e-13}, {5.0}, {0.4}}, .closed_form = true}},
     {"ageing", {{{1e-13}, {5.0}, {0.4}}}},
+    {"soderberg", {.parameters = {{1e-8}, {3.0}, {0.5}, {1e-13}, {5.0}}, .closed_form = true}},
+    {"rcc_mr", {.parameters = {{1e-13}, {0.4}, {5.0}, {1e-18}, {5.5}, {1e5}, {-2.0}}, .closed_form = true}},
+    {"omega", {{{stress_function("1e-13*q^5*(1 + T/1000)")}, {stress_function("5 + 200/q")}}}},
+    {"theta_projection",
+     {.parameters = {{stress_function("1e-3*q*(1 + T/1000)")},
+                     {0.3},
+                     {stress_function("1e-10*q^4")},
+                     {stress_function("1e-3*q")}},
+      .closed_form = true}},
     {"kachanov_rabotnov", {{{1e-13}, {5.0}, {1e-12}, {4.0}, {6.0}, {0.6}}}},
     {"lemaitre", {.parameters = {{1500.0}, {8.0}, {6.0}}, .closed_form = true}},
     {"chaboche",
@@ -61,11 +76,8 @@ class CreepLawProperties : public testing::TestWithParam<std::string> {
     ASSERT_NE(info, nullptr);
     ASSERT_TRUE(samples.contains(GetParam())) << "give this law a sample at the head of this file";
     sample = samples.at(GetParam());
-    ParameterValues values = sample.parameters;
-    ASSERT_LE(values.size(), info->parameters.size());
-    for (std::size_t i = values.size(); i < info->parameters.size(); ++i)
-      values.push_back(info->parameters[i].fallback.value());
-    law = info->make(values);
+    ASSERT_LE(sample.parameters.size(), info->parameters.size());
+    law = make_law(GetParam(), sample.parameters);
     for (const Function& parameter : law->parameters()) parameters.push_back(parameter({.T = 500.0}));
     ASSERT_EQ(law->name(), GetParam());
     internal = random(law->n_internal(), 0.01, 0.1);

@@ -9,6 +9,7 @@
 #include "../../../src/material/norton.hpp"
 #include "../../../src/material/power.hpp"
 #include "creepcontact/base/error.hpp"
+#include "unit/material/with_defaults.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -96,9 +97,8 @@ class Arrhenius : public testing::TestWithParam<std::string> {
     ParameterValues values{{2.0}, {5.0}};
     if (name == "garofalo") values.push_back({4.0});
     values.push_back({energy});
-    if (more.empty()) more = {{8.314462618}, {-273.15}};
     values.insert(values.end(), more.begin(), more.end());
-    return find_creep_law(name)->make(values)->parameters()[0];
+    return make_law(name, values)->parameters()[0];
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../../../src/material/hereditary.hpp"
+#include "unit/material/with_defaults.hpp"
 
 namespace creepcontact::material {
 namespace viscoelastic_tests {
@@ -27,7 +28,7 @@ Tensor6 creep(const CreepLaw& law, const Tensor6& stress, double time) {
 }
 
 std::unique_ptr<CreepLaw> named(const std::string& name, ParameterValues values) {
-  return find_creep_law(name)->make(std::move(values));
+  return make_law(name, std::move(values));
 }
 
 const Tensor6 uniaxial = (Tensor6() << 10, 0, 0, 0, 0, 0).finished();

@@ -28,8 +28,9 @@ class Temperatures : public testing::Test {
     TableRangeMonitor monitor(of);
     for (const double t : times) {
       system.rate.rate(t, state, rate);
-      monitor.see(t, system.model.bodies(), system.equilibrium().conditions, serial_team());
+      monitor.see(t, system.model.bodies(), system.equilibrium(), serial_team());
     }
+    monitor.finish();
     return testing::internal::GetCapturedStderr();
   }
 
@@ -94,6 +95,25 @@ TEST_F(Temperatures, OutsideATableOfRuptureDataAreWarnedOf) {
   const std::string rupture = "materials.soft.rupture={ rupture_time = { T = [0, 190], values = [1e5, 1e3] } }";
   const std::string said = warnings(config(csv, {rupture}), {4});
   EXPECT_TRUE(contains(said, "material 'soft': rupture.rupture_time: the temperature at (")) << said;
+}
+
+TEST_F(Temperatures, OutsideTheRangesOfALawAreWarnedOfOnce) {
+  const std::vector<std::string> ranges{
+      "materials.soft.creep[0].temperature_range=[0, 190]", "materials.hard.creep[0].temperature_range=[0, 1000]",
+      "materials.soft.creep[0].stress_range=[1e-30, 1e-20]", "materials.hard.creep[0].stress_range=[0, 1e20]"};
+  const std::string said = warnings(config(csv, ranges), {0.5, 3.5, 3.8});
+  EXPECT_TRUE(contains(said, "material 'soft': creep[0] (norton): the temperature at (")) << said;
+  EXPECT_TRUE(contains(said, "outside the temperature_range of the law (0 .. 190); the law is extrapolated")) << said;
+  EXPECT_TRUE(contains(said, "material 'soft': creep[0] (norton): the von Mises stress at (")) << said;
+  EXPECT_TRUE(contains(said, "outside the stress_range of the law (1e-30 .. 1e-20); the law is extrapolated")) << said;
+  EXPECT_EQ(said.find("stress_range"), said.rfind("stress_range")) << said;
+  EXPECT_FALSE(contains(said, "material 'hard'")) << said;
+}
+
+TEST_F(Temperatures, AStressThatNeverReachesTheRangeOfALawIsWarnedOfAtTheEnd) {
+  const std::string said = warnings(config(csv, {"materials.soft.creep[0].stress_range=[1e20, 1e21]"}), {0.5, 3.5});
+  EXPECT_TRUE(contains(said, "material 'soft': creep[0] (norton): the largest von Mises stress was ")) << said;
+  EXPECT_TRUE(contains(said, "below the stress_range of the law (1e+20 .. 1e+21)")) << said;
 }
 
 /// Interpolation leaves 20 - 4e-15 of a field that is 20.

@@ -1,0 +1,100 @@
+#pragma once
+/// Laws with scalar internal variables z: rate = 3/2 (f/q) s, dz/dt = g, with f and g functions of the equivalent
+/// stress q, of z, of the time and of the temperature. A law writes its formulas once, as a template in the type of
+/// number; the derivatives are those of automatic differentiation, exact up to rounding.
+
+#include <Eigen/Core>
+#include <array>
+#include <unsupported/Eigen/AutoDiff>
+
+#include "coaxial.hpp"
+#include "power.hpp"
+
+namespace creepcontact::material {
+
+/// @param exponent  >= 1
+template <class Derivatives>
+Eigen::AutoDiffScalar<Derivatives> power(const Eigen::AutoDiffScalar<Derivatives>& base, double exponent) {
+  const double below = power(base.value(), exponent - 1.0);
+  return {below * base.value(), exponent * below * base.derivatives()};
+}
+
+template <class Number, std::size_t n>
+struct ScalarRates {
+  Number strain;                   ///< f [1/time]
+  std::array<Number, n> internal;  ///< g
+};
+
+/// @tparam Law  derived from this class; it has, for double and for Dual,
+///   template <class Number>
+///   ScalarRates<Number, n> rates(const Number& q, const std::array<Number, n>& z, const PointState& at) const;
+/// with q > 0 (without stress all rates are zero), which reads parameters, time and temperature of `at`, but not its
+/// stress and internal variables
+/// @tparam n  number of internal variables
+template <class Law, std::size_t n>
+class ScalarStateLaw : public CreepLaw {
+ public:
+  /// Derivatives with respect to q, then to z.
+  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 1, 1>>;
+
+  int n_internal() const final { return static_cast<int>(n); }
+
+  void rate(const PointState& at, PointRate into) const final {
+    const Deviator now = deviator(at.stress);
+    if (now.q == 0.0) {
+      std::ranges::fill(into.internal, 0.0);
+      return;
+    }
+    const auto rates = law().rates(now.q, internal_of(at), at);
+    add_flow(now, rates.strain, into.creep_strain);
+    std::ranges::copy(rates.internal, into.internal.begin());
+  }
+
+  void derivative(const PointState& at, const PointChange& change, PointRate into) const final {
+    const Deviator now = deviator(at.stress);
+    const auto rates = linearized(now, at);
+    const Tensor6 ds = tensor::deviator(change.stress);
+    add_tangent(now, tangent(now, rates.strain), ds, into.creep_strain);
+    if (now.q == 0.0) {
+      std::ranges::fill(into.internal, 0.0);
+      return;
+    }
+    Eigen::Matrix<double, static_cast<int>(n) + 1, 1> changes;
+    changes[0] = 1.5 * now.s.dot(ds) / now.q;
+    for (std::size_t i = 0; i < n; ++i) changes[i + 1] = change.internal[i];
+    add_flow(now, rates.strain.derivatives().template tail<n>().dot(changes.template tail<n>()), into.creep_strain);
+    for (std::size_t i = 0; i < n; ++i) into.internal[i] = rates.internal[i].derivatives().dot(changes);
+  }
+
+  StressTangent stress_tangent(const PointState& at) const final {
+    const Deviator now = deviator(at.stress);
+    return tangent(now, linearized(now, at).strain);
+  }
+
+ protected:
+  using CreepLaw::CreepLaw;
+
+  static std::array<double, n> internal_of(const PointState& at) {
+    std::array<double, n> z;
+    std::copy_n(at.internal.begin(), n, z.begin());
+    return z;
+  }
+
+ private:
+  const Law& law() const { return static_cast<const Law&>(*this); }
+
+  ScalarRates<Dual, n> linearized(const Deviator& now, const PointState& at) const {
+    const Dual q(now.q > 0.0 ? now.q : vanishing_stress, static_cast<int>(n) + 1, 0);
+    std::array<Dual, n> z;
+    for (std::size_t i = 0; i < n; ++i) z[i] = Dual(at.internal[i], static_cast<int>(n) + 1, static_cast<int>(i) + 1);
+    return law().rates(q, z, at);
+  }
+
+  static StressTangent tangent(const Deviator& now, const Dual& f) {
+    const double slope = f.derivatives()[0];
+    // Functions of the stress may have no limit at zero stress, where nothing creeps.
+    return coaxial_tangent(now.q, f.value(), now.q == 0.0 && !std::isfinite(slope) ? 0.0 : slope);
+  }
+};
+
+}  // namespace creepcontact::material

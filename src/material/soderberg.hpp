@@ -1,0 +1,43 @@
+#pragma once
+/// Soderberg's law: at constant stress the creep strain C q^p (1 - exp(-r t)) + A q^n t. The primary strain eps_p is a
+/// state of its own, d eps_p/dt = r max(C q^p - eps_p, 0): after a rise of the stress there is more primary creep,
+/// after a fall none until the steady part is all that is left; nothing recovers. f = d eps_p/dt + A q^n. Source: C. R.
+/// Soderberg, Trans. ASME 58 (1936); primary creep that ends exponentially: P. G. McVetty (1934).
+
+#include "creepcontact/material/registry.hpp"
+#include "scalar_state_law.hpp"
+
+namespace creepcontact::material {
+
+class Soderberg final : public ScalarStateLaw<Soderberg, 1> {
+ public:
+  /// @param C  [1/stress^p], >= 0 @param p  [-], >= 1 @param r  [1/time], > 0 @param A  [1/(time stress^n)], >= 0
+  /// @param n  [-], >= 1
+  Soderberg(Function C, Function p, Function r, Function A, Function n)
+      : ScalarStateLaw({std::move(C), std::move(p), std::move(r), std::move(A), std::move(n)}) {}
+  std::string name() const override { return "soderberg"; }
+
+  template <class Number>
+  ScalarRates<Number, 1> rates(const Number& q, const std::array<Number, 1>& primary, const PointState& at) const {
+    const auto [C, p, r, A, n] = constants(at);
+    Number growth = r * (C * power(q, p) - primary[0]);
+    if (growth < 0.0) growth = 0.0 * q;
+    return {growth + A * power(q, n), {growth}};
+  }
+
+  void increment(const PointState& at, double duration, PointIncrement into) const override;
+  bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const override;
+
+ private:
+  struct Constants {
+    double C, p, r, A, n;
+  };
+  static Constants constants(const PointState& at) {
+    const std::span<const double> p = at.parameters;
+    return {p[0], p[1], p[2], p[3], p[4]};
+  }
+};
+
+LawInfo soderberg_info();
+
+}  // namespace creepcontact::material

@@ -1,0 +1,48 @@
+#pragma once
+/// Parameters that the user writes as functions of the equivalent stress q and of the temperature T.
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+#include "creepcontact/material/registry.hpp"
+
+namespace creepcontact::material {
+
+/// What such a function is below the smallest stress for which it was fitted: polynomials in the logarithm of the
+/// stress mean nothing at small stresses.
+enum class BelowRange {
+  proportional,  ///< falls to 0 in proportion to q, as a rate must
+  constant       ///< has the value of the smallest stress
+};
+
+/// Immutable, thread-safe. Values that are negative count as undefined: NaN.
+class StressFunction {
+ public:
+  /// @param function  of q and T @param min_stress  >= 0; 0: the function holds at all stresses
+  StressFunction(Function function, double min_stress, BelowRange below)
+      : function_(std::move(function)), min_stress_(min_stress), below_(below) {}
+
+  /// @param q  > 0
+  double operator()(double q, double temperature) const { return extended(q, temperature, nullptr); }
+  /// The derivative is a central difference with a relative error of about 1e-10.
+  template <class Derivatives>
+  Eigen::AutoDiffScalar<Derivatives> operator()(const Eigen::AutoDiffScalar<Derivatives>& q, double temperature) const {
+    double slope = 0;
+    const double value = extended(q.value(), temperature, &slope);
+    return {value, slope * q.derivatives()};
+  }
+
+ private:
+  /// @param slope  nullptr: not wanted
+  double extended(double q, double temperature, double* slope) const;
+  double given(double q, double temperature) const;
+
+  Function function_;
+  double min_stress_;
+  BelowRange below_;
+};
+
+/// The optional key min_stress. @param below  what holds at smaller stresses
+ParameterInfo min_stress_key(const std::string& below);
+
+}  // namespace creepcontact::material

@@ -1,0 +1,54 @@
+#include "theta_projection.hpp"
+
+#include <algorithm>
+
+#include "hardening_law.hpp"
+
+namespace creepcontact::material {
+
+ThetaProjection::ThetaProjection(std::array<Function, 4> theta, double min_stress)
+    : ScalarStateLaw({}),
+      theta_1_(std::move(theta[0]), min_stress, BelowRange::constant),
+      theta_2_(std::move(theta[1]), min_stress, BelowRange::proportional),
+      theta_3_(std::move(theta[2]), min_stress, BelowRange::constant),
+      theta_4_(std::move(theta[3]), min_stress, BelowRange::proportional) {}
+
+void ThetaProjection::increment(const PointState& at, double duration, PointIncrement into) const {
+  const Deviator now = deviator(at.stress);
+  if (now.q == 0.0) return;
+  const double T = at.temperature;
+  const double primary =
+      -std::expm1(-theta_2_(now.q, T) * duration) * std::max(theta_1_(now.q, T) - at.internal[0], 0.0);
+  const double tertiary = std::expm1(theta_4_(now.q, T) * duration) * (theta_3_(now.q, T) + at.internal[1]);
+  add_flow(now, primary + tertiary, into.creep_strain);
+  into.internal[0] += primary;
+  into.internal[1] += tertiary;
+}
+
+bool ThetaProjection::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {
+  if (&variable != &hardening_strain) return false;
+  into[0] = at.internal[0];
+  return true;
+}
+
+LawInfo theta_projection_info() {
+  const auto theta = [](const char* key, const std::string& meaning) {
+    return ParameterInfo{.key = key, .description = meaning, .strict = false, .variables = {"q", "T"}};
+  };
+  return {"theta_projection",
+          "strain at constant stress = theta_1 (1 - exp(-theta_2 t)) + theta_3 (exp(theta_4 t) - 1)",
+          "R. W. Evans, B. Wilshire, 1985",
+          {theta("theta_1",
+                 "limit of the primary creep strain, a function of the von Mises stress q and temperature T [-]"),
+           theta("theta_2", "rate at which primary creep ends, a function of q and T [1/time]"),
+           theta("theta_3", "scale of the tertiary creep strain, a function of q and T [-]"),
+           theta("theta_4", "rate at which tertiary creep grows, a function of q and T [1/time]"),
+           min_stress_key("`theta_2` and `theta_4` are proportional to q, `theta_1` and `theta_3` constant")},
+          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<ThetaProjection>(
+                std::array<Function, 4>{p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0)}, p.at(4).at(0)({}));
+          },
+          {&hardening_strain}};
+}
+
+}  // namespace creepcontact::material
