@@ -33,7 +33,7 @@ const std::vector<LawInfo>& creep_laws() {
 
 const std::vector<const StateVariable*>& state_variables() {
   static const std::vector<const StateVariable*> all = [] {
-    std::vector<const StateVariable*> found{&damage, &life_fraction};
+    std::vector<const StateVariable*> found{&damage, &life_fraction, &fatigue_fraction, &creep_fatigue};
     for (const LawInfo& law : creep_laws())
       for (const StateVariable* variable : law.state_variables)
         if (std::ranges::find(found, variable) == found.end()) found.push_back(variable);

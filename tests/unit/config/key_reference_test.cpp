@@ -38,6 +38,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[materials.<name>]",
                            "[[materials.<name>.creep]]",
                            "[materials.<name>.rupture]",
+                           "[materials.<name>.fatigue]",
                            "[[supports]]",
                            "[[loads]]",
                            "[generalized_plane_strain]",
