@@ -44,9 +44,10 @@ void check_curve(const Fatigue& fatigue, const Item& item, const Vocabulary& voc
 
 Value<Fatigue> fatigue_table(const Vocabulary& vocabulary) {
   const auto keys = table<Fatigue>({
-      field<Fatigue>("cycles_to_failure", &Fatigue::cycles_to_failure, function({"eps", "T"}, greater(0)),
-                     "number of cycles to failure; `eps` is the equivalent range of the total strain in a cycle, `T` the "
-                     "highest temperature"),
+      field<Fatigue>(
+          "cycles_to_failure", &Fatigue::cycles_to_failure, function({"eps", "T"}, greater(0)),
+          "number of cycles to failure; `eps` is the equivalent range of the total strain in a cycle, `T` the "
+          "highest temperature"),
       field<Fatigue>("strain_range", &Fatigue::strain_range, list(number(greater(0))),
                      "strain ranges of a fatigue curve: at least two, increasing; between them it is straight in a "
                      "double logarithmic plot, as beyond them")
@@ -54,9 +55,10 @@ Value<Fatigue> fatigue_table(const Vocabulary& vocabulary) {
       field<Fatigue>("cycles", &Fatigue::cycles, list(number(greater(0))),
                      "cycles to failure at these strain ranges; decreasing")
           .otherwise("required without `cycles_to_failure`"),
-      field<Fatigue>("interaction", &Fatigue::interaction, list(pair_of_fractions()),
-                     "points `[life fraction, cycle fraction]` of the interaction diagram between `[0, 1]` and `[1, 0]`, "
-                     "such as `[[0.3, 0.3]]`")
+      field<Fatigue>(
+          "interaction", &Fatigue::interaction, list(pair_of_fractions()),
+          "points `[life fraction, cycle fraction]` of the interaction diagram between `[0, 1]` and `[1, 0]`, "
+          "such as `[[0.3, 0.3]]`")
           .otherwise("the straight line: the sum of both is 1"),
   });
   return converted<Fatigue>(

@@ -81,9 +81,10 @@ void check_cycles(const Time& time, const Item& item, Context& context) {
                        fmt::format("no cycle of {} ends before time.end = {}", *time.cycle, time.end),
                        "a period that is not longer than the run");
   if (cycles > max_cycles)
-    context.errors.add(item.child("cycle").location,
-                       fmt::format("{:.6g} cycles of {} up to time.end = {}", cycles, *time.cycle, time.end),
-                       fmt::format("at most {:.0e} cycles; check that the period has the unit of time.end", max_cycles));
+    context.errors.add(
+        item.child("cycle").location,
+        fmt::format("{:.6g} cycles of {} up to time.end = {}", cycles, *time.cycle, time.end),
+        fmt::format("at most {:.0e} cycles; check that the period has the unit of time.end", max_cycles));
 }
 
 std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const Item& item, Context& context) {

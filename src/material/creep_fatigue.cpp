@@ -38,8 +38,9 @@ void CreepFatigue::add_cycle(const CycleRange& cycle, std::span<double> internal
   if (!(cycle.strain_range > 0)) return;
   const double cycles = curve_->cycles(cycle.strain_range, cycle.temperature);
   if (!(cycles > 0))
-    throw ModelError(fmt::format("the fatigue data give {} cycles to failure for a strain range of {:.4g} at T = {:.4g}",
-                                 cycles, cycle.strain_range, cycle.temperature));
+    throw ModelError(
+        fmt::format("the fatigue data give {} cycles to failure for a strain range of {:.4g} at T = {:.4g}", cycles,
+                    cycle.strain_range, cycle.temperature));
   internal[1] += 1 / cycles;
 }
 

@@ -70,11 +70,11 @@ InteractionDiagram::InteractionDiagram(std::vector<Point> points) : points_(std:
   points_.push_back({1, 0});
   for (std::size_t i = 1; i < points_.size(); ++i)
     if (!(points_[i][0] > points_[i - 1][0] && points_[i][1] < points_[i - 1][1]))
-      throw ParameterError("interaction",
-                           fmt::format("[{}, {}] after [{}, {}]", points_[i][0], points_[i][1], points_[i - 1][0],
-                                       points_[i - 1][1]),
-                           "points [life fraction, cycle fraction] between [0, 1] and [1, 0], the first number "
-                           "increasing and the second one decreasing");
+      throw ParameterError(
+          "interaction",
+          fmt::format("[{}, {}] after [{}, {}]", points_[i][0], points_[i][1], points_[i - 1][0], points_[i - 1][1]),
+          "points [life fraction, cycle fraction] between [0, 1] and [1, 0], the first number "
+          "increasing and the second one decreasing");
 }
 
 double InteractionDiagram::usage(double life, double cycles) const {

@@ -39,8 +39,8 @@ class Times {
   std::set<double> times_;
 };
 
-/// What is looked for in a function: up to `end`, or, if it repeats with time.cycle from the second cycle on, in its first
-/// two cycles, which all later ones are like. Samples of a long run would miss what is short.
+/// What is looked for in a function: up to `end`, or, if it repeats with time.cycle from the second cycle on, in its
+/// first two cycles, which all later ones are like. Samples of a long run would miss what is short.
 class RepeatedSearch {
  public:
   RepeatedSearch(const Function& function, const config::Time& time, std::span<const Vector3> positions)

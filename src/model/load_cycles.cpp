@@ -133,15 +133,17 @@ void require_cycles(const config::Config& config, const creep::Assembly& assembl
   if (!config.time.jump_cycles) return;
   for (const contact::Pair& pair : assembly.pairs())
     if (pair.coupling.has_friction())
-      refuse(fmt::format("'jump_cycles': contact '{}' has friction, whose slip depends on the path of every cycle and "
-                         "cannot be extrapolated; remove 'jump_cycles', or the friction",
-                         pair.name));
+      refuse(
+          fmt::format("'jump_cycles': contact '{}' has friction, whose slip depends on the path of every cycle and "
+                      "cannot be extrapolated; remove 'jump_cycles', or the friction",
+                      pair.name));
   for (const mechanics::Body& body : bodies)
     for (const auto& law : body.material().creep)
       if (law->is_isochronous())
-        refuse(fmt::format("'jump_cycles': material '{}' creeps by ageing theory, which gives the state at any time at "
-                           "once; remove 'jump_cycles'",
-                           body.material().name));
+        refuse(
+            fmt::format("'jump_cycles': material '{}' creeps by ageing theory, which gives the state at any time at "
+                        "once; remove 'jump_cycles'",
+                        body.material().name));
   std::string key;
   for (std::int64_t cycle = 1; cycle < cycles.count(); ++cycle) {
     if (cycles.repeats(cycle)) return;
@@ -149,10 +151,11 @@ void require_cycles(const config::Config& config, const creep::Assembly& assembl
   }
   if (cycles.count() < 2)
     refuse("'jump_cycles': there is one cycle only up to time.end; remove 'jump_cycles', or set a later end");
-  refuse(fmt::format("'jump_cycles': no two cycles in turn have the same loads: {} does not repeat with time.cycle = "
-                     "{}; give it this period (a table in t with 'period', or an expression of mod(t, {})), or "
-                     "remove 'jump_cycles'",
-                     key, cycles.period(), cycles.period()));
+  refuse(
+      fmt::format("'jump_cycles': no two cycles in turn have the same loads: {} does not repeat with time.cycle = "
+                  "{}; give it this period (a table in t with 'period', or an expression of mod(t, {})), or "
+                  "remove 'jump_cycles'",
+                  key, cycles.period(), cycles.period()));
 }
 
 }  // namespace creepcontact::model

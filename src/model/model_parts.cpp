@@ -35,8 +35,8 @@ std::shared_ptr<const material::CreepLaw> make_creep_fatigue(const config::Fatig
                                       : material::fatigue_table(from.strain_range, from.cycles);
   std::vector<material::InteractionDiagram::Point> points;
   for (const std::vector<double>& point : from.interaction) points.push_back({point.at(0), point.at(1)});
-  return std::make_shared<material::CreepFatigue>(std::move(curve),
-                                                  material::InteractionDiagram(std::move(points)), std::move(creep));
+  return std::make_shared<material::CreepFatigue>(std::move(curve), material::InteractionDiagram(std::move(points)),
+                                                  std::move(creep));
 }
 
 }  // namespace

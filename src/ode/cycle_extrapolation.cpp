@@ -162,9 +162,14 @@ void CycleExtrapolation::give_up(std::span<double> y) {
 }
 
 void CycleExtrapolation::save(Memory& numbers, Memory& states) const {
-  numbers["extrapolation"] = {static_cast<double>(begin_), static_cast<double>(last_), static_cast<double>(seen_),
-                              next_,                       static_cast<double>(order_), power_,
-                              new_place_,                  old_place_};
+  numbers["extrapolation"] = {static_cast<double>(begin_),
+                              static_cast<double>(last_),
+                              static_cast<double>(seen_),
+                              next_,
+                              static_cast<double>(order_),
+                              power_,
+                              new_place_,
+                              old_place_};
   states["new_change"] = new_change_;
   states["old_change"] = old_change_;
 }

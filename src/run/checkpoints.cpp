@@ -11,9 +11,9 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string prefix = "integrator.";                 // of its arrays
+const std::string prefix = "integrator.";                  // of its arrays
 const std::string state_prefix = integrator_state_prefix;  // of those like the state
-constexpr std::size_t max_differences = 5;  // named
+constexpr std::size_t max_differences = 5;                 // named
 
 bool is_like_state(const std::string& name) {
   return name.starts_with(integrator_state_prefix) || name.starts_with(cycle_state_prefix);

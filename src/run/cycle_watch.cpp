@@ -90,8 +90,8 @@ std::vector<double> CycleWatch::ranges(const States& states, std::size_t n_point
   for (std::size_t i = 0; i < states.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       for (std::size_t p = 0; p < n_points; ++p)
-        result[p] = std::max(result[p],
-                             tensor::equivalent_strain(tensor::view(states[i], p) - tensor::view(states[j], p)));
+        result[p] =
+            std::max(result[p], tensor::equivalent_strain(tensor::view(states[i], p) - tensor::view(states[j], p)));
   return result;
 }
 
@@ -117,9 +117,9 @@ double CycleWatch::stress_change() const {
   for (const Body& body : bodies_) largest = std::max(largest, body.typical_stress);
   for (const Body& body : bodies_)
     for (std::size_t p = 0; 6 * p < body.last_stress.size(); ++p)
-      change = std::max(change, tensor::von_mises(tensor::view(body.last_stress, p) -
-                                                  tensor::view(body.first_stress, p)) /
-                                    std::max(body.typical_stress, least_stressed * largest));
+      change =
+          std::max(change, tensor::von_mises(tensor::view(body.last_stress, p) - tensor::view(body.first_stress, p)) /
+                               std::max(body.typical_stress, least_stressed * largest));
   return system_.team().max(largest > 0 ? change : 0.0);
 }
 

@@ -29,8 +29,8 @@ struct CycleRecord {
     double inelastic_strain_range = 0;  ///< largest over the points
     double strain_range = 0;            ///< likewise, of elastic and inelastic strain together
     std::vector<Life> life;             ///< of the variables of CycleWatch::life_of()
-    /// Whole cycles since t = 0 after which the last of these variables is 1 at some point, if all later cycles are like
-    /// this one; infinity: never.
+    /// Whole cycles since t = 0 after which the last of these variables is 1 at some point, if all later cycles are
+    /// like this one; infinity: never.
     double limit = std::numeric_limits<double>::infinity();
   };
   std::vector<Body> bodies;
@@ -40,8 +40,8 @@ struct CycleRecord {
 };
 
 /// Sees the states at the breakpoints of a cycle, where piecewise smooth loads have their extremes, and takes ranges
-/// between all of them. Calls are collective. Cost: an evaluation for each state, unless a step has made it; memory: six
-/// numbers per point and breakpoint, and for bodies that creep twelve.
+/// between all of them. Calls are collective. Cost: an evaluation for each state, unless a step has made it; memory:
+/// six numbers per point and breakpoint, and for bodies that creep twelve.
 class CycleWatch {
  public:
   /// @param system, whole, probes  must outlive the object
@@ -68,8 +68,8 @@ class CycleWatch {
   /// Tensors of all points of a body, one array per state.
   using States = std::vector<std::vector<double>>;
   struct Body {
-    States strain;         // elastic and inelastic; deviators
-    States creep;          // inelastic
+    States strain;  // elastic and inelastic; deviators
+    States creep;   // inelastic
     std::vector<double> highest_temperature;
     std::vector<double> first_stress, last_stress;
     double typical_stress = 0;

@@ -48,10 +48,9 @@ Cycles::Cycles(const config::Config& config, const model::LoadCycles& loads, cre
   together(system.team(), [&] {
     if (system.team().rank() != 0) return;
     const std::filesystem::path path = directory / "cycles.csv";
-    file_ = std::make_unique<io::CsvFile>(path, cycle_columns(system.assembly(), watch_, config.probes),
-                                          io::Continuation{.resume = memory != nullptr && path_exists(path),
-                                                           .last_time = time},
-                                          config.output.csv);
+    file_ = std::make_unique<io::CsvFile>(
+        path, cycle_columns(system.assembly(), watch_, config.probes),
+        io::Continuation{.resume = memory != nullptr && path_exists(path), .last_time = time}, config.output.csv);
   });
 }
 
@@ -168,8 +167,7 @@ Cycles::Closed Cycles::close(double t, const RunCounters& work, std::span<double
     log::info("{}", end_message());
   }
   for (std::size_t b = 0; b < record.bodies.size(); ++b)
-    if (!watch_.life_of(b).empty())
-      summary_.to_limit[system_.assembly().bodies()[b].name()] = record.bodies[b].limit;
+    if (!watch_.life_of(b).empty()) summary_.to_limit[system_.assembly().bodies()[b].name()] = record.bodies[b].limit;
   previous_ = *ended;
   previous_range_.clear();
   for (const CycleRecord::Probe& probe : record.probes) previous_range_.push_back(probe.range());

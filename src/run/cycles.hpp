@@ -8,19 +8,19 @@
 #include <span>
 #include <vector>
 
+#include "checkpoints.hpp"
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/io/csv_file.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/model/load_cycles.hpp"
 #include "creepcontact/ode/cycle_extrapolation.hpp"
 #include "creepcontact/ode/integrator.hpp"
-#include "checkpoints.hpp"
 #include "cycle_watch.hpp"
 
 namespace creepcontact::run {
 
-/// Sees a run go through its cycles, and says where it goes on. Between two cycles the run asks for a jump(), then tells
-/// of begin(), of every step and breakpoint, and of the end by close(). Calls are collective.
+/// Sees a run go through its cycles, and says where it goes on. Between two cycles the run asks for a jump(), then
+/// tells of begin(), of every step and breakpoint, and of the end by close(). Calls are collective.
 class Cycles {
  public:
   /// @param loads, system, whole, probes  must outlive the object
@@ -37,7 +37,8 @@ class Cycles {
   /// True within the cycle after a jump. Nothing of it is a result before it is closed.
   bool is_checking() const { return jumps_ && jumps_->is_checking(); }
 
-  /// Between two cycles at time t: the time to which to jump, with the state there; nullopt: the next cycle is computed.
+  /// Between two cycles at time t: the time to which to jump, with the state there; nullopt: the next cycle is
+  /// computed.
   /// @param next_output  no output time lies in the cycles passed over, nor within the one after them
   std::optional<double> jump(double t, double next_output, std::span<double> y);
   void begin(double t, std::span<const double> y);
@@ -54,7 +55,7 @@ class Cycles {
 
   /// What becomes of the run at the end of a cycle.
   struct Closed {
-    double time = 0;            ///< at which it goes on: earlier, if a jump has been rejected
+    double time = 0;             ///< at which it goes on: earlier, if a jump has been rejected
     bool state_changed = false;  ///< the integrator must start anew
     bool is_steady = false;      ///< the run is to end
     bool is_rejected = false;

@@ -48,9 +48,10 @@ std::string cycle_lines(const io::Summary::Cycles& cycles) {
   text += '\n';
   for (const auto& [name, limit] : cycles.to_limit)
     if (std::isfinite(limit))
-      text += fmt::format("  body '{}' reaches the limit of its life {:.4g} cycles after t = 0, if all go on like the "
-                          "last one\n",
-                          name, limit);
+      text += fmt::format(
+          "  body '{}' reaches the limit of its life {:.4g} cycles after t = 0, if all go on like the "
+          "last one\n",
+          name, limit);
   return text;
 }
 

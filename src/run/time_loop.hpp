@@ -157,7 +157,7 @@ class TimeLoop {
     std::int64_t n_active_contacts = 0;
   };
   std::vector<HeldStep> held_steps_;
-  RunCounters earlier_;                         // counters of the runs before an interruption
+  RunCounters earlier_;  // counters of the runs before an interruption
   std::vector<double>::const_iterator next_output_;
   std::vector<double>::const_iterator next_break_;
 };

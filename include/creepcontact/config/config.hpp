@@ -252,10 +252,10 @@ struct ContactSolver : settings::ContactSettings {
 struct Time : settings::IntegratorOptions {
   double end = 0;
   std::string integrator = "auto";
-  std::vector<double> output;       ///< increasing, from 0 to end, both included
-  bool stop_at_output = false;      ///< steps end at output times; else results are interpolated within steps
-  std::vector<double> breakpoints;  ///< increasing; those of tables in t are not among them
-  std::optional<double> cycle;      ///< period of the loads
+  std::vector<double> output;              ///< increasing, from 0 to end, both included
+  bool stop_at_output = false;             ///< steps end at output times; else results are interpolated within steps
+  std::vector<double> breakpoints;         ///< increasing; those of tables in t are not among them
+  std::optional<double> cycle;             ///< period of the loads
   std::optional<double> stop_when_steady;  ///< change per cycle below which the run ends
   bool jump_cycles = false;                ///< extrapolate over cycles
   double jump_tolerance = 1e-3;            ///< error of a jump, relative to the stress

@@ -35,8 +35,9 @@ inline constexpr StateVariable fatigue_fraction{
     .label = "fatigue fraction"};
 inline constexpr StateVariable creep_fatigue{
     .name = "creep_fatigue",
-    .description = "share of the interaction diagram that `life_fraction` and `fatigue_fraction` have used up: 1 on its "
-                   "line; 0 where there are no fatigue data",
+    .description =
+        "share of the interaction diagram that `life_fraction` and `fatigue_fraction` have used up: 1 on its "
+        "line; 0 where there are no fatigue data",
     .label = "creep-fatigue usage"};
 
 /// Those of all laws, each once.

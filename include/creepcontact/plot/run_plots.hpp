@@ -20,7 +20,8 @@ struct PlotOptions {
 };
 
 /// Draws history.{svg,png} (also history_2 and so on if one figure cannot hold all panels), if the run has steps
-/// steps.{svg,png}, and if it has cycles cycles.{svg,png} (also cycles_2 and so on). Units are those of summary.json, if it exists.
+/// steps.{svg,png}, and if it has cycles cycles.{svg,png} (also cycles_2 and so on). Units are those of summary.json,
+/// if it exists.
 /// @returns the SVG files
 /// @throws ConfigError if the directory or its history.csv does not exist, if there are fewer than two rows or a probe
 /// is unknown; and as draw()

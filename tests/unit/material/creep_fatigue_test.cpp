@@ -82,8 +82,8 @@ double value_of(const CreepFatigue& law, const StateVariable& variable, const Po
 }
 
 TEST(CreepFatigueLaw, CreepAddsByTimeAndFatigueByCycles) {
-  const auto creep = std::make_shared<const LifeFraction>(
-      rupture_expression(Function::expression("1e6/q", {"q", "T"})), 0.0);
+  const auto creep =
+      std::make_shared<const LifeFraction>(rupture_expression(Function::expression("1e6/q", {"q", "T"})), 0.0);
   const CreepFatigue law(fatigue_table({1e-3, 1e-2}, {1e4, 1e2}), InteractionDiagram(Points{{0.3, 0.3}}), creep);
   Point at;
   Tensor6 strain = Tensor6::Zero();

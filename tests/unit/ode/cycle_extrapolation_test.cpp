@@ -84,9 +84,7 @@ TEST(CycleExtrapolation, RelaxationIsWithinTheTolerance) {
 TEST(CycleExtrapolation, DampingKeepsFastModesFromBoundingTheJumps) {
   for (const double share : {0.9, 0.5, 0.1}) {
     // The first entry follows the second one, which is slow: this share of their difference is left by each cycle.
-    const Map map = [=](const State& y) {
-      return State{share * y[0] + (1 - share) * y[1] + 1e-3, y[1] + 1e-3};
-    };
+    const Map map = [=](const State& y) { return State{share * y[0] + (1 - share) * y[1] + 1e-3, y[1] + 1e-3}; };
     const State exact = every_cycle(map, {1, 0}, 1000);
     // The local Jacobian is twice the true one: an estimate will do.
     const auto damping = [=](double weight, std::span<const double> change, std::span<double> damped) {
