@@ -105,7 +105,7 @@ TEST(LoadCycles, WhatCannotHaveThemIsRefused) {
   expect_refused(blocks.config("", {"time.cycle=4", "time.jump_cycles=true"}), "one cycle only");
   const std::vector<std::string> ageing{"materials.soft.creep.0.law=ageing", "materials.soft.creep.0.m=1",
                                         "materials.hard.creep.0.law=ageing", "materials.hard.creep.0.m=1",
-                                        "time.integrator=isochronous", "time.cycle=1"};
+                                        "time.integrator=isochronous",       "time.cycle=1"};
   EXPECT_NO_THROW(build_model(blocks.config("", ageing)));
   std::vector<std::string> jumping = ageing;
   jumping.emplace_back("time.jump_cycles=true");

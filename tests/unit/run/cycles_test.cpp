@@ -59,8 +59,8 @@ TEST(Cycles, AreReportedOneByOne) {
 
 TEST(Cycles, ASteadyOneEndsTheRun) {
   const Case blocks;
-  const config::Config config = blocks.config(
-      hot_and_cold(), in_cycles({"time.end=500", "time.stop_when_steady=1e-2", "time.tolerance=1e-5"}));
+  const config::Config config =
+      blocks.config(hot_and_cold(), in_cycles({"time.end=500", "time.stop_when_steady=1e-2", "time.tolerance=1e-5"}));
   const SummaryFile summary = summary_of_cycles(config, blocks / "out");
   EXPECT_EQ(summary.text("status"), "completed");
   EXPECT_PRED2(contains, summary.text("message"), "repeats the one before it to within 0.01");
@@ -75,8 +75,8 @@ TEST(Cycles, ASteadyOneEndsTheRun) {
   // The same condition leaves nothing to do, a stricter one does.
   const RunResult again = run(config, {.output = (blocks / "out").string(), .resume = true});
   EXPECT_PRED2(contains, again.message, "repeats the one before it");
-  const config::Config stricter = blocks.config(
-      hot_and_cold(), in_cycles({"time.end=500", "time.stop_when_steady=8e-3", "time.tolerance=1e-5"}));
+  const config::Config stricter =
+      blocks.config(hot_and_cold(), in_cycles({"time.end=500", "time.stop_when_steady=8e-3", "time.tolerance=1e-5"}));
   const SummaryFile later = summary_of_cycles(stricter, blocks / "out", true);
   EXPECT_GT(later.number("cycles/steady"), last);
   EXPECT_EQ(Table(blocks / "out" / "cycles.csv").rows(), later.number("cycles/steady"));
@@ -103,7 +103,8 @@ TEST_P(CycleJumps, ReachTheEndOfAThousandCyclesInFew) {
   EXPECT_EQ(cycles.rows() + summary.number("cycles/rejected_jumps"), summary.number("cycles/computed"));
   EXPECT_EQ(cycles.sum("jumped") + static_cast<double>(cycles.rows()), 1000);
   double before = 0;
-  for (const double t : Table(blocks / "out" / "steps.csv").times()) {
+  const Table steps(blocks / "out" / "steps.csv");
+  for (const double t : steps.times()) {
     EXPECT_GT(t, before) << "steps of rejected jumps are no results";
     before = t;
   }
@@ -129,9 +130,9 @@ class CycleResume : public testing::TestWithParam<std::string> {};
 
 TEST_P(CycleResume, RepeatsTheBitsWhereverItWasInterrupted) {
   const Case blocks;
-  const config::Config config = blocks.config(
-      hot_and_cold(), in_cycles({"time.end=60", "time.output=[8, 30]", "time.jump_cycles=true",
-                                 "time.integrator=" + GetParam(), "output.checkpoint_seconds=0"}));
+  const config::Config config =
+      blocks.config(hot_and_cold(), in_cycles({"time.end=60", "time.output=[8, 30]", "time.jump_cycles=true",
+                                               "time.integrator=" + GetParam(), "output.checkpoint_seconds=0"}));
   const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
   const SummaryFile expected = summary_of_cycles(config, whole);
   EXPECT_GT(expected.number("cycles/jumps"), 3);
@@ -147,8 +148,10 @@ TEST_P(CycleResume, RepeatsTheBitsWhereverItWasInterrupted) {
   for (const char* file : {"history.csv", "steps.csv"})
     EXPECT_EQ(read_text(parts / file), read_text(whole / file)) << file;
   const Table cycles(parts / "cycles.csv"), all(whole / "cycles.csv");
-  for (const std::string& name : all.names())
-    if (name != "elastic_solves" && name != "steps") EXPECT_EQ(cycles.column(name), all.column(name)) << name;
+  for (const std::string& name : all.names()) {
+    if (name == "elastic_solves" || name == "steps") continue;  // of an interrupted cycle they count twice
+    EXPECT_EQ(cycles.column(name), all.column(name)) << name;
+  }
   for (const char* key : {"cycles/completed", "cycles/computed", "cycles/jumps", "cycles/rejected_jumps"})
     EXPECT_EQ(found.number(key), expected.number(key)) << key;
 }
@@ -212,10 +215,10 @@ reduce = "max"
 cycles_to_failure = "1/eps"
 interaction = [[0.3, 0.3]]
 )";
-  const config::Config config = blocks.config(
-      fatigue, {"time.cycle=1", "time.end=30", "time.output=[10]", "materials.soft.creep.0.A=1e-12",
-                "materials.hard.creep.0.A=1e-12", "output.fields=false",
-                "supports.3.displacement.z={t=[0,0.5,1],values=[-0.025,-0.0125,-0.025],period=1}"});
+  const config::Config config =
+      blocks.config(fatigue, {"time.cycle=1", "time.end=30", "time.output=[10]", "materials.soft.creep.0.A=1e-12",
+                              "materials.hard.creep.0.A=1e-12", "output.fields=false",
+                              "supports.3.displacement.z={t=[0,0.5,1],values=[-0.025,-0.0125,-0.025],period=1}"});
   const SummaryFile summary = summary_of_cycles(config, blocks / "out");
   // A uniaxial stress range of 0.5: the equivalent strain is 2/3 (1 + nu) of the axial one.
   const double range = 2.0 / 3 * 1.3 * 0.5 / 100;
