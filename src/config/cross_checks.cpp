@@ -82,6 +82,8 @@ void check_temperature(const Config& config, const Item& root, Diagnostics& erro
             std::pair(&given->shear_moduli, "shear_moduli")})
         for (const Function& constant : *constants) check(constant, table.child("orthotropic").child(key).location);
     if (material.rupture && by_temperature(*material.rupture)) report(material.rupture->location);
+    if (material.fatigue && material.fatigue->cycles_to_failure)
+      check(*material.fatigue->cycles_to_failure, table.child("fatigue").child("cycles_to_failure").location);
     for (const CreepMechanism& mechanism : material.creep) {
       bool seen = false;
       for (const CreepParameter& parameter : mechanism.parameters) {
@@ -141,6 +143,13 @@ void check_preloads(const Config& config, Diagnostics& errors) {
                  fmt::format("'at' between 0 and time.end = {:.6g}", config.time.end));
 }
 
+void check_fatigue(const Config& config, Diagnostics& errors) {
+  for (const Material& material : config.materials)
+    if (material.fatigue && !config.time.cycle)
+      errors.add(material.fatigue->location, "there are no cycles that would cause fatigue",
+                 "with time.cycle, the period of the loads");
+}
+
 /// Sectors are those of one structure: contacts reach from each of them into the next ones.
 void check_cyclic(const Config& config, Diagnostics& errors) {
   for (const Cyclic& cyclic : config.cyclic) {
@@ -166,6 +175,7 @@ void cross_check(const Config& config, const Item& root, Diagnostics& errors) {
   check_pairs(config.contacts, errors);
   check_preloads(config, errors);
   check_cyclic(config, errors);
+  check_fatigue(config, errors);
   check_unique(config.probes, errors);
   check_unique(config.events, errors);
   check_expressions(config, errors);

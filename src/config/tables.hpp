@@ -12,6 +12,7 @@ Value<Mesh> mesh_table();
 Value<Body> body_table();
 Value<Material> material_table(const Vocabulary& vocabulary);
 Value<Rupture> rupture_table(const Vocabulary& vocabulary);
+Value<Fatigue> fatigue_table(const Vocabulary& vocabulary);
 Value<Support> support_table();
 Value<Load> load_table();
 Value<Temperature> temperature_table();

@@ -14,6 +14,7 @@ namespace creepcontact::config {
 namespace {
 
 constexpr double max_steps = 1e9;  // of a fixed length
+constexpr double max_cycles = 1e6;
 
 struct TimeKeys : Time {
   OutputTimes wanted;
@@ -67,6 +68,25 @@ void check_table(const Time& time, const Vocabulary& vocabulary, const Location&
         wanted, found->second);
 }
 
+void check_cycles(const Time& time, const Item& item, Context& context) {
+  if (!time.cycle) {
+    for (const std::string& key : given_keys(item, {"stop_when_steady", "jump_cycles", "jump_tolerance"}))
+      context.errors.add(item.child(key).location, "has no effect without cycles", "with time.cycle, their period");
+    return;
+  }
+  if (!(time.end > 0)) return;
+  const double cycles = time.end / *time.cycle;
+  if (cycles < 1)
+    context.errors.add(item.child("cycle").location,
+                       fmt::format("no cycle of {} ends before time.end = {}", *time.cycle, time.end),
+                       "a period that is not longer than the run");
+  if (cycles > max_cycles)
+    context.errors.add(
+        item.child("cycle").location,
+        fmt::format("{:.6g} cycles of {} up to time.end = {}", cycles, *time.cycle, time.end),
+        fmt::format("at most {:.0e} cycles; check that the period has the unit of time.end", max_cycles));
+}
+
 std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const Item& item, Context& context) {
   keys.location = item.location;
   std::sort(keys.breakpoints.begin(), keys.breakpoints.end());
@@ -77,6 +97,7 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
     context.errors.add(item.child("step").location,
                        fmt::format("{:.6g} steps of {} up to time.end = {}", steps, keys.step.length, keys.end),
                        fmt::format("at most {:.0e} steps; check that the step has the unit of time.end", max_steps));
+  check_cycles(keys, item, context);
   return Time(std::move(keys));
 }
 
@@ -127,6 +148,19 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
           "breakpoints", &TimeKeys::breakpoints, list(number(at_least(0))),
           "further times at which steps must end; jumps and kinks of tables and expressions are found automatically")
           .in("time"),
+      field<TimeKeys>("cycle", &TimeKeys::cycle, number(greater(0)),
+                      "period of the loads: each cycle from t = 0 on is reported in `cycles.csv`")
+          .in("time")
+          .otherwise("no cycles"),
+      field<TimeKeys>("stop_when_steady", &TimeKeys::stop_when_steady, number({.min = 0, .max = 1, .open_min = true}),
+                      "the run ends with the first cycle that repeats the one before it: to within this share of the "
+                      "stress, and of the range of every probe")
+          .otherwise("goes on to `end`"),
+      field<TimeKeys>("jump_cycles", &TimeKeys::jump_cycles, boolean(),
+                      "cycles whose changes vary smoothly are passed over by extrapolation; outputs still are where "
+                      "they were asked for"),
+      field<TimeKeys>("jump_tolerance", &TimeKeys::jump_tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
+                      "allowed relative error of the stress by a jump over cycles"),
   });
   return converted<Time>(keys, [vocabulary](TimeKeys read, const Item& item, Context& context) {
     return make_time(std::move(read), vocabulary, item, context);

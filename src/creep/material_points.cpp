@@ -189,6 +189,20 @@ void MaterialPoints::add_increment(double t, double duration, const PointsState&
   });
 }
 
+bool MaterialPoints::counts_cycles() const {
+  return std::ranges::any_of(mechanisms_, [](const Mechanism& mechanism) { return mechanism.law->counts_cycles(); });
+}
+
+void MaterialPoints::add_cycle(std::span<const material::CycleRange> cycles, std::span<double> state) const {
+  try {
+    for (const Mechanism& mechanism : mechanisms_)
+      for (std::size_t p = 0; mechanism.law->counts_cycles() && p < n_points_; ++p)
+        mechanism.law->add_cycle(cycles[p], mechanism.internal.of(of_point(p, state)));
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("material '{}': {}", body_.material().name, error.what()));
+  }
+}
+
 std::vector<double> MaterialPoints::evaluate(const material::StateVariable& variable, const PointsState& at) const {
   const std::size_t width = variable.width();
   const bool sums = variable.of_several == material::StateVariable::OfSeveralLaws::sum;

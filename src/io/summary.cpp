@@ -47,6 +47,8 @@ void add_life(const Summary& summary, Json& json) {
   if (!summary.life_fraction.empty()) json["life_fraction"] = largest(summary.life_fraction);
   for (const auto& [body, life] : summary.remaining_life)
     json["remaining_life"][body] = {{"smallest", life.value}, {"place", life.position}};
+  if (!summary.fatigue_fraction.empty()) json["fatigue_fraction"] = largest(summary.fatigue_fraction);
+  if (!summary.creep_fatigue.empty()) json["creep_fatigue"] = largest(summary.creep_fatigue);
   if (const auto& rupture = summary.rupture)
     json["rupture"] = {{"time", rupture->time},
                        {"body", rupture->body},
@@ -63,6 +65,21 @@ void add_life(const Summary& summary, Json& json) {
     if (contact.largest_slip) json_contact["largest_slip"] = *contact.largest_slip;
     if (contact.opened) json_contact["opened"] = *contact.opened;
   }
+}
+
+/// A number that is not finite becomes null.
+Json cycles_json(const Summary::Cycles& cycles) {
+  Json json{{"completed", cycles.completed},
+            {"computed", cycles.computed},
+            {"jumps", cycles.jumps},
+            {"rejected_jumps", cycles.rejected_jumps},
+            {"longest_jump", cycles.longest_jump}};
+  if (cycles.steady) {
+    json["steady"] = *cycles.steady;
+    json["steady_within"] = cycles.steady_within;
+  }
+  for (const auto& [body, limit] : cycles.to_limit) json["to_limit"][body] = limit;
+  return json;
 }
 
 Json probe_json(const SummaryProbe& probe) {
@@ -106,6 +123,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;
   json["bodies"] = bodies(summary);
   add_life(summary, json);
+  if (summary.cycles) json["cycles"] = cycles_json(*summary.cycles);
   if (summary.friction_kappa) json["friction_kappa"] = *summary.friction_kappa;
   const auto& seconds = summary.wall_seconds;
   json["wall_seconds"] = {{"total", seconds.total},       {"factorize", seconds.factorize}, {"solve", seconds.solve},

@@ -91,6 +91,22 @@ void read_probes(const nlohmann::json& json, Summary& summary) {
   }
 }
 
+void read_cycles(const nlohmann::json& json, Summary& summary) {
+  const auto found = json.find("cycles");
+  if (found == json.end()) return;
+  Summary::Cycles& cycles = summary.cycles.emplace();
+  cycles.completed = count(*found, "completed");
+  cycles.computed = count(*found, "computed");
+  cycles.jumps = count(*found, "jumps");
+  cycles.rejected_jumps = count(*found, "rejected_jumps");
+  cycles.longest_jump = count(*found, "longest_jump");
+  if (found->contains("steady")) cycles.steady = count(*found, "steady");
+  cycles.steady_within = number(*found, "steady_within");
+  if (const auto limits = found->find("to_limit"); limits != found->end())
+    for (const auto& [body, limit] : limits->items())
+      cycles.to_limit[body] = limit.is_number() ? limit.get<double>() : std::numeric_limits<double>::infinity();
+}
+
 void read_accuracy(const nlohmann::json& json, Summary& summary) {
   const auto found = json.find("accuracy");
   if (found == json.end()) return;
@@ -135,6 +151,9 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.life_fraction = extremes_of(json, "life_fraction", "largest");
     summary.remaining_life = extremes_of(json, "remaining_life", "smallest");
     summary.sources = json.value("sources", std::map<std::string, std::vector<std::string>>());
+    summary.fatigue_fraction = extremes_of(json, "fatigue_fraction", "largest");
+    summary.creep_fatigue = extremes_of(json, "creep_fatigue", "largest");
+    read_cycles(json, summary);
     if (const auto rupture = json.find("rupture"); rupture != json.end())
       summary.rupture = {number(*rupture, "time"), rupture->value("body", ""), place_of(*rupture, "damage")};
     summary.friction_kappa = number_if_any(json, "friction_kappa");

@@ -7,6 +7,7 @@
 
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
+#include "ordered_values.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -52,16 +53,6 @@ class LarsonMillerData final : public RuptureData {
   std::vector<double> logarithm_;  // of the stress
 };
 
-/// Every value is finite and stands in the order it must have.
-void require_order(const char* key, const std::vector<double>& values, bool increasing) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i])) throw ParameterError(key, fmt::format("the number {}", values[i]), "finite numbers");
-    if (i > 0 && (increasing ? !(values[i] > values[i - 1]) : !(values[i] < values[i - 1])))
-      throw ParameterError(key, fmt::format("{} after {}", values[i], values[i - 1]),
-                           increasing ? "values that increase" : "values that decrease as the stress increases");
-  }
-}
-
 }  // namespace
 
 std::shared_ptr<const RuptureData> rupture_expression(Function rupture_time) {
@@ -75,7 +66,7 @@ std::shared_ptr<const RuptureData> larson_miller(LarsonMiller data) {
     throw ParameterError("parameter", fmt::format("{} values", data.parameter.size()),
                          fmt::format("as many values as 'stress' has: {}", data.stress.size()));
   require_order("stress", data.stress, true);
-  require_order("parameter", data.parameter, false);
+  require_order("parameter", data.parameter, false, "values that decrease as the stress increases");
   if (!(data.stress.front() > 0.0))
     throw ParameterError("stress", fmt::format("the number {}", data.stress.front()), "numbers > 0");
   return std::make_shared<LarsonMillerData>(std::move(data));

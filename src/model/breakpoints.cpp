@@ -1,5 +1,8 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 
@@ -9,9 +12,7 @@
 #include "model_parts.hpp"
 
 namespace creepcontact::model {
-namespace {
 
-/// Places inside the box around the bodies, on no plane of symmetry.
 std::vector<Vector3> sample_positions(const Bodies& bodies) {
   Eigen::AlignedBox3d box;
   for (const mechanics::Body& body : bodies)
@@ -22,6 +23,8 @@ std::vector<Vector3> sample_positions(const Bodies& bodies) {
     positions.emplace_back(box.min() + share.cwiseProduct(box.sizes()));
   return positions;
 }
+
+namespace {
 
 /// Each stands for all within its tolerance, the first given counts.
 class Times {
@@ -34,6 +37,46 @@ class Times {
 
  private:
   std::set<double> times_;
+};
+
+/// What is looked for in a function: up to `end`, or, if it repeats with time.cycle from the second cycle on, in its
+/// first two cycles, which all later ones are like. Samples of a long run would miss what is short.
+class RepeatedSearch {
+ public:
+  RepeatedSearch(const Function& function, const config::Time& time, std::span<const Vector3> positions)
+      : cycle_(time.cycle.value_or(time.end)), end_(time.end), repeats_(2 * cycle_ < end_) {
+    constexpr std::int64_t most_cycles = 200, phases = 29;
+    constexpr double same = 1e-7;  // of the largest value
+    const auto n_cycles = static_cast<std::int64_t>(end_ / cycle_);
+    const std::int64_t stride = std::max<std::int64_t>(1, n_cycles / most_cycles);
+    for (const Vector3& x : positions)
+      for (std::int64_t i = 0; repeats_ && i < phases; ++i) {
+        const auto value = [&](std::int64_t of_cycle) {
+          const double phase = (static_cast<double>(i) + 0.37) / phases;
+          return function({.x = x[0], .y = x[1], .z = x[2], .t = (static_cast<double>(of_cycle) + phase) * cycle_});
+        };
+        const double expected = value(1);
+        for (std::int64_t k = 2; repeats_ && k < n_cycles; k += stride) {
+          const double found = value(k);
+          repeats_ = std::abs(found - expected) <= same * std::max(std::abs(found), std::abs(expected));
+        }
+      }
+  }
+
+  double end() const { return repeats_ ? 2 * cycle_ : end_; }
+  /// The times found up to end(), and those that are like them.
+  std::vector<double> all(const std::vector<double>& found) const {
+    std::vector<double> times;
+    for (const double t : found) {
+      times.push_back(t);
+      for (double k = 1; repeats_ && t > cycle_ && t + k * cycle_ <= end_; ++k) times.push_back(t + k * cycle_);
+    }
+    return times;
+  }
+
+ private:
+  double cycle_, end_;
+  bool repeats_;
 };
 
 }  // namespace
@@ -49,13 +92,15 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
   // Jumps are known to the last bit, kinks nearly so; turning points to a sample. What is known better comes first.
   Times times;
   std::vector<Discontinuities> found;
+  std::vector<RepeatedSearch> searches;
   for (const Function& function : functions) {
-    found.push_back(find_discontinuities(function, end, positions));
-    for (const double t : found.back().jumps) times.add(t, rounding * t);
+    searches.emplace_back(function, config.time, positions);
+    found.push_back(find_discontinuities(function, searches.back().end(), positions));
+    for (const double t : searches.back().all(found.back().jumps)) times.add(t, rounding * t);
     if (found.back().too_many)
       log::warning(
           "'{}' has too many kinks or jumps in time to find them all; list the important times in time.breakpoints, or "
-          "use a table with a period",
+          "use a table with a period, or say with time.cycle that it repeats",
           function.text());
   }
   for (const config::Support& support : config.supports)
@@ -68,10 +113,13 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
     for (const double t : function.value.breakpoints(end)) times.add(t, rounding * t);
   if (temperature)
     for (const double t : temperature->breakpoints(end)) times.add(t, rounding * t);
-  for (const Discontinuities& of_function : found)
-    for (const double t : of_function.kinks) times.add(t, near_kink * t);
-  for (const Function& function : functions)
-    for (const double t : extrema(function, end)) times.add(t, extremum_error(end));
+  if (const auto cycle = config.time.cycle)
+    for (double k = 1; k * *cycle <= end; ++k) times.add(k * *cycle, rounding * k * *cycle);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const double t : searches[i].all(found[i].kinks)) times.add(t, near_kink * t);
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    for (const double t : searches[i].all(extrema(functions[i], searches[i].end())))
+      times.add(t, extremum_error(searches[i].end()));
   std::vector<double> result;
   for (const double t : times.all())
     if (t > 0 && t < end) result.push_back(t);

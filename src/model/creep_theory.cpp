@@ -24,16 +24,17 @@ void require_one_theory(const config::Config& config, const Bodies& bodies) {
     const auto& laws = body.material().creep;
     for (std::size_t i = 0; i < laws.size(); ++i) {
       if (laws[i]->is_isochronous() == ageing_wanted) continue;
-      // Mechanisms beyond those of the configuration come of its rupture data.
+      // Mechanisms beyond those of the configuration come of its rupture and fatigue data.
       const config::Location& where = i < material.creep.size() ? material.creep[i].location : material.location;
       const std::string found =
-          i < material.creep.size() ? fmt::format("the law '{}'", material.creep[i].law) : "rupture data";
+          i < material.creep.size() ? fmt::format("the law '{}'", material.creep[i].law) : "life data";
       if (ageing_wanted && i >= material.creep.size())
         throw ConfigError(
-            fmt::format("{}material '{}' has rupture data, whose life fraction must be integrated over time: "
-                        "time.integrator = \"{}\" does not integrate rates. Remove [materials.{}.rupture], or use a "
+            fmt::format("{}material '{}' has {} data, whose life fraction must be integrated over time: "
+                        "time.integrator = \"{}\" does not integrate rates. Remove [materials.{}.{}], or use a "
                         "law that gives a rate (time_hardening, strain_hardening) and another integrator",
-                        where.prefix(), material.name, config.time.integrator, material.name));
+                        where.prefix(), material.name, material.rupture ? "rupture" : "fatigue", config.time.integrator,
+                        material.name, material.rupture ? "rupture" : "fatigue"));
       if (ageing_wanted)
         throw ConfigError(
             fmt::format("{}time.integrator = \"{}\" solves only for the creep strain of ageing theory and does not "

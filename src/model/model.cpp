@@ -128,8 +128,12 @@ Model build_model(const config::Config& config) {
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
     return make_pair(config.contacts[pair], config, all, temperature, sliding);
   };
-  return {creep::Assembly(std::move(bodies), std::move(pairs), remake), std::move(options), std::move(temperature),
-          std::move(times)};
+  std::optional<LoadCycles> cycles;
+  if (config.time.cycle) cycles.emplace(config, bodies, temperature, times);
+  Model model{creep::Assembly(std::move(bodies), std::move(pairs), remake), std::move(options), std::move(temperature),
+              std::move(times), std::move(cycles)};
+  if (model.cycles) require_cycles(config, model.assembly, *model.cycles);
+  return model;
 }
 
 }  // namespace creepcontact::model

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/material/creep_fatigue.hpp"
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/mesh/group_kind.hpp"
@@ -15,7 +16,7 @@ namespace creepcontact::model {
 
 namespace {
 
-std::shared_ptr<const material::CreepLaw> make_life_fraction(const config::Rupture& from) {
+std::shared_ptr<const material::LifeFraction> make_life_fraction(const config::Rupture& from) {
   double alpha = 0;
   if (from.stress_measure == config::StressMeasure::principal) alpha = 1;
   if (from.stress_measure == config::StressMeasure::mixed) alpha = from.alpha.value();
@@ -26,6 +27,16 @@ std::shared_ptr<const material::CreepLaw> make_life_fraction(const config::Ruptu
                                                            .absolute_zero = from.absolute_zero,
                                                            .time_unit = from.time_unit});
   return std::make_shared<material::LifeFraction>(std::move(data), alpha);
+}
+
+std::shared_ptr<const material::CreepLaw> make_creep_fatigue(const config::Fatigue& from,
+                                                             std::shared_ptr<const material::LifeFraction> creep) {
+  auto curve = from.cycles_to_failure ? material::fatigue_expression(*from.cycles_to_failure)
+                                      : material::fatigue_table(from.strain_range, from.cycles);
+  std::vector<material::InteractionDiagram::Point> points;
+  for (const std::vector<double>& point : from.interaction) points.push_back({point.at(0), point.at(1)});
+  return std::make_shared<material::CreepFatigue>(std::move(curve), material::InteractionDiagram(std::move(points)),
+                                                  std::move(creep));
 }
 
 }  // namespace
@@ -54,7 +65,11 @@ material::Material make_material(const config::Material& from) {
     for (const config::CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
     result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(values)));
   }
-  if (from.rupture) result.creep.push_back(make_life_fraction(*from.rupture));
+  const auto life = from.rupture ? make_life_fraction(*from.rupture) : nullptr;
+  if (from.fatigue)
+    result.creep.push_back(make_creep_fatigue(*from.fatigue, life));
+  else if (life)
+    result.creep.push_back(life);
   return result;
 }
 

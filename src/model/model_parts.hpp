@@ -65,8 +65,11 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
                         const std::optional<mechanics::TemperatureField>& temperature,
                         std::span<const mechanics::RigidMotion> sliding);
 
-/// Discontinuities and jumps in time of every function of the configuration, the points of tables, and the user's own
-/// breakpoints; ascending, within (0, end). Warns of expressions with more of them than can be found.
+/// Places inside the box around the bodies, on no plane of symmetry.
+std::vector<Vector3> sample_positions(const Bodies& bodies);
+/// Discontinuities and jumps in time of every function of the configuration, the points of tables, the ends of
+/// cycles, and the user's own breakpoints; ascending, within (0, end). Warns of expressions with more of them than can
+/// be found.
 std::vector<double> breakpoints(const config::Config& config, const Bodies& bodies,
                                 const std::optional<mechanics::TemperatureField>& temperature);
 

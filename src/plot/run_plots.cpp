@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "axis_labels.hpp"
@@ -115,8 +116,22 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options) 
     figure.title = title(run) + ": time steps";
     figures.push_back({"steps", std::move(figure)});
   }
+  std::vector<NamedFigure> of_cycles;
+  if (run.cycles.rows() > 1) {
+    if (run.cycles.column("cycle") == nullptr) throw ConfigError("cycles.csv has no column 'cycle'");
+    const std::vector<double>& numbers = *run.cycles.column("cycle");
+    const std::vector<Panel> all = cycle_panels(run.cycles, run.heading, options.probes);
+    auto first = all.begin();
+    for (std::size_t size : even_parts(all.size(), max_panels)) {
+      const std::string name = of_cycles.empty() ? "cycles" : fmt::format("cycles_{}", of_cycles.size() + 1);
+      const Axis x{.label = "cycle", .logarithmic = spans_decades(numbers)};
+      of_cycles.push_back({name, {title(run) + ": cycles", x, {first, first + size}}});
+      first += static_cast<long>(size);
+    }
+  }
   for (NamedFigure& one : figures)
     for (const auto& [event, time] : run.heading.events) one.figure.marks.push_back({time, event});
+  std::ranges::move(of_cycles, std::back_inserter(figures));
   return figures;
 }
 

@@ -19,10 +19,10 @@ io::CsvTable read_history(const std::filesystem::path& run) {
   return io::read_csv_table(path, io::UnendedRow::is_left_out);
 }
 
-/// Without rows if nothing creeps.
-io::CsvTable read_steps(const std::filesystem::path& run) {
-  if (!path_exists(run / "steps.csv")) return {};
-  return io::read_csv_table(run / "steps.csv", io::UnendedRow::is_left_out);
+/// Without rows if there is no such file.
+io::CsvTable read_if_any(const std::filesystem::path& path) {
+  if (!path_exists(path)) return {};
+  return io::read_csv_table(path, io::UnendedRow::is_left_out);
 }
 
 io::SummaryHeading heading_of(const std::filesystem::path& run) {
@@ -37,12 +37,12 @@ io::SummaryHeading heading_of(const std::filesystem::path& run) {
 }  // namespace
 
 RunTables read_run_tables(const std::filesystem::path& run) {
-  io::CsvTable history = read_history(run), steps = read_steps(run);
-  return {run, std::move(history), std::move(steps), heading_of(run)};
+  io::CsvTable history = read_history(run), steps = read_if_any(run / "steps.csv");
+  return {run, std::move(history), std::move(steps), heading_of(run), read_if_any(run / "cycles.csv")};
 }
 
 RunTables read_run_tables(const std::filesystem::path& run, io::SummaryHeading heading) {
-  return {run, read_history(run), read_steps(run), std::move(heading)};
+  return {run, read_history(run), read_if_any(run / "steps.csv"), std::move(heading), read_if_any(run / "cycles.csv")};
 }
 
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {

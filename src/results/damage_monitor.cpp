@@ -19,7 +19,13 @@ io::Summary::Largest largest(const creep::CreepSystem::Extreme& extreme) {
 
 }  // namespace
 
-DamageMonitor::DamageMonitor(const creep::CreepSystem& system) : system_(system) {}
+DamageMonitor::DamageMonitor(const creep::CreepSystem& system)
+    : system_(system),
+      counters_{{&material::damage, &io::Summary::damage, {}},
+                {&material::life_fraction, &io::Summary::life_fraction, {}},
+                {&material::fatigue_fraction, &io::Summary::fatigue_fraction, {}},
+                {&material::creep_fatigue, &io::Summary::creep_fatigue, {}},
+                {&material::remaining_life, &io::Summary::remaining_life, {}}} {}
 
 creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double> y) const {
   creep::CreepSystem::Extreme result;
@@ -41,9 +47,8 @@ bool DamageMonitor::is_rupture(const creep::CreepSystem::Extreme& damage, double
 
 void DamageMonitor::output(const creep::Evaluation& at) {
   for (std::size_t b = 0; b < at.equilibrium.bodies.size(); ++b) {
-    if (const auto damage = system_.largest(material::damage, b, at, at.y)) damage_[b] = *damage;
-    if (const auto life = system_.largest(material::life_fraction, b, at, at.y)) life_[b] = *life;
-    if (const auto rate = system_.largest(material::remaining_life, b, at, at.y)) consumption_[b] = *rate;
+    for (Counter& counter : counters_)
+      if (const auto found = system_.largest(*counter.variable, b, at, at.y)) counter.largest[b] = *found;
   }
 }
 
@@ -75,18 +80,28 @@ void DamageMonitor::warn(double time, const creep::Evaluation& at, std::span<con
         bodies[b].name(), time, life->position.x(), life->position.y(), life->position.z(), life->value);
     warned_of_life_ = true;
   }
+  for (std::size_t b = 0; b < bodies.size() && !warned_of_creep_fatigue_; ++b) {
+    const auto usage = system_.largest(material::creep_fatigue, b, at, y);
+    if (!usage || !(usage->value > 1)) continue;
+    log::warning(
+        "body '{}': creep and fatigue have passed the line of the interaction diagram before t = {:.6g} at ({:.6g}, "
+        "{:.6g}, {:.6g}): creep_fatigue {:.3g}",
+        bodies[b].name(), time, usage->position.x(), usage->position.y(), usage->position.z(), usage->value);
+    warned_of_creep_fatigue_ = true;
+  }
 }
 
 void DamageMonitor::fill(io::Summary& summary) const {
   const std::vector<mechanics::Body>& bodies = system_.assembly().bodies();
-  for (const auto& [b, extreme] : damage_) summary.damage[bodies[b].name()] = largest(extreme);
-  for (const auto& [b, extreme] : life_) summary.life_fraction[bodies[b].name()] = largest(extreme);
-  for (const auto& [b, extreme] : consumption_) {
-    if (!(extreme.value > 0)) continue;
-    io::Summary::Largest& smallest = summary.remaining_life[bodies[b].name()];
-    smallest = largest(extreme);
-    smallest.value = 1 / extreme.value;
-  }
+  for (const Counter& counter : counters_)
+    for (const auto& [b, extreme] : counter.largest) {
+      io::Summary::Largest found = largest(extreme);
+      if (counter.variable->is_reciprocal) {
+        if (!(extreme.value > 0)) continue;
+        found.value = 1 / extreme.value;
+      }
+      (summary.*counter.member)[bodies[b].name()] = found;
+    }
   if (rupture_) summary.rupture = {rupture_->first, bodies[rupture_->second.body].name(), largest(rupture_->second)};
 }
 

@@ -82,7 +82,7 @@ void check(const config::Config& config, std::ostream& report, const CheckOption
   report << text << std::flush;
   rigid_body_modes.require_contact(model.pairs());
   contact::require_balance(model.bodies(), model.pairs(), rigid_body_modes, model.assembly.at(0), 0);
-  creep::require_loaded(model.assembly, config.time.output, model.breakpoints);
+  creep::require_loaded(model.assembly, config.time.output, model.distinct_breakpoints());
   if (options.resume) Checkpoints(config, model, creep::Distribution(model.assembly), directory).read();
   if (options.fields)
     for (const std::filesystem::path& file : write_model_view(config, model, directory))

@@ -11,9 +11,13 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string prefix = "integrator.";                 // of its arrays
-const std::string state_prefix = "integrator.of_state.";  // of those like the state
-constexpr std::size_t max_differences = 5;                // named
+const std::string prefix = "integrator.";                  // of its arrays
+const std::string state_prefix = integrator_state_prefix;  // of those like the state
+constexpr std::size_t max_differences = 5;                 // named
+
+bool is_like_state(const std::string& name) {
+  return name.starts_with(integrator_state_prefix) || name.starts_with(cycle_state_prefix);
+}
 
 }  // namespace
 
@@ -30,7 +34,7 @@ io::Checkpoint Checkpoints::read() const {
     checkpoint = whole();
     checkpoint.state = distribution_.own_states(checkpoint.state);
     for (auto& [name, values] : checkpoint.arrays)
-      if (name.starts_with(state_prefix)) values = distribution_.own_states(values);
+      if (is_like_state(name)) values = distribution_.own_states(values);
   });
   return checkpoint;
 }
@@ -81,7 +85,7 @@ void Checkpoints::write(const io::Checkpoint& checkpoint) {
     io::Checkpoint all = checkpoint;
     all.state = distribution_.gather_states(checkpoint.state);
     for (auto& [name, values] : all.arrays)
-      if (name.starts_with(state_prefix)) values = distribution_.gather_states(values);
+      if (is_like_state(name)) values = distribution_.gather_states(values);
     together(distribution_.team(), [&] {
       if (distribution_.is_root()) io::write_checkpoint(path_, all);
     });

@@ -14,6 +14,9 @@
 
 namespace creepcontact::run {
 
+/// Of the names of arrays in a checkpoint that are vectors like the state: each process has a part of them.
+inline constexpr const char* cycle_state_prefix = "cycles.of_state.";
+inline constexpr const char* integrator_state_prefix = "integrator.of_state.";
 inline constexpr const char* checkpoint_name = "checkpoint.h5";  // in the directory of the run
 
 class Checkpoints {

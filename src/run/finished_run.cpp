@@ -22,6 +22,12 @@ std::string nothing_left(const config::Config& config, const model::Model& model
       return fmt::format(
           "nothing is left to do: event '{}' stopped the run at t = {:.6g}; to continue it, set stop = false",
           event.name, summary->time_reached);
+  if (const auto& cycles = summary->cycles;
+      cycles && cycles->steady && config.time.stop_when_steady.value_or(0) >= cycles->steady_within)
+    return fmt::format(
+        "nothing is left to do: cycle {} repeats the one before it; to continue the run, set a smaller "
+        "time.stop_when_steady, or remove it",
+        *cycles->steady);
   if (reached < config.time.end) return {};
   return fmt::format(
       "nothing is left to do: the run is complete up to t = {:.6g}; to continue it, set a later time.end", reached);

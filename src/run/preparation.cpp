@@ -102,7 +102,8 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
 creep::CreepSystem make_system(const config::Config& config, const model::Model& model,
                                creep::EquilibriumSolver& solver, Stopwatch& watch) {
   require_condensed_contact(config, solver.interface(), solver.assembly().team());
-  return creep::CreepSystem(solver, creep::survey_elastic_stress(solver, config.time.output, model.breakpoints),
+  return creep::CreepSystem(solver,
+                            creep::survey_elastic_stress(solver, config.time.output, model.distinct_breakpoints()),
                             config.time.tolerance, watch);
 }
 

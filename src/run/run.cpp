@@ -44,6 +44,7 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
     if (!material.sources.empty()) summary.sources[material.name] = material.sources;
   loop.probe_record().fill(config, summary);
   loop.events().fill(summary);
+  if (loop.cycles() != nullptr) loop.cycles()->fill(summary);
   summary.integrator = config.time.integrator;
   summary.method = loop.method();
   summary.time_reached = loop.time();
@@ -259,7 +260,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     const TimeLoop::End end = loop.run();
     if (end == TimeLoop::End::completed) {
       for (const std::string& warning : loop.narrow_contacts()) log::warning("{}", warning);
-      summary = write_summary(io::Summary::Status::completed, "");
+      summary = write_summary(io::Summary::Status::completed, loop.end_message());
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {

@@ -38,6 +38,23 @@ std::string row(const std::string& name, const io::Summary::Course& course) {
                      100 * course.remaining());
 }
 
+std::string cycle_lines(const io::Summary::Cycles& cycles) {
+  std::string text = fmt::format("  {} cycle{}", cycles.completed, cycles.completed == 1 ? "" : "s");
+  if (cycles.jumps + cycles.rejected_jumps > 0)
+    text += fmt::format(": {} computed, {} jumps over up to {} cycles, {} more rejected", cycles.computed, cycles.jumps,
+                        cycles.longest_jump, cycles.rejected_jumps);
+  if (cycles.steady)
+    text += fmt::format("; the last one repeats the one before it to within {:.3g}", cycles.steady_within);
+  text += '\n';
+  for (const auto& [name, limit] : cycles.to_limit)
+    if (std::isfinite(limit))
+      text += fmt::format(
+          "  body '{}' reaches the limit of its life {:.4g} cycles after t = 0, if all go on like the "
+          "last one\n",
+          name, limit);
+  return text;
+}
+
 std::string place(const io::Summary::Largest& largest) {
   const auto& [x, y, z] = largest.position;
   return fmt::format("at ({:.6g}, {:.6g}, {:.6g})", x, y, z);
@@ -56,6 +73,9 @@ std::string outcome_table(const io::Summary& summary) {
   for (const auto& [name, largest] : summary.life_fraction)
     text +=
         fmt::format("  body '{}' has used {:.3g} % of its creep life {}\n", name, 100 * largest.value, place(largest));
+  for (const auto& [name, largest] : summary.creep_fatigue)
+    text += fmt::format("  body '{}' has used {:.3g} % of the creep-fatigue diagram {}\n", name, 100 * largest.value,
+                        place(largest));
   for (const auto& [name, largest] : summary.damage)
     text += fmt::format("  body '{}' has a damage of {:.3g} {}\n", name, largest.value, place(largest));
   for (const auto& [name, life] : summary.remaining_life)
@@ -65,6 +85,7 @@ std::string outcome_table(const io::Summary& summary) {
   if (const auto& rupture = summary.rupture)
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));
+  if (summary.cycles) text += cycle_lines(*summary.cycles);
   return text;
 }
 

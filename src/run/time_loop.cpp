@@ -60,6 +60,9 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
   });
   events_.emplace(config, results_->probes());
   if (resumed_) events_->restore(resumed_->arrays);
+  if (model.cycles)
+    cycles_.emplace(config, *model.cycles, system, whole_, results_->probes(), directory, time_,
+                    resumed_ ? &resumed_->arrays : nullptr);
   integrator_ = make_integrator(config.time, system);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
   next_break_ = std::upper_bound(model.breakpoints.begin(), model.breakpoints.end(), time_);
@@ -70,6 +73,7 @@ io::Checkpoint TimeLoop::checkpoint() const {
   outcome_.save(checkpoint.arrays);
   probe_record_.save(checkpoint.arrays);
   events_->save(checkpoint.arrays);
+  if (cycles_) cycles_->save(checkpoint.arrays);
   checkpoint.counters = counters();
   return checkpoint;
 }
@@ -96,7 +100,7 @@ void TimeLoop::keep_restart_point() {
   if (!writing) finish_fields();
   // The copy costs little against a step, but not nothing: made if the next restart point may be far, a result that
   // fails to be written may spoil the step, or rupture may end within it.
-  const bool far = !integrator_->restarts_after_every_step();
+  const bool far = cycles_ || !integrator_->restarts_after_every_step();
   const double reach = 2 * integrator_->next_step();
   const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
   std::optional<io::Checkpoint>& here = writing ? after_fields_ : kept_;
@@ -111,7 +115,10 @@ void TimeLoop::write_checkpoint() {
   finish_fields();
   const bool here = settled_ && (at_restart_point() || time_ >= config_.time.end);
   if (!here && !kept_) return;
-  together(distribution_.team(), [&] { results_->sync(); });  // a checkpoint stands for all results before it
+  together(distribution_.team(), [&] {  // a checkpoint stands for all results before it
+    results_->sync();
+    if (cycles_) cycles_->sync();
+  });
   checkpoints_.write(here ? checkpoint() : *kept_);
 }
 
@@ -132,7 +139,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     if (after_fields_) finish_fields();  // a restart point before this output
     const bool is_end = t == config_.time.end || stopped_;
     life_.output(own);
-    whole_.look(t, y, [&](results::Snapshot& snapshot) -> std::vector<double> {
+    const std::vector<double> values = whole_.look(t, y, [&](results::Snapshot& snapshot) {
       const creep::Equilibrium& at = snapshot.equilibrium();
       results_->output(snapshot);
       probe_record_.output(t, results_->last_values());
@@ -140,8 +147,9 @@ void TimeLoop::output(double t, std::span<const double> y) {
       if (t == 0 || is_end) see_uniqueness(at);
       if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
       if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at, "at the end");
-      return {};
+      return results_->last_values();
     });
+    if (cycles_) cycles_->see_probes(values);
     last_output_ = t;
     life_.warn(t, own, own.y);
     table_ranges_.see(own.time, system_.assembly().bodies(), own.equilibrium, distribution_.team());
@@ -251,22 +259,92 @@ bool TimeLoop::ruptured(double begin_of_step) {
   return true;
 }
 
-void TimeLoop::outputs_of_step(bool breakpoint) {
+void TimeLoop::begin_cycle() {
+  const double next_output =
+      next_output_ != config_.time.output.end() ? *next_output_ : std::numeric_limits<double>::infinity();
+  const std::span<const double> y = integrator_->state();
+  state_.assign(y.begin(), y.end());
+  const std::optional<double> to = cycles_->jump(time_, next_output, state_);
+  try {
+    if (to) continue_at(*to);
+    cycles_->begin(time_, integrator_->state());
+  } catch (const RecoverableError&) {  // the state after the jump has no equilibrium
+    if (!to) throw;
+    go_back_before_jump();
+    cycles_->begin(time_, integrator_->state());
+  }
+}
+
+void TimeLoop::continue_at(double t) {
+  time_ = t;
+  next_break_ = std::upper_bound(model_.breakpoints.begin(), model_.breakpoints.end(), time_);
+  begin_segment();
+  integrator_->initialize(time_, state_);
+}
+
+void TimeLoop::go_back_before_jump() {
+  held_steps_.clear();
+  continue_at(cycles_->go_back(state_));
+  settled_ = true;
+}
+
+bool TimeLoop::gone_back_for_event() {
+  bool happened = life_.largest_damage(integrator_->state()).value >= almost_ruptured;
+  if (!happened && events_->is_waiting())
+    happened = !whole_
+                    .look(time_, integrator_->state(),
+                          [&](results::Snapshot& snapshot) {
+                            return std::vector<double>(events_->holding(snapshot).empty() ? 0 : 1);
+                          })
+                    .empty();
+  if (happened) go_back_before_jump();
+  return happened;
+}
+
+void TimeLoop::record_step(const ode::StepReport& report, const RunCounters& work) {
+  held_steps_.push_back({report, work, system_.n_active_contacts()});
+  if (cycles_ && cycles_->is_checking()) return;
+  together(distribution_.team(), [&] {
+    for (const HeldStep& step : held_steps_) results_->step(step.report, step.work, step.n_active_contacts);
+  });
+  held_steps_.clear();
+}
+
+bool TimeLoop::end_of_segment() {
+  cycles_->see(time_, integrator_->state());
+  const std::span<const double> y = integrator_->state();
+  state_.assign(y.begin(), y.end());
+  const Cycles::Closed closed = cycles_->close(time_, counters(), state_);
+  if (closed.is_rejected) {
+    held_steps_.clear();
+    continue_at(closed.time);
+    return false;
+  }
+  restarts_ = closed.state_changed;
+  stopped_ = closed.is_steady;
+  return true;
+}
+
+bool TimeLoop::outputs_of_step(bool breakpoint) {
   const auto end = config_.time.output.end();
   for (; next_output_ != end && *next_output_ < time_; ++next_output_) {
     integrator_->interpolate(*next_output_, state_);
     output(*next_output_, state_);
   }
+  if (breakpoint && cycles_ && !end_of_segment()) return false;
   if (breakpoint) {
     begin_segment();  // a result at a jump is that after it
+    if (restarts_) integrator_->initialize(time_, state_);
     system_.apply_preloads(time_, integrator_->state());
     if (system_.has_friction()) system_.accept(time_, integrator_->state());  // slip in the jump
   }
   if (breakpoint && integrator_->jumps_with_loads()) integrator_->initialize(time_, integrator_->state());
+  if (breakpoint && cycles_) cycles_->see_after_jump(time_, integrator_->state());
   if (next_output_ != end && *next_output_ == time_ && time_ == integrator_->time()) {
     output(time_, integrator_->state());
     ++next_output_;
   }
+  return true;
 }
 
 void TimeLoop::integrate(const platform::Interrupt& interrupt) {
@@ -281,27 +359,45 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   while (time_ < end && !interrupted(interrupt)) {
     if (checkpoints_.due()) write_checkpoint();
     keep_restart_point();
+    if (cycles_ && cycles_->is_between()) begin_cycle();
     const double stop = next_break_ != last_break ? *next_break_ : end;
     const bool interpolates = integrator_->interpolates() && !config_.time.stop_at_output;
     const bool may_pass_outputs = interpolates || next_output_ == config_.time.output.end();
     const RunCounters before = system_.run_counters();
     const double limit = std::min(may_pass_outputs ? stop : std::min(stop, *next_output_), longest_step_end());
-    const ode::StepReport report = integrator_->step(limit);
+    ode::StepReport report;
+    try {
+      report = integrator_->step(limit);
+    } catch (const SolverError&) {
+      if (!cycles_ || !cycles_->is_checking()) throw;
+      go_back_before_jump();
+      continue;
+    }
     settled_ = false;
     time_ = integrator_->time();
-    together(distribution_.team(),
-             [&] { results_->step(report, system_.run_counters() - before, system_.n_active_contacts()); });
+    record_step(report, system_.run_counters() - before);
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
     table_ranges_.see(last.time, system_.assembly().bodies(), last.equilibrium, distribution_.team());
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());
+    if (cycles_) cycles_->step(report, integrator_->state());
+    if (cycles_ && cycles_->is_checking() && gone_back_for_event()) continue;
     if (ruptured(time_ - report.step) || stopped_in_step(time_ - report.step)) return;
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ != last_break) ++next_break_;
-    outputs_of_step(breakpoint);
-    if (breakpoint && time_ < end && !integrator_->jumps_with_loads()) {
+    if (!outputs_of_step(breakpoint)) {
+      settled_ = true;
+      continue;
+    }
+    if (stopped_) {  // the cycles repeat
+      if (last_output_ != time_) output(time_, integrator_->state());
+      settled_ = true;
+      break;
+    }
+    const bool restarted = std::exchange(restarts_, false);
+    if (breakpoint && !restarted && time_ < end && !integrator_->jumps_with_loads()) {
       const std::span<const double> y = integrator_->state();
       integrator_->initialize(time_, std::vector<double>(y.begin(), y.end()));
     }

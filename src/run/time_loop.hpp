@@ -18,6 +18,7 @@
 #include "creepcontact/results/probe_record.hpp"
 #include "creepcontact/results/results.hpp"
 #include "creepcontact/run/run.hpp"
+#include "cycles.hpp"
 #include "event_search.hpp"
 #include "run_report.hpp"
 
@@ -48,6 +49,10 @@ class TimeLoop {
   const results::Outcome& outcome() const { return outcome_; }
   const results::ProbeRecord& probe_record() const { return probe_record_; }
   const results::EventWatch& events() const { return *events_; }
+  /// Null without time.cycle.
+  const Cycles* cycles() const { return cycles_ ? &*cycles_ : nullptr; }
+  /// Why a completed run ended before its time; empty: it did not.
+  std::string end_message() const { return cycles_ && stopped_ ? cycles_->end_message() : ""; }
   /// Of the steps since the start or the resume.
   const StepStatistics& step_statistics() const { return step_statistics_; }
   /// Of the end of the run: what to say of contacts that few elements resolve.
@@ -63,7 +68,19 @@ class TimeLoop {
  private:
   void output(double t, std::span<const double> y);
   /// All output times up to time_, those before it interpolated. @param breakpoint  a segment of the loads ends here
-  void outputs_of_step(bool breakpoint);
+  /// @returns false if the run has gone back to before a jump over cycles
+  bool outputs_of_step(bool breakpoint);
+  /// Between two cycles: jumps over some, or begins the next one.
+  void begin_cycle();
+  /// At a breakpoint, before the loads change. @returns false if the run has gone back to before a jump over cycles
+  bool end_of_segment();
+  /// Starts the integration anew from state_ at a time that is not that of the integrator.
+  void continue_at(double t);
+  /// In a cycle after a jump: goes back if something has happened that the jump may have passed over.
+  /// @returns true if it has gone back
+  bool gone_back_for_event();
+  void go_back_before_jump();
+  void record_step(const ode::StepReport& report, const RunCounters& work);
   void begin_segment();
   /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
   bool ruptured(double begin_of_step);
@@ -87,7 +104,9 @@ class TimeLoop {
   bool load_until(double t);
   void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
-  bool at_restart_point() const { return !integrator_ || integrator_->at_restart_point(); }
+  bool at_restart_point() const {
+    return (!integrator_ || integrator_->at_restart_point()) && (!cycles_ || cycles_->may_be_resumed());
+  }
   io::Checkpoint checkpoint() const;
   /// True if a process asks for the end of the run. Collective.
   bool interrupted(const platform::Interrupt& interrupt) const;
@@ -114,6 +133,7 @@ class TimeLoop {
   results::Outcome outcome_;
   results::ProbeRecord probe_record_;
   std::optional<results::EventWatch> events_;  // of the probes that results_ owns
+  std::optional<Cycles> cycles_;               // likewise
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   StepStatistics step_statistics_;
@@ -122,14 +142,22 @@ class TimeLoop {
   double time_ = 0;
   bool has_output_ = false;
   bool ruptured_ = false;
-  bool stopped_ = false;                        // by an event
+  bool stopped_ = false;                        // by an event, or because the cycles repeat
+  bool restarts_ = false;                       // with the state that the end of a cycle has changed
   double last_output_ = -1;                     // time of the last row
   bool settled_ = false;                        // integrated up to time_, and all results up to there are on disk
   std::optional<io::Checkpoint> resumed_;       // until the integration has begun
   std::optional<io::Checkpoint> kept_;          // the last restart point, if steps have left it
   std::optional<io::Checkpoint> after_fields_;  // a later one, for when the field files under way are written
   std::vector<double> state_;                   // of output times
-  RunCounters earlier_;                         // counters of the runs before an interruption
+  /// A step in a cycle after a jump, which may be rejected.
+  struct HeldStep {
+    ode::StepReport report;
+    RunCounters work;
+    std::int64_t n_active_contacts = 0;
+  };
+  std::vector<HeldStep> held_steps_;
+  RunCounters earlier_;  // counters of the runs before an interruption
   std::vector<double>::const_iterator next_output_;
   std::vector<double>::const_iterator next_break_;
 };

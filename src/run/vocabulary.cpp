@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "creepcontact/material/creep_fatigue.hpp"
 #include "creepcontact/material/life_fraction.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/ode/integrator.hpp"
@@ -33,6 +34,20 @@ std::optional<config::LawError> validate_larson_miller(const std::vector<double>
   }
 }
 
+std::optional<config::LawError> validate_fatigue(const std::vector<double>& strain_range,
+                                                 const std::vector<double>& cycles,
+                                                 const std::vector<std::vector<double>>& interaction) {
+  try {
+    if (!strain_range.empty()) material::fatigue_table(strain_range, cycles);
+    std::vector<material::InteractionDiagram::Point> points;
+    for (const std::vector<double>& point : interaction) points.push_back({point.at(0), point.at(1)});
+    material::InteractionDiagram{points};
+    return std::nullopt;
+  } catch (const material::ParameterError& error) {
+    return config::LawError{error.key(), error.found(), error.allowed()};
+  }
+}
+
 }  // namespace
 
 config::Vocabulary vocabulary() {
@@ -57,6 +72,7 @@ config::Vocabulary vocabulary() {
     result.laws.push_back(std::move(entry));
   }
   result.validate_larson_miller = validate_larson_miller;
+  result.validate_fatigue = validate_fatigue;
   for (const ode::IntegratorInfo& info : ode::integrators()) {
     result.integrators.push_back(info.name);
     if (!info.tables.empty()) result.tables[info.name] = info.tables;

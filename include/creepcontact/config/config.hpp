@@ -110,6 +110,14 @@ struct Hill {
   std::array<double, 3> shear{1, 1, 1};   ///< R12, R23, R13
 };
 
+/// [materials.<name>.fatigue]: number of cycles to failure, either `cycles_to_failure` or a fatigue curve.
+struct Fatigue {
+  std::optional<Function> cycles_to_failure;  ///< of eps (the strain range), T
+  std::vector<double> strain_range, cycles;
+  std::vector<std::vector<double>> interaction;  ///< points of the diagram: life fraction, cycle fraction
+  Location location;
+};
+
 /// [materials.<name>]
 struct Material {
   std::string name;
@@ -121,6 +129,7 @@ struct Material {
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;
+  std::optional<Fatigue> fatigue;
   std::vector<std::string> sources;  ///< where the data come from, for reports
   Location location;
 };
@@ -268,9 +277,13 @@ struct ContactSolver : settings::ContactSettings {
 struct Time : settings::IntegratorOptions {
   double end = 0;
   std::string integrator = "auto";
-  std::vector<double> output;       ///< increasing, from 0 to end, both included
-  bool stop_at_output = false;      ///< steps end at output times; else results are interpolated within steps
-  std::vector<double> breakpoints;  ///< increasing; those of tables in t are not among them
+  std::vector<double> output;              ///< increasing, from 0 to end, both included
+  bool stop_at_output = false;             ///< steps end at output times; else results are interpolated within steps
+  std::vector<double> breakpoints;         ///< increasing; those of tables in t are not among them
+  std::optional<double> cycle;             ///< period of the loads
+  std::optional<double> stop_when_steady;  ///< change per cycle below which the run ends
+  bool jump_cycles = false;                ///< extrapolate over cycles
+  double jump_tolerance = 1e-3;            ///< error of a jump, relative to the stress
   Location location;
 };
 

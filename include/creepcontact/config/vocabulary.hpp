@@ -67,6 +67,10 @@ struct Vocabulary {
   /// Checks Larson-Miller data; nullopt: valid.
   std::function<std::optional<LawError>(const std::vector<double>& stress, const std::vector<double>& parameter)>
       validate_larson_miller = {};
+  /// Checks a fatigue curve, unless it has no points, and the points of an interaction diagram; nullopt: valid.
+  std::function<std::optional<LawError>(const std::vector<double>& strain_range, const std::vector<double>& cycles,
+                                        const std::vector<std::vector<double>>& interaction)>
+      validate_fatigue = {};
 };
 
 }  // namespace creepcontact::config

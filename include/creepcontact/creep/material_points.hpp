@@ -73,6 +73,12 @@ class MaterialPoints {
   /// @param change  n_points x stride
   void add_increment(double t, double duration, const PointsState& at, std::span<double> change) const;
 
+  /// True if some law counts cycles.
+  bool counts_cycles() const;
+  /// Adds what a cycle does to the state of all points (CreepLaw::add_cycle). @param cycles  one per point
+  /// @param state  n_points x stride @throws ModelError as the laws, naming the material
+  void add_cycle(std::span<const material::CycleRange> cycles, std::span<double> state) const;
+
   /// True if some law has the variable.
   bool has(const material::StateVariable& variable) const { return std::ranges::count(known_, &variable) > 0; }
   /// n_points x variable.width()

@@ -63,6 +63,16 @@ struct Summary : RunCounters {
     std::optional<double> largest_slip;       ///< accumulated at the end, the largest over the surface
     std::optional<double> opened;  ///< output time from which on it carries nothing, having carried something
   };
+  /// Of the loads, if the run has them.
+  struct Cycles {
+    std::int64_t completed = 0;  ///< since t = 0
+    std::int64_t computed = 0;   ///< of them and of those that were rejected
+    std::int64_t jumps = 0, rejected_jumps = 0, longest_jump = 0;
+    /// Number of the cycle with which the run ended because it repeats, to within time.stop_when_steady.
+    std::optional<std::int64_t> steady;
+    double steady_within = 0;
+    std::map<std::string, double> to_limit;  ///< cycles until the life of a body is used up, as far as it has life data
+  };
   struct WallSeconds {
     double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;
   };
@@ -82,10 +92,12 @@ struct Summary : RunCounters {
   std::string method;  ///< integrator at work at the end, if `integrator` chose it; omitted if empty
   double time_reached = 0;
   std::map<std::string, Body> bodies;
-  std::map<std::string, Largest> damage, life_fraction;     ///< by body, if its material has them
+  /// By body, if its material has them.
+  std::map<std::string, Largest> damage, life_fraction, fatigue_fraction, creep_fatigue;
   std::map<std::string, Largest> remaining_life;            ///< the smallest of each body that would rupture
   std::map<std::string, std::vector<std::string>> sources;  ///< of the data, by material; omitted if empty
   std::optional<Rupture> rupture;
+  std::optional<Cycles> cycles;
   std::map<std::string, Contact> contacts;  ///< unilateral contacts, by name
   std::optional<double> friction_kappa;     ///< largest of start and end; above 1 several states may be possible
   WallSeconds wall_seconds;

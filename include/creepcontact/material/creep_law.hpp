@@ -59,6 +59,12 @@ enum class InternalKind {
   fraction  ///< of 1: damage, used life
 };
 
+/// What a point has gone through in one cycle of the loads.
+struct CycleRange {
+  double strain_range = 0;  ///< equivalent range of the total strain, see material/creep_fatigue.hpp
+  double temperature = 0;   ///< the highest
+};
+
 /// One creep mechanism of a material; the rates of all mechanisms add up. Immutable, safe for any number of threads.
 class CreepLaw {
  public:
@@ -107,6 +113,11 @@ class CreepLaw {
   /// Adds the growth over `duration` from at.time on, at constant stress: the closed form of a law with a singular
   /// start. By default: duration times the rate.
   virtual void increment(const PointState& at, double duration, PointIncrement into) const;
+
+  /// True if whole cycles change its internal variables, beyond the integral of the rates.
+  virtual bool counts_cycles() const { return false; }
+  /// Adds what one cycle does to them. @param internal  n_internal()
+  virtual void add_cycle(const CycleRange& /*cycle*/, std::span<double> /*internal*/) const {}
 
   /// @param into  variable.width() numbers, set if the law has the variable
   /// @returns true if it has; the same at all states

@@ -33,6 +33,16 @@ inline constexpr StateVariable life_fraction{
     .name = "life_fraction",
     .description = "fraction of the creep life used up, from rupture data; 0 where there are none",
     .label = "life fraction"};
+inline constexpr StateVariable fatigue_fraction{
+    .name = "fatigue_fraction",
+    .description = "fraction of the fatigue life used up by whole cycles, from fatigue data; 0 where there are none",
+    .label = "fatigue fraction"};
+inline constexpr StateVariable creep_fatigue{
+    .name = "creep_fatigue",
+    .description =
+        "share of the interaction diagram that `life_fraction` and `fatigue_fraction` have used up: 1 on its "
+        "line; 0 where there are no fatigue data",
+    .label = "creep-fatigue usage"};
 
 /// From laws with rupture: 1/(time to rupture).
 inline constexpr StateVariable remaining_life{

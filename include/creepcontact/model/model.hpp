@@ -8,6 +8,7 @@
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
+#include "creepcontact/model/load_cycles.hpp"
 
 namespace creepcontact::model {
 
@@ -18,7 +19,10 @@ struct Model {
   std::optional<mechanics::TemperatureField> temperature;
   /// Times of jumps and slope changes of all loads, supports, gaps and temperatures, ascending.
   std::vector<double> breakpoints;
+  std::optional<LoadCycles> cycles;  ///< given time.cycle
 
+  /// Breakpoints at which the loads are not those of an earlier cycle.
+  std::vector<double> distinct_breakpoints() const { return cycles ? cycles->distinct_breakpoints() : breakpoints; }
   const std::vector<mechanics::Body>& bodies() const { return assembly.bodies(); }
   const std::vector<contact::Pair>& pairs() const { return assembly.pairs(); }
 };

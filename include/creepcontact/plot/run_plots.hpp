@@ -19,8 +19,9 @@ struct PlotOptions {
   std::filesystem::path directory = {};  ///< of the figures; empty: `plots` in the directory of the run
 };
 
-/// Draws history.{svg,png} (also history_2 and so on if one figure cannot hold all panels) and, if the run has steps,
-/// steps.{svg,png}. Units are those of summary.json, if it exists.
+/// Draws history.{svg,png} (also history_2 and so on if one figure cannot hold all panels), if the run has steps
+/// steps.{svg,png}, and if it has cycles cycles.{svg,png} (also cycles_2 and so on). Units are those of summary.json,
+/// if it exists.
 /// @returns the SVG files
 /// @throws ConfigError if the directory or its history.csv does not exist, if there are fewer than two rows or a probe
 /// is unknown; and as draw()
@@ -31,6 +32,7 @@ struct RunTables {
   std::filesystem::path directory;  ///< of the run; names it in messages, and in figures if it has no title
   io::CsvTable history, steps;      ///< `steps` has no rows if nothing creeps
   io::SummaryHeading heading;
+  io::CsvTable cycles = {};  ///< without rows if the run has no cycles
 };
 
 /// Reads the tables in the output directory of a run; without summary.json there are a warning, no title and no units.
@@ -55,6 +57,11 @@ std::vector<NamedFigure> run_figures(RunTables run, const PlotOptions& options);
 std::vector<Panel> history_panels(const io::CsvTable& history, const io::SummaryHeading& heading);
 /// Step length, order, and, if there is contact, iterations of the contact solver and active contacts.
 Figure steps_figure(const io::CsvTable& steps, const io::SummaryHeading& heading, bool log_time);
+
+/// Over the number of the cycle: smallest and largest values of the probes, strain ranges, fractions of life.
+/// @param cycles  cycles.csv, with its column `cycle` @param probes  names; empty: all
+std::vector<Panel> cycle_panels(const io::CsvTable& cycles, const io::SummaryHeading& heading,
+                                const std::vector<std::string>& probes);
 
 /// True if the positive times span more than three decades.
 bool spans_decades(const std::vector<double>& times);

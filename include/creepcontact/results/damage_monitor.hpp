@@ -36,9 +36,15 @@ class DamageMonitor {
 
  private:
   const creep::CreepSystem& system_;
-  std::map<std::size_t, creep::CreepSystem::Extreme> damage_, life_, consumption_;  // by body
+  /// The variables that count, and where they are in the summary.
+  struct Counter {
+    const material::StateVariable* variable;
+    std::map<std::string, io::Summary::Largest> io::Summary::*member;
+    std::map<std::size_t, creep::CreepSystem::Extreme> largest;  // by body
+  };
+  std::vector<Counter> counters_;
   std::optional<std::pair<double, creep::CreepSystem::Extreme>> rupture_;
-  bool warned_of_strain_ = false, warned_of_life_ = false;
+  bool warned_of_strain_ = false, warned_of_life_ = false, warned_of_creep_fatigue_ = false;
 };
 
 }  // namespace creepcontact::results

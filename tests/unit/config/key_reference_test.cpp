@@ -41,6 +41,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[materials.<name>.hill]",
                            "[[materials.<name>.creep]]",
                            "[materials.<name>.rupture]",
+                           "[materials.<name>.fatigue]",
                            "[[supports]]",
                            "[[loads]]",
                            "[generalized_plane_strain]",
