@@ -93,7 +93,8 @@ class Completion(CompletionTest):
         self.assertEqual(self.complete("run case.toml --set bodies."),
                          ["bodies.ring.material=", "bodies.ring.region=", "bodies.ring.thickness=",
                           "bodies.shaft.material=", "bodies.shaft.region=", "bodies.shaft.thickness="])
-        self.assertEqual(self.complete("run case.toml --set materials.steel.creep.1.n"), ["materials.steel.creep.1.n="])
+        self.assertEqual(self.complete("run case.toml --set materials.steel.creep.1.flu"),
+                         ["materials.steel.creep.1.fluidity="])
         self.assertEqual(self.complete("run case.toml --set contacts.0.ga"), ["contacts.0.gap="])
         self.assertEqual(self.complete("run case.toml --set materials.steel.y"), ["materials.steel.young_modulus="])
         self.assertEqual(self.complete("run --set bodies."), [])

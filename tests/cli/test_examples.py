@@ -35,6 +35,7 @@ class EveryExample(RunTest):
                                     n_nut=1, n_heel=2, n_land=1),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
               "bladed_disc": dict(size=16, n_width=4), "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10)}
+    UNTIL_RUPTURE = ("omega_pipe",)
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):
         for config in sorted(CONFIGS.glob("*.toml")):
@@ -48,7 +49,8 @@ class EveryExample(RunTest):
                     self.assertEqual(done.returncode, 0, done.stderr)
                     self.assertNotIn("warning: time integration:", done.stderr)  # nothing failed
                     summary = self.summary()
-                    self.assertEqual((summary["status"], summary["integrator"]), ("completed", "auto"))
+                    status = "ruptured" if config.stem in self.UNTIL_RUPTURE else "completed"
+                    self.assertEqual((summary["status"], summary["integrator"]), (status, "auto"))
                     self.assertLessEqual(summary["convergence_failures"], summary["steps"] / 10)
 
 
