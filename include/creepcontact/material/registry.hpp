@@ -23,6 +23,8 @@ struct ParameterInfo {
   std::optional<std::vector<Function>> fallback = {};        ///< of an optional key: its value if not given
   std::vector<std::string> variables = {"T"};                ///< allowed in its expressions
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
+  /// Not empty: the value is one of these words, and the number of the word in ParameterValues, from 0 on.
+  std::vector<std::string> words = {};
 };
 
 /// Thrown for values that are within their ranges but not possible for the law.
