@@ -176,6 +176,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
+      field<Material>("data_range", &Material::data_range, data_range_table(),
+                      "what the creep laws were fitted to: `run` warns where a body leaves it")
+          .changeable(),
       field<Material>("sources", &Material::sources, text(),
                       "where the data come from, such as a standard or a test report; copied to `model.json` and "
                       "reports")

@@ -15,6 +15,7 @@ namespace {
 using LawPointer = std::shared_ptr<const material::CreepLaw>;
 using Laws = std::span<const LawPointer>;
 
+constexpr double bar_tolerance = 1e-5;
 constexpr double beyond_rupture = 20;   // exponent of time
 constexpr double rupture_search = 1e8;  // of the measured time
 constexpr double rate_search = 1e4;     // of the time to a strain of 0.01
@@ -34,7 +35,7 @@ void extend(const material::BarHistory& history, const std::vector<double>& time
 }
 
 std::vector<double> creep_strains(Laws laws, const material::BarTest& bar, const std::vector<double>& times) {
-  const material::BarHistory history = material::bar_history(laws, bar, times);
+  const material::BarHistory history = material::bar_history(laws, bar, times, bar_tolerance);
   std::vector<double> values;
   for (const material::BarState& state : history.states) values.push_back(state.creep_strain);
   if (values.size() < times.size() && !history.rupture) return {};
@@ -44,14 +45,14 @@ std::vector<double> creep_strains(Laws laws, const material::BarTest& bar, const
 
 std::vector<double> rupture_time(Laws laws, const material::BarTest& bar, double measured) {
   const std::array<double, 2> times{1e-6 * measured, rupture_search * measured};
-  const material::BarHistory history = material::bar_history(laws, bar, times);
+  const material::BarHistory history = material::bar_history(laws, bar, times, bar_tolerance);
   return {history.rupture.value_or(times[1])};
 }
 
 double rate_at(Laws laws, const material::BarTest& bar, double time) {
   constexpr double step = 1e-3;
   const std::array<double, 2> times{(1 - step) * time, (1 + step) * time};
-  const material::BarHistory history = material::bar_history(laws, bar, times);
+  const material::BarHistory history = material::bar_history(laws, bar, times, bar_tolerance);
   if (history.states.size() < 2) return 0;
   return (history.states[1].creep_strain - history.states[0].creep_strain) / (times[1] - times[0]);
 }
@@ -67,7 +68,7 @@ SecondaryRate secondary_rate(Laws laws, const material::BarTest& bar, double mea
   std::vector<double> times;
   const int n = static_cast<int>(2 * std::log10(rate_search) * rate_points_per_decade);
   for (int i = 0; i <= n; ++i) times.push_back(scale / rate_search * std::pow(rate_search, 2.0 * i / n));
-  const material::BarHistory history = material::bar_history(laws, bar, times);
+  const material::BarHistory history = material::bar_history(laws, bar, times, bar_tolerance);
   SecondaryRate found;
   double last = 0;
   for (std::size_t i = 1; i < history.states.size(); ++i) {
@@ -109,7 +110,7 @@ std::vector<double> LawResponse::predicted(const LawPointer& law, const Test& te
   }
   bar.young_modulus = (*young_modulus_)({.T = test.temperature});
   std::vector<double> values;
-  const material::BarHistory history = material::bar_history(laws, bar, times_of(test));
+  const material::BarHistory history = material::bar_history(laws, bar, times_of(test), bar_tolerance);
   for (const material::BarState& state : history.states) values.push_back(state.stress);
   const double last = std::max(history.last.stress, 1e-6 * test.stress);
   while (history.rupture && values.size() < test.readings.size()) values.push_back(last);

@@ -8,7 +8,7 @@
 namespace creepcontact::fit {
 namespace {
 
-constexpr int n_candidates = 64;
+constexpr int n_candidates = 40;
 
 /// In [0, 1), the same on all platforms.
 double uniform(std::mt19937_64& generator) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double confidence = 0.95;
 constexpr double at_bound = 1e-6;
-constexpr double undetermined = 2e-4;  // ratio of singular values; derivatives are exact to 1e-4
+constexpr double undetermined = 5e-4;  // ratio of singular values; derivatives are exact to that
 constexpr double wide = 10;            // ends of an interval of a parameter
 constexpr double poor_fit = 0.3;
 constexpr double poor_test = 1.5;  // ratio

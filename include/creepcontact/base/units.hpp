@@ -20,7 +20,7 @@ struct UnitScale {
   double factor = 1, offset = 0;
 };
 
-/// @param unit  a word as in `units`: "MPa" @returns nullopt if it is no unit of this dimension
+/// @param unit  a word as in `units`: "MPa" @returns nullopt if it is not a unit of this dimension
 std::optional<UnitScale> unit_scale(Dimension dimension, const std::string& unit);
 
 /// The words for units of a dimension; none for area, moment and energy, which follow from those of others.

@@ -87,6 +87,13 @@ struct Rupture {
   Location location;
 };
 
+/// [materials.<name>.data_range]: what the constants of the creep laws were measured at; two numbers each, or none.
+struct DataRange {
+  std::vector<double> stress;  ///< von Mises stress
+  std::vector<double> temperature;
+  std::vector<double> time;
+};
+
 /// [materials.<name>]
 struct Material {
   std::string name;
@@ -96,6 +103,7 @@ struct Material {
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;
+  std::optional<DataRange> data_range;
   std::string sources;  ///< where the data come from, for reports
   Location location;
 };

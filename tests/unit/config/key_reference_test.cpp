@@ -37,6 +37,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[bodies.<name>]",
                            "[materials.<name>]",
                            "[[materials.<name>.creep]]",
+                           "[materials.<name>.data_range]",
                            "[materials.<name>.rupture]",
                            "[[supports]]",
                            "[[loads]]",
