@@ -110,9 +110,6 @@ TEST(Recovery, NortonWithActivationEnergy) {
 TEST(Recovery, StrainHardening) {
   expect_coverage(hardening());
 }
-TEST(Recovery, KachanovRabotnovWithRupture) {
-  expect_coverage(rabotnov(), 20);
-}
 
 }  // namespace
 }  // namespace creepcontact::fit
