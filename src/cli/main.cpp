@@ -38,6 +38,11 @@ const std::vector<Command>& commands() {
       {"new", "DIR --template NAME", "Writes a commented configuration and its geometry to begin with.", new_model,
        "`creepcontact list templates` shows the templates.\n"},
       {"import", "DECK.inp [options]", "Makes a configuration and its mesh of a deck of CalculiX or Abaqus.", import},
+      {"fit", "DATA.csv --law NAME [options]",
+       "Fits a creep law to measured creep curves, relaxation tests, times to rupture or creep rates.", fit,
+       "DATA.csv has the columns time, stress, strain and, if need be, temperature, test, kind, rate, rupture_time, "
+       "with\n"
+       "units in the header: time [h], stress [MPa], strain [%].\n"},
       {"list", "(keys|study-keys|integrators|laws|elements|quantities|templates) [KEY] [options]",
        "Lists the keys and names that a configuration or a study may use.", list,
        "KEY selects the keys to show. It is one of:\n"

@@ -281,6 +281,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
+      field<Material>("data_range", &Material::data_range, data_range_table(),
+                      "what the creep laws were fitted to: `run` warns where a body leaves it")
+          .changeable(),
       field<Material>("fatigue", &Material::fatigue, fatigue_table(vocabulary),
                       "cycles to failure, for the fraction of life that the cycles of `time.cycle` use up"),
       field<Material>("sources", &Material::sources, one_or_more_texts("a text"),

@@ -11,6 +11,7 @@ namespace creepcontact::config {
 Value<Mesh> mesh_table();
 Value<Body> body_table();
 Value<Material> material_table(const Vocabulary& vocabulary);
+Value<DataRange> data_range_table();
 Value<Rupture> rupture_table(const Vocabulary& vocabulary);
 Value<Fatigue> fatigue_table(const Vocabulary& vocabulary);
 Value<Support> support_table();

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "csv_text.hpp"
@@ -31,6 +33,19 @@ const std::vector<double>* CsvTable::column(const std::string& name) const {
   return found == names.end() ? nullptr : &columns[found - names.begin()];
 }
 
+std::optional<double> csv_number(std::string_view cell, const CsvFormat& format) {
+  std::string with_point;
+  if (format.decimal == ',' && cell.find(',') != std::string_view::npos) {
+    with_point = cell;
+    *std::find(with_point.begin(), with_point.end(), ',') = '.';
+    cell = with_point;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
+  return value;
+}
+
 CsvTable parse_csv_table(std::string_view text, const std::string& name, UnendedRow unended) {
   CsvLines lines(text);
   std::string_view line;
@@ -49,6 +64,32 @@ CsvTable parse_csv_table(std::string_view text, const std::string& name, Unended
     for (std::size_t c = 0; c < found.size(); ++c) table.columns[c].push_back(number(found[c], format, where));
   }
   return table;
+}
+
+CsvCells parse_csv_cells(std::string_view text, const std::string& name) {
+  CsvLines lines(text);
+  CsvCells table;
+  std::string mistakes;
+  std::string_view line;
+  for (int number = 1; lines.next(line); ++number) {
+    if (line.starts_with('#')) continue;
+    if (table.names.empty()) table.format = csv_format_of(line);
+    std::vector<std::string> cells = csv_cells(line, table.format.separator);
+    if (std::ranges::all_of(cells, &std::string::empty)) continue;
+    if (table.names.empty())
+      table.names = std::move(cells);
+    else if (cells.size() != table.names.size())
+      mistakes += fmt::format("{}:{}: {} cells under {} columns\n", name, number, cells.size(), table.names.size());
+    else
+      table.rows.push_back({number, std::move(cells)});
+  }
+  if (table.names.empty()) throw ConfigError(fmt::format("{}: no header", name));
+  if (!mistakes.empty()) throw ConfigError(mistakes);
+  return table;
+}
+
+CsvCells read_csv_cells(const std::filesystem::path& path) {
+  return parse_csv_cells(file_text<ConfigError>(path), path.string());
 }
 
 CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended) {

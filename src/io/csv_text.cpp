@@ -1,7 +1,6 @@
 #include "csv_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace creepcontact::io {
 
@@ -26,19 +25,6 @@ CsvFormat csv_format_of(std::string_view header) {
     return {.separator = c, .decimal = c == ',' ? '.' : ','};
   }
   return {};
-}
-
-std::optional<double> csv_number(std::string_view cell, const CsvFormat& format) {
-  std::string with_point;
-  if (format.decimal == ',' && cell.find(',') != std::string_view::npos) {
-    with_point = cell;
-    *std::find(with_point.begin(), with_point.end(), ',') = '.';
-    cell = with_point;
-  }
-  double value = 0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-  return value;
 }
 
 std::vector<std::string> csv_cells(std::string_view line, char separator) {

@@ -33,7 +33,4 @@ CsvFormat csv_format_of(std::string_view header);
 /// Cells of a line, without the blanks around them; those in quotes (RFC 4180) may hold separators.
 std::vector<std::string> csv_cells(std::string_view line, char separator);
 
-/// The number that is the whole of `cell`; a point is understood as decimal in every format.
-std::optional<double> csv_number(std::string_view cell, const CsvFormat& format);
-
 }  // namespace creepcontact::io

@@ -8,6 +8,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "creepcontact/io/csv_table.hpp"
 #include "csv_text.hpp"
 #include "file_text.hpp"
 #include "frd_temperatures.hpp"

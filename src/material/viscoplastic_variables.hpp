@@ -19,8 +19,8 @@ inline constexpr StateVariable isotropic_hardening{
     .description = "growth R of the elastic range by isotropic hardening of `chaboche`; negative: softening",
     .label = "isotropic hardening R",
     .of_several = StateVariable::OfSeveralLaws::sum,
-    .dimension = "stress",
-    .minimum = -std::numeric_limits<double>::infinity()};
+    .minimum = -std::numeric_limits<double>::infinity(),
+    .dimension = "stress"};
 inline constexpr StateVariable accumulated_inelastic_strain{
     .name = "accumulated_inelastic_strain",
     .description = "length p of the path of the inelastic strain in `chaboche`, which grows with every cycle",

@@ -3,36 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "creepcontact/base/log.hpp"
+#include "point_extreme.hpp"
 
 namespace creepcontact::model {
-namespace {
-
-constexpr double rounding = 1e-9;  // of temperatures that are interpolated
-
-using Extreme = std::array<double, 4>;  // a value, and its place
-
-/// @param sign  1: the largest, -1: the smallest
-Extreme extreme(const mechanics::Body& body, const std::vector<double>& values, int sign, const Team& team) {
-  double rank_by = -std::numeric_limits<double>::infinity();
-  for (const double value : values) rank_by = std::max(rank_by, sign * value);
-  // Where several points have it but for rounding, the first.
-  const auto first = std::ranges::find_if(
-      values, [=](double value) { return sign * value >= rank_by - rounding * std::abs(rank_by); });
-  Extreme result{};
-  if (first != values.end()) {
-    const Vector3& x = body.discretization().point_coordinates()[first - values.begin()];
-    result = {*first, x[0], x[1], x[2]};
-  }
-  team.broadcast(result, team.rank_of_max(rank_by));
-  return result;
-}
-
-}  // namespace
 
 TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
   for (const config::ConfiguredFunction& function : config.functions)
@@ -67,10 +43,10 @@ void TableRangeMonitor::see_stress(const mechanics::Body& body, const std::vecto
   if (found == stresses_.end()) return;
   std::vector<double> q(stress.size() / 6);
   for (std::size_t p = 0; p < q.size(); ++p) q[p] = tensor::von_mises(tensor::view(stress, p));
-  const Extreme largest = extreme(body, q, 1, team);
+  const PointExtreme largest = point_extreme(body, q, 1, team);
   for (StressRange& of : found->second) {
     of.largest = std::max(of.largest, largest[0]);
-    if (of.exceeded || !(largest[0] > of.range.high * (1 + rounding))) continue;
+    if (of.exceeded || !(largest[0] > of.range.high * (1 + point_rounding))) continue;
     of.exceeded = true;
     log::warning(
         "material '{}': {}: the von Mises stress at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}, is {:.6g}, outside the "
@@ -95,13 +71,14 @@ void TableRangeMonitor::see_temperature(const mechanics::Body& body, const mecha
   if (found == tables_.end()) return;
   const bool has_temperature = team.any(!at.temperature.empty());
   const double reference = body.material().reference_temperature;
-  const Extreme hottest = has_temperature ? extreme(body, at.temperature, 1, team) : Extreme{reference};
-  const Extreme coldest = has_temperature ? extreme(body, at.temperature, -1, team) : Extreme{reference};
+  const PointExtreme hottest = has_temperature ? point_extreme(body, at.temperature, 1, team) : PointExtreme{reference};
+  const PointExtreme coldest =
+      has_temperature ? point_extreme(body, at.temperature, -1, team) : PointExtreme{reference};
   std::erase_if(found->second, [&](const Range& table) {
-    const double margin = rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
+    const double margin = point_rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
     const bool above = hottest[0] > table.range.high + margin;
     if (!above && !(coldest[0] < table.range.low - margin)) return false;
-    const Extreme& worst = above ? hottest : coldest;
+    const PointExtreme& worst = above ? hottest : coldest;
     std::string where = "the reference temperature";
     if (has_temperature)
       where = fmt::format("the temperature at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g},", worst[1], worst[2], worst[3],

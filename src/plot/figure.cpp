@@ -71,6 +71,8 @@ std::string style(const Series& series, std::size_t k) {
   if (series.style == Series::Style::points) return fmt::format("with points {} pointsize 0.6", point);
   if (series.style == Series::Style::steps)
     return fmt::format("with fsteps linewidth 2 dashtype {} linecolor rgb '{}'", look.dashes, look.color);
+  if (series.style == Series::Style::bare_line)
+    return fmt::format("with lines linewidth 2 dashtype {} linecolor rgb '{}'", look.dashes, look.color);
   const std::size_t every = std::max<std::size_t>(1, series.x.size() / markers_a_line);
   return fmt::format("with linespoints linewidth 2 dashtype {} {} pointsize 0.8 pointinterval {}", look.dashes, point,
                      every);

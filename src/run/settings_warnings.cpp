@@ -1,19 +1,21 @@
 #include <fmt/format.h>
 
+#include "creepcontact/model/data_range_monitor.hpp"
 #include "creepcontact/run/check.hpp"
 
 namespace creepcontact::run {
 
 std::vector<std::string> settings_warnings(const config::Config& config) {
+  std::vector<std::string> warnings = model::DataRangeMonitor::time_warnings(config);
   const config::Time& time = config.time;
   const bool controls_errors = !time.integrator.ends_with("_euler") || time.step.mode == settings::StepMode::adaptive;
   const bool iterates = config.contact_solver.method == settings::ContactMethod::schwarz;
-  if (config.contacts.empty() || !iterates || !controls_errors || config.contact_solver.tolerance <= time.tolerance)
-    return {};
-  return {
-      fmt::format("contact_solver.tolerance = {:g} is looser than time.tolerance = {:g}: the errors of contact will "
-                  "dominate, and steps that they disturb are repeated; set it to a tenth of time.tolerance",
-                  config.contact_solver.tolerance, time.tolerance)};
+  if (!config.contacts.empty() && iterates && controls_errors && config.contact_solver.tolerance > time.tolerance)
+    warnings.push_back(
+        fmt::format("contact_solver.tolerance = {:g} is looser than time.tolerance = {:g}: the errors of contact will "
+                    "dominate, and steps that they disturb are repeated; set it to a tenth of time.tolerance",
+                    config.contact_solver.tolerance, time.tolerance));
+  return warnings;
 }
 
 }  // namespace creepcontact::run

@@ -40,6 +40,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
       outcome_(model.assembly),
       probe_record_(config.probes.size()),
       table_ranges_(config),
+      data_ranges_(config),
       state_(system.size(), 0.0) {
   io::Continuation continuation;
   if (resume) {
@@ -153,6 +154,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     last_output_ = t;
     life_.warn(t, own, own.y);
     table_ranges_.see(own.time, system_.assembly().bodies(), own.equilibrium, distribution_.team());
+    data_ranges_.see(system_.assembly().bodies(), own.equilibrium, distribution_.team());
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -379,6 +381,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     step_statistics_.see(report);
     const creep::Evaluation& last = system_.step_evaluation();
     table_ranges_.see(last.time, system_.assembly().bodies(), last.equilibrium, distribution_.team());
+    data_ranges_.see(system_.assembly().bodies(), last.equilibrium, distribution_.team());
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());

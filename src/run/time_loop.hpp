@@ -10,6 +10,7 @@
 #include "checkpoints.hpp"
 #include "creepcontact/base/run_counters.hpp"
 #include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/model/data_range_monitor.hpp"
 #include "creepcontact/model/table_range_monitor.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/results/damage_monitor.hpp"
@@ -136,6 +137,7 @@ class TimeLoop {
   std::optional<Cycles> cycles_;               // likewise
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
+  model::DataRangeMonitor data_ranges_;
   StepStatistics step_statistics_;
   std::vector<std::string> narrow_contacts_;
   std::optional<double> equilibrium_residual_;

@@ -52,7 +52,7 @@ class Completion(CompletionTest):
         return sorted(done.stdout.splitlines())
 
     def test_commands(self):
-        self.assertEqual(self.complete(""), ["--help", "--version", "check", "import", "list", "new", "picture", "plot", "report", "run", "study"])
+        self.assertEqual(self.complete(""), ["--help", "--version", "check", "fit", "import", "list", "new", "picture", "plot", "report", "run", "study"])
         self.assertEqual(self.complete("pl"), ["plot"])
 
     def test_every_command_of_the_program(self):

@@ -118,6 +118,13 @@ struct Fatigue {
   Location location;
 };
 
+/// [materials.<name>.data_range]: what the constants of the creep laws were measured at; two numbers each, or none.
+struct DataRange {
+  std::vector<double> stress;  ///< von Mises stress
+  std::vector<double> temperature;
+  std::vector<double> time;
+};
+
 /// [materials.<name>]
 struct Material {
   std::string name;
@@ -129,6 +136,7 @@ struct Material {
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;
+  std::optional<DataRange> data_range;
   std::optional<Fatigue> fatigue;
   std::vector<std::string> sources;  ///< where the data come from, for reports
   Location location;

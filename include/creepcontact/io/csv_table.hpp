@@ -1,7 +1,9 @@
 #pragma once
-/// Reading of CSV tables of numbers with a header: history.csv, steps.csv, or a reference in their form.
+/// Reading of CSV tables with a header: of numbers (history.csv, steps.csv, or a reference in their form), or of any
+/// cells.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,26 @@ CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended = 
 
 /// Like read_csv_table(), from text. @param name  name of the file, for messages
 CsvTable parse_csv_table(std::string_view text, const std::string& name, UnendedRow unended = UnendedRow::counts);
+
+/// A table of any cells.
+struct CsvCells {
+  struct Row {
+    int line;                        ///< in the file, counted from 1
+    std::vector<std::string> cells;  ///< one per name
+  };
+  std::vector<std::string> names;
+  std::vector<Row> rows;
+  CsvFormat format;
+};
+
+/// As read_csv_table(), without a demand on the cells; lines that begin with '#' are comments.
+/// @throws ConfigError as read_csv_table(), of all rows with too many or too few cells
+CsvCells read_csv_cells(const std::filesystem::path& path);
+/// Likewise, from text. @param name  name of the file, for messages
+CsvCells parse_csv_cells(std::string_view text, const std::string& name);
+
+/// The number that is the whole of `cell`; a point is understood as decimal in every format.
+std::optional<double> csv_number(std::string_view cell, const CsvFormat& format);
 
 /// Text as a CSV cell: quoted if it contains characters with a meaning in the format (RFC 4180).
 std::string csv_cell(const std::string& text, CsvFormat format = {});

@@ -22,8 +22,7 @@ struct CreepCurve {
 /// All mechanisms of a material together, over the last `decades` decades before test.end. The curve ends early where
 /// the strain exceeds 1 or the rate grows without limit: rupture.
 /// @returns an empty curve for an elastic material
-/// Method: the increments of the laws up to the first time, then SDIRK2 (Alexander 1977, L-stable), whose error is
-/// below 1e-3 of the strain. Cost: milliseconds.
+/// Method: bar_history(). Cost: milliseconds.
 CreepCurve creep_curve(const Material& material, const CreepTest& test, double decades = 6);
 
 }  // namespace creepcontact::material

@@ -9,8 +9,9 @@ namespace creepcontact::plot {
 
 /// One curve of a panel.
 struct Series {
-  /// Style `steps`: a value holds from the previous point up to its own.
-  enum class Style { line, steps, points };
+  /// Style `steps`: a value holds from the previous point up to its own. `bare_line`: no markers, as through points
+  /// that another series has.
+  enum class Style { line, steps, points, bare_line };
   std::string name;  ///< any text; shown literally
   std::vector<double> x, y;
   Style style = Style::line;

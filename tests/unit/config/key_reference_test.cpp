@@ -40,6 +40,7 @@ TEST(KeySections, TablesAsInTheFile) {
                            "[materials.<name>.orthotropic]",
                            "[materials.<name>.hill]",
                            "[[materials.<name>.creep]]",
+                           "[materials.<name>.data_range]",
                            "[materials.<name>.rupture]",
                            "[materials.<name>.fatigue]",
                            "[[supports]]",

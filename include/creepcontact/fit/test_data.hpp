@@ -1,0 +1,81 @@
+#pragma once
+/// Measured data that a creep law is fitted to: creep curves, relaxation tests, times to rupture, creep rates.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "creepcontact/base/function.hpp"
+
+namespace creepcontact::fit {
+
+enum class TestKind {
+  creep,       ///< creep strain at several times, under constant stress
+  relaxation,  ///< stress at several times, at constant length
+  rupture,     ///< time to rupture under constant stress
+  rate         ///< creep rate under constant stress, secondary or at a time
+};
+inline constexpr int n_test_kinds = 4;
+/// "creep", ... as in the column `kind`.
+const std::string& name_of(TestKind kind);
+/// What a reading is: "strain", "stress", "time to rupture", "creep rate".
+const std::string& value_of(TestKind kind);
+
+struct Reading {
+  /// After the start of the test; of a rupture: no meaning; of a rate: NaN for the secondary rate.
+  double time = 0;
+  double value = 0;  ///< as the kind of the test says, > 0
+  int line = 0;      ///< in the file
+};
+
+/// One specimen.
+struct Test {
+  std::string name;  ///< from the column `test`, or its stress and temperature
+  TestKind kind = TestKind::creep;
+  double stress = 0;       ///< constant; of a relaxation test: at time 0
+  double temperature = 0;  ///< 0 if the data have none
+  /// Added to the value of a creep reading before logarithms are taken: a thousandth of the largest strain. Readings
+  /// far below it count by their absolute error.
+  double floor = 0;
+  std::vector<Reading> readings = {};  ///< times increase
+  bool young_modulus_used = false;     ///< the elastic strain was subtracted, or the stress relaxes
+};
+
+/// Units as in the header of the file; empty: none given.
+struct TestUnits {
+  std::string time, stress, temperature;
+};
+
+/// Range of the data; {0, 0} where they have none.
+struct DataRange {
+  Interval stress, temperature, time;
+};
+
+struct TestData {
+  std::string file;
+  TestUnits units;
+  bool has_temperature = false;
+  std::vector<Test> tests = {};
+  std::vector<std::string> notes = {};  ///< what was left out or assumed
+  int n_readings() const;
+  std::vector<double> stresses() const;      ///< distinct, increasing; those within 1 % count as one
+  std::vector<double> temperatures() const;  ///< likewise, within 2 degrees
+  DataRange range() const;
+};
+
+struct ReadOptions {
+  /// Function of T, in the unit of the stress: the column `strain` is the total strain then.
+  std::optional<Function> young_modulus = {};
+  std::optional<double> temperature = {};  ///< tests within 2 degrees of it alone
+};
+
+/// Format: docs/fit.md. @throws ConfigError with a line for each bad row (file, line, column, what was found and what
+/// is allowed), for columns that are missing, and for units that cannot be what they should be
+TestData read_test_data(const std::filesystem::path& path, const ReadOptions& options);
+/// Likewise, from text. @param name  of the file, for messages
+TestData parse_test_data(std::string_view text, const std::string& name, const ReadOptions& options);
+
+}  // namespace creepcontact::fit

@@ -1,0 +1,50 @@
+#pragma once
+/// Uniaxial tests of a bar: creep at constant stress, or relaxation at constant length.
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "creepcontact/material/creep_law.hpp"
+
+namespace creepcontact::material {
+
+/// What is done to the bar.
+struct BarTest {
+  double stress = 0;  ///< constant; of a relaxation test: at t = 0
+  double temperature = 0;
+  /// Infinite: constant stress. Finite: the length is held, and the stress is E (strain - creep strain).
+  double young_modulus = std::numeric_limits<double>::infinity();
+
+  bool relaxes() const { return young_modulus < std::numeric_limits<double>::infinity(); }
+};
+
+/// The bar at one time; strain along the bar.
+struct BarState {
+  double creep_strain = 0;
+  double stress = 0;
+};
+
+/// What follows from a test.
+struct BarHistory {
+  std::vector<BarState> states;  ///< at the first of the times asked for: those before rupture or a failure
+  /// Time at which the damage is 0.99, or the rate grows without limit.
+  std::optional<double> rupture;
+  BarState last;        ///< at rupture, or at the last of the times
+  bool failed = false;  ///< the laws gave no finite rates, or strains beyond 1e6
+};
+
+/// All laws together.
+/// @param times  increasing, >= 0
+/// Method: the increments of the laws over the first 1e-4 of the shortest time (1e-8 in relaxation), then Rosenbrock's
+/// method with an error below `tolerance` per step, relative to each unknown. The values between its steps are
+/// interpolated. Cost: some ten microseconds per step, some ten steps per decade of time where the rate changes.
+BarHistory bar_history(std::span<const std::shared_ptr<const CreepLaw>> laws, const BarTest& test,
+                       std::span<const double> times, double tolerance = 1e-6);
+
+/// The creep rate along the bar at t = 0, before any creep; infinite for laws with primary creep.
+double initial_rate(std::span<const std::shared_ptr<const CreepLaw>> laws, const BarTest& test);
+
+}  // namespace creepcontact::material

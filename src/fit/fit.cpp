@@ -1,0 +1,155 @@
+#include "creepcontact/fit/fit.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "creepcontact/base/error.hpp"
+#include "law_response.hpp"
+#include "least_squares.hpp"
+#include "parameter_space.hpp"
+#include "starts.hpp"
+#include "uncertainty.hpp"
+#include "unit_expression.hpp"
+
+namespace creepcontact::fit {
+namespace {
+
+constexpr int most_starts = 8;
+constexpr int most_iterations = 60;
+constexpr int enough_agreeing = 2;
+constexpr double same_minimum = 1e-3;  // of the sum of squares
+constexpr int weighted_rounds = 3;
+constexpr int fewest_to_weight = 4;  // readings of a kind whose scatter is estimated
+
+/// A fit while it is made.
+class Search {
+ public:
+  Search(const TestData& data, const LawChoice& choice, const std::optional<Function>& young_modulus)
+      : data_(data), choice_(choice), space_(choice, data), response_(data, young_modulus) {
+    for (const Test& test : data.tests) kinds_.insert(kinds_.end(), test.readings.size(), test.kind);
+    weights_.fill(1);
+    problem_ = {[this](const Eigen::VectorXd& x) { return weighted(x); }, space_.lower(), space_.upper()};
+  }
+
+  FitResult run() {
+    if (data_.n_readings() <= static_cast<int>(space_.size()))
+      throw ConfigError(fmt::format("{}: {} readings for {} parameters; allowed: more readings than parameters",
+                                    data_.file, data_.n_readings(), space_.size()));
+    FitResult result;
+    Minimum minimum = best_minimum(result);
+    result.law = space_.law(minimum.x);
+    if (const std::string reason = response_.why_impossible(result.law); !reason.empty())
+      throw ConfigError(fmt::format("{}: law '{}': {}", data_.file, choice_.info->name, reason));
+    for (int round = 0; round < weighted_rounds && weigh(minimum); ++round)
+      if (auto again = minimize(problem_, minimum.x, most_iterations)) minimum = std::move(*again);
+    describe(minimum, result);
+    return result;
+  }
+
+ private:
+  std::optional<std::vector<double>> weighted(const Eigen::VectorXd& x) const {
+    std::optional<std::vector<double>> residuals;
+    try {
+      residuals = response_.residuals(space_.law(x));
+    } catch (const material::ParameterError&) {
+      return std::nullopt;  // within their ranges, but not possible together
+    }
+    if (!residuals) return residuals;
+    for (std::size_t i = 0; i < residuals->size(); ++i)
+      (*residuals)[i] *= weights_[static_cast<std::size_t>(kinds_[i])];
+    return residuals;
+  }
+
+  /// Of the order of the measured strains.
+  double typical_strain() const {
+    double largest = 0;
+    for (const Test& test : data_.tests)
+      if (test.kind == TestKind::creep) largest = std::max(largest, test.readings.back().value);
+    return largest > 0 ? largest : 0.01;
+  }
+
+  Minimum best_minimum(FitResult& result) const {
+    std::optional<Minimum> best;
+    const auto starts = best_starts(problem_, most_starts, space_.lowest_guess(typical_strain()),
+                                    space_.highest_guess(), space_.amplitude());
+    for (const Eigen::VectorXd& start : starts) {
+      auto found = minimize(problem_, start, most_iterations);
+      if (!found) continue;
+      ++result.n_starts;
+      const double old = best ? best->sum_of_squares() : std::numeric_limits<double>::infinity();
+      const double now = found->sum_of_squares();
+      if (std::abs(now - old) <= same_minimum * old + 1e-20)
+        ++result.n_agreeing;
+      else if (now < old)
+        result.n_agreeing = 1;
+      if (now < old) best = std::move(found);
+      if (result.n_agreeing >= enough_agreeing) break;
+    }
+    if (!best)
+      throw SolverError(
+          fmt::format("{}: the law '{}' gives no finite values for these data at any of the starting "
+                      "points; hold parameters at likely values with --set",
+                      data_.file, choice_.info->name));
+    return std::move(*best);
+  }
+
+  /// Kinds of readings that scatter differently count by their scatter. @returns false if there is one kind alone
+  bool weigh(const Minimum& minimum) {
+    const double dof = static_cast<double>(kinds_.size() - space_.size()) / static_cast<double>(kinds_.size());
+    std::array<double, n_test_kinds> sums{}, numbers{};
+    double pooled = 0;
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+      const auto k = static_cast<std::size_t>(kinds_[i]);
+      const double residual = minimum.residuals[static_cast<Eigen::Index>(i)] / weights_[k];
+      sums[k] += residual * residual;
+      pooled += residual * residual;
+      ++numbers[k];
+    }
+    pooled = std::sqrt(pooled / (dof * static_cast<double>(kinds_.size())));
+    if (std::ranges::count_if(numbers, [](double n) { return n > 0; }) < 2 || !(pooled > 0)) return false;
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+      const bool known = numbers[k] >= fewest_to_weight;
+      const double own = known ? std::max(std::sqrt(sums[k] / (dof * numbers[k])), 0.1 * pooled) : pooled;
+      weights_[k] = pooled / own;
+    }
+    return true;
+  }
+
+  void describe(const Minimum& minimum, FitResult& result) {
+    result.law = space_.law(minimum.x);
+    const auto residuals = response_.residuals(result.law);
+    std::size_t next = 0;
+    for (const Test& test : data_.tests) {
+      KindResiduals& kind = result.kinds[static_cast<std::size_t>(test.kind)];
+      result.residuals.emplace_back();
+      for (std::size_t i = 0; i < test.readings.size(); ++i, ++next, ++kind.n) {
+        result.residuals.back().push_back((*residuals)[next]);
+        kind.deviation += (*residuals)[next] * (*residuals)[next];
+      }
+    }
+    for (KindResiduals& kind : result.kinds)
+      if (kind.n > 0) kind.deviation = std::sqrt(kind.deviation / kind.n);
+    result.range = data_.range();
+    add_uncertainty(data_, space_, problem_, minimum, result);
+  }
+
+  const TestData& data_;
+  const LawChoice& choice_;
+  ParameterSpace space_;
+  LawResponse response_;
+  std::vector<TestKind> kinds_;  // per residual
+  std::array<double, n_test_kinds> weights_;
+  LeastSquares problem_;
+};
+
+}  // namespace
+
+FitResult fit_law(const TestData& data, const LawChoice& choice, const std::optional<Function>& young_modulus) {
+  return Search(data, choice, young_modulus).run();
+}
+
+}  // namespace creepcontact::fit

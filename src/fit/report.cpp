@@ -1,0 +1,121 @@
+#include "creepcontact/fit/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace creepcontact::fit {
+namespace {
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() ? text : text + " " + unit;
+}
+
+std::string span_of(const Interval& range, const std::string& unit) {
+  return with_unit(fmt::format("{:.5g} .. {:.5g}", range.low, range.high), unit);
+}
+
+std::string percent(double logarithm) {
+  return fmt::format("{:.1f} %", 100 * std::expm1(logarithm));
+}
+
+std::string correlation_table(const FitResult& result) {
+  std::string text = "correlation of the parameters\n  ";
+  std::size_t width = 9;
+  for (const FittedParameter& parameter : result.parameters) width = std::max(width, parameter.key.size() + 2);
+  text += fmt::format("{:<{}}", "", width);
+  for (const FittedParameter& parameter : result.parameters) text += fmt::format("{:>{}}", parameter.key, width);
+  for (std::size_t i = 0; i < result.parameters.size(); ++i) {
+    text += fmt::format("\n  {:<{}}", result.parameters[i].key, width);
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double value = result.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      text += std::isnan(value) ? fmt::format("{:>{}}", "-", width) : fmt::format("{:>{}.3f}", value, width);
+    }
+  }
+  return text + "\n";
+}
+
+std::string counted(int n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string basis(const TestData& data, const FitResult& result) {
+  return fmt::format("{} of {}; root mean square of the residuals {}", counted(result.n_readings, "reading"),
+                     counted(static_cast<int>(data.tests.size()), "test"), percent(result.deviation));
+}
+
+std::string units_line(const TestUnits& units) {
+  std::vector<std::string> words;
+  if (!units.stress.empty()) words.push_back("stress " + units.stress);
+  if (!units.time.empty()) words.push_back("time " + units.time);
+  if (!units.temperature.empty()) words.push_back("temperature " + units.temperature);
+  return words.empty() ? "those of the data, which name none" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+std::string report(const TestData& data, const LawChoice& choice, const FitResult& result) {
+  std::string text = fmt::format("law {}: {} ({})\ndata {}: {}\nunits: {}\n\n", choice.info->name, choice.info->formula,
+                                 choice.info->source, data.file, basis(data, result), units_line(data.units));
+  text += fmt::format("{:<20}{:>14}   {:<30}unit\n", "parameter", "value", "95 % confidence interval");
+  for (const FittedParameter& parameter : result.parameters)
+    text += fmt::format(
+        "{:<20}{:>14.6g}   {:<30}{}\n", parameter.key, parameter.value,
+        parameter.at_bound ? "at the end of its range" : fmt::format("{:.6g} .. {:.6g}", parameter.low, parameter.high),
+        parameter.unit);
+  for (const auto& [key, value] : choice.set) text += fmt::format("{:<20}{:>14}   held\n", key, value);
+  text += '\n';
+  if (result.parameters.size() > 1) text += correlation_table(result) + '\n';
+  text += "residuals, measured against fitted values (root mean square)\n";
+  for (int k = 0; k < n_test_kinds; ++k) {
+    const KindResiduals& kind = result.kinds[static_cast<std::size_t>(k)];
+    if (kind.n > 0)
+      text += fmt::format("  {:<12}{:<18}{:>9}   {}\n", name_of(static_cast<TestKind>(k)),
+                          value_of(static_cast<TestKind>(k)), percent(kind.deviation), counted(kind.n, "reading"));
+  }
+  text += fmt::format("range of the data\n  stress      {}\n", span_of(result.range.stress, data.units.stress));
+  if (data.has_temperature)
+    text += fmt::format("  temperature {}\n", span_of(result.range.temperature, data.units.temperature));
+  if (result.range.time.high > 0)
+    text += fmt::format("  time        {}\n", span_of(result.range.time, data.units.time));
+  return text + fmt::format("{} of {} searches from different starting points ended in this minimum\n",
+                            result.n_agreeing, result.n_starts);
+}
+
+std::string material_block(const TestData& data, const LawChoice& choice, const FitResult& result,
+                           const BlockOptions& options) {
+  const std::string& name = options.material;
+  std::string text = fmt::format("{} to {}: {}.\n# Units: {}.\n", block_heading, data.file, basis(data, result),
+                                 units_line(data.units));
+  const bool elastic = options.young_modulus.has_value();
+  if (!elastic)
+    text +=
+        "# The elastic constants are not part of the fit: the material needs this table too, once, before this "
+        "block.\n";
+  const char* const comment = elastic ? "" : "# ";
+  const std::string modulus = !elastic ? "..."
+                              : options.young_modulus->is_constant()
+                                  ? fmt::format("{}", (*options.young_modulus)({}))
+                                  : fmt::format("\"{}\"", options.young_modulus->text());
+  text += fmt::format("{0}[materials.{1}]\n{0}young_modulus = {2}\n{0}poisson_ratio = {3}   # not fitted\n\n", comment,
+                      name, modulus, options.poisson_ratio);
+  text += fmt::format("[[materials.{}.creep]]\nlaw = \"{}\"\n", name, choice.info->name);
+  for (const FittedParameter& parameter : result.parameters)
+    text += fmt::format("{} = {:.8g}   # {}\n", parameter.key, parameter.value,
+                        parameter.at_bound
+                            ? "at the end of its range"
+                            : fmt::format("{:.4g} .. {:.4g} with 95 % confidence", parameter.low, parameter.high));
+  for (const auto& [key, value] : choice.set) text += fmt::format("{} = {}   # held\n", key, value);
+  text += fmt::format("\n# `run` warns where a body leaves the range of the tests.\n[materials.{}.data_range]\n", name);
+  const auto interval = [&](const char* key, const Interval& range) {
+    text += fmt::format("{} = [{:.6g}, {:.6g}]\n", key, range.low, range.high);
+  };
+  interval("stress", result.range.stress);
+  if (data.has_temperature) interval("temperature", result.range.temperature);
+  if (result.range.time.high > 0) interval("time", result.range.time);
+  return text;
+}
+
+}  // namespace creepcontact::fit

@@ -1,0 +1,94 @@
+/// Files of tests: what becomes of rows, and what is said of bad ones.
+
+#include "creepcontact/fit/test_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "creepcontact/base/error.hpp"
+
+namespace creepcontact::fit {
+namespace {
+
+TestData parsed(const std::string& text, const ReadOptions& options = {}) {
+  return parse_test_data(text, "data.csv", options);
+}
+
+std::string refusal(const std::string& text, const ReadOptions& options = {}) {
+  try {
+    parsed(text, options);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(TestData, TestsAreToldApartByStressTemperatureAndStart) {
+  const TestData data = parsed(
+      "Time [h];Stress (MPa);strain_%;temperature / K\n0;100;0;800\n1,5;100;0,1;800\n2;100,4;0,2;800\n1;100;0,1;800\n"
+      "1;150;0,3;800\n1;150;0,3;850\n");
+  ASSERT_EQ(data.tests.size(), 4U);
+  EXPECT_EQ(data.tests[0].readings.size(), 2U);
+  EXPECT_DOUBLE_EQ(data.tests[0].readings[0].time, 1.5);
+  EXPECT_DOUBLE_EQ(data.tests[0].readings[0].value, 1e-3);
+  EXPECT_EQ(data.tests[1].name, "100 MPa, 800 K (2)");
+  EXPECT_EQ(data.units.temperature, "K");
+  EXPECT_EQ(data.stresses().size(), 2U);
+  EXPECT_EQ(data.range().time.high, 2);
+}
+
+TEST(TestData, TimesToRuptureAndRatesAreInTheUnitOfTheTime) {
+  const TestData data = parsed("stress [MPa],rate [%/h],rupture_time [d]\n100,0.36,2\n");
+  ASSERT_EQ(data.tests.size(), 2U);
+  EXPECT_EQ(data.tests[0].kind, TestKind::rupture);
+  EXPECT_DOUBLE_EQ(data.tests[0].readings[0].value, 2);
+  EXPECT_EQ(data.units.time, "d");
+  EXPECT_NEAR(data.tests[1].readings[0].value, 0.0036 * 24, 1e-12);
+}
+
+TEST(TestData, OneRuptureInTheRowsOfATest) {
+  const TestData data = parsed("time,stress,strain,rupture_time\n1,100,0.001,9\n2,100,0.002,9\n1,120,0.002,5\n");
+  EXPECT_EQ(std::ranges::count(data.tests, TestKind::rupture, &fit::Test::kind), 2);
+}
+
+TEST(TestData, ElasticStrainIsSubtractedFromTotalStrain) {
+  const TestData data =
+      parsed("time,stress,strain\n1,100,0.0015\n", {.young_modulus = Function(1e5), .temperature = {}});
+  EXPECT_NEAR(data.tests.front().readings.front().value, 5e-4, 1e-15);
+}
+
+TEST(TestData, RelaxationBeginsAtItsStressOrItsStrain) {
+  const ReadOptions options{.young_modulus = Function(1e5), .temperature = {}};
+  const TestData data = parsed(
+      "test,kind,time,stress,strain\na,relaxation,0,200,\na,relaxation,10,150,\nb,relaxation,5,180,0.0021\n", options);
+  ASSERT_EQ(data.tests.size(), 2U);
+  EXPECT_DOUBLE_EQ(data.tests[0].stress, 200);
+  EXPECT_DOUBLE_EQ(data.tests[1].stress, 210);
+  EXPECT_TRUE(has(refusal("kind,time,stress\nrelaxation,0,100\n"), "--young-modulus"));
+}
+
+TEST(TestData, BadRowsAreNamedAllTogether) {
+  const std::string message =
+      refusal("time [h],stress [MPa],strain [%]\n1,100,x\n-1,100,1\n3,,1\n4,100,1\n5,100,300\n,100,1\n");
+  for (const char* part :
+       {"data.csv:2: column 'strain [%]': 'x' is not a number", "data.csv:3: column 'time [h]': -1",
+        "data.csv:4: has no stress", "data.csv:6: strain 3, more than 100 %", "data.csv:7: has no time"})
+    EXPECT_TRUE(has(message, part)) << part << "\n" << message;
+  EXPECT_FALSE(has(message, "data.csv:5"));
+}
+
+TEST(TestData, UnitsThatDoNotFitAreRefusedByName) {
+  EXPECT_TRUE(has(refusal("time [MPa],stress [MPa],strain\n1,1,0.1\n"), "the unit 'MPa' is none of a time"));
+  EXPECT_TRUE(has(refusal("time,stress [h],strain\n1,1,0.1\n"), "the unit 'h' is none of a stress"));
+  EXPECT_TRUE(has(refusal("time,stress,rate [1/h]\n1,1,0.1\n"), "'time' has no unit"));
+  EXPECT_TRUE(has(refusal("time,strain\n1,0.1\n"), "no column 'stress'"));
+}
+
+}  // namespace
+}  // namespace creepcontact::fit
