@@ -285,7 +285,7 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "what the creep laws were fitted to: `run` warns where a body leaves it")
           .changeable(),
       field<Material>("fatigue", &Material::fatigue, fatigue_table(vocabulary),
-                      "cycles to failure, for the fraction of life that the cycles of `time.cycle` use up"),
+                      "cycles to failure, for the life that the cycles of `time.cycle` use up"),
       field<Material>("sources", &Material::sources, one_or_more_texts("a text"),
                       "where the data come from, such as a standard or a test report; copied to `summary.json`, "
                       "`model.json` and reports")

@@ -79,7 +79,7 @@ TEST(KnownWords, AgreeWithTheSchema) {
   for (const char* name : {"norton_bailey",  "hardening",
                            "garofalo",       "kachanov_rabotnov",
                            "omega",          "theta_projection",
-                           "rcc_mr",         "soderberg",
+                           "rcc_mr",         "soderberg", "chaboche",
                            "rate0",          "theta_1",
                            "theta_4",        "activation_energy",
                            "gas_constant",   "m",
