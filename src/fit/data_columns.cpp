@@ -49,7 +49,7 @@ std::optional<ColumnRole> role_of(const std::string& name) {
 }
 
 std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t_"), last = text.find_last_not_of(" \t_");
+  const std::size_t first = text.find_first_not_of(" \t_/"), last = text.find_last_not_of(" \t_");
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 

@@ -31,7 +31,8 @@ bool has(const std::string& text, const std::string& part) {
 
 TEST(TestData, TestsAreToldApartByStressTemperatureAndStart) {
   const TestData data = parsed(
-      "Time [h];Stress (MPa);strain_%;temperature / K\n0;100;0;800\n1,5;100;0,1;800\n2;100,4;0,2;800\n1;100;0,1;800\n"
+      "Time [h];Stress (MPa);strain_%;temperature / "
+      "K\n0;100;0;800\n1,5;100;0,1;800\n2;100,4;0,2;800\n0;100;0;800\n1;100;0,1;800\n"
       "1;150;0,3;800\n1;150;0,3;850\n");
   ASSERT_EQ(data.tests.size(), 4U);
   EXPECT_EQ(data.tests[0].readings.size(), 2U);
