@@ -65,6 +65,21 @@ class LawErrors(unittest.TestCase):
     def test_an_exponent_that_must_be_a_number(self):
         self.expect("strain_hardening", 'A = 1\nn = 5\nm = "0.3 + T/1e4"', ".m: expression '0.3 + T/1e4'")
 
+    def test_named_laws(self):
+        self.expect("norton_bailey", 'A = 1\nn = 5\nm = 0.4\nhardening = "strian"',
+                    ".hardening: unknown hardening 'strian'; did you mean 'strain'?")
+        self.expect("norton_bailey", "A = 1\nn = 5\nm = 1.5", ".m: the number 1.5; allowed: a number in (0, 1]")
+        self.expect("norton_bailey", 'A = 1\nn = 5\nm = 1.5\nhardening = "time"')
+        self.expect("rcc_mr", "C1 = 1\nC2 = 1.5\nn1 = 4\nC = 1\nn = 5", ".C2: number 1.5; allowed: a number in (0, 1]")
+        self.expect("omega", "rate0 = -1\nomega = 0", ".rate0: number -1; allowed: a number >= 0",
+                    ".omega: number 0; allowed: a number > 0")
+        self.expect("omega", 'rate0 = "1e-20*q^8"\nomega = 40\nactivation_energy = 3e5', ": depends on T")
+        self.expect("omega", 'rate0 = "1e-20*q^8*exp(T)"\nomega = 40', ".rate0: depends on T")
+        self.expect("omega", 'rate0 = "1e-20*q^8*t"\nomega = 40', ".rate0: expression '1e-20*q^8*t'")
+        self.expect("theta_projection", "theta_1 = 1e-3\ntheta_2 = 1\ntheta_3 = 1e-3", ".theta_4: missing")
+        self.expect("soderberg", "C = 1\np = 3\nr = 0\nA = 1\nn = 5", ".r: number 0; allowed: a number > 0")
+        self.expect("mpc_omega", "", ".law: unknown creep law 'mpc_omega': the Omega method of API 579-1 is 'omega'")
+
     def test_expressions(self):
         self.expect("expression", 'rate = "1e-13*q^5*s"', ".rate: expression '1e-13*q^5*s': '1e-13*q^5*s': ")
         self.expect("expression", "rate = -1", ".rate: number -1")
