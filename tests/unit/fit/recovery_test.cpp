@@ -44,13 +44,15 @@ std::vector<double> truths(const Case& one) {
 void expect_coverage(const Case& one, int n_sets = 200) {
   const std::vector<double> truth = truths(one);
   std::vector<int> inside(truth.size(), 0);
+  double variance = 0;  // of the residuals, relative to that of the noise
   for (int seed = 0; seed < n_sets; ++seed) {
     const FitResult result = fitted(one, seed, scatter);
     ASSERT_EQ(result.parameters.size(), truth.size());
     for (std::size_t i = 0; i < truth.size(); ++i)
       inside[i] += result.parameters[i].low <= truth[i] && truth[i] <= result.parameters[i].high;
-    EXPECT_NEAR(result.deviation, scatter, 0.5 * scatter) << "seed " << seed;
+    variance += std::pow(result.deviation / scatter, 2) / n_sets;
   }
+  EXPECT_NEAR(variance, 1, 0.06);  // three standard deviations of this mean
   int all = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     EXPECT_GE(inside[i], 0.9 * n_sets - (n_sets < 200 ? 3 : 0)) << "parameter " << i;
