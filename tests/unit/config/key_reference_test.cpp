@@ -115,9 +115,8 @@ TEST(KeySelection, OneTable) {
 }
 
 TEST(KeySelection, WordInNamesOrValuesElseInDescriptions) {
-  EXPECT_EQ(selected("Tolerance"),
-            (Lines{"loads[].tolerance", "contact_solver.tolerance", "time.tolerance", "time.inner_tolerance",
-                   "time.jump_tolerance"}));
+  EXPECT_EQ(selected("Tolerance"), (Lines{"loads[].tolerance", "contact_solver.tolerance", "time.tolerance",
+                                          "time.inner_tolerance", "time.jump_tolerance"}));
   EXPECT_EQ(selected("hereditary"), (Lines{"materials.<name>.creep[].law", "materials.<name>.creep[].compliances",
                                            "materials.<name>.creep[].times"}));
   EXPECT_EQ(selected("active_set"), Lines{"contact_solver.method"});

@@ -312,8 +312,8 @@ TEST(Activation, MultipliesTheRateOfEveryLaw) {
     const bool is_activated =
         std::ranges::find(law.parameters, "activation_energy", &ParameterInfo::key) != law.parameters.end();
     // The constants of chaboche and lemaitre are resistances, which are given at each temperature.
-    const bool by_functions = law.name == "expression" || law.name == "theta_projection" || law.name == "chaboche" ||
-                              law.name == "lemaitre";
+    const bool by_functions =
+        law.name == "expression" || law.name == "theta_projection" || law.name == "chaboche" || law.name == "lemaitre";
     EXPECT_NE(is_activated, by_functions) << law.name;
     if (!is_activated) continue;
     ASSERT_TRUE(laws.contains(law.name)) << law.name;
