@@ -46,7 +46,7 @@ std::vector<Case> cases() {
       {"CylinderRccMr",
        "thick_cylinder.toml",
        {law("steel", "\"rcc_mr\",C1=3.125e-14,C2=0.4,n1=5,C=2e-15,n=5,C3=1e9,n3=-3.5"), "time.end=100"},
-       250},
+       750},  // every point passes the corner of its rate, where primary creep ends, at a time of its own
       {"CylinderThetaProjection",
        "thick_cylinder.toml",
        {law("steel", "\"theta_projection\",theta_1=\"1e-10*q^3\",theta_2=0.1,theta_3=\"1e-12*q^4\",theta_4=\"1e-4*q\""),
@@ -88,7 +88,7 @@ TEST_P(LawTolerance, BoundsTheRelativeErrorOfTheStress) {
       RecordProperty(fmt::format("{}_at_{:g}", integrator, tolerance), measured);
       EXPECT_LT(error.norm, (integrator == "auto" ? 3 : 4) * tolerance) << measured;
       EXPECT_LT(error.maximum, 6 * tolerance) << measured;
-      EXPECT_LT(history.elastic_solves, 3000) << measured;  // stability that is not seen takes ten thousands
+      EXPECT_LT(history.elastic_solves, 5000) << measured;  // stability that is not seen takes ten thousands
       if (error.norm < 1e-3) enough = std::min(enough, history.elastic_solves);
     }
     if (integrator == "auto") {
