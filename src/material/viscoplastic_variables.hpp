@@ -24,7 +24,7 @@ inline constexpr StateVariable isotropic_hardening{
 inline constexpr StateVariable accumulated_inelastic_strain{
     .name = "accumulated_inelastic_strain",
     .description = "length p of the path of the inelastic strain in `chaboche`, which grows with every cycle",
-    .label = "accumulated inelastic strain",
+    .label = "accumulated strain p",
     .of_several = StateVariable::OfSeveralLaws::sum};
 inline constexpr StateVariable drag_stress{.name = "drag_stress",
                                            .description = "deformation resistance s of `anand`",
