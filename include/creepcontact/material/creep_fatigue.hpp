@@ -20,7 +20,7 @@ namespace creepcontact::material {
 class FatigueCurve {
  public:
   virtual ~FatigueCurve() = default;
-  /// @param strain_range  > 0 @returns infinity: no damage; other values <= 0 are not a number of cycles
+  /// @param strain_range  > 0 @returns infinity: no damage; a value <= 0 makes the damage NaN
   virtual double cycles(double strain_range, double temperature) const = 0;
 };
 
