@@ -10,7 +10,16 @@
 namespace creepcontact::material {
 namespace {
 
+std::string quoted(const std::string& word) {
+  return fmt::format("`\"{}\"`", word);
+}
+
 std::string allowed(const ParameterInfo& key) {
+  if (!key.words.empty()) {
+    std::vector<std::string> words;
+    for (const std::string& word : key.words) words.push_back(quoted(word));
+    return fmt::format("{}", fmt::join(words, ", "));
+  }
   std::string text = key.list ? "list of " : "";
   if (key.variables.empty())
     text += key.list ? "numbers" : "number";
@@ -25,6 +34,7 @@ std::string allowed(const ParameterInfo& key) {
 
 std::string fallback(const ParameterInfo& key) {
   if (!key.fallback) return "*required*";
+  if (!key.words.empty()) return quoted(key.words.at(static_cast<std::size_t>(key.fallback->front()({}))));
   return key.fallback->empty() ? "" : fmt::format("`{}`", key.fallback->front().text());
 }
 

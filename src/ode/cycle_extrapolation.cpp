@@ -170,8 +170,8 @@ void CycleExtrapolation::save(Memory& numbers, Memory& states) const {
                               power_,
                               new_place_,
                               old_place_};
-  states["new_change"] = new_change_;
-  states["old_change"] = old_change_;
+  if (seen_ > 0) states["new_change"] = new_change_;
+  if (seen_ > 1) states["old_change"] = old_change_;
 }
 
 void CycleExtrapolation::restore(const Memory& numbers, const Memory& states) {
@@ -184,8 +184,8 @@ void CycleExtrapolation::restore(const Memory& numbers, const Memory& states) {
   power_ = own.at(5);
   new_place_ = own.at(6);
   old_place_ = own.at(7);
-  new_change_ = states.at("new_change");
-  old_change_ = states.at("old_change");
+  if (seen_ > 0) new_change_ = states.at("new_change");
+  if (seen_ > 1) old_change_ = states.at("old_change");
   jumped_ = 0;
 }
 

@@ -245,12 +245,11 @@ void Cycles::save(creep::Memory& memory) const {
   std::vector<double>& work = memory[cycle_work];
   work.clear();
   for (const RunCounters::Field& field : RunCounters::fields) work.push_back(static_cast<double>(work_.*field.value));
-  if (!jumps_ || previous_ < 0 || is_checking()) return;
+  if (!jumps_ || is_checking()) return;
   ode::CycleExtrapolation::Memory numbers, states;
   jumps_->save(numbers, states);
   for (auto& [name, values] : numbers) memory[extrapolation_prefix + name] = std::move(values);
-  for (auto& [name, values] : states)
-    if (!values.empty()) memory[cycle_state_prefix + name] = std::move(values);
+  for (auto& [name, values] : states) memory[cycle_state_prefix + name] = std::move(values);
 }
 
 void Cycles::restore(const creep::Memory& memory) {
@@ -276,7 +275,7 @@ void Cycles::restore(const creep::Memory& memory) {
       own[name.substr(extrapolation_prefix.size())] = values;
     else if (name.starts_with(cycle_state_prefix))
       states[name.substr(std::string_view(cycle_state_prefix).size())] = values;
-  if (jumps_ && states.size() == 2 && stage_ == Stage::between) jumps_->restore(own, states);
+  if (jumps_ && !own.empty() && stage_ == Stage::between) jumps_->restore(own, states);
 }
 
 }  // namespace creepcontact::run

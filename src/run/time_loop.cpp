@@ -305,7 +305,10 @@ bool TimeLoop::gone_back_for_event() {
 
 void TimeLoop::record_step(const ode::StepReport& report, const RunCounters& work) {
   held_steps_.push_back({report, work, system_.n_active_contacts()});
-  if (cycles_ && cycles_->is_checking()) return;
+  if (!cycles_ || !cycles_->is_checking()) write_held_steps();
+}
+
+void TimeLoop::write_held_steps() {
   together(distribution_.team(), [&] {
     for (const HeldStep& step : held_steps_) results_->step(step.report, step.work, step.n_active_contacts);
   });
@@ -322,6 +325,7 @@ bool TimeLoop::end_of_segment() {
     continue_at(closed.time);
     return false;
   }
+  if (!cycles_->is_checking()) write_held_steps();
   restarts_ = closed.state_changed;
   stopped_ = closed.is_steady;
   return true;

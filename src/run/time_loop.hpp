@@ -82,6 +82,7 @@ class TimeLoop {
   bool gone_back_for_event();
   void go_back_before_jump();
   void record_step(const ode::StepReport& report, const RunCounters& work);
+  void write_held_steps();
   void begin_segment();
   /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
   bool ruptured(double begin_of_step);

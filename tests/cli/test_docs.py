@@ -130,6 +130,7 @@ angle = 30
 on = "end"
 [time]
 end = 10
+cycle = 5
 [[probes]]
 name = "q"
 quantity = "stress_theta"
@@ -159,8 +160,6 @@ class Defaults(unittest.TestCase):
             if re.search(rf"(?m)^\[\[{re.escape(place)}\]\]", EVERY_TABLE):
                 place += "[0]"
             for key, default in re.findall(r"(?m)^\| `([\w.]+)` \| .*? \| `([^`]*)` \| .* \|$", rows):
-                if key == "jump_cycles":  # which needs the period of the cycles
-                    continue
                 if "<" not in default and key != "output.spacing":  # a word for a place; a table that is not there
                     yield f"{place}.{key}={default}"
 
