@@ -57,13 +57,19 @@ async function pixels(page) {
   await settled(page);
   const canvas = await page.$(".viewer canvas");
   const png = await canvas.screenshot({ encoding: "base64" });
-  return page.evaluate(async (data) => {
+  const bytes = await page.evaluate(async (data) => {
     const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
     const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
     copy.drawImage(image, 0, 0);
-    return Array.from(copy.getImageData(0, 0, image.width, image.height).data);
+    const blob = new Blob([copy.getImageData(0, 0, image.width, image.height).data]);
+    const reader = new FileReader(); // numbers one by one take a second per picture
+    return new Promise((done) => {
+      reader.onload = () => done(reader.result.split(",")[1]);
+      reader.readAsDataURL(blob);
+    });
   }, png);
+  return Buffer.from(bytes, "base64");
 }
 
 export function changed(before, after) {
