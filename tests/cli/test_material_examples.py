@@ -161,6 +161,24 @@ class StartStopCycles(MaterialExampleTest):
         return 144 + 18 * sum(factor(i) for i in range(steps)) / steps
 
 
+class ShrinkFitCycles(MaterialExampleTest):
+    def test_jumps_over_weeks_give_what_a_thousand_weeks_give(self):
+        found = {}
+        for jumps in ("true", "false"):
+            rows = self.rows("shrink_fit_cycles.toml", {"time.jump_cycles": jumps, "time.tolerance": "1e-3"})
+            found[jumps] = self.summary(), {row["time"]: row for row in rows}, self.table("cycles.csv")
+        (jumped, some, few), (whole, each, all_weeks) = found["true"], found["false"]
+        self.assertEqual((jumped["cycles"]["completed"], whole["cycles"]["computed"], len(all_weeks)), (1000, 1000, 1000))
+        self.assertLess(10 * jumped["elastic_solves"], whole["elastic_solves"])
+        for time, row in each.items():
+            for probe in ("fit_pressure", "hub_hoop_stress", "usage"):
+                self.expect_close(some[time][probe], row[probe], 1e-2)
+        strain = {row["cycle"]: row["hub.strain_range"] for row in all_weeks}
+        for row in few:
+            self.expect_close(row["hub.strain_range"], strain[row["cycle"]], 1e-2)
+            self.expect_close(row["fit_pressure_end"], all_weeks[int(row["cycle"]) - 1]["fit_pressure_end"], 1e-2)
+
+
 class ViscoelasticIndenter(MaterialExampleTest):
     """Lee and Radok's solution for a rigid sphere on an incompressible half space under a force that is held."""
 
