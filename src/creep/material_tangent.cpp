@@ -21,10 +21,11 @@ Matrix6 compliance(const mechanics::ElasticState& elastic, std::size_t point) {
 }  // namespace
 
 struct MaterialTangent::Work {
-  explicit Work(Index stride) : unit(stride), by_state(stride, stride), by_stress(stride, 6), elimination(stride) {}
+  explicit Work(Index stride) : unit(stride), by_state(stride, stride), by_stress(stride, 6) {}
   Eigen::VectorXd unit;
-  Eigen::MatrixXd by_state;                // A, then M
+  Eigen::MatrixXd by_state;                // A
   Eigen::Matrix<double, -1, 6> by_stress;  // C
+  Eigen::MatrixXd own;                     // the part of M that has to be inverted
   Eigen::PartialPivLU<Eigen::MatrixXd> elimination;
 };
 
@@ -35,11 +36,22 @@ MaterialTangent::MaterialTangent(const MaterialPoints& points)
       moduli_(n_points_),
       eliminated_(n_points_ * stride_ * (stride_ + 6)) {}
 
+Index MaterialTangent::first_state(std::size_t p, const PointsState& at, Work& work) const {
+  const Tensor6 no_stress = Tensor6::Zero();
+  work.unit.setZero();
+  // A direction that no law with a derivative could be insensitive to by symmetry.
+  work.unit.head<6>() << 0.4361, -0.8273, 0.2918, 0.6157, -0.3574, 0.9139;
+  points_.derivative_at(p, at, {.stress = {no_stress.data(), 6}, .state = {work.unit.data(), stride_}},
+                        {work.by_state.col(0).data(), stride_});
+  return work.by_state.col(0).isZero(0) ? 6 : 0;
+}
+
 void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
   const Index n = stride_;
   Tensor6 stress = Tensor6::Zero();
   const PointsChange change{.stress = {stress.data(), 6}, .state = {work.unit.data(), stride_}};
-  for (Index j = 0; j < n; ++j) {
+  const Index first = first_state(p, at, work), own = n - first;
+  for (Index j = first; j < n; ++j) {
     work.unit = Eigen::VectorXd::Unit(n, j);
     points_.derivative_at(p, at, change, {work.by_state.col(j).data(), stride_});
   }
@@ -53,11 +65,17 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
   eliminated.leftCols(n).setIdentity();
   eliminated.rightCols<6>() = gamma * work.by_stress;
   // Rates of secondary creep do not depend on the state.
-  if (!work.by_state.isZero(0)) {
-    work.by_state *= -gamma;
-    work.by_state.diagonal().array() += 1;
-    work.elimination.compute(work.by_state);
-    eliminated = work.elimination.solve(eliminated).eval();
+  const auto by_own = work.by_state.rightCols(own);
+  if (!by_own.isZero(0)) {
+    // M = [I, -gamma A_c; 0, I - gamma A_i]: only the second block is inverted if nothing depends on the creep strain.
+    work.own = -gamma * by_own.bottomRows(own);
+    work.own.diagonal().array() += 1;
+    work.elimination.compute(work.own);
+    eliminated.bottomRightCorner(own, own + 6) =
+        work.elimination.solve(eliminated.bottomRightCorner(own, own + 6)).eval();
+    if (first > 0)
+      eliminated.topRightCorner(first, own + 6) +=
+          (gamma * by_own.topRows(first)).lazyProduct(eliminated.bottomRightCorner(own, own + 6));
   }
   const Matrix6 modulus =
       Matrix6(compliance(at.elastic, p) + eliminated.topRightCorner<6, 6>()).partialPivLu().inverse();

@@ -26,11 +26,25 @@ struct Chaboche::Flow {
 
 namespace {
 
+/// Linear recovery where no exponents are given.
+std::vector<Function> exponents_of(const std::vector<Function>& recovery, const std::vector<Function>& given) {
+  return given.empty() ? std::vector<Function>(recovery.size(), 1.0) : given;
+}
+
+void require_partner(const NamedList& given, const NamedList& partner) {
+  if (!given.second->empty() && partner.second->empty())
+    throw ParameterError(given.first, fmt::format("values without '{}'", partner.first),
+                         fmt::format("with '{}' of as many values", partner.first));
+}
+
 std::vector<Function> chaboche_parameters(const Chaboche::Constants& of) {
   std::vector<Function> all{of.K, of.n, of.yield, of.Q, of.b, of.sinh_rate};
-  if (of.C.empty() && of.gamma.empty()) return all;
+  require_partner({"C", &of.C}, {"gamma", &of.gamma});
+  require_partner({"gamma", &of.gamma}, {"C", &of.C});
+  require_partner({"recovery_exponent", &of.exponent}, {"recovery", &of.recovery});
+  if (of.C.empty()) return all;
   std::vector<NamedList> lists{{"C", &of.C}, {"gamma", &of.gamma}};
-  if (!of.recovery.empty() || !of.exponent.empty()) {
+  if (!of.recovery.empty()) {
     lists.emplace_back("recovery", &of.recovery);
     lists.emplace_back("recovery_exponent", &of.exponent);
   }
@@ -241,7 +255,7 @@ LawInfo chaboche_info() {
             .list = true,
             .fallback = std::vector<Function>{}},
            {.key = "recovery_exponent",
-            .description = "exponents m_i of the static recovery [-]",
+            .description = "exponents m_i of the static recovery [-]; not given: 1, linear",
             .minimum = 1.0,
             .strict = false,
             .list = true,
@@ -253,7 +267,7 @@ LawInfo chaboche_info() {
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
             return std::make_unique<Chaboche>(Chaboche::Constants{p.at(0).at(0), p.at(1).at(0), p.at(2).at(0),
                                                                   p.at(3).at(0), p.at(4).at(0), p.at(5), p.at(6),
-                                                                  p.at(7), p.at(8), p.at(9).at(0)});
+                                                                  p.at(7), exponents_of(p.at(7), p.at(8)), p.at(9).at(0)});
           },
           {&back_stress, &isotropic_hardening, &accumulated_inelastic_strain}};
 }

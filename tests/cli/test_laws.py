@@ -62,6 +62,16 @@ class LawErrors(unittest.TestCase):
                     ".volumetric_compliances: a list of 1; allowed: as many values as 'compliances' has: 2")
         self.expect("hereditary", "compliances = []\ntimes = []", ".compliances: an empty list", ".times: an empty list")
 
+    def test_lists_that_go_together(self):
+        loop = "K = 100\nn = 10\nyield = 100\n"
+        self.expect("chaboche", loop + "C = [1e5]", ".C: values without 'gamma'; allowed: with 'gamma' of as many values")
+        self.expect("chaboche", loop + "gamma = [100]", ".gamma: values without 'C'")
+        self.expect("chaboche", loop + "C = [1e5]\ngamma = [100]\nrecovery_exponent = [2]",
+                    ".recovery_exponent: values without 'recovery'")
+        self.expect("chaboche", loop + "C = [1e5]\ngamma = [100]\nrecovery = [1e-4]")
+        self.expect("chaboche", loop + "C = [1e5, 1e4]\ngamma = [100, 0]\nrecovery = [1e-4]",
+                    ".recovery: a list of 1; allowed: as many values as 'C' has: 2")
+
     def test_an_exponent_that_must_be_a_number(self):
         self.expect("strain_hardening", 'A = 1\nn = 5\nm = "0.3 + T/1e4"', ".m: expression '0.3 + T/1e4'")
 

@@ -34,6 +34,8 @@ class MaterialTangent {
  private:
   struct Work;
   Eigen::Map<const Eigen::MatrixXd> eliminated_at(std::size_t p) const;
+  /// 6 if the rates at a point do not depend on the creep strain itself, as of most laws; else 0.
+  Index first_state(std::size_t p, const PointsState& at, Work& work) const;
   void prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work);
 
   const MaterialPoints& points_;
