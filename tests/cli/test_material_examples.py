@@ -179,6 +179,48 @@ class ShrinkFitCycles(MaterialExampleTest):
             self.expect_close(row["fit_pressure_end"], all_weeks[int(row["cycle"]) - 1]["fit_pressure_end"], 1e-2)
 
 
+class ValveSeatCycles(MaterialExampleTest):
+    """Chaboche's law, read off an integrated state, and the balance of forces."""
+
+    COMPONENTS = ("xx", "yy", "zz", "xy")
+
+    def test_forces_and_flow(self):
+        probes = "".join(f'\n[[probes]]\nname = "{name}"\nquantity = "{name}"\nat = [16.8, 3, 0]\nbody = "insert"\n'
+                         for name in [*(f"{tensor}_{ij}" for tensor in ("stress", "back_stress") for ij in self.COMPONENTS),
+                                      "accumulated_inelastic_strain", "isotropic_hardening", "temperature"])
+        source = CONFIGS / "valve_seat_cycles.toml"
+        config = self.directory / source.name
+        config.write_text(source.read_text().replace('"valve_seat', f'"{CONFIGS}/valve_seat') + probes)
+        times = (0.2, 0.21, 0.5, 0.52, 1.2, 1.25)
+        settings = {"time.end": "2", "time.tolerance": "1e-4", "time.output": str(list(times))}
+        rows = {row["time"]: row for row in self.rows(config, settings)}
+        for before, after in zip(times[::2], times[1::2]):
+            middle = {name: (rows[before][name] + rows[after][name]) / 2 for name in rows[before]}
+            self.assertGreater(middle["temperature"], 270)
+            k, yields = (at20 + (middle["temperature"] - 20) / 380 * (at400 - at20) for at20, at400 in ((90, 75), (260, 200)))
+            effective = [middle[f"stress_{ij}"] - middle[f"back_stress_{ij}"] for ij in self.COMPONENTS]
+            mean = sum(effective[:3]) / 3
+            size = math.sqrt(1.5 * sum((s - mean)**2 for s in effective[:3]) + 3 * effective[3]**2)
+            overstress = size - yields - middle["isotropic_hardening"]
+            p = "accumulated_inelastic_strain"
+            self.expect_close((rows[after][p] - rows[before][p]) / (after - before), (overstress / k)**12, 1e-2)
+        contacts = self.summary()["contacts"]
+        force = 0.5 * math.pi * 17.5**2
+        self.expect_close(contacts["shoulder"]["final_normal_force"], force, 1e-6)
+        self.expect_close(contacts["seat"]["final_normal_force"], math.sqrt(2) * force, 1e-6)
+
+    def test_it_shakes_down(self):
+        rows = self.rows("valve_seat_cycles.toml", {})
+        pressure = [row["fit_pressure"] for row in rows]
+        self.assertEqual(pressure, sorted(pressure, reverse=True))
+        self.assertLess(pressure[1], 0.4 * pressure[0])
+        self.assertGreater(pressure[-1], 0.9 * pressure[1])
+        steady = self.summary()["cycles"]["steady"]
+        self.assertEqual((steady, len(rows)), (8, 9))
+        ranges = [row["insert.inelastic_strain_range"] for row in self.table("cycles.csv")]
+        self.assertGreater(ranges[0], 500 * ranges[-1])
+
+
 class ViscoelasticIndenter(MaterialExampleTest):
     """Lee and Radok's solution for a rigid sphere on an incompressible half space under a force that is held."""
 
