@@ -265,9 +265,9 @@ LawInfo chaboche_info() {
             .strict = false,
             .fallback = {{0.0}}}},
           [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Chaboche>(Chaboche::Constants{p.at(0).at(0), p.at(1).at(0), p.at(2).at(0),
-                                                                  p.at(3).at(0), p.at(4).at(0), p.at(5), p.at(6),
-                                                                  p.at(7), exponents_of(p.at(7), p.at(8)), p.at(9).at(0)});
+            return std::make_unique<Chaboche>(
+                Chaboche::Constants{p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0), p.at(4).at(0), p.at(5),
+                                    p.at(6), p.at(7), exponents_of(p.at(7), p.at(8)), p.at(9).at(0)});
           },
           {&back_stress, &isotropic_hardening, &accumulated_inelastic_strain}};
 }

@@ -137,6 +137,17 @@ std::vector<OutputVariable> make_variables() {
                  .dimension = "",
                  .evaluate = [](const Sample& at, double* into) { *into = tensor::equivalent_strain(at.creep_strain); },
                  .point_array = "creep_strain_equivalent"});
+  // The same with the word for laws of creep and plasticity in one. Field files have one array of both.
+  for (const std::size_t creep : {all.size() - 2, all.size() - 1}) {
+    OutputVariable inelastic = all[creep];
+    const auto renamed = [](std::string text) { return text.replace(text.find("creep"), 5, "inelastic"); };
+    inelastic.name = renamed(inelastic.name);
+    inelastic.description = renamed(inelastic.description) + ": another name of `" + all[creep].name + "`";
+    inelastic.label = renamed(inelastic.label);
+    inelastic.point_array.clear();
+    inelastic.cell_array.clear();
+    all.push_back(std::move(inelastic));
+  }
   all.push_back({.name = "temperature",
                  .components = {},
                  .description = "temperature",

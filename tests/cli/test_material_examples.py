@@ -187,7 +187,7 @@ class ValveSeatCycles(MaterialExampleTest):
     def test_forces_and_flow(self):
         probes = "".join(f'\n[[probes]]\nname = "{name}"\nquantity = "{name}"\nat = [16.8, 3, 0]\nbody = "insert"\n'
                          for name in [*(f"{tensor}_{ij}" for tensor in ("stress", "back_stress") for ij in self.COMPONENTS),
-                                      "accumulated_inelastic_strain", "isotropic_hardening", "temperature"])
+                                      "accumulated_inelastic_strain", "isotropic_hardening", "temperature", "creep_strain_zz"])
         source = CONFIGS / "valve_seat_cycles.toml"
         config = self.directory / source.name
         config.write_text(source.read_text().replace('"valve_seat', f'"{CONFIGS}/valve_seat') + probes)
@@ -204,6 +204,7 @@ class ValveSeatCycles(MaterialExampleTest):
             overstress = size - yields - middle["isotropic_hardening"]
             p = "accumulated_inelastic_strain"
             self.expect_close((rows[after][p] - rows[before][p]) / (after - before), (overstress / k)**12, 1e-2)
+            self.assertEqual(middle["creep_strain_zz"], middle["insert_hoop_strain"])
         contacts = self.summary()["contacts"]
         force = 0.5 * math.pi * 17.5**2
         self.expect_close(contacts["shoulder"]["final_normal_force"], force, 1e-6)
