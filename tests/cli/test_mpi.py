@@ -70,6 +70,19 @@ class MpiResults(MpiTest):
         self.expect_equal_runs("pressed_blocks", (1, 4), "time.integrator=cvode_bdf")
         self.expect_equal_runs("pressed_blocks", (3,), "time.integrator=beta_euler")
 
+    def test_jumps_over_cycles_and_a_resumed_run(self):
+        week = 168
+        settings = ("--set", f"time.output=[{10 * week}, {30 * week}]", "--set", "output.fields=false")
+        for part, *resumed in ((30, ), (60, "--resume")):
+            for n, output in ((0, "serial"), (2, "spread")):
+                done = self.done(n, "run", ROOT / "configs" / "shrink_fit_cycles.toml", "--quiet", "--output", output, *resumed,
+                                 "--set", f"time.end={part * week}", *settings)
+                self.assertEqual(done.returncode, 0, done.stderr)
+            self.expect_the_same(self.directory / "serial", self.directory / "spread")
+            cycles = [(self.directory / output / "cycles.csv").read_text().splitlines() for output in ("serial", "spread")]
+            self.assertEqual(*([line.split(",")[:5] for line in lines] for lines in cycles))
+            self.assertLess(len(cycles[0]), part / 2)
+
     def expect_equal_cubes(self, *settings):
         """One element on two processes, of which one has none."""
         arguments = [word for setting in ("mesh.order=2", *settings) for word in ("--set", setting)]
@@ -107,7 +120,6 @@ class MpiContact(MpiTest):
         self.expect_equal_runs("blade_root", (2,), "time.end=1e4")
         # Later, Adams' steps are at the limit of stability: rounding grows there, in a single process too.
         self.expect_equal_runs("blade_root", (2,), "time.end=1e4", "time.integrator=cvode_adams")
-
 
     def test_stiffness_that_changes_in_time(self):
         self.expect_equal_runs("start_stop_cycles", (3,), "time.end=500")
