@@ -81,7 +81,7 @@ class MpiResults(MpiTest):
             self.expect_the_same(self.directory / "serial", self.directory / "spread")
             cycles = [(self.directory / output / "cycles.csv").read_text().splitlines() for output in ("serial", "spread")]
             self.assertEqual(*([line.split(",")[:5] for line in lines] for lines in cycles))
-            self.assertLess(len(cycles[0]), part / 2)
+            self.assertLess(len(cycles[0]), 0.6 * part)
 
     def expect_equal_cubes(self, *settings):
         """One element on two processes, of which one has none."""
