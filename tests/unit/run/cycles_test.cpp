@@ -100,7 +100,8 @@ TEST_P(CycleJumps, ReachTheEndOfAThousandCyclesInFew) {
   for (const auto& [t, hot] : std::vector<std::pair<double, double>>{{100, 60}, {100.3, 60.25}, {1000, 600}})
     EXPECT_NEAR(history.at("pressure", t), relaxed_pressure(hot), 5e-3 * relaxed_pressure(hot)) << t;
   const Table cycles(blocks / "out" / "cycles.csv");
-  EXPECT_EQ(cycles.rows() + summary.number("cycles/rejected_jumps"), summary.number("cycles/computed"));
+  EXPECT_EQ(static_cast<double>(cycles.rows()) + summary.number("cycles/rejected_jumps"),
+            summary.number("cycles/computed"));
   EXPECT_EQ(cycles.sum("jumped") + static_cast<double>(cycles.rows()), 1000);
   double before = 0;
   const Table steps(blocks / "out" / "steps.csv");

@@ -77,6 +77,10 @@ INSTANTIATE_TEST_SUITE_P(
             "beta_euler_anderson",
             0,
             {"time.integrator=beta_euler", "time.step=0.3", "time.inner_anderson=3", "time.residual_correction=0.5"}},
+        ResumeCase{"chaboche",
+                   0,
+                   {"materials.soft.creep=[{law='chaboche', K=0.4, n=5, yield=0.3, Q=0.1, b=40, C=[40], gamma=[150], "
+                    "recovery=[0.2]}]"}},
         ResumeCase{"beta_euler_newton", 0, {"time.integrator=beta_euler", "time.step=0.3", "time.inner=newton"}},
         ResumeCase{"euler_adaptive", 0, {"time.integrator=explicit_euler", "time.step=adaptive"}},
         ResumeCase{"rkc2", 0, {"time.integrator=rkc2", "time.tolerance=1e-6"}},
