@@ -56,6 +56,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       laws_(solver.assembly(), min_strains(solver.assembly(), scale_, tolerance)),
       may_start_singular_(survey.singular_start),
       tolerance_(tolerance),
+      yield_steps_(solver.assembly()),
       history_(solver.initial_history()),
       before_(history_) {
   preconditioners_.resize(laws_.points().size());
@@ -68,6 +69,7 @@ CreepSystem::~CreepSystem() = default;
 void CreepSystem::begin_segment(double begin, double end) {
   segment_begin_ = begin;
   segment_end_ = end;
+  yield_steps_.begin_segment();
 }
 
 double CreepSystem::load_time(double t) const {
@@ -303,11 +305,14 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
   return team().max(largest) <= near_accepted * tolerance_;
 }
 
-double CreepSystem::longest_step() const {
+double CreepSystem::longest_step(double t) const {
+  const double for_yielding = yield_steps_.longest(t, segment_end_);
   const SlipHistory& friction = history_.friction;
-  if (!(friction.turning_error > 0) || !(friction.turning_step > 0)) return std::numeric_limits<double>::infinity();
+  if (!(friction.turning_error > 0) || !(friction.turning_step > 0)) return for_yielding;
   constexpr double safety = 0.9, least = 0.2, most = 3;
-  return friction.turning_step * std::clamp(safety * std::cbrt(tolerance_ / friction.turning_error), least, most);
+  const double for_friction =
+      friction.turning_step * std::clamp(safety * std::cbrt(tolerance_ / friction.turning_error), least, most);
+  return std::min(for_yielding, for_friction);
 }
 
 void CreepSystem::apply_preloads(double t, std::span<const double> y) {
@@ -326,17 +331,25 @@ void CreepSystem::accept(double t, std::span<const double> y) {
   solver_.accept(step_.equilibrium, history_);
   const auto lap = watch_.lap(Part::material);
   scale_.follow(step_.equilibrium);
+  yield_steps_.accept(step_.equilibrium);
 }
 
 void CreepSystem::save(Memory& memory) const {
   solver_.save(history_, memory);
   memory["strain_scale"] = scale_.strain();
+  if (yield_steps_.is_needed()) memory["yield_steps"] = yield_steps_.memory();
 }
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
   before_ = history_;
   scale_.restore(memory.at("strain_scale"));
+}
+
+void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
+  const auto found = memory.find("yield_steps");  // not in checkpoints of earlier versions
+  if (found == memory.end() || !yield_steps_.is_needed()) return;
+  yield_steps_.resume(evaluate_step(t, y).equilibrium, found->second);
 }
 
 RunCounters CreepSystem::run_counters() const {

@@ -356,10 +356,12 @@ bool TimeLoop::outputs_of_step(bool breakpoint) {
 void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   const double end = config_.time.end;
   const auto last_break = model_.breakpoints.end();
-  if (resumed_)
+  if (resumed_) {
     restore(*resumed_, config_, *integrator_);
-  else
+    system_.resume(time_, integrator_->state(), resumed_->arrays);
+  } else {
     integrator_->initialize(time_, state_);
+  }
   resumed_.reset();
   settled_ = true;
   while (time_ < end && !interrupted(interrupt)) {
@@ -419,7 +421,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
 
 double TimeLoop::longest_step_end() const {
   const bool is_fixed = config_.time.step.mode == settings::StepMode::fixed;
-  return is_fixed ? std::numeric_limits<double>::infinity() : time_ + system_.longest_step();
+  return is_fixed ? std::numeric_limits<double>::infinity() : time_ + system_.longest_step(time_);
 }
 
 bool TimeLoop::stopped_within(double from, double to, const StateAt& state_at) {

@@ -18,6 +18,7 @@
 #include "creepcontact/creep/point_preconditioner.hpp"
 #include "creepcontact/creep/relaxation.hpp"
 #include "creepcontact/creep/tangent_system.hpp"
+#include "creepcontact/creep/yield_steps.hpp"
 #include "creepcontact/ode/system.hpp"
 
 namespace creepcontact::creep {
@@ -101,8 +102,12 @@ class CreepSystem final : public ode::System,
   void restore(const Memory& memory);
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
-  /// Longest next step for which the turning of slip directions stays within the tolerance; infinity without friction.
-  double longest_step() const;
+  /// After restore() and begin_segment(), from the same memory: the state from which the integration goes on.
+  /// @throws RecoverableError if no equilibrium is found
+  void resume(double t, std::span<const double> y, const Memory& memory);
+  /// Longest next step from t for which the turning of slip directions stays within the tolerance and no yielding is
+  /// passed over (YieldSteps); infinity without friction and laws that yield.
+  double longest_step(double t) const;
 
   const EquilibriumSolver& solver() const { return solver_; }
   const Assembly& assembly() const { return solver_.assembly(); }
@@ -147,6 +152,7 @@ class CreepSystem final : public ode::System,
   double segment_begin_ = -std::numeric_limits<double>::infinity();
   double segment_end_ = std::numeric_limits<double>::infinity();
   double tolerance_;
+  YieldSteps yield_steps_;
   History history_;
   History before_;            // that of the step before: what happens within the last step starts from there
   Evaluation step_, output_;  // each identified by its (time, y)
