@@ -39,6 +39,13 @@ TEST(Rupture, UniaxialDamageEndsAtTheClosedFormsTime) {
   EXPECT_GE(outcome.history.at("damage", end), 0.9);
 }
 
+/// The strain of the damaging material grows faster and faster, which is not a sign that the stress relaxes.
+TEST(Rupture, IsFoundWhereCreepIsFast) {
+  const std::string law = creep_law_table("kachanov_rabotnov", "A = 1e-14\nn = 5\nB = 4e-12\nr = 5\nphi = 4\n");
+  const Outcome outcome = run_cube(law, pulled("100"), "end = 10\noutput = [10]\n");
+  EXPECT_RELATIVE(outcome.summary.number("time_reached"), 5.0, 1e-6);
+}
+
 TEST(Rupture, EveryIntegratorFindsIt) {
   for (const char* integrator : {"cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk", "rkc2"}) {
     const Outcome outcome = run_cube(kachanov(), pulled("100"),
