@@ -272,7 +272,7 @@ TEST(Omega, RemainingLifeIsThatAtThePresentStress) {
 
 TEST(Omega, IsActivatedByTemperature) {
   const double Q = 400e3, R = 8.314462618;
-  Bar bar("omega", {{of("1e5*q^8")}, {40.0}, {0.0}, {Q}});
+  Bar bar("omega", {{of("1e5*q^8")}, {40.0}, {0.0}, {0.0}, {1.0}, {0.33}, {0.0}, {0.0}, {Q}});
   EXPECT_NEAR(bar.rate(100), 1e21 * std::exp(-Q / (R * 773.15)), 1e-12 * bar.rate(100));
 }
 
@@ -283,6 +283,80 @@ TEST(Omega, BelowTheSmallestStressTheRateIsProportional) {
   EXPECT_GT(without.rate(1e-6), 1e100);
   EXPECT_NEAR(with.rate(1e-6), with.rate(20.0) * 1e-6 / 20, 1e-12 * with.rate(1e-6));
   EXPECT_EQ(with.rate(30.0), without.rate(30.0));
+}
+
+/// rate0 = 1e-20 q^8, omega = 40.
+ParameterValues corrected(double alpha, double delta_sr = 0, double delta_cd = 0) {
+  return {{of("1e-20*q^8")}, {40.0}, {1.0}, {1.0}, {alpha}, {0.33}, {delta_sr}, {delta_cd}};
+}
+
+/// omega_m of a law at a stress: the growth of log(rate) with the strain.
+double effective_omega(const ParameterValues& values, const Tensor6& stress) {
+  const auto law = make_law("omega", values);
+  const auto rate = [&](double eps) {
+    Tensor6 strain_rate = Tensor6::Zero();
+    double own = 0;
+    const double one = 1;
+    law->rate({.stress = tensor::view(stress), .internal = {&eps, 1}, .parameters = {&one, 1}, .temperature = 500},
+              {tensor::writable(strain_rate), {&own, 1}});
+    return own;
+  };
+  return std::log(rate(0.01) / rate(0)) / 0.01;
+}
+
+Tensor6 principal(double a, double b, double c) {
+  Tensor6 stress = Tensor6::Zero();
+  stress.head<3>() << a, b, c;
+  return stress;
+}
+
+/// n = 8, so max(omega - n, 3) = 32; delta = 0.33 (trace/q - 1).
+TEST(Omega, MultiaxialCorrectionOfApi579) {
+  const Tensor6 bar = principal(100, 0, 0), sphere = principal(100, 100, 0), shear = principal(100, 0, -100),
+                crushed = principal(-100, 0, 0), tube = principal(100, 50, 0);
+  EXPECT_NEAR(effective_omega(corrected(1), bar), 40, 1e-8);
+  EXPECT_NEAR(effective_omega(corrected(2), bar), 32 + 2 * 8, 1e-8);
+  EXPECT_NEAR(effective_omega(corrected(3), sphere), std::pow(32, 1 + 0.33) + 3 * 8, 1e-7);
+  EXPECT_NEAR(effective_omega(corrected(2), tube), std::pow(32, 1 + 0.33 * (std::sqrt(3.0) - 1)) + 2 * 8, 1e-7);
+  EXPECT_NEAR(effective_omega(corrected(1), shear), std::pow(32, 1 - 0.33) + 8, 1e-8);
+  EXPECT_NEAR(effective_omega(corrected(1), crushed), std::pow(32, 1 - 0.66) + 8, 1e-8);
+  EXPECT_NEAR(effective_omega(corrected(1, 0, 0.3), bar), 40 * std::pow(10, 0.3), 1e-8);
+  ParameterValues brittle = corrected(1);
+  brittle[1] = {10.0};  // max(10 - 8, 3) = 3
+  EXPECT_NEAR(effective_omega(brittle, bar), 3 + 8, 1e-8);
+}
+
+/// The exponent n of polynomials in log q is that of their derivative.
+TEST(Omega, ExponentOfAPolynomial) {
+  ParameterValues values = corrected(2);
+  values[0] = {of("10^(-20 + 5*log10(q/6.895) + 2*log10(q/6.895)^2 - log10(q/6.895)^3)")};
+  const double S = std::log10(100 / 6.895), n = 5 + 4 * S - 3 * S * S;
+  EXPECT_NEAR(effective_omega(values, principal(100, 0, 0)), 40 - n + 2 * n, 1e-7);
+}
+
+TEST(Omega, ScatterChangesTheRate) {
+  Bar mean("omega", corrected(1)), fast("omega", corrected(1, -0.5));
+  EXPECT_NEAR(fast.rate(100), std::sqrt(10) * mean.rate(100), 1e-12 * fast.rate(100));
+}
+
+/// Damage is t/t_r with t_r = 1/(omega_m rate0).
+TEST(Omega, RuptureWithTheCorrections) {
+  const double rupture = 1 / ((32 + 2 * 8) * 1e-20 * std::pow(100, 8));
+  Bar bar("omega", corrected(2));
+  bar.integrate(100, 0.9 * rupture, 4000);
+  EXPECT_NEAR(bar.value(damage, 100), 0.9, 1e-6);
+  EXPECT_NEAR(1 / bar.value(remaining_life, 100), 0.1 * rupture, 1e-5 * rupture);
+}
+
+TEST(Omega, TheMultiaxialCorrectionNeedsASmallestStress) {
+  ParameterValues values = corrected(1);
+  values[2] = {0.0};
+  try {
+    make_law("omega", values);
+    FAIL() << "accepted";
+  } catch (const ParameterError& error) {
+    EXPECT_EQ(error.key(), "min_stress");
+  }
 }
 
 TEST(Omega, ANegativeRateIsNoNumber) {
@@ -302,7 +376,7 @@ TEST(Activation, MultipliesTheRateOfEveryLaw) {
       {"soderberg", {{1.0}, {3.0}, {1.0}, {1.0}, {3.0}}},
       {"rcc_mr", {{1.0}, {1.0}, {3.0}, {1.0}, {3.0}, {0.0}, {0.0}}},
       {"kachanov_rabotnov", {{1.0}, {3.0}, {0.0}, {3.0}, {3.0}, {0.0}, {0.0}}},
-      {"omega", {{1.0}, {40.0}, {0.0}}},
+      {"omega", {{1.0}, {40.0}, {0.0}, {0.0}, {1.0}, {0.33}, {0.0}, {0.0}}},
       {"anand", {{1.0}, {2.0}, {0.5}, {60.0}, {0.0}, {0.0}, {1.0}, {250.0}}},
       {"hereditary", {{1.0}, {2.0}, {}, {1.0}}},
       {"kelvin_voigt", {{1.0}, {2.0}}},
