@@ -170,6 +170,18 @@ class Fit(unittest.TestCase):
         done = self.fit("time,stress,strain\n1,100,0.001\n2,100,0.002\n3,100,0.0031\n", "--law", "norton", "--set", "n=5")
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_what_cannot_be_right_is_said_with_numbers(self):
+        norton = "time,stress,strain\n" + "".join(f"{t},{s},{1e-13 * s**5 * t}\n" for s in (50, 100) for t in (1, 2, 3))
+        done = self.fit(norton, "--law", "norton", "--young-modulus", "2e11")
+        self.assertIn("the elastic strain at the stress 100 is 5e-10: is the modulus in the unit of the stresses?", done.stderr)
+        done = self.fit(norton, "--law", "norton", "--set", "A=1e300")
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("gives no finite values at stresses 50 to 100 with A = 1e+300", done.stderr)
+        done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,1e-3\n1,100,1e-2\n2,100,2e-2\n", "--law", "norton")
+        self.assertIn("test '50': the strain falls from 0.003 (line 2) to 0.001 (line 3)", done.stderr)
+        done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,6e-3\n1,100,2e-3\n2,100,4e-3\n", "--law", "norton")
+        self.assertIn("n is at the end of its range, 1: the data ask for a value beyond it", done.stderr)
+
     def test_rupture_needs_damage(self):
         self.assertIn("the law does not rupture", self.refused("time,stress\n100,100\n50,120\n30,150\n", "--law", "norton"))
 
