@@ -112,9 +112,6 @@ TEST(Recovery, NortonWithActivationEnergy) {
 TEST(Recovery, StrainHardening) {
   expect_coverage(hardening());
 }
-TEST(Recovery, KachanovRabotnov) {
-  expect_coverage(rabotnov(), 40);
-}
 
 }  // namespace
 }  // namespace creepcontact::fit
