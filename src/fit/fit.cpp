@@ -89,12 +89,18 @@ class Search {
       if (now < old) best = std::move(found);
       if (result.n_agreeing >= enough_agreeing) break;
     }
-    if (!best)
-      throw SolverError(
-          fmt::format("{}: the law '{}' gives no finite values for these data at any of the starting "
-                      "points; hold parameters at likely values with --set",
-                      data_.file, choice_.info->name));
+    if (!best) throw SolverError(fmt::format("{}: {}", data_.file, why_no_start()));
     return std::move(*best);
+  }
+
+  std::string why_no_start() const {
+    std::vector<std::string> held;
+    for (const auto& [key, value] : choice_.set) held.push_back(fmt::format("{} = {}", key, value));
+    const Interval stress = data_.range().stress;
+    return fmt::format("the law '{}' gives no finite values at stresses {:g} to {:g}{}{}{}", choice_.info->name,
+                       stress.low, stress.high, held.empty() ? "" : " with ", fmt::join(held, ", "),
+                       held.empty() ? " at any of the starting points; hold parameters at likely values (--set)"
+                                    : ", whatever the other parameters are; check these values and their units");
   }
 
   /// Kinds of readings that scatter differently count by their scatter. @returns false if there is one kind alone

@@ -215,6 +215,36 @@ void warn_of_loading_strain(TestData& data, const std::vector<DataRow>& rows) {
                     at_start, line, largest));
 }
 
+/// Creep does not recover at constant stress.
+void warn_of_falling_strain(TestData& data) {
+  constexpr double much = 0.1;  // of the largest strain
+  for (const Test& test : data.tests) {
+    if (test.kind != TestKind::creep) continue;
+    const auto largest = std::ranges::max_element(test.readings, {}, &Reading::value);
+    const Reading& last = test.readings.back();
+    if (last.value < (1 - much) * largest->value)
+      data.notes.push_back(fmt::format(
+          "test '{}': the strain falls from {:.3g} (line {}) to {:.3g} (line {}), but creep strain does not "
+          "fall at constant stress",
+          test.name, largest->value, largest->line, last.value, last.line));
+  }
+}
+
+/// A modulus in another unit than the stresses.
+void warn_of_young_modulus(TestData& data, const ReadOptions& options) {
+  constexpr double smallest_elastic = 1e-6;  // below any that could be measured
+  const Test* most = nullptr;
+  for (const Test& test : data.tests)
+    if (test.young_modulus_used && (most == nullptr || test.stress > most->stress)) most = &test;
+  if (most == nullptr) return;
+  const double modulus = (*options.young_modulus)({.T = most->temperature});
+  if (most->stress < smallest_elastic * modulus)
+    data.notes.push_back(
+        fmt::format("with Young's modulus {:g} the elastic strain at the stress {:g} is {:.2g}: is the modulus in the "
+                    "unit of the stresses?",
+                    modulus, most->stress, most->stress / modulus));
+}
+
 std::vector<double> distinct(std::vector<double> values, double relative, double absolute) {
   std::ranges::sort(values);
   std::vector<double> result;
@@ -281,6 +311,8 @@ TestData parse_test_data(std::string_view text, const std::string& name, const R
   mistakes.throw_if_any();
   warn_of_loading_strain(data, rows);
   tests.finish();
+  warn_of_falling_strain(data);
+  warn_of_young_modulus(data, options);
   if (data.tests.empty())
     throw ConfigError(options.temperature ? fmt::format("{}: no test at temperature {:g}", name, *options.temperature)
                                           : fmt::format("{}: no readings after time 0", name));

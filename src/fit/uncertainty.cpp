@@ -115,8 +115,8 @@ void warn_of_misfit(const TestData& data, FitResult& result) {
 void warn_of_width(const FittedParameter& parameter, bool logarithmic, FitResult& result) {
   if (parameter.at_bound)
     result.warnings.push_back(
-        fmt::format("{0} is at the end of its range, {1:.4g}: the data do not determine it; hold it (--set "
-                    "{0}={1:.4g}) or add data",
+        fmt::format("{0} is at the end of its range, {1:.4g}: the data ask for a value beyond it, or do not determine "
+                    "it; hold it (--set {0}={1:.4g}), add data, or take another law",
                     parameter.key, parameter.value));
   const bool amplitude = unit_uses(parameter.unit, "stress") || unit_uses(parameter.unit, "time");
   if (!parameter.at_bound && logarithmic && !amplitude && parameter.high > wide * parameter.low)

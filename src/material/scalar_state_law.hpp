@@ -1,7 +1,8 @@
 #pragma once
 /// Laws with scalar internal variables z: rate = 3/2 (f/q) s, dz/dt = g, with f and g functions of the equivalent
-/// stress q, of z, of the time and of the temperature. A law writes its formulas once, as a template in the type of
-/// number; the derivatives are those of automatic differentiation, exact up to rounding.
+/// stress q, of the trace of the stress if the law wants it, of z, of the time and of the temperature. A law writes its
+/// formulas once, as a template in the type of number; the derivatives are those of automatic differentiation, exact up
+/// to rounding.
 
 #include <Eigen/Core>
 #include <array>
@@ -25,17 +26,26 @@ struct ScalarRates {
   std::array<Number, n> internal;  ///< g
 };
 
+/// What such a law sees of the stress.
+template <class Number>
+struct ScalarStress {
+  Number q;      ///< von Mises stress, > 0
+  Number trace;  ///< sigma_1 + sigma_2 + sigma_3
+};
+
 /// @tparam Law  derived from this class; it has, for double and for Dual,
 ///   template <class Number>
-///   ScalarRates<Number, n> rates(const Number& q, const std::array<Number, n>& z, const PointState& at) const;
+///   ScalarRates<Number, n> rates(const ScalarStress<Number>& stress, const std::array<Number, n>& z,
+///                                const PointState& at) const;
 /// with q > 0 (without stress all rates are zero), which reads parameters, time and temperature of `at`, but not its
 /// stress and internal variables
 /// @tparam n  number of internal variables
 template <class Law, std::size_t n>
 class ScalarStateLaw : public CreepLaw {
  public:
-  /// Derivatives with respect to q, then to z.
-  using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, static_cast<int>(n) + 1, 1>>;
+  /// Derivatives with respect to q, to z, and to the trace of the stress.
+  using Derivatives = Eigen::Matrix<double, static_cast<int>(n) + 2, 1>;
+  using Dual = Eigen::AutoDiffScalar<Derivatives>;
 
   int n_internal() const final { return static_cast<int>(n); }
 
@@ -45,7 +55,8 @@ class ScalarStateLaw : public CreepLaw {
       std::ranges::fill(into.internal, 0.0);
       return;
     }
-    const auto rates = law().rates(now.q, internal_of(at), at);
+    const ScalarStress<double> stress{now.q, tensor::trace(at.stress)};
+    const auto rates = law().rates(stress, internal_of(at), at);
     add_flow(now, rates.strain, into.creep_strain);
     std::ranges::copy(rates.internal, into.internal.begin());
   }
@@ -59,13 +70,17 @@ class ScalarStateLaw : public CreepLaw {
       std::ranges::fill(into.internal, 0.0);
       return;
     }
-    Eigen::Matrix<double, static_cast<int>(n) + 1, 1> changes;
+    Derivatives changes;
     changes[0] = 1.5 * now.s.dot(ds) / now.q;
     for (std::size_t i = 0; i < n; ++i) changes[i + 1] = change.internal[i];
-    add_flow(now, rates.strain.derivatives().template tail<n>().dot(changes.template tail<n>()), into.creep_strain);
+    changes[n + 1] = tensor::trace(change.stress);
+    constexpr int others = static_cast<int>(n) + 1;  // than q
+    add_flow(now, rates.strain.derivatives().template tail<others>().dot(changes.template tail<others>()),
+             into.creep_strain);
     for (std::size_t i = 0; i < n; ++i) into.internal[i] = rates.internal[i].derivatives().dot(changes);
   }
 
+  /// Without the change of the rate with the trace, for which StressTangent has no place.
   StressTangent stress_tangent(const PointState& at) const final {
     const Deviator now = deviator(at.stress);
     return tangent(now, linearized(now, at).strain);
@@ -84,10 +99,12 @@ class ScalarStateLaw : public CreepLaw {
   const Law& law() const { return static_cast<const Law&>(*this); }
 
   ScalarRates<Dual, n> linearized(const Deviator& now, const PointState& at) const {
-    const Dual q(now.q > 0.0 ? now.q : vanishing_stress, static_cast<int>(n) + 1, 0);
+    constexpr int unknowns = static_cast<int>(n) + 2;
+    const ScalarStress<Dual> stress{Dual(now.q > 0.0 ? now.q : vanishing_stress, unknowns, 0),
+                                    Dual(tensor::trace(at.stress), unknowns, unknowns - 1)};
     std::array<Dual, n> z;
-    for (std::size_t i = 0; i < n; ++i) z[i] = Dual(at.internal[i], static_cast<int>(n) + 1, static_cast<int>(i) + 1);
-    return law().rates(q, z, at);
+    for (std::size_t i = 0; i < n; ++i) z[i] = Dual(at.internal[i], unknowns, static_cast<int>(i) + 1);
+    return law().rates(stress, z, at);
   }
 
   static StressTangent tangent(const Deviator& now, const Dual& f) {

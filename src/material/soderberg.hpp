@@ -18,7 +18,9 @@ class Soderberg final : public ScalarStateLaw<Soderberg, 1> {
   std::string name() const override { return "soderberg"; }
 
   template <class Number>
-  ScalarRates<Number, 1> rates(const Number& q, const std::array<Number, 1>& primary, const PointState& at) const {
+  ScalarRates<Number, 1> rates(const ScalarStress<Number>& stress, const std::array<Number, 1>& primary,
+                               const PointState& at) const {
+    const Number& q = stress.q;
     const auto [C, p, r, A, n] = constants(at);
     Number growth = r * (C * power(q, p) - primary[0]);
     if (growth < 0.0) growth = 0.0 * q;

@@ -1,5 +1,8 @@
 #include "stress_function.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace creepcontact::material {
@@ -21,6 +24,17 @@ double StressFunction::extended(double q, double temperature, double* slope) con
     *slope = (given(q * (1 + step), temperature) - given(q * (1 - step), temperature)) / (2 * step * q);
   }
   return given(q, temperature);
+}
+
+std::pair<double, double> StressFunction::exponent_and_slope(double q, double temperature) const {
+  if (function_.is_constant()) return {0.0, 0.0};
+  constexpr double step = 0.01;  // of log q
+  const double at = std::max(q, min_stress_);
+  std::array<double, 5> logs;
+  for (int i = 0; i < 5; ++i) logs[i] = std::log(given(at * std::exp((i - 2) * step), temperature));
+  const double exponent = (logs[0] - 8 * logs[1] + 8 * logs[3] - logs[4]) / (12 * step);
+  const double curvature = (-logs[0] + 16 * logs[1] - 30 * logs[2] + 16 * logs[3] - logs[4]) / (12 * step * step);
+  return {exponent, q < min_stress_ ? 0.0 : curvature / q};
 }
 
 ParameterInfo min_stress_key(const std::string& below) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
+#include <utility>
 
 #include "creepcontact/material/registry.hpp"
 
@@ -22,6 +23,8 @@ class StressFunction {
   StressFunction(Function function, double min_stress, BelowRange below)
       : function_(std::move(function)), min_stress_(min_stress), below_(below) {}
 
+  double min_stress() const { return min_stress_; }
+
   /// @param q  > 0
   double operator()(double q, double temperature) const { return extended(q, temperature, nullptr); }
   /// The derivative is a central difference with a relative error of about 1e-10.
@@ -32,7 +35,17 @@ class StressFunction {
     return {value, slope * q.derivatives()};
   }
 
+  /// The exponent d(log value)/d(log q), by differences that are exact where the logarithm of the value is a polynomial
+  /// of up to the fourth degree in log q; below the smallest stress that of the smallest stress. @param q  > 0
+  double exponent(double q, double temperature) const { return exponent_and_slope(q, temperature).first; }
+  template <class Derivatives>
+  Eigen::AutoDiffScalar<Derivatives> exponent(const Eigen::AutoDiffScalar<Derivatives>& q, double temperature) const {
+    const auto [value, slope] = exponent_and_slope(q.value(), temperature);
+    return {value, slope * q.derivatives()};
+  }
+
  private:
+  std::pair<double, double> exponent_and_slope(double q, double temperature) const;
   /// @param slope  nullptr: not wanted
   double extended(double q, double temperature, double* slope) const;
   double given(double q, double temperature) const;

@@ -20,7 +20,9 @@ class ThetaProjection final : public ScalarStateLaw<ThetaProjection, 2> {
   std::string name() const override { return "theta_projection"; }
 
   template <class Number>
-  ScalarRates<Number, 2> rates(const Number& q, const std::array<Number, 2>& strain, const PointState& at) const {
+  ScalarRates<Number, 2> rates(const ScalarStress<Number>& stress, const std::array<Number, 2>& strain,
+                               const PointState& at) const {
+    const Number& q = stress.q;
     const double T = at.temperature;
     Number primary = theta_2_(q, T) * (theta_1_(q, T) - strain[0]);
     if (primary < 0.0) primary = 0.0 * q;

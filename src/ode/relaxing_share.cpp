@@ -1,5 +1,6 @@
 #include "relaxing_share.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,12 +22,19 @@ std::optional<double> relaxing_share(System& system, double t, std::span<const d
   for_each_index(whole.size(), [&](std::size_t i) { whole[i] -= rate[i]; });
   ErrorNorm norm(system.team(), 1);
   norm.set_scale(system.scale());
-  const auto size_of = [&](const std::vector<double>& x) {
-    return norm([&](std::size_t begin, std::size_t n) { return piece(x.data(), begin, n); });
+  const auto squared = [&](const std::vector<double>& a, double factor, const std::vector<double>& b) {
+    const double size = norm([&](std::size_t begin, std::size_t n) {
+      return piece(a.data(), begin, n) + factor * piece(b.data(), begin, n);
+    });
+    return size * size;
   };
-  const double all = size_of(whole);
+  const auto product_of = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    return (squared(a, 1, b) - squared(a, -1, b)) / 4;
+  };
+  const double all = squared(whole, 0, whole);
   if (!(all > 0)) return std::nullopt;
-  return gamma * size_of(own) / all;
+  if (product_of(whole, rate) > 0) return 0.0;
+  return std::max(0.0, gamma * product_of(own, whole) / all);
 }
 
 }  // namespace creepcontact::ode

@@ -1,6 +1,7 @@
 """creepcontact fit: from a file of tests to a run with the law."""
 
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -89,6 +90,66 @@ class Fit(unittest.TestCase):
                                cwd=self.directory)
         self.assertIn("the run ends at t = 10000, 10 times the longest of its tests", check.stdout + check.stderr)
 
+    def constants(self, output):
+        """Value and interval of each fitted constant."""
+        return {words[0]: (float(words[1]), float(words[2]), float(words[4])) for line in output.split("correlation")[0].splitlines()
+                if len(words := line.split()) > 4 and words[3] == ".."}
+
+    def test_published_times_to_rupture(self):
+        """They lie along log t = const - r log S, whose regression and intervals are closed forms."""
+        rows = [line.split(",") for line in (CONFIGS / "cmsx6_creep.csv").read_text(encoding="utf-8").splitlines()
+                if not line.startswith("#")][1:]
+        ruptures = [(float(row[1]), float(row[5])) for row in rows if row[5]]
+        self.assertEqual(len(ruptures), 9)
+        x, y = ([math.log(value) for value in column] for column in zip(*ruptures))
+        mean_x, mean_y = sum(x) / 9, sum(y) / 9
+        spread = sum((a - mean_x)**2 for a in x)
+        r = -sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / spread
+        scatter = math.sqrt(sum((b - mean_y + r * (a - mean_x))**2 for a, b in zip(x, y)) / 7)
+        done = self.fit("time [h],stress [MPa]\n" + "".join(f"{time},{stress}\n" for stress, time in ruptures),
+                        "--law", "kachanov_rabotnov", "--set", "A=1e-20", "--set", "n=7", "--set", "phi=5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        value, low, high = self.constants(done.stdout)["r"]
+        self.assertAlmostEqual(value / r, 1, places=4)
+        half_width = 2.36462 * scatter / math.sqrt(spread) / r  # Student's t of seven degrees of freedom
+        self.assertAlmostEqual(math.log(high / value) / half_width, 1, places=2)
+        self.assertAlmostEqual(math.log(value / low) / half_width, 1, places=2)
+
+    def test_relaxation(self):
+        """A bar of Norton's law relaxes by s = s0 (1 + (n - 1) E A s0^(n-1) t)^(-1/(n-1))."""
+        E, A, n = 1.5e5, 3e-17, 5.5
+        data = "time [h],stress [MPa],strain,kind\n"
+        for start in (150, 250):
+            data += f"0,{start},,relaxation\n"
+            for t, error in ((1, 1.01), (10, 0.99), (100, 1.005), (1000, 0.995), (10000, 1)):
+                data += f"{t},{error * start * (1 + (n - 1) * E * A * start**(n - 1) * t)**(-1 / (n - 1))},,relaxation\n"
+        done = self.fit(data, "--law", "norton", "--young-modulus", str(E))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        constants = self.constants(done.stdout)
+        for key, truth in (("A", A), ("n", n)):
+            self.assertTrue(constants[key][1] < truth < constants[key][2], done.stdout)
+        self.assertAlmostEqual(constants["n"][0] / n, 1, places=2)
+
+    def test_a_run_outside_of_the_temperatures_of_the_tests(self):
+        rows = [(t, s, T, 1e4 * s**5 * math.exp(-4e5 / (8.314462618 * (T + 273.15))) * t * error)
+                for T in (500, 550) for s in (100, 300) for t, error in ((10, 1.02), (100, 0.97), (1000, 1.01))]
+        done = self.fit("time [h],stress [MPa],temperature [degC],creep_strain\n" + "".join(f"{t},{s},{T},{e}\n" for t, s, T, e in rows),
+                        "--law", "norton", "--material", "steel", "--young-modulus", "1.5e5", "--output", "steel.toml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (self.directory / "block.geo").write_text(GEO, encoding="utf-8")
+        block = (self.directory / "steel.toml").read_text(encoding="utf-8")
+        for temperature, place in ((620, "above"), (450, "below"), (525, None)):
+            (self.directory / "run.toml").write_text(
+                (RUN + block).replace("[time]", f"[temperature]\nvalue = {temperature}\n[time]"), encoding="utf-8")
+            run = subprocess.run([PROGRAM, "run", "run.toml", "-o", f"out{temperature}"], capture_output=True, text=True,
+                                 timeout=100, cwd=self.directory)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            warnings = [line for line in run.stderr.splitlines() if "temperature" in line and "tests of material 'steel'" in line]
+            self.assertEqual(len(warnings), 1 if place else 0, run.stderr)
+            if place:
+                self.assertIn(f"is {place} the tests of material 'steel'", warnings[0])
+                self.assertIn("500 .. 550", warnings[0])
+
     def test_bad_rows_are_named(self):
         message = self.refused("time [h],stress [MPa],strain [%]\n1,100,0.1\n2,100,abc\n3,-100,0.2\n4,100\n5,100,0.3\n",
                                "--law", "norton")
@@ -108,6 +169,18 @@ class Fit(unittest.TestCase):
         self.assertIn("all tests are at the stress 100: they cannot tell A and n apart", message)
         done = self.fit("time,stress,strain\n1,100,0.001\n2,100,0.002\n3,100,0.0031\n", "--law", "norton", "--set", "n=5")
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_what_cannot_be_right_is_said_with_numbers(self):
+        norton = "time,stress,strain\n" + "".join(f"{t},{s},{1e-13 * s**5 * t}\n" for s in (50, 100) for t in (1, 2, 3))
+        done = self.fit(norton, "--law", "norton", "--young-modulus", "2e11")
+        self.assertIn("the elastic strain at the stress 100 is 5e-10: is the modulus in the unit of the stresses?", done.stderr)
+        done = self.fit(norton, "--law", "norton", "--set", "A=1e300")
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("gives no finite values at stresses 50 to 100 with A = 1e+300", done.stderr)
+        done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,1e-3\n1,100,1e-2\n2,100,2e-2\n", "--law", "norton")
+        self.assertIn("test '50': the strain falls from 0.003 (line 2) to 0.001 (line 3)", done.stderr)
+        done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,6e-3\n1,100,2e-3\n2,100,4e-3\n", "--law", "norton")
+        self.assertIn("n is at the end of its range, 1: the data ask for a value beyond it", done.stderr)
 
     def test_rupture_needs_damage(self):
         self.assertIn("the law does not rupture", self.refused("time,stress\n100,100\n50,120\n30,150\n", "--law", "norton"))

@@ -170,11 +170,11 @@ class LawRuns(unittest.TestCase):
     def test_rupture_is_an_end_as_good_as_any(self):
         # (phi + 1) B q^r = 1/5
         law = self.creep("kachanov_rabotnov", "A = 1e-14\nn = 5\nB = 4e-12\nr = 5\nphi = 4")
-        for options in ([], ["--resume"]):
+        for options, end in (([], "ruptured: t = 5;"), (["--resume"], "the run ended by rupture at t = 5\n")):
             done = self.run_law(law, *options)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertNotIn("warning", done.stderr)
-            self.assertIn("ruptured", done.stdout)
+            self.assertIn(end, done.stdout)
             summary = self.summary()
             self.assertEqual(summary["status"], "ruptured")
             self.assertAlmostEqual(summary["rupture"]["time"], 5.0, places=4)

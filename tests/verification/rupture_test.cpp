@@ -39,12 +39,34 @@ TEST(Rupture, UniaxialDamageEndsAtTheClosedFormsTime) {
   EXPECT_GE(outcome.history.at("damage", end), 0.9);
 }
 
+/// The strain of the damaging material grows faster and faster, which is not a sign that the stress relaxes.
+TEST(Rupture, IsFoundWhereCreepIsFast) {
+  const std::string law = creep_law_table("kachanov_rabotnov", "A = 1e-14\nn = 5\nB = 4e-12\nr = 5\nphi = 4\n");
+  const Outcome outcome = run_cube(law, pulled("100"), "end = 10\noutput = [10]\n");
+  EXPECT_RELATIVE(outcome.summary.number("time_reached"), 5.0, 1e-6);
+}
+
 TEST(Rupture, EveryIntegratorFindsIt) {
   for (const char* integrator : {"cvode_bdf", "cvode_adams", "arkode_erk", "arkode_dirk", "rkc2"}) {
     const Outcome outcome = run_cube(kachanov(), pulled("100"),
                                      "end = 5000\noutput = [5000]\nintegrator = \"" + std::string(integrator) + "\"\n");
     EXPECT_RELATIVE(outcome.summary.number("time_reached"), rupture_time, 1e-4) << integrator;
   }
+}
+
+/// The wall of a pressurised sphere, sigma_1 = sigma_2 = q: omega_m = 32^(1 + 0.33) + 3 n, with n = 8.
+TEST(Rupture, OfAnOmegaMaterialUnderBiaxialTension) {
+  const std::string law = creep_law_table("omega",
+                                          "rate0 = \"1e-20*q^8\"\nomega = 40\nmin_stress = 1\n"
+                                          "multiaxial = \"api_579\"\nalpha_omega = 3\n");
+  const Outcome outcome = run_cube(law, pulled("100") + "\n[[loads]]\non = \"y1\"\ntraction = [0, 100, 0]\n",
+                                   "end = 300\noutput = [20, 50, 79]\n");
+  const double omega = std::pow(32, 1.33) + 3 * 8, rupture = 1 / (omega * 1e-20 * std::pow(100, 8));
+  EXPECT_EQ(outcome.summary.text("status"), "ruptured");
+  for (const double t : {20.0, 50.0, 79.0}) EXPECT_NEAR(outcome.history.at("damage", t), t / rupture, 2e-4);
+  // In the last half percent of the life rounding differences between the points of the element grow: it localises.
+  EXPECT_RELATIVE(outcome.summary.number("time_reached"), rupture, 1e-2);
+  EXPECT_RELATIVE(outcome.history.at("cxx", 50), -0.5 * std::log(1 - 50 / rupture) / omega, 1e-3);
 }
 
 TEST(Rupture, DamageByTheLargestPrincipalStressSparesCompression) {

@@ -6,7 +6,7 @@
 /// difference of the total strains (elastic + inelastic; thermal strain has no deviator), T the highest temperature of
 /// the cycle.
 /// Sources: E. L. Robinson, Trans. ASME 74 (1952); M. A. Miner, J. Appl. Mech. 12 (1945); strain range and diagram:
-/// ASME BPVC III.5 HBB-T-1411, HBB-T-1413 (nu* = 0.5).
+/// ASME BPVC III.5, Appendix HBB-T (nu* = 0.5).
 
 #include <array>
 #include <memory>

@@ -272,7 +272,7 @@ TEST(Omega, RemainingLifeIsThatAtThePresentStress) {
 
 TEST(Omega, IsActivatedByTemperature) {
   const double Q = 400e3, R = 8.314462618;
-  Bar bar("omega", {{of("1e5*q^8")}, {40.0}, {0.0}, {Q}});
+  Bar bar("omega", {{of("1e5*q^8")}, {40.0}, {0.0}, {0.0}, {1.0}, {0.33}, {0.0}, {0.0}, {Q}});
   EXPECT_NEAR(bar.rate(100), 1e21 * std::exp(-Q / (R * 773.15)), 1e-12 * bar.rate(100));
 }
 
@@ -302,7 +302,7 @@ TEST(Activation, MultipliesTheRateOfEveryLaw) {
       {"soderberg", {{1.0}, {3.0}, {1.0}, {1.0}, {3.0}}},
       {"rcc_mr", {{1.0}, {1.0}, {3.0}, {1.0}, {3.0}, {0.0}, {0.0}}},
       {"kachanov_rabotnov", {{1.0}, {3.0}, {0.0}, {3.0}, {3.0}, {0.0}, {0.0}}},
-      {"omega", {{1.0}, {40.0}, {0.0}}},
+      {"omega", {{1.0}, {40.0}, {0.0}, {0.0}, {1.0}, {0.33}, {0.0}, {0.0}}},
       {"anand", {{1.0}, {2.0}, {0.5}, {60.0}, {0.0}, {0.0}, {1.0}, {250.0}}},
       {"hereditary", {{1.0}, {2.0}, {}, {1.0}}},
       {"kelvin_voigt", {{1.0}, {2.0}}},

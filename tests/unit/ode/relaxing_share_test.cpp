@@ -26,6 +26,40 @@ TEST(RelaxingShare, IsZeroWhereAllBarsCreepAlike) {
   EXPECT_LT(share_of(graded, 0, Values(20)).value(), 1);
 }
 
+/// A bar under a constant load: eps' = rate (1 + growth w), w' = 1. Between rigid grips it would relax within a unit of
+/// time. With growth > 0 w is damage; with growth < 0 it stands for hardening.
+class ChangingBar final : public TestSystem {
+ public:
+  explicit ChangingBar(double growth) : TestSystem(2, 5e-4), growth_(growth) {}
+
+ protected:
+  static constexpr double rate = 1e-4;
+  void f(double, std::span<const double> y, std::span<double> into) const override {
+    into[0] = rate * (1 + growth_ * y[1]);
+    into[1] = 1;
+  }
+  void df(double, std::span<const double>, std::span<const double> v, std::span<double> product) const override {
+    product[0] = rate * growth_ * v[1];
+    product[1] = 0;
+  }
+  void local(double, std::span<const double>, std::span<double> diagonal) const override {
+    diagonal[0] = -1;
+    diagonal[1] = 0;
+  }
+
+ private:
+  double growth_;
+};
+
+TEST(RelaxingShare, DamageIsNoRelaxation) {
+  for (const double growth : {0.2, 1.0, 5.0}) {
+    ChangingBar bar(growth);
+    EXPECT_EQ(relaxing_share(bar, 0, Values{0, 0}, 1).value(), 0) << growth;
+  }
+  ChangingBar hardening(-0.5);
+  EXPECT_GT(relaxing_share(hardening, 0, Values{0, 0}, 1).value(), 0.3);
+}
+
 TEST(RelaxingShare, IsUnknownWhereNothingCreeps) {
   RelaxingBar bar;
   EXPECT_FALSE(share_of(bar, 0, Values{RelaxingBar::initial_stress / RelaxingBar::E}).has_value());
