@@ -239,6 +239,30 @@ Value<Orthotropic> orthotropic_table() {
   });
 }
 
+/// One for all directions, or three along the material axes.
+Value<std::vector<Function>> one_or_three(const Value<Function>& one) {
+  const auto three = triple(one);
+  Value<std::vector<Function>> value{.type = one.type + ", or three in a list: along the material axes 1, 2, 3",
+                                     .read = {},
+                                     .brief = one.brief + ", or a list of three",
+                                     .json = [=] {
+                                       return schema_of_any({one.json(), three.json()});
+                                     }};
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<Function>> {
+    const toml::array* array = item.node->as_array();
+    if (array != nullptr && array->size() == 3) return list(one).read(item, context);
+    if (array != nullptr) {
+      context.errors.add(item.location, fmt::format("a list of {}", array->size()), type);
+      return std::nullopt;
+    }
+    const auto found = one.read(item, context);
+    if (!found) return std::nullopt;
+    return std::vector{*found};
+  };
+  value.show = [one](const std::vector<Function>& shown) { return one.show(shown.front()); };
+  return value;
+}
+
 Value<Hill> hill_table() {
   const auto ratios = triple(number(greater(0)));
   return table<Hill>({
@@ -269,8 +293,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "elasticity along three axes, instead of the isotropic constants"),
       field<Material>("hill", &Material::hill, hill_table(),
                       "anisotropic creep: the equivalent stress of Hill in all creep laws"),
-      field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
-                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`)")
+      field<Material>("thermal_expansion", &Material::thermal_expansion, one_or_three(function(T)),
+                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`); three: along the material "
+                      "axes 1, 2, 3")
           .in("1/temperature"),
       field<Material>("reference_temperature", &Material::reference_temperature, number(),
                       "temperature at which the thermal strain is zero")

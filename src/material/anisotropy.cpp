@@ -89,6 +89,15 @@ Function Orthotropy::average_poisson_ratio() const {
                   [](const Average& a) { return (3 * a.bulk - 2 * a.shear) / (2 * (3 * a.bulk + a.shear)); });
 }
 
+bool ThermalExpansion::is_zero() const {
+  return std::ranges::all_of(along, [](const Function& alpha) { return alpha.is_zero(); });
+}
+
+Vector3 ThermalExpansion::strains(double T, double reference) const {
+  if (!has_axes) return Vector3::Constant(along[0]({.T = T}) * (T - reference));
+  return Vector3(along[0]({.T = T}), along[1]({.T = T}), along[2]({.T = T})) * (T - reference);
+}
+
 Matrix6 hill_transformation(const HillRatios& ratios) {
   const auto square = [&](std::size_t i) { return 1 / (ratios.values[i] * ratios.values[i]); };
   const double F = (square(1) + square(2) - square(0)) / 2, G = (square(2) + square(0) - square(1)) / 2,

@@ -43,6 +43,24 @@ std::vector<Matrix6> matrices_at(const material::Material& material, std::span<c
   return result;
 }
 
+/// The thermal strain of these temperatures.
+void expand(const material::Material& material, std::span<const Matrix3> axes, BodyConditions& at) {
+  const std::size_t n_points = at.temperature.size();
+  const auto strains = [&](std::size_t p) {
+    return material.thermal_expansion.strains(at.temperature[p], material.reference_temperature);
+  };
+  if (!material.thermal_expansion.has_axes) {
+    at.thermal_strain.resize(n_points);
+    for (std::size_t p = 0; p < n_points; ++p) at.thermal_strain[p] = strains(p)[0];
+    return;
+  }
+  at.thermal_tensors.resize(6 * n_points);
+  for (std::size_t p = 0; p < n_points; ++p) {
+    const Matrix3& own = axes[axes.size() == 1 ? 0 : p];
+    tensor::writable(at.thermal_tensors, p) = tensor::from_matrix(own * strains(p).asDiagonal() * own.transpose());
+  }
+}
+
 bool moduli_depend_on_temperature(const material::Material& material) {
   return material.young_modulus.depends_on_temperature() || material.poisson_ratio.depends_on_temperature();
 }
@@ -79,12 +97,7 @@ void Body::update(double t, BodyConditions& at) const {
   if (new_temperature) {
     at.temperature.resize(n_points);
     impl_->temperature_at_points->evaluate(t, at.temperature, at.memo);
-    if (!material.thermal_expansion.is_zero()) {
-      at.thermal_strain.resize(n_points);
-      for (std::size_t p = 0; p < n_points; ++p)
-        at.thermal_strain[p] =
-            material.thermal_expansion({.T = at.temperature[p]}) * (at.temperature[p] - material.reference_temperature);
-    }
+    if (!material.thermal_expansion.is_zero()) expand(material, impl_->axes, at);
   }
   if (first || (new_temperature && moduli_depend_on_temperature(material))) {
     at.moduli.clear();
@@ -104,6 +117,7 @@ void Body::update(double t, BodyConditions& at) const {
   for (const auto& load : impl_->loads) load->add(t, at.external);
   require_finite(impl_->name, at.external, t);
   require_finite(impl_->name, at.thermal_strain, t);
+  require_finite(impl_->name, at.thermal_tensors, t);
   const auto end_of_nodes = at.external.begin() + n_full;
   at.has_inner_force = std::any_of(end_of_nodes, at.external.end(), [](double force) { return force != 0; });
   at.known.assign(at.external.begin(), end_of_nodes);

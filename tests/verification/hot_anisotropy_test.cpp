@@ -1,8 +1,11 @@
 /// Orthotropic constants that follow a temperature that changes in time, each by a factor of its own: a held bar whose
-/// axes are turned, and a shrink fit with radial and hoop axes that loosens, separates and closes again.
+/// axes are turned, and a shrink fit with radial and hoop axes that loosens, separates and closes again. Thermal
+/// expansion that differs along the axes: a turned block and rings.
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -188,6 +191,161 @@ TEST(HotForgedFit, LoosensSeparatesAndClosesAgain) {
     }
     EXPECT_LT(ForgedFit::interference(200), 0) << "it must separate";
   }
+}
+
+/// Free to expand, its axes turned: strains are alpha (T - 20) along the axes, without stress.
+TEST(TurnedBlock, ExpandsAlongItsAxesWithoutStress) {
+  const Matrix3 axes = Eigen::Quaterniond(0.3, 0.5, -0.7, 0.4).normalized().toRotationMatrix();
+  const auto expansion = [](double T) { return Vector3(1e-5, 1.6e-5 + 4e-9 * (T - 20), -2e-6); };
+  for (const bool orthotropic : {true, false})
+    for (const bool hexahedra : {true, false})
+      for (const int order : {1, 2}) {
+        if (!hexahedra && order == 1) continue;  // linear tetrahedra are refused
+        const std::string elasticity = orthotropic
+                                           ? "orthotropic = { young_moduli = [2e5, 1.5e5, 1.2e5], poisson_ratios = "
+                                             "[0.25, 0.3, 0.35], shear_moduli = [4e4, 5e4, 6e4] }"
+                                           : "young_modulus = 2e5\npoisson_ratio = 0.3";
+        const std::string toml =
+            fmt::format(R"(
+          [mesh]
+          file = "case.geo"
+          order = {}
+          [bodies.block]
+          region = "block"
+          material = "crystal"
+          material_axes = {{ first = [{}, {}, {}], second = [{}, {}, {}] }}
+          [materials.crystal]
+          thermal_expansion = [1e-5, '1.6e-5 + 4e-9*(T - 20)', -2e-6]
+          reference_temperature = 20
+          {}
+          [temperature]
+          value = "20 + 100*t"
+          [time]
+          end = 5
+          output = [2, 5]
+        )",
+                        order, axes(0, 0), axes(1, 0), axes(2, 0), axes(0, 1), axes(1, 1), axes(2, 1), elasticity);
+        const Outcome outcome =
+            run_case(toml + "[[supports]]\non = \"o\"\ndisplacement = { x = 0, y = 0, z = 0 }\n" +
+                         "[[supports]]\non = \"a\"\ndisplacement = { y = 0, z = 0 }\n" + support("b", "z") +
+                         probe("x", "displacement_x", "at = [3, 2, 1]\nbody = \"block\"") +
+                         probe("y", "displacement_y", "at = [3, 2, 1]\nbody = \"block\"") +
+                         probe("z", "displacement_z", "at = [3, 2, 1]\nbody = \"block\"") +
+                         probe("strain", "strain_xy", "body = \"block\"") +
+                         probe("stress", "von_mises", "body = \"block\"\nreduce = \"max\"") +
+                         probe("pressure", "hydrostatic", "body = \"block\"\nreduce = \"max\""),
+                     boxes_geo({{"block", {0, 0, 0}, {3, 2, 1}, {2, 2, 2}, hexahedra}}) +
+                         "o[] = Point In BoundingBox {-0.1, -0.1, -0.1, 0.1, 0.1, 0.1}; Physical Point(\"o\") = o[];\n"
+                         "a[] = Point In BoundingBox {2.9, -0.1, -0.1, 3.1, 0.1, 0.1}; Physical Point(\"a\") = a[];\n"
+                         "b[] = Point In BoundingBox {-0.1, 1.9, -0.1, 0.1, 2.1, 0.1}; Physical Point(\"b\") = b[];\n");
+        for (const double t : {2.0, 5.0}) {
+          const Matrix3 strain = axes * (expansion(20 + 100 * t) * 100 * t).asDiagonal() * axes.transpose();
+          EXPECT_RELATIVE(outcome.history.at("x", t), 3 * strain(0, 0) + 4 * strain(0, 1) + 2 * strain(0, 2), 1e-9);
+          EXPECT_RELATIVE(outcome.history.at("y", t), 2 * strain(1, 1) + 2 * strain(1, 2), 1e-9);
+          EXPECT_RELATIVE(outcome.history.at("z", t), strain(2, 2), 1e-9);
+          EXPECT_RELATIVE(outcome.history.at("strain", t), strain(0, 1), 1e-9);
+          EXPECT_NEAR(outcome.history.at("stress", t), 0, 1e-8);
+          EXPECT_NEAR(outcome.history.at("pressure", t), 0, 1e-8);
+        }
+      }
+}
+
+/// A free ring, heated evenly, whose coefficients along the radius and the circumference differ. It is in plane stress
+/// whatever its length, for there is no contraction along its axis.
+struct UnevenRing {
+  static constexpr double a = 50, b = 100, E_r = 1e5, E_theta = 2.25e5, nu = 0.2, alpha_r = 1e-5, alpha_theta = 1.8e-5,
+                          rise = 300;
+
+  UnevenRing() {
+    // sigma_r = Q11 u' + Q12 u/r - beta_r and so on; u = p r + c1 r^k + c2 r^-k
+    const double k = std::sqrt(E_theta / E_r), scale = 1 - nu * nu * E_theta / E_r;
+    Q << E_r, nu * E_theta, nu * E_theta, E_theta;
+    Q /= scale;
+    beta = Q * Eigen::Vector2d(alpha_r, alpha_theta) * rise;
+    const double p = (beta[0] - beta[1]) / (Q(0, 0) - Q(1, 1));
+    const auto radial = [&](double r, double power) { return (Q(0, 0) * power + Q(0, 1)) * std::pow(r, power - 1); };
+    Eigen::Matrix2d at_edges;
+    at_edges << radial(a, k), radial(a, -k), radial(b, k), radial(b, -k);
+    const Eigen::Vector2d c = at_edges.inverse() * Eigen::Vector2d::Constant(beta[0] - (Q(0, 0) + Q(0, 1)) * p);
+    terms = {{{p, 1}, {c[0], k}, {c[1], -k}}};
+  }
+  double displacement(double r) const {
+    double sum = 0;
+    for (const auto& [factor, power] : terms) sum += factor * std::pow(r, power);
+    return sum;
+  }
+  double hoop_stress(double r) const {
+    double slope = 0;
+    for (const auto& [factor, power] : terms) slope += factor * power * std::pow(r, power - 1);
+    return Q(0, 1) * slope + Q(1, 1) * displacement(r) / r - beta[1];
+  }
+
+  Eigen::Matrix2d Q;
+  Eigen::Vector2d beta;
+  std::array<std::pair<double, double>, 3> terms;
+};
+
+std::string uneven_ring_toml(const std::string& analysis, const std::string& of_body, const std::string& of_material) {
+  return "analysis = \"" + analysis + R"("
+    [mesh]
+    file = "case.geo"
+    order = 2
+    [bodies.ring]
+    region = "ring"
+    material = "forging"
+    )" + of_body +
+         "\n[materials.forging]\nreference_temperature = 20\n" + of_material +
+         "\n[temperature]\nvalue = 320\n[time]\nend = 1\noutput = [1]\n" +
+         probe("moved", "displacement_x", "at = [50, 0, 0]\nbody = \"ring\"") +
+         probe("bore", "stress_theta", "at = [50, 0, 0]\nbody = \"ring\"") +
+         probe("middle", "stress_theta", "at = [75, 0, 0]\nbody = \"ring\"");
+}
+
+const std::string radial_hoop_axial =
+    "thermal_expansion = [1e-5, 1.8e-5, 1.4e-5]\n"
+    "orthotropic.young_moduli = [1e5, 2.25e5, 1.5e5]\northotropic.poisson_ratios = [0.2, 0, 0]\n"
+    "orthotropic.shear_moduli = [5e4, 5e4, 5e4]\n";
+
+void expect_uneven_ring(const Outcome& outcome) {
+  const UnevenRing exact;
+  EXPECT_RELATIVE(outcome.history.at("moved", 1), exact.displacement(50), 1e-4);
+  EXPECT_RELATIVE(outcome.history.at("bore", 1), exact.hoop_stress(50), 5e-3);
+  EXPECT_RELATIVE(outcome.history.at("middle", 1), exact.hoop_stress(75), 1e-2);
+}
+
+TEST(UnevenlyExpandingRing, AsASolidAndInPlaneStress) {
+  const std::vector<RingMesh> rings{{"ring", 50, 100, 12, 12}};
+  const std::string axes = "material_axes.cylindrical = { axis = [0, 0, 2] }";
+  expect_uneven_ring(
+      run_case(uneven_ring_toml("solid", axes, radial_hoop_axial) + ring_supports(rings, false), rings_geo(rings, 10)));
+  expect_uneven_ring(
+      run_case(uneven_ring_toml("plane_stress", axes, radial_hoop_axial) + support("x0", "x") + support("y0", "y"),
+               R"(
+    Point(1) = {50, 0, 0}; Point(2) = {100, 0, 0}; Point(3) = {0, 100, 0}; Point(4) = {0, 50, 0}; Point(5) = {0, 0, 0};
+    Line(1) = {1, 2}; Circle(2) = {2, 5, 3}; Line(3) = {3, 4}; Circle(4) = {4, 5, 1};
+    Line Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+    Transfinite Curve{1, 3} = 13; Transfinite Curve{2, 4} = 13; Transfinite Surface{1}; Recombine Surface{1};
+    Physical Surface("ring") = {1}; Physical Curve("y0") = {1}; Physical Curve("x0") = {3};
+  )"));
+}
+
+/// x is the radius, y the axis and z the circumference: axes 1, 2, 3 without `material_axes`.
+TEST(UnevenlyExpandingRing, Axisymmetric) {
+  const std::string geo = R"(
+    Point(1) = {50, 0, 0}; Point(2) = {100, 0, 0}; Point(3) = {100, 10, 0}; Point(4) = {50, 10, 0};
+    Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+    Line Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+    Transfinite Curve{1, 3} = 13; Transfinite Curve{2, 4} = 2; Transfinite Surface{1}; Recombine Surface{1};
+    Physical Surface("ring") = {1}; Physical Curve("low") = {1};
+  )";
+  const std::string radial_axial_hoop =
+      "thermal_expansion = [1e-5, 1.4e-5, 1.8e-5]\n"
+      "orthotropic.young_moduli = [1e5, 1.5e5, 2.25e5]\northotropic.poisson_ratios = [0, 0, 0.2]\n"
+      "orthotropic.shear_moduli = [5e4, 5e4, 5e4]\n";
+  expect_uneven_ring(run_case(uneven_ring_toml("axisymmetric", "", radial_axial_hoop) + support("low", "y"), geo));
+  const std::string cylindrical = "material_axes.cylindrical = { axis = [0, 1, 0] }";
+  expect_uneven_ring(
+      run_case(uneven_ring_toml("axisymmetric", cylindrical, radial_hoop_axial) + support("low", "y"), geo));
 }
 
 }  // namespace

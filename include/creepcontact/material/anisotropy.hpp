@@ -1,8 +1,10 @@
 #pragma once
-/// Materials with three axes of symmetry: orthotropic elasticity, and creep with the equivalent stress of Hill.
+/// Materials with three axes of symmetry: orthotropic elasticity and thermal expansion, and creep with the
+/// equivalent stress of Hill.
 /// Tensors with respect to the material axes are six numbers in Mandel order, as all others.
 
 #include <array>
+#include <utility>
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/base/tensor.hpp"
@@ -25,6 +27,23 @@ struct Orthotropy {
   /// mean of the bounds of Voigt and Reuss. Source: R. Hill, Proc. Phys. Soc. A 65 (1952).
   Function average_young_modulus() const;
   Function average_poisson_ratio() const;
+};
+
+/// Secant coefficients along the material axes 1, 2, 3, functions of T: thermal strain = alpha(T) (T - reference).
+/// Without strains of shear between these axes.
+struct ThermalExpansion {
+  ThermalExpansion(Function in_all_directions = 0.0)  // NOLINT(google-explicit-constructor): one is the usual case
+      : along{in_all_directions, in_all_directions, in_all_directions} {}
+  ThermalExpansion(double in_all_directions)  // NOLINT(google-explicit-constructor)
+      : ThermalExpansion(Function(in_all_directions)) {}
+  explicit ThermalExpansion(std::array<Function, 3> along_axes) : along(std::move(along_axes)), has_axes(true) {}
+
+  bool is_zero() const;
+  /// Strains along the axes at the temperature T.
+  Vector3 strains(double T, double reference) const;
+
+  std::array<Function, 3> along;
+  bool has_axes = false;  ///< false: the three are one
 };
 
 /// Ratios of the stresses along axes 1, 2, 3 and the shear stresses 12, 23, 13 times sqrt(3) to the von Mises stress of
