@@ -10,8 +10,18 @@
 namespace creepcontact::mechanics {
 namespace {
 
+/// What `of` makes of a material; its errors name the material.
+template <class Of>
+auto of_named(const material::Material& material, const Of& of) {
+  try {
+    return of();
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("material '{}': {}", material.name, error.what()));
+  }
+}
+
 Moduli moduli_at(const material::Material& material, double temperature) {
-  const double young_modulus = material.young_modulus({.T = temperature});
+  const double young_modulus = of_named(material, [&] { return material.young_modulus({.T = temperature}); });
   const double poisson_ratio = material.poisson_ratio({.T = temperature});
   if (!(young_modulus > 0) || !(poisson_ratio > -1 && poisson_ratio < 0.5)) {
     throw ModelError(
@@ -34,11 +44,8 @@ std::vector<Matrix6> matrices_at(const material::Material& material, std::span<c
       continue;
     }
     const double T = temperature.empty() ? material.reference_temperature : temperature[p];
-    try {
-      result.push_back(material::turned(material.orthotropy->stiffness(T), axes[axes.size() == 1 ? 0 : p]));
-    } catch (const ModelError& error) {
-      throw ModelError(fmt::format("material '{}': {}", material.name, error.what()));
-    }
+    const Matrix6 along_axes = of_named(material, [&] { return material.orthotropy->stiffness(T); });
+    result.push_back(material::turned(along_axes, axes[axes.size() == 1 ? 0 : p]));
   }
   return result;
 }
@@ -68,7 +75,8 @@ bool moduli_depend_on_temperature(const material::Material& material) {
 void require_finite(const std::string& body, std::span<const double> values, double t) {
   if (Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).allFinite()) return;
   throw ModelError(
-      fmt::format("body '{}': its loads, supports or temperature are not finite at t = {:.6g}; check their expressions "
+      fmt::format("body '{}': its loads, supports, temperature or thermal expansion are not finite at t = {:.6g}; "
+                  "check their expressions "
                   "for divisions by zero and for roots or logarithms of negative numbers",
                   body, t));
 }

@@ -36,11 +36,13 @@ Matrix3 MaterialAxes::at(const Vector3& place) const {
   if (!a.allFinite() || !b.allFinite())
     refuse(fmt::format("the directions first = {} and second = {} are not finite; correct their expressions", text(a),
                        text(b)));
-  if (!(a.norm() > 0) || !(b.norm() > 0))
-    refuse(
-        fmt::format("there is no direction of axis {}: radial and circumferential directions do not exist on the "
-                    "axis itself. Give the elements there another body and material",
-                    a.norm() > 0 ? 2 : 1));
+  if (!(a.norm() > 0) || !(b.norm() > 0)) {
+    const auto& missing = a.norm() > 0 ? second : first;
+    refuse(fmt::format("the direction {} has no length; {}", a.norm() > 0 ? "of axis 2" : "of axis 1",
+                       is_constant(missing) ? "give one that is not zero"
+                                            : "if it is radial or circumferential: there is none on the axis itself. "
+                                              "Give the elements there a body and a material of their own"));
+  }
   if (!(normal.norm() > least_sine * a.norm() * b.norm()))
     refuse(
         fmt::format("the directions first = {} and second = {} are parallel; they must be two different directions "
