@@ -222,18 +222,20 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   return value;
 }
 
+constexpr const char* three = "a list of three";
+
 Value<Orthotropic> orthotropic_table() {
   const std::vector<std::string> T{"T"};
   return table<Orthotropic>({
-      field<Orthotropic>("young_moduli", &Orthotropic::young_moduli, triple(function(T, greater(0))),
+      field<Orthotropic>("young_moduli", &Orthotropic::young_moduli, triple(function(T, greater(0)), three),
                          "Young's moduli along the material axes: `[E1, E2, E3]`", Presence::required)
           .in("stress"),
       field<Orthotropic>(
-          "poisson_ratios", &Orthotropic::poisson_ratios, triple(function(T)),
+          "poisson_ratios", &Orthotropic::poisson_ratios, triple(function(T), three),
           "Poisson's ratios `[nu12, nu23, nu13]`: nu12 is the contraction along axis 2 under stress along "
           "axis 1",
           Presence::required),
-      field<Orthotropic>("shear_moduli", &Orthotropic::shear_moduli, triple(function(T, greater(0))),
+      field<Orthotropic>("shear_moduli", &Orthotropic::shear_moduli, triple(function(T, greater(0)), three),
                          "shear moduli `[G12, G23, G13]`", Presence::required)
           .in("stress"),
   });
@@ -241,12 +243,12 @@ Value<Orthotropic> orthotropic_table() {
 
 /// One for all directions, or three along the material axes.
 Value<std::vector<Function>> one_or_three(const Value<Function>& one) {
-  const auto three = triple(one);
+  const auto several = triple(one, three);
   Value<std::vector<Function>> value{.type = one.type + ", or three in a list: along the material axes 1, 2, 3",
                                      .read = {},
                                      .brief = one.brief + ", or a list of three",
                                      .json = [=] {
-                                       return schema_of_any({one.json(), three.json()});
+                                       return schema_of_any({one.json(), several.json()});
                                      }};
   value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<Function>> {
     const toml::array* array = item.node->as_array();
@@ -264,7 +266,7 @@ Value<std::vector<Function>> one_or_three(const Value<Function>& one) {
 }
 
 Value<Hill> hill_table() {
-  const auto ratios = triple(number(greater(0)));
+  const auto ratios = triple(number(greater(0)), three);
   return table<Hill>({
       field<Hill>("normal", &Hill::normal, ratios,
                   "`[R11, R22, R33]`: stresses along the material axes that cause the creep rate of the same von Mises "

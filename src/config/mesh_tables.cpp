@@ -120,7 +120,7 @@ Value<MaterialAxes> material_axes_table() {
                           "axes 1, 2, 3 are radial, circumferential and axial, instead of two directions"),
   });
   return converted<MaterialAxes>(keys, [directions](MaterialAxes axes, const Item& item, Context& context) {
-    if (!axes.cylindrical) {
+    if (!item.has("cylindrical")) {
       std::vector<KeyInfo> needed{directions[0].info, directions[1].info};
       for (KeyInfo& key : needed) key.required = true;
       require_keys(item, needed, context);
