@@ -102,7 +102,8 @@ void check_reference_temperature(const Config& config, const Item& root, Diagnos
   if (!root.has("temperature")) return;
   for (const Material& material : config.materials) {
     const Item table = root.child("materials").child(material.name);
-    if (material.thermal_expansion.is_zero() || table.has("reference_temperature")) continue;
+    if (std::ranges::all_of(material.thermal_expansion, &Function::is_zero) || table.has("reference_temperature"))
+      continue;
     errors.add(table.child("thermal_expansion").location,
                "'reference_temperature' is missing: the temperature at which the thermal strain is zero is not known",
                "with reference_temperature, often the temperature of assembly");
@@ -114,10 +115,14 @@ void check_material_axes(const Config& config, const Item& root, Diagnostics& er
   for (const Body& body : config.bodies) {
     if (!body.material_axes) continue;
     const auto material = std::ranges::find(config.materials, body.material.name, &Material::name);
-    if (material == config.materials.end() || material->orthotropic || material->hill) continue;
-    errors.add(root.child("bodies").child(body.name).child("material_axes").location,
-               fmt::format("the material '{}' is the same in all directions", material->name),
-               fmt::format("with [materials.{0}.orthotropic] or [materials.{0}.hill]", material->name));
+    if (material == config.materials.end() || material->orthotropic || material->hill ||
+        material->thermal_expansion.size() == 3)
+      continue;
+    errors.add(
+        root.child("bodies").child(body.name).child("material_axes").location,
+        fmt::format("the material '{}' is the same in all directions", material->name),
+        fmt::format("with [materials.{0}.orthotropic], [materials.{0}.hill] or three coefficients of thermal_expansion",
+                    material->name));
   }
 }
 

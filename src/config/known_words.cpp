@@ -49,6 +49,9 @@ constexpr std::array words{
     KnownWord{"bodies.<name>", "volume volumes physical elements group",
               "the physical volume of a body is its 'region'"},
 
+    KnownWord{"bodies.<name>", "orientation axes csys coordinate_system esys",
+              "the axes of the material are 'material_axes'"},
+
     // materials
     KnownWord{"materials.<name>",
               "e young youngs_modulus young's_modulus elastic_modulus modulus_of_elasticity modulus",
@@ -56,6 +59,16 @@ constexpr std::array words{
     KnownWord{"materials.<name>", "nu poisson poissons_ratio poisson's_ratio pr", "Poisson's ratio is 'poisson_ratio'"},
     KnownWord{"materials.<name>", "alpha cte expansion thermal_expansion_coefficient alpha_t",
               "the secant coefficient of thermal expansion is 'thermal_expansion'"},
+    KnownWord{"materials.<name>", "anisotropic orthotropy transversely_isotropic engineering_constants",
+              "elasticity along three axes is 'orthotropic'"},
+    KnownWord{"materials.<name>.orthotropic", "e e1 e2 e3 ex ey ez young_modulus moduli",
+              "Young's moduli along the axes are 'young_moduli', a list of three"},
+    KnownWord{"materials.<name>.orthotropic", "nu nu12 nu23 nu13 nu21 poisson_ratio prxy nuxy",
+              "Poisson's ratios nu12, nu23, nu13 are 'poisson_ratios', a list of three"},
+    KnownWord{"materials.<name>.orthotropic", "g g12 g23 g13 gxy shear_modulus",
+              "the shear moduli G12, G23, G13 are 'shear_moduli', a list of three"},
+    KnownWord{"materials.<name>.orthotropic", "alpha thermal_expansion",
+              "three coefficients along the axes are 'thermal_expansion' of the material"},
     KnownWord{"materials.<name>", "t_ref tref t0 reference_temp",
               "the temperature without thermal strain is 'reference_temperature'"},
     KnownWord{

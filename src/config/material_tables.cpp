@@ -222,25 +222,51 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   return value;
 }
 
+constexpr const char* three = "a list of three";
+
 Value<Orthotropic> orthotropic_table() {
   const std::vector<std::string> T{"T"};
   return table<Orthotropic>({
-      field<Orthotropic>("young_moduli", &Orthotropic::young_moduli, triple(function(T, greater(0))),
+      field<Orthotropic>("young_moduli", &Orthotropic::young_moduli, triple(function(T, greater(0)), three),
                          "Young's moduli along the material axes: `[E1, E2, E3]`", Presence::required)
           .in("stress"),
       field<Orthotropic>(
-          "poisson_ratios", &Orthotropic::poisson_ratios, triple(function(T)),
+          "poisson_ratios", &Orthotropic::poisson_ratios, triple(function(T), three),
           "Poisson's ratios `[nu12, nu23, nu13]`: nu12 is the contraction along axis 2 under stress along "
           "axis 1",
           Presence::required),
-      field<Orthotropic>("shear_moduli", &Orthotropic::shear_moduli, triple(function(T, greater(0))),
+      field<Orthotropic>("shear_moduli", &Orthotropic::shear_moduli, triple(function(T, greater(0)), three),
                          "shear moduli `[G12, G23, G13]`", Presence::required)
           .in("stress"),
   });
 }
 
+/// One for all directions, or three along the material axes.
+Value<std::vector<Function>> one_or_three(const Value<Function>& one) {
+  const auto several = triple(one, three);
+  Value<std::vector<Function>> value{.type = one.type + ", or three in a list: along the material axes 1, 2, 3",
+                                     .read = {},
+                                     .brief = one.brief + ", or a list of three",
+                                     .json = [=] {
+                                       return schema_of_any({one.json(), several.json()});
+                                     }};
+  value.read = [=, type = value.type](const Item& item, Context& context) -> std::optional<std::vector<Function>> {
+    const toml::array* array = item.node->as_array();
+    if (array != nullptr && array->size() == 3) return list(one).read(item, context);
+    if (array != nullptr) {
+      context.errors.add(item.location, fmt::format("a list of {}", array->size()), type);
+      return std::nullopt;
+    }
+    const auto found = one.read(item, context);
+    if (!found) return std::nullopt;
+    return std::vector{*found};
+  };
+  value.show = [one](const std::vector<Function>& shown) { return one.show(shown.front()); };
+  return value;
+}
+
 Value<Hill> hill_table() {
-  const auto ratios = triple(number(greater(0)));
+  const auto ratios = triple(number(greater(0)), three);
   return table<Hill>({
       field<Hill>("normal", &Hill::normal, ratios,
                   "`[R11, R22, R33]`: stresses along the material axes that cause the creep rate of the same von Mises "
@@ -269,8 +295,9 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
                       "elasticity along three axes, instead of the isotropic constants"),
       field<Material>("hill", &Material::hill, hill_table(),
                       "anisotropic creep: the equivalent stress of Hill in all creep laws"),
-      field<Material>("thermal_expansion", &Material::thermal_expansion, function(T),
-                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`)")
+      field<Material>("thermal_expansion", &Material::thermal_expansion, one_or_three(function(T)),
+                      "secant coefficient: strain = alpha(T) (T - `reference_temperature`); three: along the material "
+                      "axes 1, 2, 3")
           .in("1/temperature"),
       field<Material>("reference_temperature", &Material::reference_temperature, number(),
                       "temperature at which the thermal strain is zero")

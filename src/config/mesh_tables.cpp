@@ -91,15 +91,45 @@ Value<Mesh> mesh_table() {
   });
 }
 
+Value<CylindricalAxes> cylindrical_axes_table() {
+  const auto keys = table<CylindricalAxes>({
+      field<CylindricalAxes>("axis", &CylindricalAxes::axis, triple(number()), "direction of the axis, of any length"),
+      field<CylindricalAxes>("origin", &CylindricalAxes::origin, triple(number()), "a point of the axis").in("length"),
+  });
+  return converted<CylindricalAxes>(keys, [](CylindricalAxes found, const Item& item, Context& context) {
+    if (found.axis == std::array<double, 3>{})
+      context.errors.add(item.child("axis").location, "[0, 0, 0]", "a direction");
+    return std::optional(found);
+  });
+}
+
 Value<MaterialAxes> material_axes_table() {
   const auto direction = triple(function({"x", "y", "z"}));
-  return table<MaterialAxes>({
-      field<MaterialAxes>("first", &MaterialAxes::first, direction, "direction of axis 1, of any length",
-                          Presence::required),
+  const std::vector<Field<MaterialAxes>> directions{
+      field<MaterialAxes>("first", &MaterialAxes::first, direction, "direction of axis 1, of any length")
+          .otherwise("required without `cylindrical`"),
       field<MaterialAxes>("second", &MaterialAxes::second, direction,
                           "direction of axis 2, of any length; its part along axis 1 is taken out. Axis 3 is at right "
-                          "angles to both",
-                          Presence::required),
+                          "angles to both")
+          .otherwise("required without `cylindrical`"),
+  };
+  const auto keys = table<MaterialAxes>({
+      directions[0],
+      directions[1],
+      field<MaterialAxes>("cylindrical", &MaterialAxes::cylindrical, written_inline(cylindrical_axes_table()),
+                          "axes 1, 2, 3 are radial, circumferential and axial, instead of two directions"),
+  });
+  return converted<MaterialAxes>(keys, [directions](MaterialAxes axes, const Item& item, Context& context) {
+    if (!item.has("cylindrical")) {
+      std::vector<KeyInfo> needed{directions[0].info, directions[1].info};
+      for (KeyInfo& key : needed) key.required = true;
+      require_keys(item, needed, context);
+    } else {
+      for (const std::string& key : given_keys(item, {"first", "second"}))
+        context.errors.add(item.child(key).location, "the axes are given by 'cylindrical' too",
+                           "either 'first' and 'second', or 'cylindrical'");
+    }
+    return std::optional(std::move(axes));
   });
 }
 

@@ -199,11 +199,13 @@ Value<std::vector<T>> tables(const Value<T>& entry) {
   return value;
 }
 
+/// @param what  of components in space, or of other three
 template <class T>
-Value<std::array<T, 3>> triple(const Value<T>& entry) {
-  Value<std::array<T, 3>> value{.type = "[x, y, z], each " + entry.type,
+Value<std::array<T, 3>> triple(const Value<T>& entry, const std::string& what = "[x, y, z]") {
+  const bool in_space = what.starts_with('[');
+  Value<std::array<T, 3>> value{.type = what + ", each " + entry.type,
                                 .read = {},
-                                .brief = "`[x, y, z]`, " + entry.plural,
+                                .brief = in_space ? "`" + what + "`, " + entry.plural : "list of three " + entry.plural,
                                 .json = [json = entry.json] { return schema_of_list(json(), 3); }};
   value.read = [entry, type = value.type](const Item& item, Context& context) -> std::optional<std::array<T, 3>> {
     const toml::array* array = item.node->as_array();

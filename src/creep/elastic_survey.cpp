@@ -44,7 +44,7 @@ bool acts(const mechanics::BodyConditions& at) {
   const auto any = [](const std::vector<double>& values) {
     return std::ranges::any_of(values, [](double value) { return value != 0; });
   };
-  return any(at.external) || any(at.prescribed) || any(at.thermal_strain);
+  return any(at.external) || any(at.prescribed) || any(at.thermal_strain) || any(at.thermal_tensors);
 }
 
 class Survey {

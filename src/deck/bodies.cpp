@@ -46,7 +46,7 @@ class OwnersOfNodes {
   };
   const Deck& deck_;
   std::vector<Owner> first_;                                      // by node
-  std::unordered_map<std::uint32_t, std::vector<Owner>> others_;  // where several materials meet
+  std::unordered_map<std::uint32_t, std::vector<Owner>> others_;  // where several bodies meet
 };
 
 /// A name that TOML and messages take, and that is not used yet.
@@ -54,6 +54,22 @@ std::string free_name(const std::string& wanted, std::set<std::string>& used) {
   std::string name = wanted;
   for (int i = 2; !used.insert(name).second; ++i) name = fmt::format("{}_{}", wanted, i);
   return name;
+}
+
+/// An isotropic material has no axes.
+std::string orientation_that_counts(const Deck& deck, const Section& section) {
+  const auto material = deck.materials.find(section.material);
+  return material != deck.materials.end() && material->second.has_axes() ? section.orientation : "";
+}
+
+/// Equal numbers for sections of one material with the same axes: together they are one body.
+std::vector<std::size_t> kinds_of_sections(const Deck& deck) {
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  std::vector<std::size_t> kinds;
+  for (const Section& section : deck.sections)
+    kinds.push_back(
+        known.try_emplace({section.material, orientation_that_counts(deck, section)}, known.size()).first->second);
+  return kinds;
 }
 
 }  // namespace
@@ -69,6 +85,7 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
       section_of.insert(element, static_cast<std::uint32_t>(s));
   }
 
+  const std::vector<std::size_t> kinds = kinds_of_sections(deck);
   Numbers elements;
   std::vector<std::uint32_t> section;
   DisjointSets components(deck.element_of_number.size());
@@ -87,9 +104,7 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
       elements.push_back(block.numbers[e]);
       section.push_back(*own);
       for (std::size_t i = 0; i < n; ++i) {
-        const auto is_same = [&](std::uint32_t other) {  // sections of one material are one body
-          return deck.sections[other].material == deck.sections[*own].material;
-        };
+        const auto is_same = [&](std::uint32_t other) { return kinds[other] == kinds[*own]; };
         const auto [same, is_shared] = owners.add(block.nodes[e * n + i], *own, index, is_same);
         if (same) components.join(index, *same);
         result.share_nodes = result.share_nodes || is_shared;
@@ -120,7 +135,8 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
     const Section& own = deck.sections[section_of_body[root]];
     const std::string* named = name_of(numbers);
     const std::string name = named != nullptr ? *named : deck.element_sets.at(own.elements).name;
-    result.bodies.push_back({free_name(name, used), own.material, own.thickness, std::move(numbers)});
+    result.bodies.push_back({free_name(name, used), own.material, own.thickness, std::move(numbers),
+                             orientation_that_counts(deck, own), own.place});
   }
   return result;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies of a deck: elements that share nodes, split by the material of their sections.
+/// Bodies of a deck: elements that share nodes, split by the material and the axes of their sections.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,9 @@ struct DeckBody {
   std::string name;      ///< of an element set that holds these elements alone, or of its section
   std::string material;  ///< in upper case
   double thickness = 1;
-  Numbers elements;  ///< ascending
+  Numbers elements;         ///< ascending
+  std::string orientation;  ///< of a material with axes, in upper case; empty: x, y, z
+  Place section;
 };
 
 struct Bodies {

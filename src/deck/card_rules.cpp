@@ -50,6 +50,8 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("MATERIAL", &DeckReader::material);
     read("ELASTIC", &DeckReader::elastic);
     read("EXPANSION", &DeckReader::expansion);
+    read("POTENTIAL", &DeckReader::potential);
+    read("ORIENTATION", &DeckReader::orientation);
     read("DENSITY", &DeckReader::density);
     read("CREEP", &DeckReader::creep);
     read("PHYSICAL CONSTANTS", &DeckReader::physical_constants);
@@ -88,11 +90,11 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
          "EL PRINT",
          "MODEL CHANGE"});
     add(Kind::silent, "",
-        {"HEADING",        "PREPRINT",         "NODE FILE",        "EL FILE",       "NODE OUTPUT",     "ELEMENT OUTPUT",
-         "CONTACT OUTPUT", "ENERGY OUTPUT",    "CONTACT FILE",     "CONTACT PRINT", "FACE PRINT",      "OUTPUT",
-         "SECTION PRINT",  "NORMAL",           "CONTROLS",         "TIME POINTS",   "MONITOR",         "PRINT",
-         "FILE FORMAT",    "ASSEMBLY",         "END ASSEMBLY",     "ORIENTATION",   "DIAGNOSTICS",     "NO ANALYSIS",
-         "NODE RESPONSE",  "ELEMENT RESPONSE", "CONTACT RESPONSE", "OBJECTIVE",     "DESIGN VARIABLES"});
+        {"HEADING",          "PREPRINT",         "NODE FILE",    "EL FILE",         "NODE OUTPUT", "ELEMENT OUTPUT",
+         "CONTACT OUTPUT",   "ENERGY OUTPUT",    "CONTACT FILE", "CONTACT PRINT",   "FACE PRINT",  "OUTPUT",
+         "SECTION PRINT",    "NORMAL",           "CONTROLS",     "TIME POINTS",     "MONITOR",     "PRINT",
+         "FILE FORMAT",      "ASSEMBLY",         "END ASSEMBLY", "DIAGNOSTICS",     "NO ANALYSIS", "NODE RESPONSE",
+         "ELEMENT RESPONSE", "CONTACT RESPONSE", "OBJECTIVE",    "DESIGN VARIABLES"});
     add(Kind::left_out, "damping does not act in static and creep steps",
         {"DAMPING", "MODAL DAMPING", "CONTACT DAMPING"});
     add(Kind::impossible, "couplings are not known; *RIGID BODY, *EQUATION and loads on surfaces are",

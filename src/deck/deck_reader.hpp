@@ -52,6 +52,8 @@ class DeckReader {
   void material(const Card& card);
   void elastic(const Card& card);
   void expansion(const Card& card);
+  void potential(const Card& card);
+  void orientation(const Card& card);
   void density(const Card& card);
   void creep(const Card& card);
   void physical_constants(const Card& card);
@@ -69,9 +71,11 @@ class DeckReader {
   void end_instance(const Card& card);
 
   void procedure(const Card& card, bool is_creep);
-  /// Otherwise the model is impossible.
-  bool is_isotropic(const Card& card, const std::string& property);
+  /// The model is impossible with a property of this type.
+  void refuse_type(const Card& card, const std::string& property, const std::string& known);
   void table(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
+  /// A table whose rows are longer than a line.
+  void table_of_long_rows(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
   void read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets);
   void add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
                    const std::map<std::string, Set>& sets, std::int64_t offset);

@@ -112,7 +112,14 @@ void DeckReader::merge_instance() {
   }
   for (Section section : instance_deck_.sections) {
     section.elements = prefix + section.elements;
+    if (instance_deck_.orientations.contains(section.orientation)) section.orientation = prefix + section.orientation;
     deck_.sections.push_back(std::move(section));
+  }
+  for (const auto& [name, orientation] : instance_deck_.orientations) {
+    Orientation& made = deck_.orientations[prefix + name];
+    made = orientation;
+    for (Vector3* point : {&made.a, &made.b})
+      *point = made.is_cylindrical ? Vector3(moved * *point) : Vector3(moved.linear() * *point);
   }
   for (const Note& note : instance_deck_.left_out) deck_.left_out.push_back(note);
   for (const Note& note : instance_deck_.impossible) deck_.impossible.push_back(note);

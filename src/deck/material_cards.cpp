@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "deck_reader.hpp"
 
 namespace creepcontact::deck {
@@ -28,26 +30,110 @@ void DeckReader::table(std::optional<Table> Material::*property, const Card& car
   };
 }
 
-bool DeckReader::is_isotropic(const Card& card, const std::string& property) {
-  const std::string type = upper_case(card.value("TYPE"));
-  if (type.empty() || type == "ISO" || type == "ISOTROPIC") return true;
+void DeckReader::table_of_long_rows(std::optional<Table> Material::*property, const Card& card, std::size_t columns) {
+  if (material_ == nullptr) return mistake(card.place, "it belongs to a material; there is no *MATERIAL before it");
+  std::optional<Table>& table = material_->*property;
+  table = Table{card.place, {}};
+  constexpr std::size_t of_line = 8;
+  on_data_ = [this, &table, columns](const DataLine& line) {
+    if (table->rows.empty() || table->rows.back().size() >= columns) table->rows.emplace_back();
+    std::vector<double>& row = table->rows.back();
+    // A row begins with a full line; in the last line of it the temperature may follow.
+    const std::size_t n = std::max(row.empty() ? of_line : columns - row.size(), line.fields.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::optional<double> value = real(line, i);
+      if (!value) return;
+      row.push_back(*value);
+    }
+  };
+}
+
+namespace {
+
+bool is_isotropic(const std::string& type) {
+  return type.empty() || type == "ISO" || type == "ISOTROPIC";
+}
+bool is_orthotropic(const std::string& type) {
+  return type == "ORTHO" || type == "ORTHOTROPIC";
+}
+std::string type_of(const Card& card) {
+  std::string type = upper_case(card.value("TYPE"));
+  std::erase(type, ' ');
+  return type;
+}
+
+}  // namespace
+
+void DeckReader::refuse_type(const Card& card, const std::string& property, const std::string& known) {
   deck_.impossible.push_back(
-      {card.place, card.name, fmt::format("{0} of type {1}; only isotropic {0} is known", property, type)});
-  return false;
+      {card.place, card.name, fmt::format("{} of type {} is not known; {} are", property, card.value("TYPE"), known)});
 }
 
 void DeckReader::elastic(const Card& card) {
-  if (is_isotropic(card, "elasticity")) table(&Material::elastic, card, 2);
+  const std::string type = type_of(card);
+  if (is_isotropic(type)) return table(&Material::elastic, card, 2);
+  const bool by_matrix = is_orthotropic(type);
+  if (!by_matrix && type != "ENGINEERINGCONSTANTS")
+    return refuse_type(card, "elasticity", "ISO, ORTHO and ENGINEERING CONSTANTS");
+  constexpr std::size_t n_constants = 9;
+  table_of_long_rows(&Material::elastic, card, n_constants);
+  if (material_ != nullptr)
+    material_->elasticity = by_matrix ? Elasticity::stiffness_matrix : Elasticity::engineering_constants;
 }
 
 void DeckReader::expansion(const Card& card) {
-  if (!is_isotropic(card, "thermal expansion")) return;
-  table(&Material::expansion, card, 1);
+  const std::string type = type_of(card);
+  const bool along_axes = is_orthotropic(type);
+  if (!along_axes && !is_isotropic(type)) return refuse_type(card, "thermal expansion", "ISO and ORTHO");
+  table(&Material::expansion, card, along_axes ? 3 : 1);
+  if (material_ != nullptr) material_->expands_along_axes = along_axes;
   if (material_ != nullptr && !card.value("ZERO").empty()) {
     const std::optional<double> zero = number(card.value("ZERO"));
     if (!zero) return mistake(card.place, fmt::format("ZERO: '{}' is not a number", card.value("ZERO")));
     material_->expansion_zero = *zero;
   }
+}
+
+void DeckReader::potential(const Card& card) {
+  table(&Material::potential, card, 6);
+}
+
+void DeckReader::orientation(const Card& card) {
+  const std::string name = required(card, "NAME");
+  if (name.empty()) return;
+  Orientation& made = into_->orientations[upper_case(name)];
+  made = {.place = card.place};
+  const std::string system = upper_case(card.value("SYSTEM"));
+  made.is_cylindrical = system == "CYLINDRICAL";
+  if (!made.is_cylindrical && !system.empty() && system != "RECTANGULAR")
+    made.problem = fmt::format("SYSTEM={} is not known; RECTANGULAR and CYLINDRICAL are", system);
+  const std::string definition = upper_case(card.value("DEFINITION"));
+  if (!definition.empty() && definition != "COORDINATES")
+    made.problem = fmt::format("DEFINITION={} is not known; COORDINATES is", definition);
+  on_data_ = [this, &made, n_lines = 0](const DataLine& line) mutable {
+    if (n_lines++ == 1) {
+      const std::optional<double> about = real(line, 0), by = real(line, 1);
+      if (!about || !by) return;
+      if (*about != 1 && *about != 2 && *about != 3)
+        return mistake(line.place, fmt::format("'{}' is not a local axis: 1, 2 or 3", line.field(0)));
+      made.turned_about = static_cast<int>(*about);
+      made.turned_by = *by;
+      return;
+    }
+    if (!number(line.field(0))) {  // the name of a distribution
+      if (made.problem.empty()) made.problem = "only axes by two points are known";
+      return;
+    }
+    for (std::size_t i = 0; i < 9; ++i) {
+      const std::optional<double> value = real(line, i);
+      if (!value) return;
+      const auto component = static_cast<Eigen::Index>(i % 3);
+      if (i < 6)
+        (i < 3 ? made.a : made.b)[component] = *value;
+      else if (!made.is_cylindrical)  // a third point is the origin
+        for (Vector3* point : {&made.a, &made.b}) (*point)[component] -= *value;
+    }
+  };
 }
 
 void DeckReader::density(const Card& card) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "draft.hpp"
+#include "anisotropy_tables.hpp"
 
 namespace creepcontact::deck {
 namespace {
@@ -24,32 +24,46 @@ double time_before_creep(Draft& draft) {
 }
 
 /// The thermal strain of CalculiX is alpha(T)(T - ZERO) - alpha(T0)(T0 - ZERO), here it is alpha(T)(T - T0).
-void write_expansion(Draft& draft, const Material& material) {
-  if (!material.expansion || material.expansion->rows.empty() || draft.loading.temperatures.empty()) return;
+/// @param column  of the coefficient @param of_temperature  column of the temperature
+std::string expansion_coefficient(const Draft& draft, const Material& material, std::size_t column,
+                                  std::size_t of_temperature) {
   constexpr int steps = 40;  // between two rows
   const double initial = draft.loading.initial_temperature, zero = material.expansion_zero;
   const auto& rows = material.expansion->rows;
-  std::string alpha = function_of_temperature(*material.expansion, 0, 1);
-  if (rows.size() > 1 && zero != initial) {
-    const auto temperature = [&](std::size_t i) { return rows[i].size() > 1 ? rows[i][1] : 0.0; };
-    const auto strain = [&](double T) {
-      std::size_t i = 1;
-      while (i + 1 < rows.size() && temperature(i) < T) ++i;
-      const double part = std::clamp((T - temperature(i - 1)) / (temperature(i) - temperature(i - 1)), 0.0, 1.0);
-      return (rows[i - 1][0] + part * (rows[i][0] - rows[i - 1][0])) * (T - zero);
-    };
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 1; i < rows.size(); ++i)
-      for (int k = i == 1 ? 0 : 1; k <= steps; ++k) {
-        const double T = temperature(i - 1) + (temperature(i) - temperature(i - 1)) * k / steps;
-        const double small = 1e-4 * (temperature(i) - temperature(i - 1));
-        const double secant = std::abs(T - initial) > small ? (strain(T) - strain(initial)) / (T - initial)
-                                                            : (strain(T + small) - strain(T - small)) / (2 * small);
-        points.emplace_back(T, secant);
-      }
-    alpha = function_of_temperature(points);
+  if (rows.size() == 1 || zero == initial) return function_of_temperature(*material.expansion, column, of_temperature);
+  const auto temperature = [&](std::size_t i) {
+    return rows[i].size() > of_temperature ? rows[i][of_temperature] : 0.0;
+  };
+  const auto strain = [&](double T) {
+    std::size_t i = 1;
+    while (i + 1 < rows.size() && temperature(i) < T) ++i;
+    const double part = std::clamp((T - temperature(i - 1)) / (temperature(i) - temperature(i - 1)), 0.0, 1.0);
+    return (rows[i - 1][column] + part * (rows[i][column] - rows[i - 1][column])) * (T - zero);
+  };
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    for (int k = i == 1 ? 0 : 1; k <= steps; ++k) {
+      const double T = temperature(i - 1) + (temperature(i) - temperature(i - 1)) * k / steps;
+      const double small = 1e-4 * (temperature(i) - temperature(i - 1));
+      const double secant = std::abs(T - initial) > small ? (strain(T) - strain(initial)) / (T - initial)
+                                                          : (strain(T + small) - strain(T - small)) / (2 * small);
+      points.emplace_back(T, secant);
+    }
+  return function_of_temperature(points);
+}
+
+void write_expansion(Draft& draft, const Material& material) {
+  if (!material.expansion || material.expansion->rows.empty() || draft.loading.temperatures.empty()) return;
+  std::string alpha;
+  if (material.expands_along_axes) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      alpha += (axis == 0 ? "" : ", ") + expansion_coefficient(draft, material, axis, 3);
+    alpha = "[" + alpha + "]";
+  } else {
+    alpha = expansion_coefficient(draft, material, 0, 1);
   }
-  draft.add(fmt::format("thermal_expansion = {}\nreference_temperature = {:.15g}\n", alpha, initial));
+  draft.add(fmt::format("thermal_expansion = {}\nreference_temperature = {:.15g}\n", alpha,
+                        draft.loading.initial_temperature));
 }
 
 /// A column of the creep table, multiplied row by row.
@@ -141,8 +155,11 @@ void write(Draft& draft, const Material& material) {
     draft.impossible.push_back({material.place, "MATERIAL", fmt::format("'{}' has no *ELASTIC", material.name)});
     return;
   }
-  draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_temperature(*material.elastic, 0, 2),
-                        function_of_temperature(*material.elastic, 1, 2)));
+  if (material.elasticity == Elasticity::isotropic)
+    draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_temperature(*material.elastic, 0, 2),
+                          function_of_temperature(*material.elastic, 1, 2)));
+  else
+    write_orthotropic(draft, material);
   draft.varies = draft.varies || material.elastic->rows.size() > 1;
   const bool depends_on_temperature =
       std::ranges::any_of(std::array{&material.elastic, &material.expansion, &material.creep},
@@ -154,6 +171,7 @@ void write(Draft& draft, const Material& material) {
                      "to node",
                      material.name)});
   write_expansion(draft, material);
+  if (material.potential) write_hill(draft, material);
   if (material.creep) CreepWriter(draft, material).write();
 }
 
@@ -166,6 +184,7 @@ void write_bodies_and_materials(Draft& draft) {
     draft.add(fmt::format("\n[bodies.{}]\nregion = {}\nmaterial = {}\n", toml_key(body.name),
                           toml_string(draft.mesh.add_body(body)),
                           toml_string(material == materials.end() ? body.material : material->second.name)));
+    if (!body.orientation.empty()) write_axes(draft, body);
   }
   std::set<std::string> written;
   for (const DeckBody& body : draft.bodies.bodies)

@@ -187,7 +187,8 @@ void DeckReader::surface(const Card& card) {
 }
 
 void DeckReader::solid_section(const Card& card) {
-  Section section{upper_case(required(card, "ELSET")), upper_case(required(card, "MATERIAL")), 1, card.place};
+  Section section{upper_case(required(card, "ELSET")), upper_case(required(card, "MATERIAL")), 1, card.place,
+                  upper_case(card.value("ORIENTATION"))};
   if (section.elements.empty() || section.material.empty()) return;
   if (!into_->element_sets.contains(section.elements))
     return mistake(card.place, fmt::format("there is no element set '{}'", card.value("ELSET")));

@@ -138,7 +138,7 @@ double Body::external_resultant(const BodyConditions& at, std::span<double> resu
 
 void Body::right_hand_side(const BodyConditions& at, CreepStrainView creep, std::span<double> right_hand_side) const {
   const ElasticState elastic = at.elastic();
-  if (creep.empty() && elastic.thermal_strain.empty() && elastic.inner_force.empty())
+  if (creep.empty() && !elastic.has_thermal_strain() && elastic.inner_force.empty())
     return impl_->constraints.restrict_to_free(at.known, right_hand_side);
   std::vector<double>& forces = zero_forces(0);
   forces.assign(at.known.begin(), at.known.end());

@@ -10,8 +10,18 @@
 namespace creepcontact::mechanics {
 namespace {
 
+/// What `of` makes of a material; its errors name the material.
+template <class Of>
+auto of_named(const material::Material& material, const Of& of) {
+  try {
+    return of();
+  } catch (const ModelError& error) {
+    throw ModelError(fmt::format("material '{}': {}", material.name, error.what()));
+  }
+}
+
 Moduli moduli_at(const material::Material& material, double temperature) {
-  const double young_modulus = material.young_modulus({.T = temperature});
+  const double young_modulus = of_named(material, [&] { return material.young_modulus({.T = temperature}); });
   const double poisson_ratio = material.poisson_ratio({.T = temperature});
   if (!(young_modulus > 0) || !(poisson_ratio > -1 && poisson_ratio < 0.5)) {
     throw ModelError(
@@ -34,13 +44,28 @@ std::vector<Matrix6> matrices_at(const material::Material& material, std::span<c
       continue;
     }
     const double T = temperature.empty() ? material.reference_temperature : temperature[p];
-    try {
-      result.push_back(material::turned(material.orthotropy->stiffness(T), axes[axes.size() == 1 ? 0 : p]));
-    } catch (const ModelError& error) {
-      throw ModelError(fmt::format("material '{}': {}", material.name, error.what()));
-    }
+    const Matrix6 along_axes = of_named(material, [&] { return material.orthotropy->stiffness(T); });
+    result.push_back(material::turned(along_axes, axes[axes.size() == 1 ? 0 : p]));
   }
   return result;
+}
+
+/// The thermal strain of these temperatures.
+void expand(const material::Material& material, std::span<const Matrix3> axes, BodyConditions& at) {
+  const std::size_t n_points = at.temperature.size();
+  const auto strains = [&](std::size_t p) {
+    return material.thermal_expansion.strains(at.temperature[p], material.reference_temperature);
+  };
+  if (!material.thermal_expansion.has_axes) {
+    at.thermal_strain.resize(n_points);
+    for (std::size_t p = 0; p < n_points; ++p) at.thermal_strain[p] = strains(p)[0];
+    return;
+  }
+  at.thermal_tensors.resize(6 * n_points);
+  for (std::size_t p = 0; p < n_points; ++p) {
+    const Matrix3& own = axes[axes.size() == 1 ? 0 : p];
+    tensor::writable(at.thermal_tensors, p) = tensor::from_matrix(own * strains(p).asDiagonal() * own.transpose());
+  }
 }
 
 bool moduli_depend_on_temperature(const material::Material& material) {
@@ -50,7 +75,8 @@ bool moduli_depend_on_temperature(const material::Material& material) {
 void require_finite(const std::string& body, std::span<const double> values, double t) {
   if (Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()).allFinite()) return;
   throw ModelError(
-      fmt::format("body '{}': its loads, supports or temperature are not finite at t = {:.6g}; check their expressions "
+      fmt::format("body '{}': its loads, supports, temperature or thermal expansion are not finite at t = {:.6g}; "
+                  "check their expressions "
                   "for divisions by zero and for roots or logarithms of negative numbers",
                   body, t));
 }
@@ -79,12 +105,7 @@ void Body::update(double t, BodyConditions& at) const {
   if (new_temperature) {
     at.temperature.resize(n_points);
     impl_->temperature_at_points->evaluate(t, at.temperature, at.memo);
-    if (!material.thermal_expansion.is_zero()) {
-      at.thermal_strain.resize(n_points);
-      for (std::size_t p = 0; p < n_points; ++p)
-        at.thermal_strain[p] =
-            material.thermal_expansion({.T = at.temperature[p]}) * (at.temperature[p] - material.reference_temperature);
-    }
+    if (!material.thermal_expansion.is_zero()) expand(material, impl_->axes, at);
   }
   if (first || (new_temperature && moduli_depend_on_temperature(material))) {
     at.moduli.clear();
@@ -104,6 +125,7 @@ void Body::update(double t, BodyConditions& at) const {
   for (const auto& load : impl_->loads) load->add(t, at.external);
   require_finite(impl_->name, at.external, t);
   require_finite(impl_->name, at.thermal_strain, t);
+  require_finite(impl_->name, at.thermal_tensors, t);
   const auto end_of_nodes = at.external.begin() + n_full;
   at.has_inner_force = std::any_of(end_of_nodes, at.external.end(), [](double force) { return force != 0; });
   at.known.assign(at.external.begin(), end_of_nodes);

@@ -217,6 +217,7 @@ class ElementLoops final : public ElementBlock {
       const ConstValues thermal(elastic.thermal_strain.data() + first);
       for (Index i = 0; i < 3; ++i) values.col(i) -= thermal;
     }
+    if (!elastic.thermal_tensors.empty()) values -= read(elastic.thermal_tensors, e);
     project_trace(e, values);
     [[maybe_unused]] Vector3 force = Vector3::Zero();  // on the bubble
     if constexpr (with_bubble)

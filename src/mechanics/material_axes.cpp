@@ -28,13 +28,26 @@ bool is_constant(const std::array<Function, 3>& of) {
 Matrix3 MaterialAxes::at(const Vector3& place) const {
   const Vector3 a = direction_at(first, place), b = direction_at(second, place);
   const Vector3 normal = a.cross(b);
-  if (!(normal.norm() > least_sine * a.norm() * b.norm()) || !normal.allFinite())
+  const auto refuse = [&](const std::string& why) {
     throw ModelError(
-        fmt::format("material_axes: at ({:.6g}, {:.6g}, {:.6g}) the directions first = ({:g}, {:g}, {:g}) and second = "
-                    "({:g}, {:g}, "
-                    "{:g}) {}; they must be two different directions throughout the body",
-                    place.x(), place.y(), place.z(), a.x(), a.y(), a.z(), b.x(), b.y(), b.z(),
-                    a.norm() > 0 && b.norm() > 0 ? "are parallel" : "vanish"));
+        fmt::format("material_axes: at ({:.6g}, {:.6g}, {:.6g}) {}", place.x(), place.y(), place.z(), why));
+  };
+  const auto text = [](const Vector3& v) { return fmt::format("({:g}, {:g}, {:g})", v.x(), v.y(), v.z()); };
+  if (!a.allFinite() || !b.allFinite())
+    refuse(fmt::format("the directions first = {} and second = {} are not finite; correct their expressions", text(a),
+                       text(b)));
+  if (!(a.norm() > 0) || !(b.norm() > 0)) {
+    const auto& missing = a.norm() > 0 ? second : first;
+    refuse(fmt::format("the direction {} has no length; {}", a.norm() > 0 ? "of axis 2" : "of axis 1",
+                       is_constant(missing) ? "give one that is not zero"
+                                            : "if it is radial or circumferential: there is none on the axis itself. "
+                                              "Give the elements there a body and a material of their own"));
+  }
+  if (!(normal.norm() > least_sine * a.norm() * b.norm()))
+    refuse(
+        fmt::format("the directions first = {} and second = {} are parallel; they must be two different directions "
+                    "throughout the body",
+                    text(a), text(b)));
   Matrix3 axes;
   axes.col(0) = a.normalized();
   axes.col(2) = normal.normalized();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 
 #include "creepcontact/base/error.hpp"
@@ -97,12 +98,16 @@ Model build_model(const config::Config& config) {
                    [&] { temperature = temperature_field(*config.temperature, whole.section); });
   const ModelLinks links = make_links(config, whole, meshes, errors);
   errors.raise();
+  std::map<std::string, material::Material> materials;
+  for (const config::Material& material : config.materials)
+    if (std::ranges::any_of(config.bodies, [&](const auto& body) { return body.material.name == material.name; }))
+      errors.collect(material.location, [&] { materials.emplace(material.name, make_material(material)); });
+  errors.raise();
   Bodies bodies;
   for (std::size_t b = 0; b < meshes.size(); ++b)
     errors.collect(config.bodies[b].location, [&] {
-      bodies.emplace_back(config.bodies[b].name, meshes[b],
-                          make_material(config.material(config.bodies[b].material.name)), supports[b], temperature,
-                          links.of_body[b], material_axes(config.bodies[b]));
+      bodies.emplace_back(config.bodies[b].name, meshes[b], materials.at(config.bodies[b].material.name), supports[b],
+                          temperature, links.of_body[b], material_axes(config.bodies[b]));
     });
   errors.raise();
 

@@ -58,7 +58,11 @@ material::Material make_material(const config::Material& from) {
     result.hill = material::HillRatios{{normal[0], normal[1], normal[2], shear[0], shear[1], shear[2]}};
     material::hill_transformation(*result.hill);  // throws where it is not possible
   }
-  result.thermal_expansion = from.thermal_expansion;
+  const std::vector<Function>& alpha = from.thermal_expansion;
+  if (alpha.size() == 3)
+    result.thermal_expansion = material::ThermalExpansion({alpha[0], alpha[1], alpha[2]});
+  else
+    result.thermal_expansion = alpha.front();
   result.reference_temperature = from.reference_temperature;
   for (const config::CreepMechanism& mechanism : from.creep) {
     material::ParameterValues values;
@@ -73,8 +77,38 @@ material::Material make_material(const config::Material& from) {
   return result;
 }
 
+namespace {
+
+/// matrix (x - origin) as functions of x, y, z.
+std::array<Function, 3> linear_functions(const Matrix3& matrix, const Vector3& origin) {
+  std::vector<Function> place;
+  for (const char* coordinate : {"x", "y", "z"}) place.push_back(Function::expression(coordinate, {coordinate}));
+  std::array<Function, 3> result;
+  for (Index i = 0; i < 3; ++i) {
+    const Eigen::RowVector3d row = matrix.row(i);
+    const double constant = row * origin;
+    result[i] =
+        Function::composed(fmt::format("({:.17g}, {:.17g}, {:.17g}).x - {:.17g}", row[0], row[1], row[2], constant),
+                           place, [row, constant](const std::vector<double>& x) {
+                             return row[0] * x[0] + row[1] * x[1] + row[2] * x[2] - constant;
+                           });
+  }
+  return result;
+}
+
+mechanics::MaterialAxes cylindrical_axes(const config::CylindricalAxes& given) {
+  const Vector3 axis = Vector3::Map(given.axis.data()).normalized(), origin = Vector3::Map(given.origin.data());
+  const Matrix3 radial = Matrix3::Identity() - axis * axis.transpose();
+  Matrix3 around;  // axis x (x - origin)
+  for (Index i = 0; i < 3; ++i) around.col(i) = axis.cross(Vector3::Unit(i));
+  return {linear_functions(radial, origin), linear_functions(around, origin)};
+}
+
+}  // namespace
+
 std::optional<mechanics::MaterialAxes> material_axes(const config::Body& body) {
   if (!body.material_axes) return std::nullopt;
+  if (body.material_axes->cylindrical) return cylindrical_axes(*body.material_axes->cylindrical);
   return mechanics::MaterialAxes{body.material_axes->first, body.material_axes->second};
 }
 

@@ -65,7 +65,7 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   for (std::size_t p = 0; p < n_points(); ++p) {
     tensor::Map total = tensor::writable(at_points(strain), p);
     total += elastic.elastic_strain(p, tensor_at(at_points(stress), p));
-    if (!elastic.thermal_strain.empty()) total.head<3>().array() += elastic.thermal_strain[p];
+    total += elastic.thermal(p);
   }
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);

@@ -97,10 +97,13 @@ class Recorder {
       elastic.rows.push_back({"Hill's ratios R11, R22, R33 of creep", vector_text(given.hill->normal), ""});
       elastic.rows.push_back({"Hill's ratios R12, R23, R13 of creep", vector_text(given.hill->shear), ""});
     }
-    if (!given.thermal_expansion.is_zero()) {
+    const std::vector<Function>& alpha = given.thermal_expansion;
+    if (!std::ranges::all_of(alpha, &Function::is_zero)) {
       const std::string degree = unit(Dimension::temperature);
       elastic.rows.push_back(
-          {"thermal expansion (secant)", given.thermal_expansion.text(), degree.empty() ? "" : "1/" + degree});
+          {alpha.size() == 1 ? "thermal expansion (secant)" : "thermal expansion (secant) along axes 1, 2, 3",
+           alpha.size() == 1 ? alpha[0].text() : vector_text(std::array{alpha[0], alpha[1], alpha[2]}),
+           degree.empty() ? "" : "1/" + degree});
       elastic.rows.push_back({"reference temperature", fmt::format("{:.6g}", given.reference_temperature), degree});
     }
     section.tables.push_back(elastic);

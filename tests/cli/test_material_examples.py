@@ -75,6 +75,59 @@ class SteamPipe(MaterialExampleTest):
         self.assertEqual(lives, sorted(lives))
 
 
+class ForgedDisc(MaterialExampleTest):
+    """Plane stress with Q11, Q12, Q22 along radius and circumference: u = c1 r^k + c2 r^-k + p r + q r^3."""
+
+    FIT, RIM, INTERFERENCE, DENSITY, NU, SHAFT_NU = 100, 350, 0.15, 7.85e-9, 0.26, 0.3
+
+    def elastic(self, temperature, speed):
+        """Fit pressure and hoop stress at the bore."""
+        a, b, rise, hot = self.FIT, self.RIM, temperature - 20, (temperature - 20) / 530
+        radial, hoop, shaft = 1.8e5 - 0.4e5 * hot, 2.15e5 - 0.35e5 * hot, 2.11e5 - 0.39e5 * hot
+        scale = 1 - self.NU**2 * hoop / radial
+        q11, q12, q22 = radial / scale, self.NU * hoop / scale, hoop / scale
+        k = math.sqrt(hoop / radial)
+        expansion = (1.42e-5 * rise, 1.36e-5 * rise)
+        beta_r, beta_t = q11 * expansion[0] + q12 * expansion[1], q12 * expansion[0] + q22 * expansion[1]
+        inertia = self.DENSITY * speed**2
+        particular = [((beta_r - beta_t) / (q11 - q22), 1), (-inertia / (9 * q11 - q22), 3)]
+
+        def radial_stress(terms, r):
+            return sum(c * (q11 * power + q12) * r**(power - 1) for c, power in terms)
+
+        def disc(pressure):
+            """Displacement and hoop stress at the bore."""
+            left = [[radial_stress([(1, power)], r) for power in (k, -k)] for r in (a, b)]
+            right = [beta_r - radial_stress(particular, a) - pressure, beta_r - radial_stress(particular, b)]
+            determinant = left[0][0] * left[1][1] - left[0][1] * left[1][0]
+            terms = particular + [((right[0] * left[1][1] - right[1] * left[0][1]) / determinant, k),
+                                  ((right[1] * left[0][0] - right[0] * left[1][0]) / determinant, -k)]
+            return (sum(c * a**power for c, power in terms),
+                    sum(c * (q12 * power + q22) * a**(power - 1) for c, power in terms) - beta_t)
+
+        def overlap(pressure):
+            nu = self.SHAFT_NU
+            of_shaft = (1.36e-5 * rise * a + (1 - nu) / 4 * inertia * a**3 / shaft - (1 - nu) * pressure * a / shaft)
+            return self.INTERFERENCE + of_shaft - disc(pressure)[0]
+
+        pressure = overlap(0) / (overlap(0) - overlap(1))
+        return pressure, disc(pressure)[1]
+
+    def test_before_creep_and_after(self):
+        rows = self.rows("forged_disc.toml", {})
+        for row, state in ((rows[0], (20, 0)), (rows[3], (550, 314))):
+            pressure, hoop = self.elastic(*state)
+            self.expect_close(row["fit_pressure"], pressure, 1e-4)
+            self.expect_close(row["hoop_bore"], hoop, 6e-3)
+        self.expect_close(rows[-1]["fit_pressure"], 76.4, 1e-3)
+
+    def test_what_isotropic_data_would_say(self):
+        isotropic = self.rows("forged_disc.toml", {"materials.forging.hill.normal": "[1, 1, 1]", "materials.forging.hill.shear": "[1, 1, 1]"})
+        self.expect_close(isotropic[-1]["fit_pressure"], 64.1, 1e-3)
+        even = self.rows("forged_disc.toml", {"materials.forging.thermal_expansion": "1.36e-5", "time.end": "10", "time.output": "[10]"})
+        self.expect_close(even[-1]["fit_pressure"], 83.1, 1e-3)
+
+
 class OmegaPipe(MaterialExampleTest):
     """Rigid creep in plane strain: eps = c (a/r)^2, and the pressure 2/sqrt(3) * integral of q d(ln r) gives dc/dt."""
 

@@ -80,6 +80,23 @@ TEST(Hill, EqualRatiosScaleTheLaw) {
   EXPECT_LT(by_law.history.at("sxx", 100), 100);  // of 200 at first
 }
 
+/// Ratios of 1 change nothing, also where damage depends on the principal stress or the volume creeps.
+TEST(Hill, RatiosOfOneChangeNothing) {
+  const std::string pull = pulled("100") + "[[loads]]\non = \"y1\"\npressure = -60\n",
+                    time = "end = 10\noutput = [10]\ntolerance = 1e-6\n",
+                    ones = "\n[materials.steel.hill]\nnormal = [1, 1, 1]\nshear = [1, 1, 1]\n";
+  for (const std::string& law :
+       {creep_law_table("kachanov_rabotnov", "A = 1e-13\nn = 5\nB = 1e-10\nr = 4\nphi = 3\nalpha = 0.7"),
+        creep_law_table("hereditary", "compliances = [1e-5]\ntimes = [5]\nvolumetric_compliances = [2e-6]")}) {
+    const Outcome with = run_cube(law + ones, pull, time), without = run_cube(law, pull, time);
+    for (const char* probe : {"cxx", "cyy", "exx"})
+      EXPECT_RELATIVE(with.history.at(probe, 10), without.history.at(probe, 10), 1e-6);
+    if (law.find("kachanov") != std::string::npos) {
+      EXPECT_RELATIVE(with.history.at("damage", 10), without.history.at("damage", 10), 1e-6);
+    }
+  }
+}
+
 const char* const ring_geo = R"(
   Point(1) = {50, 0, 0}; Point(2) = {100, 0, 0}; Point(3) = {0, 100, 0}; Point(4) = {0, 50, 0}; Point(5) = {0, 0, 0};
   Line(1) = {1, 2}; Circle(2) = {2, 5, 3}; Line(3) = {3, 4}; Circle(4) = {4, 5, 1};

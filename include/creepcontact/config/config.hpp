@@ -42,9 +42,16 @@ struct Mesh {
   Location location;     ///< of `file`
 };
 
-/// [bodies.<name>.material_axes]
+/// [bodies.<name>.material_axes.cylindrical]: axes 1, 2, 3 are radial, circumferential and axial.
+struct CylindricalAxes {
+  std::array<double, 3> axis{0, 0, 1};  ///< not zero
+  std::array<double, 3> origin{};
+};
+
+/// [bodies.<name>.material_axes]: either two directions or cylindrical axes.
 struct MaterialAxes {
   std::array<Function, 3> first, second;  ///< directions, functions of x, y, z
+  std::optional<CylindricalAxes> cylindrical;
 };
 
 /// [bodies.<name>]
@@ -128,11 +135,11 @@ struct DataRange {
 /// [materials.<name>]
 struct Material {
   std::string name;
-  Function young_modulus;                  ///< of T; not with `orthotropic`
-  Function poisson_ratio;                  ///< of T; not with `orthotropic`
-  std::optional<Orthotropic> orthotropic;  ///< elasticity
-  std::optional<Hill> hill;                ///< of all creep laws
-  Function thermal_expansion = 0.0;        ///< secant, of T
+  Function young_modulus;                        ///< of T; not with `orthotropic`
+  Function poisson_ratio;                        ///< of T; not with `orthotropic`
+  std::optional<Orthotropic> orthotropic;        ///< elasticity
+  std::optional<Hill> hill;                      ///< of all creep laws
+  std::vector<Function> thermal_expansion{0.0};  ///< secant, of T: one, or three along the material axes
   double reference_temperature = 0.0;
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;

@@ -46,18 +46,35 @@ struct Table {
   Place place;
   std::vector<std::vector<double>> rows;
 };
+enum class Elasticity { isotropic, stiffness_matrix, engineering_constants };
 struct Material {
   std::string name;  ///< as written
   Place place;
   std::optional<Table> elastic, expansion, density, creep;
+  std::optional<Table> potential;  ///< ratios of Hill's stress: R11, R22, R33, R12, R13, R23
+  Elasticity elasticity = Elasticity::isotropic;
+  bool expands_along_axes = false;
   double expansion_zero = 0;
   std::string creep_law = "NORTON";
+
+  bool has_axes() const { return elasticity != Elasticity::isotropic || expands_along_axes || potential; }
+};
+
+/// *ORIENTATION: axes of a material.
+struct Orientation {
+  bool is_cylindrical = false;  ///< a, b: points of the axis; else of the directions of axis 1 and of the plane of 1, 2
+  Vector3 a = Vector3::Zero(), b = Vector3::Zero();
+  int turned_about = 0;      ///< local axis 1, 2 or 3; 0: not turned
+  double turned_by = 0;      ///< degrees
+  std::string problem = {};  ///< why it says no axes; empty: it does
+  Place place;
 };
 
 struct Section {
   std::string elements, material;  ///< names in upper case
   double thickness = 1;
   Place place;
+  std::string orientation = {};  ///< in upper case; empty: none
 };
 
 struct Amplitude {
@@ -95,6 +112,7 @@ struct Deck {
   std::map<std::string, Set> node_sets, element_sets;  ///< by name in upper case
   std::map<std::string, Surface> surfaces;
   std::map<std::string, Material> materials;
+  std::map<std::string, Orientation> orientations;
   std::map<std::string, Amplitude> amplitudes;
   std::vector<Section> sections;
   double absolute_zero = 0;    ///< in the deck's unit of temperature

@@ -1,8 +1,10 @@
 #pragma once
-/// Materials with three axes of symmetry: orthotropic elasticity, and creep with the equivalent stress of Hill.
+/// Materials with three axes of symmetry: orthotropic elasticity and thermal expansion, and creep with the
+/// equivalent stress of Hill.
 /// Tensors with respect to the material axes are six numbers in Mandel order, as all others.
 
 #include <array>
+#include <utility>
 
 #include "creepcontact/base/function.hpp"
 #include "creepcontact/base/tensor.hpp"
@@ -27,6 +29,23 @@ struct Orthotropy {
   Function average_poisson_ratio() const;
 };
 
+/// Secant coefficients along the material axes 1, 2, 3, functions of T: thermal strain = alpha(T) (T - reference).
+/// Without strains of shear between these axes.
+struct ThermalExpansion {
+  ThermalExpansion(Function in_all_directions = 0.0)  // NOLINT(google-explicit-constructor): one is the usual case
+      : along{in_all_directions, in_all_directions, in_all_directions} {}
+  ThermalExpansion(double in_all_directions)  // NOLINT(google-explicit-constructor)
+      : ThermalExpansion(Function(in_all_directions)) {}
+  explicit ThermalExpansion(std::array<Function, 3> along_axes) : along(std::move(along_axes)), has_axes(true) {}
+
+  bool is_zero() const;
+  /// Strains along the axes at the temperature T.
+  Vector3 strains(double T, double reference) const;
+
+  std::array<Function, 3> along;
+  bool has_axes = false;  ///< false: the three are one
+};
+
 /// Ratios of the stresses along axes 1, 2, 3 and the shear stresses 12, 23, 13 times sqrt(3) to the von Mises stress of
 /// an isotropic material that creeps as fast. All 1: isotropic. Equivalent stress:
 ///   q^2 = F (s22-s33)^2 + G (s33-s11)^2 + H (s11-s22)^2 + 2 L s23^2 + 2 M s13^2 + 2 N s12^2,
@@ -36,9 +55,11 @@ struct HillRatios {
   std::array<double, 6> values{1, 1, 1, 1, 1, 1};  ///< R11, R22, R33, R12, R23, R13, all > 0
 };
 
-/// The symmetric A for which the von Mises stress of A stress is q. A law f(q) of isotropic creep, seen through A, is
-/// the anisotropic one: strain rate = A rate(A stress) = f(q) dq/dstress. It is associated, does not change the volume
-/// and dissipates as the isotropic law does. Source: A. P. Karafillis, M. C. Boyce, J. Mech. Phys. Solids 41 (1993).
+/// The symmetric A for which the von Mises stress of A stress is q, and which leaves the mean stress as it is: the
+/// isotropic part of a law (volumetric creep) stays isotropic, and equal ratios of 1 make A the identity. A law f(q) of
+/// isotropic creep, seen through A, is the anisotropic one: strain rate = A rate(A stress) = f(q) dq/dstress. It is
+/// associated, changes the volume only as the isotropic law does, and dissipates as the isotropic law does. Source: A.
+/// P. Karafillis, M. C. Boyce, J. Mech. Phys. Solids 41 (1993).
 /// @throws ModelError if q^2 is negative for some stress
 Matrix6 hill_transformation(const HillRatios& ratios);
 

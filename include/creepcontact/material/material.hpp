@@ -1,5 +1,5 @@
 #pragma once
-/// A material: isotropic or orthotropic elasticity with thermal expansion, and its creep mechanisms.
+/// A material: isotropic or orthotropic elasticity and thermal expansion, and its creep mechanisms.
 
 #include <memory>
 #include <optional>
@@ -35,16 +35,16 @@ inline Tensor6 elastic_strain(const Moduli& h, const Tensor6& stress) {
 /// Functions of the temperature T; the creep laws are shared and immutable.
 struct Material {
   std::string name;
-  Function young_modulus;            ///< of T
-  Function poisson_ratio;            ///< of T
-  Function thermal_expansion = 0.0;  ///< secant: thermal strain = alpha(T) (T - reference_temperature)
+  Function young_modulus;  ///< of T
+  Function poisson_ratio;  ///< of T
+  ThermalExpansion thermal_expansion;
   double reference_temperature = 0.0;
   /// If given, this is the elasticity, and young_modulus and poisson_ratio are isotropic averages for scales.
   std::optional<Orthotropy> orthotropy;
   std::optional<HillRatios> hill;  ///< of all creep laws; not of the life fraction
   std::vector<std::shared_ptr<const CreepLaw>> creep;
 
-  bool has_axes() const { return orthotropy || hill; }
+  bool has_axes() const { return orthotropy || hill || thermal_expansion.has_axes; }
   bool creeps() const { return !creep.empty(); }
   /// State variables per point: 6 (creep strain) + internal variables of all laws; 0 for an elastic material.
   int n_state() const;

@@ -13,19 +13,20 @@ namespace creepcontact::mechanics {
 /// Values of one body at one time, made by Body::at() or Body::update(). Owned by the caller.
 struct BodyConditions {
   double time = 0;
-  std::vector<double> temperature;     ///< n_points; empty if none is given
-  std::vector<double> thermal_strain;  ///< n_points, equal normal strains; empty if there is none
-  std::vector<Moduli> moduli;          ///< one for all points, or n_points
-  std::vector<Matrix6> matrices;       ///< n_points of anisotropic elasticity (ElasticState); else empty
-  std::vector<double> external;        ///< external forces F(t), 3 (n_nodes + n_inner)
-  std::vector<double> prescribed;      ///< prescribed displacement, 3 n_nodes
-  std::vector<double> known;           ///< F(t) - K prescribed at the nodes, 3 n_nodes
-  bool has_inner_force = false;        ///< true if external forces act on inner displacements
+  std::vector<double> temperature;      ///< n_points; empty if none is given
+  std::vector<double> thermal_strain;   ///< n_points, equal normal strains; empty if there is none
+  std::vector<double> thermal_tensors;  ///< n_points x 6 of a material that expands along axes; else empty
+  std::vector<Moduli> moduli;           ///< one for all points, or n_points
+  std::vector<Matrix6> matrices;        ///< n_points of anisotropic elasticity (ElasticState); else empty
+  std::vector<double> external;         ///< external forces F(t), 3 (n_nodes + n_inner)
+  std::vector<double> prescribed;       ///< prescribed displacement, 3 n_nodes
+  std::vector<double> known;            ///< F(t) - K prescribed at the nodes, 3 n_nodes
+  bool has_inner_force = false;         ///< true if external forces act on inner displacements
 
   /// Moduli, thermal strain and forces on inner displacements; refers to this object.
   ElasticState elastic() const {
     return {moduli, thermal_strain, has_inner_force ? std::span(external).subspan(known.size()) : std::span<double>{},
-            matrices};
+            matrices, thermal_tensors};
   }
   /// Moduli alone.
   ElasticState stiffness() const { return {.moduli = moduli, .matrices = matrices}; }

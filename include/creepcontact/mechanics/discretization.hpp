@@ -30,19 +30,26 @@ struct CreepStrainView {
 
 /// Elastic material data at all points. Isotropic moduli: one for all points, or one per point. Thermal strain: one
 /// equal normal strain per point. Forces on the inner displacements: 3 n_inner. Matrices of anisotropic elasticity: one
-/// per point; the isotropic moduli are then averages for scales. The last three may be empty. Refers to values of the
-/// caller.
+/// per point; the isotropic moduli are then averages for scales. All but the moduli may be empty. Refers to values of
+/// the caller.
 struct ElasticState {
   std::span<const Moduli> moduli;
   std::span<const double> thermal_strain = {};
   std::span<const double> inner_force = {};
   std::span<const Matrix6> matrices = {};
+  std::span<const double> thermal_tensors =
+      {};  ///< n_points x 6: if it differs along the axes, instead of thermal_strain
   const Moduli& at(std::size_t point) const { return moduli[moduli.size() == 1 ? 0 : point]; }
 
   /// Stress for an elastic strain at a point, and back.
   Tensor6 stress(std::size_t point, const Tensor6& elastic_strain) const {
     return matrices.empty() ? material::stress(at(point), elastic_strain) : Tensor6(matrices[point] * elastic_strain);
   }
+  Tensor6 thermal(std::size_t point) const {
+    if (!thermal_tensors.empty()) return tensor::view(thermal_tensors, point);
+    return (thermal_strain.empty() ? 0.0 : thermal_strain[point]) * tensor::identity();
+  }
+  bool has_thermal_strain() const { return !thermal_strain.empty() || !thermal_tensors.empty(); }
   /// Cost with matrices: a decomposition.
   Tensor6 elastic_strain(std::size_t point, const Tensor6& stress) const;
 };

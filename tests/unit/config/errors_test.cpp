@@ -38,7 +38,26 @@ TEST(ConfigMistakes, MissingKey) {
   expect_mistake(minimal + "[materials.gold]\nyoung_modulus = 1\n" + orthotropic,
                  "cases/block.toml:13:17: materials.gold.young_modulus: the elasticity is given by 'orthotropic' too; "
                  "allowed: either isotropic constants or 'orthotropic'");
+  const std::string axes = orthotropic + "[bodies.bar]\nregion = \"bar\"\nmaterial = \"gold\"\nmaterial_axes";
+  EXPECT_TRUE(mistakes(minimal + axes + ".cylindrical = { axis = [0, 1, 0] }\n").empty());
+  expect_mistake(minimal + axes + " = { first = [1, 0, 0] }\n",
+                 "cases/block.toml:19:17: bodies.bar.material_axes.second: missing; allowed: [x, y, z]");
+  expect_mistake(minimal + axes + " = { first = [1, 0, 0], cylindrical = {} }\n",
+                 "cases/block.toml:19:27: bodies.bar.material_axes.first: the axes are given by 'cylindrical' too; "
+                 "allowed: either 'first' and 'second', or 'cylindrical'");
+  expect_mistake(minimal + axes + ".cylindrical = { axis = [0, 0, 0] }\n",
+                 "cases/block.toml:19:38: bodies.bar.material_axes.cylindrical.axis: [0, 0, 0]; allowed: a direction");
   expect_mistake(minimal + "[[loads]]\non = \"a\"\n", at_12 + "1: loads[0]: no load; allowed: exactly one of pressure");
+}
+
+TEST(ConfigMistakes, CoefficientsAlongAxes) {
+  const std::string key = "materials.steel.thermal_expansion";
+  EXPECT_TRUE(mistakes(minimal, {key + "=[1e-5, '1e-5 + 1e-9*T', 2e-5]"}).empty());
+  expect_mistake(minimal,
+                 "--set " + key + "=[1, 2]: " + key + ": a list of 2; allowed: a number, an expression in T, a table",
+                 {key + "=[1, 2]"});
+  expect_mistake(minimal, "--set " + key + "=[1, true, 2]: " + key + "[1]: boolean true; allowed: a number",
+                 {key + "=[1, true, 2]"});
 }
 
 TEST(ConfigMistakes, WrongType) {

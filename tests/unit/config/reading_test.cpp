@@ -117,7 +117,7 @@ TEST(ConfigReading, MaterialsAndLawsInTheOrderOfTheVocabulary) {
   const Config config = parse_text(full);
   const Material& rotor = config.material("rotor");
   EXPECT_DOUBLE_EQ(rotor.young_modulus({.T = 260}), 1.9e5);
-  EXPECT_DOUBLE_EQ(rotor.thermal_expansion({.T = 100}), 1.01e-5);
+  EXPECT_DOUBLE_EQ(rotor.thermal_expansion.at(0)({.T = 100}), 1.01e-5);
   EXPECT_EQ(rotor.reference_temperature, 20.0);
   const Material& disc = config.material("disc");
   ASSERT_EQ(disc.creep.size(), 3u);

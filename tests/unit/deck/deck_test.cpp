@@ -74,6 +74,49 @@ TEST(Deck, SurfacesSectionsAndMaterials) {
   EXPECT_EQ(deck.sections[0].thickness, 2.5);
 }
 
+TEST(Deck, MaterialsWithAxes) {
+  const Deck deck = read(
+      square +
+      "*MATERIAL, NAME=Crystal\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1e5, 2e5, 3e5, .1, .2, .3, 4e4, 5e4\n6e4, 20\n"
+      "9e4, 1e5, 2e5, .1, .2, .3, 4e4, 5e4,\n6e4, 600,\n*EXPANSION, TYPE=ORTHO\n1e-5, 2e-5, 3e-5, 20\n"
+      "*CREEP\n1e-20, 5, 0\n*POTENTIAL\n1, 0.9, 1.1, 0.7, 0.8, 0.6\n"
+      "*MATERIAL, NAME=Plate\n*ELASTIC, TYPE=ORTHO\n5e5, 157200., 4e5, 157200., 157200., 3e5, 126200., 126200.,\n"
+      "126200., 294.\n"
+      "*ORIENTATION, NAME=Or1\n1, 1, 0, 0, 1, 0\n3, 30\n*ORIENTATION, NAME=or2, SYSTEM=CYLINDRICAL\n1,2,3,1,2,5\n"
+      "*ORIENTATION, NAME=or3, DEFINITION=NODES\n1, 2, 3\n"
+      "*SOLID SECTION, ELSET=eall, MATERIAL=CRYSTAL, ORIENTATION=OR1\n");
+  const Material& crystal = deck.materials.at("CRYSTAL");
+  EXPECT_EQ(crystal.elasticity, Elasticity::engineering_constants);
+  ASSERT_EQ(crystal.elastic->rows.size(), 2U);
+  EXPECT_EQ(crystal.elastic->rows[1], (std::vector<double>{9e4, 1e5, 2e5, .1, .2, .3, 4e4, 5e4, 6e4, 600}));
+  EXPECT_TRUE(crystal.expands_along_axes);
+  EXPECT_EQ(crystal.potential->rows[0], (std::vector<double>{1, 0.9, 1.1, 0.7, 0.8, 0.6}));
+  EXPECT_EQ(deck.materials.at("PLATE").elasticity, Elasticity::stiffness_matrix);
+  const Orientation& turned = deck.orientations.at("OR1");
+  EXPECT_EQ(turned.a, Vector3(1, 1, 0));
+  EXPECT_EQ(turned.turned_about, 3);
+  EXPECT_EQ(turned.turned_by, 30);
+  EXPECT_TRUE(turned.problem.empty());
+  EXPECT_TRUE(deck.orientations.at("OR2").is_cylindrical);
+  EXPECT_EQ(deck.orientations.at("OR2").b, Vector3(1, 2, 5));
+  EXPECT_FALSE(deck.orientations.at("OR3").problem.empty());
+  EXPECT_EQ(deck.sections[0].orientation, "OR1");
+  EXPECT_TRUE(says(refusal(square + "*ORIENTATION, NAME=o\n1, 0, 0, 0, 1, 0\n4, 30\n"), {"'4' is not a local axis"}));
+}
+
+/// Axes turn with their instance.
+TEST(Deck, OrientationsOfInstances) {
+  const Deck deck = read(
+      "*Part, name=Plate\n*Node\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n*Element, type=CPS4\n1, 1, 2, 3, 4\n"
+      "*Elset, elset=all\n1\n*Orientation, name=o\n1, 0, 0, 0, 1, 0\n*Orientation, name=c, system=cylindrical\n"
+      "1, 0, 0, 1, 0, 1\n*Solid Section, elset=all, material=m, orientation=o\n*End Part\n"
+      "*Assembly, name=A\n*Instance, name=P, part=PLATE\n10, 0, 0\n10, 0, 0, 10, 0, 1, 90\n*End Instance\n*End "
+      "Assembly\n");
+  EXPECT_EQ(deck.sections[0].orientation, "P.O");
+  EXPECT_LT((deck.orientations.at("P.O").a - Vector3(0, 1, 0)).norm(), 1e-14);
+  EXPECT_LT((deck.orientations.at("P.C").a - Vector3(10, 1, 0)).norm(), 1e-14);
+}
+
 TEST(Deck, StepsKeepTheirCards) {
   const Deck deck =
       read(square +

@@ -55,8 +55,8 @@ TEST(Orthotropy, RefusesConstantsOfNoMaterial) {
   EXPECT_THROW(wrong.stiffness(600), ModelError);
 }
 
-TEST(Hill, EqualRatiosAreVonMises) {
-  EXPECT_LT((hill_transformation({}) * some - tensor::deviator(some)).norm(), 1e-13 * some.norm());
+TEST(Hill, RatiosOfOneChangeNothing) {
+  EXPECT_LT((hill_transformation({}) * some - some).norm(), 1e-13 * some.norm());
 }
 
 TEST(Hill, TransformedStressHasHillsEquivalentStress) {
@@ -71,8 +71,19 @@ TEST(Hill, TransformedStressHasHillsEquivalentStress) {
                     3 * square(s(0, 1) / R[3]) + 3 * square(s(1, 2) / R[4]) + 3 * square(s(0, 2) / R[5]);
   const Matrix6 A = hill_transformation(ratios);
   EXPECT_NEAR(tensor::von_mises(A * some), std::sqrt(q2), 1e-11);
-  EXPECT_LT((A * tensor::identity()).norm(), 1e-7);  // a root of rounding
+  EXPECT_LT((A * tensor::identity() - tensor::identity()).norm(), 1e-7);  // a root of rounding
   EXPECT_LT((A - A.transpose()).norm(), 1e-14);
+}
+
+TEST(ThermalExpansion, OneOrThreeCoefficients) {
+  const ThermalExpansion one = Function::expression("1e-5 + 1e-8*T", {"T"});
+  EXPECT_FALSE(one.has_axes);
+  EXPECT_LT((one.strains(100, 20) - Vector3::Constant(1.1e-5 * 80)).norm(), 1e-18);
+  const ThermalExpansion three({1e-5, 0.0, Function::expression("1e-8*T", {"T"})});
+  EXPECT_TRUE(three.has_axes);
+  EXPECT_FALSE(three.is_zero());
+  EXPECT_LT((three.strains(100, 20) - 80 * Vector3(1e-5, 0, 1e-6)).norm(), 1e-18);
+  EXPECT_TRUE(ThermalExpansion().is_zero());
 }
 
 TEST(Hill, RefusesRatiosOfNoTriangle) {

@@ -161,7 +161,8 @@ TEST(Body, LoadsThatAreNoNumbersAreAnError) {
   };
   Body body("lid", box, elastic_material(), symmetry_supports(box), std::nullopt);
   const std::string at_once = message_of<ModelError>([&] { body.add_load(pressure("sqrt(-1 - x)")); });
-  EXPECT_NE(at_once.find("body 'lid': its loads, supports or temperature are not finite at t = 0"), std::string::npos)
+  EXPECT_NE(at_once.find("body 'lid': its loads, supports, temperature or thermal expansion are not finite at t = 0"),
+            std::string::npos)
       << at_once;
   body.add_load(pressure("1/(2 - t)"));
   EXPECT_NO_THROW(body.at(1.0));
