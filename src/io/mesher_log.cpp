@@ -83,7 +83,7 @@ std::string MesherLog::own_words() const {
 }
 
 std::string MesherLog::last_words() const {
-  return indented(last_);
+  return last_.empty() ? "" : "; its last messages:" + indented(last_);
 }
 
 }  // namespace creepcontact::io

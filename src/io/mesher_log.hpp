@@ -22,7 +22,7 @@ class MesherLog {
   bool lacks_memory() const { return lacks_memory_; }
   /// What the mesher itself said, a line each, indented.
   std::string own_words() const;
-  /// The last lines of Gmsh, indented.
+  /// The last lines of Gmsh, indented, with what introduces them in a message; empty if it said nothing.
   std::string last_words() const;
 
  private:

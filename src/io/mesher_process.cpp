@@ -99,7 +99,7 @@ class Mesher {
     receive_log();
     log_.end();
     refuse(
-        "meshing took longer than mesh.time_limit = {} s and was stopped; its last messages:{}\n  Check the file for "
+        "meshing took longer than mesh.time_limit = {} s and was stopped{}\n  Check the file for "
         "an endless loop; if the mesh is just large, raise mesh.time_limit or make the mesh coarser",
         time_limit_, log_.last_words());
   }
@@ -115,7 +115,7 @@ class Mesher {
       refuse("the file ended Gmsh by Exit before there was a mesh:{}\n  Remove the statement", log_.own_words());
     if (status == mesher::out_of_memory || log_.lacks_memory()) {
       refuse(
-          "meshing needs more memory than mesh.memory_limit_mb = {} or the system allows; its last messages:{}{}\n  "
+          "meshing needs more memory than mesh.memory_limit_mb = {} or the system allows{}{}\n  "
           "Make the mesh coarser, or raise mesh.memory_limit_mb",
           request_.memory_limit_mb, log_.last_words(), log_.own_words());
     }
@@ -127,16 +127,16 @@ class Mesher {
     }
     if (!log_.errors().empty()) refuse("Gmsh failed:{}", log_.errors());
     if (status > 128) {
-      refuse("Gmsh crashed ({}); its last messages:{}{}\n  Simplify the geometry near that place{}. {}",
-             signal_text(status - 128), log_.last_words(), log_.own_words(),
+      refuse("Gmsh crashed ({}){}{}\n  Simplify the geometry near that place{}. {}", signal_text(status - 128),
+             log_.last_words(), log_.own_words(),
              status == 128 + SIGKILL
                  ? ", or make the mesh coarser: a system that runs out of memory ends programs like this"
                  : "",
              remedy_by_hand);
     }
     constexpr int not_started = 127;
-    refuse("Gmsh made no mesh (creepcontact-mesher ended with status {}); its last messages:{}{}\n  {}{}", status,
-           log_.last_words(), log_.own_words(),
+    refuse("Gmsh made no mesh (creepcontact-mesher ended with status {}){}{}\n  {}{}", status, log_.last_words(),
+           log_.own_words(),
            status == not_started ? "Its libraries need about 600 MB of address space: allow the program more memory if "
                                    "it is limited (ulimit -v). "
                                  : "",

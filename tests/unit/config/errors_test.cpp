@@ -110,6 +110,11 @@ TEST(ConfigMistakes, TermsOfEquations) {
 }
 
 TEST(ConfigMistakes, OutOfRange) {
+  expect_mistake(minimal + "cycle = 0\n", at_12 + "9: time.cycle: number 0; allowed: a number > 0");
+  expect_mistake(
+      minimal + "stop_when_steady = 1e-3\n",
+      at_12 + "20: time.stop_when_steady: has no effect without cycles; allowed: with time.cycle, their period");
+  expect_mistake(minimal + "cycle = 1e9\n", at_12 + "9: time.cycle: no cycle of 1000000000 ends before time.end = ");
   expect_mistake(minimal + "beta = 0.4\n", at_12 + "8: time.beta: number 0.4; allowed: a number in [0.5, 1]");
   expect_mistake(minimal + "step = 0\n",
                  at_12 + "8: time.step: number 0; allowed: a number > 0 or \"stable\" or \"adaptive\"");
