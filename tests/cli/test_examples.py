@@ -34,7 +34,8 @@ class EveryExample(RunTest):
               "casing_flange": dict(n_side=2, n_middle=2, n_seat=2, n_bearing=2, n_wall=2, n_height=3, n_ring=4, n_shank=2,
                                     n_nut=1, n_heel=2, n_land=1),
               "blade_root": dict(n_blade=2, n_disc=2, n_blade_flank=3, n_disc_flank=2, n_width=1),
-              "bladed_disc": dict(size=16, n_width=4), "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10)}
+              "bladed_disc": dict(size=16, n_width=4), "ball_on_block": dict(h=0.6), "viscoelastic_indenter": dict(n_block=18, n_depth=10),
+              "valve_seat_cycles": dict(size=2)}
     UNTIL_RUPTURE = ("omega_pipe",)
 
     def test_ends_with_the_default_integrator_at_any_tolerance(self):
