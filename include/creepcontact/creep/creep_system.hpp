@@ -106,7 +106,7 @@ class CreepSystem final : public ode::System,
   /// @throws RecoverableError if no equilibrium is found
   void resume(double t, std::span<const double> y, const Memory& memory);
   /// Longest next step from t for which the turning of slip directions stays within the tolerance and no yielding is
-  /// passed over (YieldSteps); infinity without friction and laws that yield.
+  /// missed (YieldSteps); infinity without friction and laws that yield.
   double longest_step(double t) const;
 
   const EquilibriumSolver& solver() const { return solver_; }

@@ -25,7 +25,7 @@ class YieldSteps {
   /// The longest next step from t, in a segment of the loads up to `end`; infinity if no law yields.
   double longest(double t, double end) const;
 
-  /// Besides the stress of the last accepted step, the complete state.
+  /// The complete state, but for the stress of the last accepted step.
   std::vector<double> memory() const;
   /// @param at  the state from which the run goes on
   void resume(const Equilibrium& at, std::span<const double> memory);
