@@ -109,7 +109,7 @@ class MaterialPoints {
   /// transformation (material::hill_transformation).
   class SeenStress {
    public:
-    SeenStress(const MaterialPoints& points, std::size_t p, tensor::ConstMap given) : given_(given) {
+    SeenStress(const MaterialPoints& points, std::size_t p, const tensor::ConstMap& given) : given_(given) {
       if (points.hill_.empty()) return;
       transformed_ = points.hill(p) * given;
       seen_ = &transformed_;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
 
 namespace creepcontact::creep {
