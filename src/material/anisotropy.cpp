@@ -145,7 +145,7 @@ Matrix6 hill_transformation(const HillRatios& ratios) {
   form.topLeftCorner<3, 3>() << G + H, -H, -G, -H, F + H, -F, -G, -F, F + G;
   for (Index i = 0; i < 3; ++i) form(3 + i, 3 + i) = 1.5 * square(3 + static_cast<std::size_t>(i));
   const Eigen::SelfAdjointEigenSolver<Matrix6> spectrum(2.0 / 3.0 * form);
-  const Tensor6 values = spectrum.eigenvalues();
+  const Tensor6& values = spectrum.eigenvalues();
   constexpr double rounding = 1e-12;
   if (!(values.minCoeff() > -rounding * values.maxCoeff()))
     throw ModelError(fmt::format(

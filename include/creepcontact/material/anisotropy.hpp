@@ -32,8 +32,8 @@ struct Orthotropy {
 /// Secant coefficients along the material axes 1, 2, 3, functions of T: thermal strain = alpha(T) (T - reference).
 /// Without strains of shear between these axes.
 struct ThermalExpansion {
-  ThermalExpansion(
-      const Function& in_all_directions = 0.0)  // NOLINT(google-explicit-constructor): one is the usual case
+  // NOLINTNEXTLINE(google-explicit-constructor): one is the usual case
+  ThermalExpansion(const Function& in_all_directions = 0.0)
       : along{in_all_directions, in_all_directions, in_all_directions} {}
   ThermalExpansion(double in_all_directions)  // NOLINT(google-explicit-constructor)
       : ThermalExpansion(Function(in_all_directions)) {}
