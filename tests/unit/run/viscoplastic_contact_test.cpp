@@ -1,6 +1,8 @@
 /// Creep and plasticity in one in the lower block, which is pressed and let go again: strain in one direction that
 /// opens the contact for a part of each cycle, by every integrator, against an integration along the axis.
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <numbers>
