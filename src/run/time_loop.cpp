@@ -11,6 +11,7 @@
 #include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "creepcontact/results/contact_width.hpp"
 #include "creepcontact/results/equilibrium_residual.hpp"
+#include "elastic_path.hpp"
 #include "event_search.hpp"
 #include "preparation.hpp"
 
@@ -447,70 +448,16 @@ bool TimeLoop::stopped_at_once(std::span<const double> y) {
   return stopped_within(time_, time_, [&](double) { return y; });
 }
 
-bool TimeLoop::stopped_before(double t) {
-  if (!events_->is_waiting()) return false;
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const auto loaded = [&](double) { return std::span<const double>(state_); };
-  double from = time_;
-  for (auto jump = std::ranges::upper_bound(model_.breakpoints, from); from < t; ++jump) {
-    const bool is_jump = jump != model_.breakpoints.end() && *jump <= t;
-    const double to = is_jump ? *jump : t;
-    system_.begin_segment(-never, is_jump ? to : never);
-    if (stopped_within(from, to, loaded)) return true;
-    time_ = from = to;
-    if (!is_jump) return false;
-    system_.begin_segment(to, never);
-    system_.apply_preloads(to, state_);
-    if (stopped_at_once(state_)) return true;
-  }
-  return false;
-}
-
-bool TimeLoop::load_until(double t) {
-  constexpr double shortest = 1e-7;  // of the time
-  const auto loaded = [&](double) { return std::span<const double>(state_); };
-  double reached = system_.history().friction.time, step = t - reached;
-  while (true) {
-    const double to = step < t - reached ? reached + step : t;
-    try {
-      system_.accept(to, state_);
-    } catch (const RecoverableError&) {  // loads that turn the slip too far at once, or that friction cannot hold
-      step = (to - reached) / 2;
-      if (!(step > shortest * t)) throw;
-      continue;
-    }
-    if (to > reached && stopped_within(reached, to, loaded)) return true;
-    if (to >= t) return false;
-    reached = to;
-    step *= 2;
-  }
-}
-
-bool TimeLoop::stopped_on_the_way(double t) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const std::vector<double>& breakpoints = model_.breakpoints;
-  const bool has_path = system_.has_friction();  // loads turn and jump at breakpoints
-  if (!has_path && stopped_before(t)) return true;
-  for (; has_path && next_break_ != breakpoints.end() && *next_break_ <= t; ++next_break_) {
-    system_.begin_segment(-never, *next_break_);
-    if (load_until(*next_break_)) return true;
-    system_.begin_segment(*next_break_, never);
-    system_.apply_preloads(*next_break_, state_);
-    system_.accept(*next_break_, state_);
-    time_ = *next_break_;
-    if (stopped_at_once(state_)) return true;
-  }
-  const bool jump = std::binary_search(breakpoints.begin(), breakpoints.end(), t);
-  system_.begin_segment(jump ? t : -never, never);
-  return has_path && load_until(t);
-}
-
 void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
+  const auto at_rest = [&](double) { return std::span<const double>(state_); };
+  ElasticPath path(system_, model_.breakpoints, state_, time_,
+                   {.stops = [&](double from, double to) { return stopped_within(from, to, at_rest); },
+                    .reached = [&](double t) { time_ = t; }});
   for (; next_output_ != config_.time.output.end(); ++next_output_) {
     if (interrupted(interrupt)) return;
     if (checkpoints_.due()) write_checkpoint();
     const double t = *next_output_;
-    if (stopped_on_the_way(t)) return output(time_, state_);
+    if (path.stopped_before(t)) return output(time_, state_);
     system_.apply_preloads(t, state_);
     system_.evaluate_step(t, state_);
     output(t, state_);

@@ -92,18 +92,11 @@ class TimeLoop {
   bool stopped_in_step(double begin);
   /// Finds the events that hold at time_, such as after a jump of the loads. @returns as stopped_within()
   bool stopped_at_once(std::span<const double> y);
-  /// Without creep: takes the loads from the last output to this time. @returns as stopped_within()
-  bool stopped_on_the_way(double t);
-  /// The same without friction: there is nothing to take but events.
-  bool stopped_before(double t);
   void report_rupture(double time, const creep::CreepSystem::Extreme& where);
   void integrate(const platform::Interrupt& interrupt);
   void see_uniqueness(const creep::Equilibrium& at);
   /// Where the turning of slip directions bounds the next step.
   double longest_step_end() const;
-  /// With friction and without creep: accepts the state at t, in shorter steps where one is too long.
-  /// @returns true if an event stops the run before
-  bool load_until(double t);
   void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const {

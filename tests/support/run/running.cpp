@@ -1,8 +1,15 @@
 #include "support/run/running.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace creepcontact::run::test {
+
+std::vector<std::string> elastic(std::vector<std::string> more) {
+  for (const char* material : {"soft", "hard"}) more.push_back(fmt::format("materials.{}.creep=[]", material));
+  return more;
+}
 
 double relaxed_pressure(double t) {
   return std::pow(1 + 3 * (3 * 1e-3 / 0.025) * t, -1.0 / 3);

@@ -2,6 +2,7 @@
 /// Whole runs of the two blocks, and the tables they leave.
 
 #include <string>
+#include <vector>
 
 #include "creepcontact/run/run.hpp"
 #include "support/run/blocks.hpp"
@@ -18,6 +19,9 @@ name = "pressure"
 quantity = "contact_pressure"
 on = "upper_bottom"
 )";
+
+/// These overrides and those that make the blocks elastic.
+std::vector<std::string> elastic(std::vector<std::string> more);
 
 /// Mean pressure of the blocks, pressed with 1 and held: (0.025 / 1) d(sigma)/dt = -(2 + 1) A sigma^4
 double relaxed_pressure(double t);

@@ -99,13 +99,6 @@ TEST(EventsOfRuns, StopAtTheStart) {
   EXPECT_EQ(Table(blocks / "out" / "history.csv").times(), std::vector<double>{0});
 }
 
-const std::vector<std::string> without_creep{"materials.soft.creep=[]", "materials.hard.creep=[]"};
-
-std::vector<std::string> elastic(std::vector<std::string> more) {
-  more.insert(more.end(), without_creep.begin(), without_creep.end());
-  return more;
-}
-
 TEST(EventsOfRuns, OfLinearLoadsWithoutCreep) {
   // The pressure is 40 times the displacement: it grows by 0.3 per time.
   const Case blocks;

@@ -53,8 +53,7 @@ TEST(ResumeFinished, ACompletedRunIsLeftAsItIs) {
 
 TEST(ResumeFinished, AnElasticRunToo) {
   const Case blocks;
-  const config::Config config =
-      blocks.config(pressure_probe, {"materials.soft.creep=[]", "materials.hard.creep=[]", "time.output=[1, 3]"});
+  const config::Config config = blocks.config(pressure_probe, elastic({"time.output=[1, 3]"}));
   ASSERT_EQ(run(config, {.output = (blocks / "out").string()}).exit_status, 0);
   expect_left_alone(config, blocks / "out", "the run is complete up to t = 4");
 }

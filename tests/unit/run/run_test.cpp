@@ -105,8 +105,8 @@ TEST(RunBreakpoints, AreEndsOfSteps) {
 TEST(RunElastic, HistoryFollowsTheLoads) {
   const Case blocks;
   const config::Config config =
-      blocks.config(pressure_probe, {"materials.soft.creep=[]", "materials.hard.creep=[]", "time.output=[0.5, 1, 3]",
-                                     "supports.3.displacement.z=-0.025*t", "contacts.0.gap=0.025"});
+      blocks.config(pressure_probe,
+                    elastic({"time.output=[0.5, 1, 3]", "supports.3.displacement.z=-0.025*t", "contacts.0.gap=0.025"}));
   for (const bool resume : {false, true}) {  // a run that has ended may be resumed: nothing is left to do
     const RunResult result = run(config, {.output = (blocks / "out").string(), .resume = resume});
     ASSERT_EQ(result.exit_status, 0) << result.message;
