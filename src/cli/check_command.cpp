@@ -2,6 +2,7 @@
 
 #include "command.hpp"
 #include "creepcontact/base/cores.hpp"
+#include "creepcontact/cli/processes.hpp"
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/run/check.hpp"
 #include "creepcontact/run/vocabulary.hpp"
@@ -28,6 +29,7 @@ int check(const Command& self, const Arguments& arguments) {
   add_trust(line);
   if (!line.parse(arguments, "CONFIG.toml")) return 0;
   if (line.has("threads")) line.require_within("threads", threads, cores());
+  options.processes = Processes::of_one();
   config::Config config = config::read(line.positional(), run::vocabulary(), overrides(line));
   config.mesh.trust_geometry = line.has(trust_option);
   const ThreadChoice choice(threads);

@@ -79,6 +79,10 @@ run::Processes Processes::of_run() {
               }};
 }
 
+run::Processes Processes::of_one() {
+  return all->size() == 1 ? of_run() : run::Processes{};
+}
+
 bool Processes::share(const std::string& command) {
   if (command == "study")
     throw ConfigError(

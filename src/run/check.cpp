@@ -87,7 +87,7 @@ void check(const config::Config& config, std::ostream& report, const CheckOption
   if (options.fields)
     for (const std::filesystem::path& file : write_model_view(config, model, directory))
       report << fmt::format("written: {}\n", file.string());
-  if (options.start) report << start_report(config, model) << std::flush;
+  if (options.start) report << start_report(config, model, options.processes) << std::flush;
   report << "no mistakes found\n" << std::flush;
 }
 

@@ -93,8 +93,8 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
     }
   if (!processes.multigrid)
     throw ConfigError(fmt::format(
-        "{}: linear_solver.method = \"multigrid\" is for creepcontact-mpi, which also runs as one process; start that "
-        "program, or use \"auto\"",
+        "{}: linear_solver.method = \"multigrid\" is for creepcontact-mpi, which also runs as one process, and its "
+        "'check --start' only so; start it as one process, or use \"auto\"",
         config.file.string()));
   return creep::EquilibriumSolver(assembly, with_multigrid(config, model.solver, assembly, processes), watch, admit);
 }

@@ -33,9 +33,9 @@ ContactStart contact_start(const contact::Pair& pair, const creep::Equilibrium& 
 
 class StartReport {
  public:
-  StartReport(const config::Config& config, const model::Model& model)
+  StartReport(const config::Config& config, const model::Model& model, const Processes& processes)
       : config_(config),
-        solver_(make_solver(config, model, model.assembly, {}, watch_)),
+        solver_(make_solver(config, model, model.assembly, processes, watch_)),
         system_(make_system(config, model, solver_, watch_)),
         at_(solved(model)) {}
 
@@ -164,8 +164,8 @@ class StartReport {
 
 }  // namespace
 
-std::string start_report(const config::Config& config, const model::Model& model) {
-  return StartReport(config, model).text();
+std::string start_report(const config::Config& config, const model::Model& model, const Processes& processes) {
+  return StartReport(config, model, processes).text();
 }
 
 }  // namespace creepcontact::run

@@ -5,6 +5,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/model/model.hpp"
+#include "creepcontact/run/run.hpp"
 
 namespace creepcontact::run {
 
@@ -13,6 +14,6 @@ namespace creepcontact::run {
 /// von Mises stress, times in which it relaxes).
 /// @throws Error whatever the run would be refused or end with before its first step
 /// Cost: the factorisations and some elastic solves; with friction also 3 initial_substeps contact problems.
-std::string start_report(const config::Config& config, const model::Model& model);
+std::string start_report(const config::Config& config, const model::Model& model, const Processes& processes);
 
 }  // namespace creepcontact::run

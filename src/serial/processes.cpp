@@ -41,6 +41,10 @@ run::Processes Processes::of_run() {
   return {};
 }
 
+run::Processes Processes::of_one() {
+  return of_run();
+}
+
 bool Processes::share(const std::string& /*command*/) {
   for (const Launcher& launcher : launchers)
     if (const int n = number_in(launcher.size); n > 1)

@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -163,6 +164,14 @@ class MpiMultigrid(MpiTest):
             self.expect_the_same(whole, self.directory / first, 1e-4)
 
 
+    def test_the_start_is_checked_by_one_process(self):
+        words = ("check", ROOT / "configs" / "shrink_fit.toml", "--start", "--set")
+        done = [self.done(1, *words, f"linear_solver.method={method}") for method in ("direct", "multigrid")]
+        start = [re.search(r"start \(t = 0\):\n.*largest von Mises stress (\S+)", one.stdout, re.DOTALL) for one in done]
+        self.assertTrue(all(start), done)
+        self.assertAlmostEqual(float(start[0][1]) / float(start[1][1]), 1, delta=1e-4)
+
+
 class MpiEnds(MpiTest):
     def expect_error(self, processes, status, sentence, *arguments, **more):
         done = self.done(processes, *arguments, **more)
@@ -185,6 +194,8 @@ class MpiEnds(MpiTest):
                           "linear_solver.method=multigrid")
         self.expect_error(0, 2, "multigrid.* is for creepcontact-mpi", "run", fit, "--output", "out", "--set",
                           "linear_solver.method=multigrid")
+        self.expect_error(2, 2, "multigrid.* 'check --start' only so; start it as one process", "check", fit, "--start",
+                          "--set", "linear_solver.method=multigrid")
         self.expect_error(2, 2, "more than contact_solver.dense_limit_mb allows", "run", fit, "--output", "out", "--set",
                           "contact_solver.dense_limit_mb=1e-6")
         self.expect_error(2, 2, "depends on the mean stress, which these elements smooth over their neighbours", "run",

@@ -29,6 +29,8 @@ class Processes {
   static bool is_first();
   /// What run::run() needs to know of them. Precondition: the object exists
   static run::Processes of_run();
+  /// The same for what is_first() executes alone. Precondition: the object exists
+  static run::Processes of_one();
   /// True if all processes execute the command together; else is_first() does.
   /// @throws ConfigError if several processes, or this program, cannot execute it
   static bool share(const std::string& command);

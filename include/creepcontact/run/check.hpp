@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "creepcontact/config/config.hpp"
+#include "creepcontact/run/run.hpp"
 
 namespace creepcontact::run {
 
@@ -15,6 +16,7 @@ struct CheckOptions {
   bool resume = false;      ///< whether the run would continue from the checkpoint there
   bool start = false;       ///< solve t = 0 and print what comes out
   bool fields = false;      ///< write the model for ParaView, and a picture of it, into the directory
+  Processes processes = {};  ///< of one process: what else can solve t = 0 than the factors
 };
 
 /// Prints bodies, unknowns, contact pairs with the distances in the mesh, rigid-body modes and estimated memory, and
