@@ -81,7 +81,7 @@ struct CreepMechanism {
   Location location;
   bool depends_on_temperature = false;  ///< as reported by the law
   /// Where the data hold from which the constants come; not given: not known.
-  std::optional<Interval> stress_range, temperature_range;
+  std::optional<Interval> stress_range = {}, temperature_range = {};
 };
 
 enum class StressMeasure { von_mises, principal, mixed };
