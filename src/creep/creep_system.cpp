@@ -205,9 +205,7 @@ void CreepSystem::precondition_once(double t, std::span<const double> y, double 
       PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
       continue;
     }
-    local_[b]->prepare(gamma, state);
-    local_[b]->solution(right, {}, result);
-    local_gamma_ = 0;
+    local_[b]->solve_points(gamma, state, right, result);
   }
 }
 

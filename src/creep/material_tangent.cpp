@@ -23,18 +23,16 @@ Matrix6 compliance(const mechanics::ElasticState& elastic, std::size_t point) {
 struct MaterialTangent::Work {
   explicit Work(Index stride) : unit(stride), by_state(stride, stride), by_stress(stride, 6) {}
   Eigen::VectorXd unit;
+  Index first = 0;                         // of the state variables that rates depend on
   Eigen::MatrixXd by_state;                // A
   Eigen::Matrix<double, -1, 6> by_stress;  // C
   Eigen::MatrixXd own;                     // the part of M that has to be inverted
   Eigen::PartialPivLU<Eigen::MatrixXd> elimination;
+  Eigen::MatrixXd columns;  // [gamma C, r]
 };
 
 MaterialTangent::MaterialTangent(const MaterialPoints& points)
-    : points_(points),
-      n_points_(points.size()),
-      stride_(points.stride()),
-      moduli_(n_points_),
-      eliminated_(n_points_ * stride_ * (stride_ + 6)) {}
+    : points_(points), n_points_(points.size()), stride_(points.stride()) {}
 
 Index MaterialTangent::first_state(std::size_t p, const PointsState& at, Work& work) const {
   const Tensor6 no_stress = Tensor6::Zero();
@@ -46,12 +44,12 @@ Index MaterialTangent::first_state(std::size_t p, const PointsState& at, Work& w
   return work.by_state.col(0).isZero(0) ? 6 : 0;
 }
 
-void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
+void MaterialTangent::linearize(std::size_t p, const PointsState& at, Work& work) const {
   const Index n = stride_;
   Tensor6 stress = Tensor6::Zero();
   const PointsChange change{.stress = {stress.data(), 6}, .state = {work.unit.data(), stride_}};
-  const Index first = first_state(p, at, work), own = n - first;
-  for (Index j = first; j < n; ++j) {
+  work.first = first_state(p, at, work);
+  for (Index j = work.first; j < n; ++j) {
     work.unit = Eigen::VectorXd::Unit(n, j);
     points_.derivative_at(p, at, change, {work.by_state.col(j).data(), stride_});
   }
@@ -60,34 +58,62 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
     stress = Tensor6::Unit(j);
     points_.derivative_at(p, at, change, {work.by_stress.col(j).data(), stride_});
   }
+}
 
+/// columns = M^-1 columns. Of the creep strain, if no rate depends on it, M is the identity.
+void MaterialTangent::eliminate(double gamma, Work& work, Eigen::Ref<Eigen::MatrixXd> columns) {
+  const Index first = work.first, own = columns.rows() - first;
+  const auto by_own = work.by_state.rightCols(own);
+  if (by_own.isZero(0)) return;  // secondary creep
+  // M = [I, -gamma A_c; 0, I - gamma A_i]: only the second block is inverted.
+  work.own = -gamma * by_own.bottomRows(own);
+  work.own.diagonal().array() += 1;
+  work.elimination.compute(work.own);
+  columns.bottomRows(own) = work.elimination.solve(columns.bottomRows(own)).eval();
+  if (first > 0) columns.topRows(first) += (gamma * by_own.topRows(first)).lazyProduct(columns.bottomRows(own));
+}
+
+void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
+  const Index n = stride_;
+  linearize(p, at, work);
   Eigen::Map<Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
   eliminated.leftCols(n).setIdentity();
   eliminated.rightCols<6>() = gamma * work.by_stress;
-  // Rates of secondary creep do not depend on the state.
-  const auto by_own = work.by_state.rightCols(own);
-  if (!by_own.isZero(0)) {
-    // M = [I, -gamma A_c; 0, I - gamma A_i]: only the second block is inverted if nothing depends on the creep strain.
-    work.own = -gamma * by_own.bottomRows(own);
-    work.own.diagonal().array() += 1;
-    work.elimination.compute(work.own);
-    eliminated.bottomRightCorner(own, own + 6) =
-        work.elimination.solve(eliminated.bottomRightCorner(own, own + 6)).eval();
-    if (first > 0)
-      eliminated.topRightCorner(first, own + 6) +=
-          (gamma * by_own.topRows(first)).lazyProduct(eliminated.bottomRightCorner(own, own + 6));
-  }
+  eliminate(gamma, work, eliminated.rightCols(n - work.first + 6));
   const Matrix6 modulus =
       Matrix6(compliance(at.elastic, p) + eliminated.topRightCorner<6, 6>()).partialPivLu().inverse();
   moduli_[p] = 0.5 * (modulus + modulus.transpose());
 }
 
 void MaterialTangent::prepare(double gamma, const PointsState& at) {
+  moduli_.resize(n_points_);
+  eliminated_.resize(n_points_ * stride_ * (stride_ + 6));  // far more than the state: not before it is needed
 #pragma omp parallel if (n_points_ > numerics::parallel_tangents)
   {
     Work work(stride_);
 #pragma omp for schedule(static)
     for (std::size_t p = 0; p < n_points_; ++p) prepare_point(p, gamma, at, work);
+  }
+}
+
+void MaterialTangent::solve_points(double gamma, const PointsState& at, std::span<const double> r,
+                                   std::span<double> z) const {
+  const Index n = stride_;
+#pragma omp parallel if (n_points_ > numerics::parallel_tangents)
+  {
+    Work work(stride_);
+    work.columns.resize(n, 7);
+#pragma omp for schedule(static)
+    for (std::size_t p = 0; p < n_points_; ++p) {
+      linearize(p, at, work);
+      work.columns.leftCols<6>() = gamma * work.by_stress;
+      work.columns.col(6) = Eigen::Map<const Eigen::VectorXd>(&r[p * stride_], n);
+      eliminate(gamma, work, work.columns);
+      const Matrix6 flexibility = compliance(at.elastic, p) + work.columns.topLeftCorner<6, 6>();
+      const Tensor6 change = flexibility.partialPivLu().solve(-work.columns.col(6).head<6>());
+      Eigen::Map<Eigen::VectorXd>(&z[p * stride_], n) =
+          work.columns.col(6) + work.columns.leftCols<6>().lazyProduct(change);
+    }
   }
 }
 

@@ -42,7 +42,7 @@ std::vector<std::vector<double>> refined(const std::vector<std::vector<double>>&
       const std::size_t n = std::min(rows[i - 1].size(), rows[i].size());
       std::vector<double> between(n);
       for (std::size_t j = 0; j < n; ++j)
-        between[j] = rows[i - 1][j] + (rows[i][j] - rows[i - 1][j]) * k / double(steps);
+        between[j] = rows[i - 1][j] + (rows[i][j] - rows[i - 1][j]) * k / static_cast<double>(steps);
       result.push_back(std::move(between));
     }
   return result;

@@ -30,12 +30,17 @@ class MaterialTangent {
   /// z from the solution du. @param r, z  n_points x stride
   /// @param strain  B du, n_points x 6; empty: du = 0, each point by itself
   void solution(std::span<const double> r, std::span<const double> strain, std::span<double> z) const;
+  /// z with du = 0, each point by itself, of laws linearised at `at`. Keeps nothing: less work than prepare() and
+  /// solution() where the linearisation is used once.
+  void solve_points(double gamma, const PointsState& at, std::span<const double> r, std::span<double> z) const;
 
  private:
   struct Work;
   Eigen::Map<const Eigen::MatrixXd> eliminated_at(std::size_t p) const;
   /// 6 if the rates at a point do not depend on the creep strain itself, as of most laws; else 0.
   Index first_state(std::size_t p, const PointsState& at, Work& work) const;
+  void linearize(std::size_t p, const PointsState& at, Work& work) const;
+  static void eliminate(double gamma, Work& work, Eigen::Ref<Eigen::MatrixXd> columns);
   void prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work);
 
   const MaterialPoints& points_;
