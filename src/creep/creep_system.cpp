@@ -335,13 +335,15 @@ void CreepSystem::accept(double t, std::span<const double> y) {
 void CreepSystem::save(Memory& memory) const {
   solver_.save(history_, memory);
   memory["strain_scale"] = scale_.strain();
+  if (!scale_.lives().empty()) memory["life_scale"] = scale_.lives();
   if (yield_steps_.is_needed()) memory["yield_steps"] = yield_steps_.memory();
 }
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
   before_ = history_;
-  scale_.restore(memory.at("strain_scale"));
+  const auto lives = memory.find("life_scale");  // not in checkpoints of earlier versions
+  scale_.restore(memory.at("strain_scale"), lives != memory.end() ? lives->second : std::vector<double>{});
 }
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {

@@ -11,6 +11,8 @@ namespace {
 constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
 /// Of the largest stress that the loads give without creep: bodies that carry less are taken to be unloaded.
 constexpr double min_share_of_elastic = 1e-3;
+constexpr double cycle_resolution =
+    100;                        // of the change of a life per cycle: at a tolerance of 1e-4, one per cent of it
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
 /// At the first point; of several processes that share the body, the one that has it.
@@ -25,6 +27,10 @@ double young_modulus(const Team& team, const mechanics::Body& body, const mechan
 
 ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress)
     : assembly_(assembly), layout_(assembly), strain_(assembly.bodies().size(), 0.0), values_(layout_.size(), 1.0) {
+  for (std::size_t b = 0; b < strain_.size(); ++b) {
+    first_life_.push_back(lives_.size());
+    lives_.resize(lives_.size() + n_lives(b), 1.0);
+  }
   if (elastic_stress.empty()) return;
   const double largest = *std::ranges::max_element(elastic_stress);
   least_ = min_share_of_elastic * largest;
@@ -60,19 +66,66 @@ void ErrorScale::follow(const Equilibrium& at) {
   }
 }
 
-void ErrorScale::restore(const std::vector<double>& strain) {
+void ErrorScale::resolve_cycle(std::span<const double> change, double least) {
+  std::vector<double> largest(lives_.size(), least);
+  for (std::size_t b = 0; b < strain_.size(); ++b) {
+    if (n_lives(b) == 0) continue;
+    const std::span<const double> own = layout_.part(b, change);
+    std::size_t column = 6, life = first_life_[b];
+    for (const auto& law : assembly_.bodies()[b].material().creep)
+      for (int k = 0; k < law->n_internal(); ++k, ++column) {
+        if (law->internal_kind(k) != material::InternalKind::life) continue;
+        for (std::size_t i = column; i < own.size(); i += layout_.stride(b))
+          largest[life] = std::max(largest[life], std::abs(own[i]));
+        ++life;
+      }
+  }
+  assembly_.team().max(largest);
+  for (std::size_t i = 0; i < largest.size(); ++i) lives_[i] = std::min(1.0, cycle_resolution * largest[i]);
+  for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
+}
+
+void ErrorScale::restore(const std::vector<double>& strain, const std::vector<double>& lives) {
+  if (lives.size() == lives_.size()) lives_ = lives;
   for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain.at(b));
+}
+
+std::size_t ErrorScale::n_lives(std::size_t body) const {
+  std::size_t n = 0;
+  for (const auto& law : assembly_.bodies()[body].material().creep)
+    for (int k = 0; k < law->n_internal(); ++k) n += law->internal_kind(k) == material::InternalKind::life ? 1 : 0;
+  return n;
+}
+
+std::vector<double> ErrorScale::of_point(std::size_t body, std::span<const double> lives) const {
+  using material::InternalKind;
+  std::vector<double> result(std::min<std::size_t>(6, layout_.stride(body)), strain_[body]);
+  for (const auto& law : assembly_.bodies()[body].material().creep)
+    for (int k = 0; k < law->n_internal(); ++k) {
+      const InternalKind kind = law->internal_kind(k);
+      result.push_back(kind == InternalKind::strain ? strain_[body] : 1.0);
+      if (kind != InternalKind::life || lives.empty()) continue;
+      result.back() = lives.front();
+      lives = lives.subspan(1);
+    }
+  return result;
+}
+
+void ErrorScale::fill(std::size_t body, std::span<const double> of_point, std::vector<double>& values) const {
+  auto at = values.begin() + static_cast<std::ptrdiff_t>(layout_.offset(body));
+  for (std::size_t p = 0; p < assembly_.bodies()[body].discretization().n_points(); ++p)
+    at = std::ranges::copy(of_point, at).out;
+}
+
+std::vector<double> ErrorScale::of_whole_run() const {
+  std::vector<double> result(values_.size());
+  for (std::size_t b = 0; b < strain_.size(); ++b) fill(b, of_point(b, {}), result);
+  return result;
 }
 
 void ErrorScale::set(std::size_t body, double strain) {
   strain_[body] = strain;
-  const mechanics::Body& of = assembly_.bodies()[body];
-  std::vector<double> of_point(std::min<std::size_t>(6, layout_.stride(body)), strain);
-  for (const auto& law : of.material().creep)
-    for (int k = 0; k < law->n_internal(); ++k)
-      of_point.push_back(law->internal_kind(k) == material::InternalKind::fraction ? 1.0 : strain);
-  auto at = values_.begin() + layout_.offset(body);
-  for (std::size_t p = 0; p < of.discretization().n_points(); ++p) at = std::copy(of_point.begin(), of_point.end(), at);
+  fill(body, of_point(body, std::span(lives_).subspan(first_life_[body])), values_);
 }
 
 }  // namespace creepcontact::creep

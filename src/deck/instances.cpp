@@ -119,7 +119,7 @@ void DeckReader::merge_instance() {
     Orientation& made = deck_.orientations[prefix + name];
     made = orientation;
     for (Vector3* point : {&made.a, &made.b})
-      *point = made.is_cylindrical ? Vector3(moved * *point) : Vector3(moved.linear() * *point);
+      *point = made.is_cylindrical ? Vector3{moved * *point} : Vector3{moved.linear() * *point};
   }
   for (const Note& note : instance_deck_.left_out) deck_.left_out.push_back(note);
   for (const Note& note : instance_deck_.impossible) deck_.impossible.push_back(note);

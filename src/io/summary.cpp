@@ -78,6 +78,7 @@ Json cycles_json(const Summary::Cycles& cycles) {
     json["steady"] = *cycles.steady;
     json["steady_within"] = cycles.steady_within;
   }
+  if (cycles.last_change) json["last_change"] = *cycles.last_change;
   for (const auto& [body, limit] : cycles.to_limit) json["to_limit"][body] = limit;
   return json;
 }

@@ -102,6 +102,7 @@ void read_cycles(const nlohmann::json& json, Summary& summary) {
   cycles.longest_jump = count(*found, "longest_jump");
   if (found->contains("steady")) cycles.steady = count(*found, "steady");
   cycles.steady_within = number(*found, "steady_within");
+  if (found->contains("last_change")) cycles.last_change = number(*found, "last_change");
   if (const auto limits = found->find("to_limit"); limits != found->end())
     for (const auto& [body, limit] : limits->items())
       cycles.to_limit[body] = limit.is_number() ? limit.get<double>() : std::numeric_limits<double>::infinity();

@@ -22,7 +22,7 @@ class KachanovRabotnov final : public CreepLaw {
   KachanovRabotnov(Function A, Function n, Function B, Function r, Function phi, Function alpha);
   std::string name() const override { return "kachanov_rabotnov"; }
   int n_internal() const override { return 1; }
-  InternalKind internal_kind(int) const override { return InternalKind::fraction; }
+  InternalKind internal_kind(int) const override { return InternalKind::life; }
   bool uses_mean_stress() const override;
 
   void rate(const PointState& at, PointRate into) const override;

@@ -100,8 +100,11 @@ std::vector<double> breakpoints(const config::Config& config, const Bodies& bodi
     if (found.back().too_many)
       log::warning(
           "'{}' has too many kinks or jumps in time to find them all; list the important times in time.breakpoints, or "
-          "use a table with a period, or say with time.cycle that it repeats",
-          function.text());
+          "use a table with a period, or {}",
+          function.text(),
+          config.time.cycle
+              ? fmt::format("correct time.cycle = {:g}, with which it does not repeat", *config.time.cycle)
+              : "say with time.cycle that it repeats");
   }
   for (const config::Support& support : config.supports)
     for (const auto& time : {support.from, support.until})

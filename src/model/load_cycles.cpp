@@ -78,8 +78,11 @@ LoadCycles::Samples LoadCycles::samples(std::int64_t cycle) const {
   const std::vector<double> at = corners(cycle);
   Samples result;
   for (const double t : at) result.corners.push_back(t - begin(cycle));
+  constexpr int regular = 48;  // also at times that do not depend on the breakpoints, of which some may be missing
   for (const Part& part : parts_) {
     std::vector<double>& all = result.values.emplace_back();
+    for (int i = 0; i < regular; ++i)
+      for (const double value : values(part, begin(cycle) + (i + 0.37) / regular * period_)) all.push_back(value);
     for (std::size_t i = 1; i < at.size(); ++i)
       for (const double share : {0.21, 0.52, 0.83})
         for (const double value : values(part, at[i - 1] + share * (at[i] - at[i - 1]))) all.push_back(value);
@@ -101,6 +104,11 @@ std::string LoadCycles::difference(const Samples& one, const Samples& other) con
   for (std::size_t i = 0; same && i < one.corners.size(); ++i)
     same = std::abs(one.corners[i] - other.corners[i]) <= same_time * period_;
   return same ? "" : "time.breakpoints";
+}
+
+bool LoadCycles::repeats_from(std::int64_t cycle) const {
+  return std::all_of(differences_.begin() + cycle, differences_.end(),
+                     [](const std::string& key) { return key.empty(); });
 }
 
 bool LoadCycles::jumps_at(double t) const {

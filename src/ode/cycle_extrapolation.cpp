@@ -15,6 +15,7 @@ namespace {
 constexpr std::int64_t cycles_before_jumps = 3;  // the first may differ from all others
 constexpr std::array<double, 4> change_powers{0, 0.5, 1, 1.25};
 constexpr double change_of_prediction = 0.8;  // another one must have this share of the error of the present one
+constexpr std::int64_t longest_pause = 64;
 constexpr double jump_safety = 0.8, largest_jump_growth = 2, smallest_jump_cut = 0.5, largest_jump_cut = 0.2;
 
 /// Integrals over [a, b] of s^-power and of s^-power log(s/unit).
@@ -53,6 +54,8 @@ void CycleExtrapolation::begin(std::int64_t cycle) {
   begin_ = cycle;
   seen_ = jumped_ = 0;
   next_ = 1;
+  pause_ = 1;
+  wait_ = 0;
   order_ = 2;
   power_ = 0;
 }
@@ -70,7 +73,7 @@ void CycleExtrapolation::see(std::int64_t cycle, std::span<const double> before,
   last_ = cycle;
   keep(std::move(change), middle(cycle));
   ++seen_;
-  next_ = std::max(next_, 1.0);
+  if (--wait_ <= 0) next_ = std::max(next_, 1.0);
 }
 
 std::int64_t CycleExtrapolation::proposal() const {
@@ -124,6 +127,10 @@ bool CycleExtrapolation::check(std::span<const double> scale, const Damping& dam
     if (order_ > 1 && error_of(weights(1, power_), damped) < error_) order_ = 1;
     give_up(y);
     next_ = n * (error_ < 1e9 ? std::clamp(factor, largest_jump_cut, smallest_jump_cut) : largest_jump_cut);
+    if (next_ < 1) {
+      wait_ = pause_;
+      pause_ = std::min(2 * pause_, longest_pause);
+    }
     return false;
   }
   for_each_index(y.size(), [&](std::size_t i) {
@@ -137,6 +144,7 @@ bool CycleExtrapolation::check(std::span<const double> scale, const Damping& dam
   jumped_ = 0;
   keep(std::move(change), middle(last_));
   next_ = std::max(1.0, n * std::min(factor, largest_jump_growth));
+  pause_ = n > 1 ? 1 : std::max<std::int64_t>(pause_ / 2, 1);
   return true;
 }
 
@@ -169,7 +177,9 @@ void CycleExtrapolation::save(Memory& numbers, Memory& states) const {
                               static_cast<double>(order_),
                               power_,
                               new_place_,
-                              old_place_};
+                              old_place_,
+                              static_cast<double>(pause_),
+                              static_cast<double>(wait_)};
   if (seen_ > 0) states["new_change"] = new_change_;
   if (seen_ > 1) states["old_change"] = old_change_;
 }
@@ -184,6 +194,8 @@ void CycleExtrapolation::restore(const Memory& numbers, const Memory& states) {
   power_ = own.at(5);
   new_place_ = own.at(6);
   old_place_ = own.at(7);
+  pause_ = own.size() > 8 ? static_cast<std::int64_t>(own.at(8)) : 1;  // not in checkpoints of earlier versions
+  wait_ = own.size() > 9 ? static_cast<std::int64_t>(own.at(9)) : 0;
   if (seen_ > 0) new_change_ = states.at("new_change");
   if (seen_ > 1) old_change_ = states.at("old_change");
   jumped_ = 0;

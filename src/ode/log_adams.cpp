@@ -77,9 +77,11 @@ StepReport LogAdams::step(double t_limit) {
   if (!(t_limit > time())) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time()));
   if (last_step_ == 0) begin(t_limit);
   double h = proposal_;
-  for (StepAttempts attempts(*this, counters_);; attempts.again(h)) {
+  StepAttempts attempts(*this, counters_);
+  attempts.begin(h);
+  for (;; attempts.again(h)) {
     const StepClock::Target target = clock_.target(h, t_limit, StepClock::stretch);
-    if (attempts.count() == 1 &&
+    if (attempts.count() == 1 && target.step < h &&
         target.step < adams_sliver * std::max(last_step_, adams_smallest_step * std::abs(time()))) {
       slide(target);
       return {.time = time(), .step = target.step, .order = order_, .error_estimate = 0};

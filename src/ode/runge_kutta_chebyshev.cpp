@@ -81,7 +81,9 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
   if (!(t_limit > time())) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time()));
   if (!(proposal_ > 0)) proposal_ = first_step(t_limit);
   double h = proposal_;
-  for (StepAttempts attempts(*this, counters_);; attempts.again(h)) {
+  StepAttempts attempts(*this, counters_);
+  attempts.begin(h);
+  for (;; attempts.again(h)) {
     if (radius_ > 0) h = std::min(h, chebyshev_stability_bound(max_stages) / radius_);
     const StepClock::Target target = clock_.target(h, t_limit, StepClock::stretch);
     try {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace creepcontact::ode {
@@ -23,8 +24,20 @@ void require_in_last_step(const Integrator& of, double t, double begin) {
     throw std::out_of_range(fmt::format("{}: t = {} lies outside the last step", of.name(), t));
 }
 
+void StepAttempts::begin(double h) const {
+  if (h > std::numeric_limits<double>::epsilon() * std::abs(of_.time())) return;
+  throw SolverError(fmt::format(
+      "{}: no step is possible from t = {:.6g}: steps have shrunk to {:.3g}, because the rates of creep grow "
+      "without bound there; check the constants of the creep laws and their units",
+      of_.name(), of_.time(), h));
+}
+
 void StepAttempts::rejected(double error) {
   ++counters_.rejected_steps;
+  if (std::isnan(error)) {
+    reason_ = "its rates are not finite numbers; check the constants of the creep laws and their units";
+    return;
+  }
   reason_ = fmt::format(
       "the local error stays above the tolerance ({:.2g} times) however small the step. Most often a load or "
       "temperature jumps there: list that time in time.breakpoints; otherwise use a larger tolerance",

@@ -31,6 +31,8 @@ class StepAttempts {
   StepAttempts(const Integrator& of, Integrator::Counters& counters) : of_(of), counters_(counters) {}
 
   int count() const { return count_; }  ///< 1 in the first attempt
+  /// Before the first attempt. @throws SolverError if h does not move the time: the rate grows without bound
+  void begin(double h) const;
   /// The local error was `error` times the one allowed.
   void rejected(double error);
   void failed(const RecoverableError& why);

@@ -66,10 +66,13 @@ std::vector<std::string> sentences(const RunData& run) {
     all.push_back(fmt::format("Body {} has used {:.3g}\u00a0% of its creep-fatigue diagram {}.", name,
                               100 * largest.value, at_place(largest)));
   if (const auto& cycles = summary.cycles)
-    for (const auto& [name, limit] : cycles->to_limit)
-      if (std::isfinite(limit))
+    for (const auto& [name, limit] : cycles->to_limit) {
+      if (limit <= static_cast<double>(cycles->completed))
+        all.push_back(fmt::format("After {:.4g} cycles the life of body {} was used up.", limit, name));
+      else if (std::isfinite(limit))
         all.push_back(fmt::format("After {:.4g} cycles the life of body {} is used up, if all go on like cycle {}.",
                                   limit, name, cycles->completed));
+    }
   for (const auto& [name, largest] : summary.damage)
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));
   for (const auto& [name, life] : summary.remaining_life)

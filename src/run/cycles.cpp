@@ -14,7 +14,9 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string cycle_numbers = "cycles.numbers", cycle_ranges = "cycles.ranges", cycle_work = "cycles.work";
+const std::string cycle_numbers = "cycles.numbers", cycle_ranges = "cycles.ranges", cycle_work = "cycles.work",
+                  cycle_limits = "cycles.limits";
+constexpr double least_life = 0.01;  // that a whole run uses up: smaller ones need no accuracy of their own
 const std::string extrapolation_prefix = "cycles.jumps.";
 
 std::vector<std::string> cycle_columns(const creep::Assembly& assembly, const CycleWatch& watch,
@@ -40,11 +42,22 @@ std::vector<std::string> cycle_columns(const creep::Assembly& assembly, const Cy
 Cycles::Cycles(const config::Config& config, const model::LoadCycles& loads, creep::CreepSystem& system,
                WholeState& whole, std::span<const std::unique_ptr<results::Probe>> probes,
                const std::filesystem::path& directory, double time, const creep::Memory* memory)
-    : config_(config), loads_(loads), system_(system), watch_(system, whole, probes) {
+    : config_(config),
+      loads_(loads),
+      system_(system),
+      watch_(system, whole, probes),
+      used_up_(system.assembly().bodies().size(), std::numeric_limits<double>::infinity()) {
+  summary_.steady_within = config.time.stop_when_steady.value_or(0);
   if (config.time.jump_cycles) jumps_.emplace(system.team(), config.time.jump_tolerance);
   go_to(loads_.ended_by(time));
   if (time > 0 && !loads_.ending_at(time)) stage_ = Stage::waiting;
   if (memory != nullptr) restore(*memory);
+  if (memory != nullptr && stage_ == Stage::waiting && loads_.ended_by(time) < loads_.count())
+    log::warning(
+        "the run is resumed at t = {:.10g}, within cycle {}: what this cycle does up to there is not known, so it has "
+        "no "
+        "row in cycles.csv and does not count for fatigue",
+        time, loads_.ended_by(time) + 1);
   together(system.team(), [&] {
     if (system.team().rank() != 0) return;
     const std::filesystem::path path = directory / "cycles.csv";
@@ -143,10 +156,11 @@ Cycles::Closed Cycles::close(double t, const RunCounters& work, std::span<double
   const std::vector<double> computed(y.begin(), y.end());
   const std::int64_t jumped = is_checking() ? jumps_->jumped() : 0;
   ++summary_.computed;
+  std::vector<double> change = computed;
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] -= first_[i];
+  system_.resolve_cycle(change, least_life / static_cast<double>(loads_.count()));
   if (jumped > 0) {
-    std::vector<double> change = computed;
-    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= first_[i];
-    if (!jumps_->check(system_.scale(), damping(change), y)) {
+    if (!jumps_->check(system_.scale_of_whole_run(), damping(change), y)) {
       ++summary_.rejected_jumps;
       go_to(*ended - jumped);
       summary_.completed = cycle_;
@@ -159,11 +173,13 @@ Cycles::Closed Cycles::close(double t, const RunCounters& work, std::span<double
     if (!loads_.repeats(*ended)) jumps_->begin(*ended);
     jumps_->see(*ended, first_, computed);
   }
-  const CycleRecord record = watch_.record(computed, y, *ended + 1);
-  result.is_steady = is_steady(record, *ended);
+  CycleRecord record = watch_.record(computed, y, *ended + 1);
+  keep_limits(record, *ended, jumped);
+  summary_.last_change = last_change(record, *ended);
+  result.is_steady =
+      summary_.last_change && *summary_.last_change < *config_.time.stop_when_steady && loads_.repeats_from(*ended);
   if (result.is_steady) {
     summary_.steady = *ended + 1;
-    summary_.steady_within = *config_.time.stop_when_steady;
     log::info("{}", end_message());
   }
   for (std::size_t b = 0; b < record.bodies.size(); ++b)
@@ -176,16 +192,26 @@ Cycles::Closed Cycles::close(double t, const RunCounters& work, std::span<double
   return result;
 }
 
-bool Cycles::is_steady(const CycleRecord& record, std::int64_t cycle) const {
-  const std::optional<double> within = config_.time.stop_when_steady;
-  if (!within || previous_ < 0 || !loads_.repeats(cycle) || !(record.stress_change < *within)) return false;
+void Cycles::keep_limits(CycleRecord& record, std::int64_t cycle, std::int64_t jumped) {
+  for (std::size_t b = 0; b < record.bodies.size(); ++b) {
+    CycleRecord::Body& body = record.bodies[b];
+    if (std::isfinite(used_up_[b])) body.limit = used_up_[b];
+    if (body.life.empty() || body.life.back().largest < 1) continue;
+    used_up_[b] = body.limit =
+        std::clamp(body.limit, static_cast<double>(cycle - jumped), static_cast<double>(cycle + 1));
+  }
+}
+
+std::optional<double> Cycles::last_change(const CycleRecord& record, std::int64_t cycle) const {
+  if (!config_.time.stop_when_steady || previous_ < 0 || !loads_.repeats(cycle)) return std::nullopt;
   const auto n_cycles = static_cast<double>(cycle - previous_);
+  double change = record.stress_change;
   for (std::size_t i = 0; i < record.probes.size(); ++i) {
     const CycleRecord::Probe& probe = record.probes[i];
-    const double change = std::abs(probe.range() - previous_range_[i]) / n_cycles;
-    if (!(change <= *within * std::max(std::abs(probe.min), std::abs(probe.max)))) return false;
+    const double size = std::max(std::abs(probe.min), std::abs(probe.max));
+    if (size > 0) change = std::max(change, std::abs(probe.range() - previous_range_[i]) / n_cycles / size);
   }
-  return true;
+  return change;
 }
 
 void Cycles::write(std::int64_t cycle, std::int64_t jumped, const CycleRecord& record, const RunCounters& work) {
@@ -241,6 +267,7 @@ void Cycles::save(creep::Memory& memory) const {
                            static_cast<double>(summary_.longest_jump),
                            static_cast<double>(bound_),
                            static_cast<double>(previous_)};
+  memory[cycle_limits] = used_up_;
   if (!previous_range_.empty()) memory[cycle_ranges] = previous_range_;
   std::vector<double>& work = memory[cycle_work];
   work.clear();
@@ -266,6 +293,7 @@ void Cycles::restore(const creep::Memory& memory) {
   previous_ = number(7);
   if (const auto ranges = memory.find(cycle_ranges); ranges != memory.end()) previous_range_ = ranges->second;
   if (previous_range_.size() != config_.probes.size()) previous_ = -1;
+  if (const auto limits = memory.find(cycle_limits); limits != memory.end()) used_up_ = limits->second;
   const std::vector<double>& work = memory.at(cycle_work);
   for (std::size_t i = 0; i < RunCounters::fields.size(); ++i)
     work_.*RunCounters::fields[i].value = static_cast<std::int64_t>(work.at(i));

@@ -85,7 +85,10 @@ class Cycles {
   void go_to(std::int64_t cycle);
   std::int64_t longest_jump(std::int64_t cycle, double next_output) const;
   ode::CycleExtrapolation::Damping damping(std::span<const double> change);
-  bool is_steady(const CycleRecord& record, std::int64_t cycle) const;
+  /// A life that has been used up stays so, wherever the last rates lead back to. @param jumped  cycles before this one
+  void keep_limits(CycleRecord& record, std::int64_t cycle, std::int64_t jumped);
+  /// See Summary::Cycles::last_change.
+  std::optional<double> last_change(const CycleRecord& record, std::int64_t cycle) const;
   void write(std::int64_t cycle, std::int64_t jumped, const CycleRecord& record, const RunCounters& work);
 
   const config::Config& config_;
@@ -102,6 +105,7 @@ class Cycles {
   std::vector<double> previous_range_;  // of the probes in the last cycle closed
   std::int64_t previous_ = -1;          // its number
   RunCounters work_;                    // up to there
+  std::vector<double> used_up_;         // after how many cycles the life of a body was; infinity: it is not
 
   /// Where in a cycle the state changes most.
   struct Activity {

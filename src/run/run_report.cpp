@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "creepcontact/base/units.hpp"
+
 namespace creepcontact::run {
 namespace {
 
@@ -45,14 +47,28 @@ std::string cycle_lines(const io::Summary::Cycles& cycles) {
                         cycles.longest_jump, cycles.rejected_jumps);
   if (cycles.steady)
     text += fmt::format("; the last one repeats the one before it to within {:.3g}", cycles.steady_within);
+  else if (cycles.last_change)
+    text += fmt::format("; the last one changes the stress or a probe by {:.2g}, more than stop_when_steady = {:g}",
+                        *cycles.last_change, cycles.steady_within);
   text += '\n';
   for (const auto& [name, limit] : cycles.to_limit)
-    if (std::isfinite(limit))
+    if (limit <= static_cast<double>(cycles.completed))
+      text += fmt::format("  body '{}' reached the limit of its life after {:.4g} cycles\n", name, limit);
+    else if (std::isfinite(limit))
       text += fmt::format(
           "  body '{}' reaches the limit of its life {:.4g} cycles after t = 0, if all go on like the "
           "last one\n",
           name, limit);
   return text;
+}
+
+std::string share(double value) {
+  return value < 10 ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} times the whole", value);
+}
+
+std::string time_text(double time, const std::string& units) {
+  const std::string unit = unit_of(Dimension::time, units);
+  return fmt::format("{:.4g}{}{}", time, unit.empty() ? "" : " ", unit);
 }
 
 std::string place(const io::Summary::Largest& largest) {
@@ -63,7 +79,10 @@ std::string place(const io::Summary::Largest& largest) {
 }  // namespace
 
 std::string outcome_table(const io::Summary& summary) {
-  std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", "", "start", "largest", "end", "end/largest");
+  // Without an output at its end a run has no values of its end.
+  const bool is_end = summary.status == io::Summary::Status::completed || summary.rupture;
+  std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", is_end ? "" : "up to the last output time",
+                                 "start", "largest", is_end ? "end" : "last", is_end ? "end/largest" : "last/largest");
   for (const auto& [name, contact] : summary.contacts)
     text += row(fmt::format("normal force of contact '{}'", name), contact.normal_force);
   for (const auto& [name, body] : summary.bodies)
@@ -71,17 +90,16 @@ std::string outcome_table(const io::Summary& summary) {
   for (const auto& [name, contact] : summary.contacts)
     if (contact.opened) text += fmt::format("  contact '{}' is open from t = {:.6g} on\n", name, *contact.opened);
   for (const auto& [name, largest] : summary.life_fraction)
-    text +=
-        fmt::format("  body '{}' has used {:.3g} % of its creep life {}\n", name, 100 * largest.value, place(largest));
+    text += fmt::format("  body '{}' has used {} of its creep life {}\n", name, share(largest.value), place(largest));
   for (const auto& [name, largest] : summary.creep_fatigue)
-    text += fmt::format("  body '{}' has used {:.3g} % of the creep-fatigue diagram {}\n", name, 100 * largest.value,
+    text += fmt::format("  body '{}' has used {} of the creep-fatigue diagram {}\n", name, share(largest.value),
                         place(largest));
   for (const auto& [name, largest] : summary.damage)
     text += fmt::format("  body '{}' has a damage of {:.3g} {}\n", name, largest.value, place(largest));
   for (const auto& [name, life] : summary.remaining_life)
     if (!summary.rupture)
-      text += fmt::format("  body '{}' has a remaining life of {:.4g} at the present stress {}\n", name, life.value,
-                          place(life));
+      text += fmt::format("  body '{}' has a remaining life of {} at the present stress {}\n", name,
+                          time_text(life.value, summary.units), place(life));
   if (const auto& rupture = summary.rupture)
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));

@@ -64,6 +64,10 @@ class CreepSystem final : public ode::System,
                        std::span<double> change) override;
   /// Typical stress / Young's modulus per body (ErrorScale); it follows the stress of the accepted steps.
   std::span<const double> scale() const override { return scale_.values(); }
+  /// The same for errors that do not repeat in every cycle of the loads.
+  std::vector<double> scale_of_whole_run() const { return scale_.of_whole_run(); }
+  /// See ErrorScale::resolve_cycle().
+  void resolve_cycle(std::span<const double> change, double least) { scale_.resolve_cycle(change, least); }
   /// Applies the preloads that are due at t, if any. Call it before the first evaluation after t.
   /// @throws as EquilibriumSolver::apply_preloads
   void apply_preloads(double t, std::span<const double> y);

@@ -11,7 +11,8 @@ namespace creepcontact::creep {
 
 /// Scale of the state per body: typical stress / Young's modulus. An error of the creep strain of a fraction of this
 /// scale causes a relative error of the stress of at most the same fraction. The scale follows the stress as it
-/// relaxes; otherwise the relative error would grow. Damage and life fractions have the scale 1.
+/// relaxes; otherwise the relative error would grow. Fractions have the scale 1; those of a life less, if many cycles
+/// of the loads use it up, since their errors add up.
 class ErrorScale {
  public:
   /// @param assembly  must outlive the object
@@ -28,19 +29,35 @@ class ErrorScale {
   /// Collective.
   void follow(const Equilibrium& at);
 
+  /// What a cycle of the loads changes is resolved as a whole: scales of lives become a hundred times the largest
+  /// change over the points of a body, 1 at most. Collective.
+  /// @param change  of the state in the last cycle @param least  change per cycle of a life that does not count
+  void resolve_cycle(std::span<const double> change, double least);
+
   /// Scale of every entry of y (StateLayout).
   std::span<const double> values() const { return values_; }
   /// Scale per body: the complete state of the object, for restore().
   const std::vector<double>& strain() const { return strain_; }
-  void restore(const std::vector<double>& strain);
+  /// The second part of it: scales of the lives, of all bodies.
+  const std::vector<double>& lives() const { return lives_; }
+  /// @param lives  empty: as without cycles
+  void restore(const std::vector<double>& strain, const std::vector<double>& lives);
+  /// values() without what cycles have made of it.
+  std::vector<double> of_whole_run() const;
 
  private:
   void set(std::size_t body, double strain);
+  /// One entry per state variable of a point. @param lives  scales of its lives, from the front; empty: 1
+  std::vector<double> of_point(std::size_t body, std::span<const double> lives) const;
+  std::size_t n_lives(std::size_t body) const;
+  void fill(std::size_t body, std::span<const double> of_point, std::vector<double>& values) const;
 
   const Assembly& assembly_;
   StateLayout layout_;
   double least_ = 0;
-  std::vector<double> strain_;  // per body
+  std::vector<double> strain_;           // per body
+  std::vector<double> lives_;            // of all bodies one after another
+  std::vector<std::size_t> first_life_;  // per body
   std::vector<double> values_;
 };
 

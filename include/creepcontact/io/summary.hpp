@@ -71,6 +71,9 @@ struct Summary : RunCounters {
     /// Number of the cycle with which the run ended because it repeats, to within time.stop_when_steady.
     std::optional<std::int64_t> steady;
     double steady_within = 0;
+    /// What the last cycle has changed, relative: the larger one of both criteria of time.stop_when_steady; omitted
+    /// without it, and after cycles that need not repeat.
+    std::optional<double> last_change;
     std::map<std::string, double> to_limit;  ///< cycles until the life of a body is used up, as far as it has life data
   };
   struct WallSeconds {

@@ -56,7 +56,7 @@ class CreepFatigue final : public CreepLaw {
       : CreepLaw({}), curve_(std::move(curve)), diagram_(std::move(diagram)), creep_(std::move(creep)) {}
   std::string name() const override { return "creep_fatigue"; }
   int n_internal() const override { return 2; }
-  InternalKind internal_kind(int) const override { return InternalKind::fraction; }
+  InternalKind internal_kind(int) const override { return InternalKind::life; }
   bool uses_mean_stress() const override { return creep_ && creep_->uses_mean_stress(); }
 
   void rate(const PointState& at, PointRate into) const override;

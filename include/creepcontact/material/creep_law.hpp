@@ -55,8 +55,9 @@ struct StressTangent {
 
 /// Kind of an internal variable; it determines its error scale.
 enum class InternalKind {
-  strain,   ///< as accurate as the creep strain
-  fraction  ///< of 1: damage, used life
+  strain,    ///< as accurate as the creep strain
+  fraction,  ///< of 1
+  life       ///< likewise, and it grows over the whole run: damage, used life
 };
 
 /// What a point has gone through in one cycle of the loads.

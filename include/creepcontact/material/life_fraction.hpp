@@ -46,7 +46,7 @@ class LifeFraction final : public CreepLaw {
       : CreepLaw({}), data_(std::move(data)), alpha_(alpha) {}
   std::string name() const override { return "life_fraction"; }
   int n_internal() const override { return 1; }
-  InternalKind internal_kind(int) const override { return InternalKind::fraction; }
+  InternalKind internal_kind(int) const override { return InternalKind::life; }
   bool uses_mean_stress() const override { return alpha_ > 0; }
   bool strains() const override { return false; }
 

@@ -37,6 +37,8 @@ class LoadCycles {
   /// within each piece between breakpoints, to 1e-7 of the largest, and the breakpoints.
   const std::string& difference(std::int64_t cycle) const { return differences_[static_cast<std::size_t>(cycle)]; }
   bool repeats(std::int64_t cycle) const { return difference(cycle).empty(); }
+  /// True if this cycle and all later ones do.
+  bool repeats_from(std::int64_t cycle) const;
   /// True if a load jumps at this breakpoint.
   bool jumps_at(double t) const;
   /// The breakpoints without those in cycles that repeat the one before.

@@ -20,6 +20,8 @@ namespace creepcontact::ode {
 /// through it corrects the jump; the correction is the estimate of its error. That is a linearly implicit
 /// Adams-Bashforth-Moulton step in the number of cycles: the difference of both G is damped by the point-wise Jacobian
 /// (LogAdams does so in time), so that modes which relax within few cycles do not bound the jumps.
+/// Where a jump over a single cycle fails, the next one is tried after a pause, twice as long each time and half as
+/// long again after a jump that succeeds: cycles that cannot be extrapolated cost little more than without jumps.
 /// Sources: C. W. Gear, I. G. Kevrekidis, SIAM J. Sci. Comput. 24 (2003), projective integration; D. Cojocaru, A. M.
 /// Karlsson, Int. J. Fatigue 28 (2006), cycle jumps under error control.
 /// Cycles are numbered from 0. Memory: four vectors, and five more during a check. Calls are collective.
@@ -80,7 +82,8 @@ class CycleExtrapolation {
   std::int64_t last_ = -1;  // last cycle computed
   std::int64_t seen_ = 0;   // since begin()
   std::int64_t jumped_ = 0;
-  double next_ = 1;  // length of the next jump
+  double next_ = 1;                    // length of the next jump
+  std::int64_t pause_ = 1, wait_ = 0;  // cycles to compute after a jump of one that fails
   int order_ = 2;
   double power_ = 0, error_ = 0;
   double new_place_ = 0, old_place_ = 0;         // of the last two changes
