@@ -114,8 +114,12 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     add(Kind::kept, "", {"CHANGE SURFACE BEHAVIOR"});
     add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",
         {"SPRING", "DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
-    add(Kind::impossible, "plasticity is not known",
-        {"PLASTIC", "CYCLIC HARDENING", "DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
+    add(Kind::impossible,
+        "rate-independent plasticity is not known; the law 'chaboche' with n of 20 and more comes close to it "
+        "(docs/coming_from.md)",
+        {"PLASTIC", "CYCLIC HARDENING"});
+    add(Kind::impossible, "this kind of plasticity is not known",
+        {"DEFORMATION PLASTICITY", "DRUCKER PRAGER", "MOHR COULOMB", "CONCRETE"});
     add(Kind::impossible, "large elastic strains are not known", {"HYPERELASTIC", "HYPERFOAM", "HYPO ELASTIC"});
     add(Kind::impossible, "user materials and elements are not known",
         {"USER MATERIAL", "DEPVAR", "USER ELEMENT", "SUBSTRUCTURE GENERATE"});

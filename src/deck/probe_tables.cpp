@@ -101,9 +101,14 @@ void write_stresses(Draft& draft) {
 }  // namespace
 
 void write_probes(Draft& draft) {
+  const std::size_t length = draft.text.size();
   write_displacements(draft);
   write_reactions(draft);
   write_stresses(draft);
+  if (draft.text.size() == length)
+    draft.left_out.push_back({draft.deck.steps.back().place, "STEP",
+                              "no *NODE PRINT of U or RF and no *EL PRINT of S, E or PEEQ: there are no probes; add "
+                              "[[probes]] for columns of history.csv"});
 }
 
 }  // namespace creepcontact::deck

@@ -62,7 +62,7 @@ class ImportTest(RunTest):
         path = self.directory / "imported" / f"{name}.toml"
         text = path.read_text()
         if probes:
-            path.write_text(text[:(text + "[[probes]]").index("[[probes]]")] + probes)
+            path.write_text(text[:(text + "\n[[probes]]").index("\n[[probes]]") + 1] + probes)
         done = subprocess.run([PROGRAM, "run", str(path), "--output", str(self.output)], cwd=self.directory,
                               capture_output=True, text=True, timeout=100)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -360,13 +360,26 @@ class Import(ImportTest):
         done = self.import_deck("turning", plane + step.format("Cube, CENTRIF, 1., 0, 0, 0, 0, 1., 0\n"), 2)
         self.assertIn("CENTRIF of a plane section about an axis in its plane", done.stderr)
 
+    def test_a_deck_that_prints_nothing_gets_no_probes_and_a_line_says_so(self):
+        step = "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*NODE FILE\nU\n{}*END STEP\n"
+        for name, prints, has_probes in (("silent", "*EL FILE\nS\n", False), ("heat", "*NODE PRINT, NSET=Nall\nNT\n", False),
+                                         ("printing", "*EL PRINT, ELSET=Cube\nS\n", True)):
+            done = self.import_deck(name, CUBE + step.format(prints))
+            text = (self.directory / "imported" / f"{name}.toml").read_text()
+            self.assertEqual("\n[[probes]]\n" in text, has_probes)
+            for found in (done.stdout, text):
+                self.assertEqual("there are no probes; add [[probes]]" in found, not has_probes, found)
+            if not has_probes:
+                line = CUBE.count("\n") + 1
+                self.assertIn(f"{name}.inp:{line}: *STEP: no *NODE PRINT of U or RF", done.stdout)
+
     def test_stress_at_the_start_is_refused(self):
         done = self.import_deck("stressed", CUBE + "*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 10., 0, 0, 0, 0, 0\n*STEP\n*STATIC\n*END STEP\n", 2)
         self.assertIn("TYPE=STRESS: a body with stresses or strains at the start is not known", done.stderr)
 
     def test_what_makes_no_model(self):
         done = self.import_deck("impossible", CUBE + "*PLASTIC\n200\n*MPC\nMEANROT, 1, 2\n*MODEL CHANGE\n*STEP\n*DYNAMIC\n*END STEP\n", 2)
-        for line, reason in ((26, "*PLASTIC: plasticity is not known"), (30, "*MODEL CHANGE: contacts and elements that come and go are not known"),
+        for line, reason in ((26, "*PLASTIC: rate-independent plasticity is not known; the law 'chaboche'"), (30, "*MODEL CHANGE: contacts and elements that come and go are not known"),
                              (32, "*DYNAMIC: only *STATIC and *VISCO steps are known")):
             self.assertIn(f"impossible.inp:{line}: {reason}", done.stderr)
         self.assertFalse((self.directory / "imported").exists())

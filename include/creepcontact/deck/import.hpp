@@ -12,7 +12,7 @@ struct Import {
   std::string toml;                   ///< configuration, with comments on what each table comes from
   std::string msh;                    ///< content of the mesh file
   std::string temperatures = {};      ///< content of the table of temperatures, if there is one
-  std::vector<std::string> left_out;  ///< one line per card that is not taken into account: place, card, consequence
+  std::vector<std::string> left_out;  ///< one line per card not taken into account or missed: place, card, consequence
 };
 
 /// @param name  of the mesh file, which the configuration names, and of its results: <name>.msh,

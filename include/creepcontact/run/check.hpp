@@ -12,10 +12,10 @@ namespace creepcontact::run {
 
 /// Options that are not part of the configuration.
 struct CheckOptions {
-  std::string output = {};  ///< directory that the run would use; empty: that of the configuration
-  bool resume = false;      ///< whether the run would continue from the checkpoint there
-  bool start = false;       ///< solve t = 0 and print what comes out
-  bool fields = false;      ///< write the model for ParaView, and a picture of it, into the directory
+  std::string output = {};   ///< directory that the run would use; empty: that of the configuration
+  bool resume = false;       ///< whether the run would continue from the checkpoint there
+  bool start = false;        ///< solve t = 0 and print what comes out
+  bool fields = false;       ///< write the model for ParaView, and a picture of it, into the directory
   Processes processes = {};  ///< of one process: what else can solve t = 0 than the factors
 };
 
