@@ -98,7 +98,7 @@ Eigen::MatrixXd covariance(const TestData& data, const ParameterSpace& space, co
       if (unknowns.n_together > 0 && shares[i] > 0.2 * shares.maxCoeff())
         unknowns.together.push_back(static_cast<std::size_t>(inner[static_cast<std::size_t>(i)]));
     for (Eigen::Index i = 0; i < jacobian.cols(); ++i)  // at a bound, where a search without slope may have ended
-      if (std::ranges::find(inner, i) == inner.end() && !(jacobian.col(i).norm() > least_influence))
+      if (std::ranges::find(inner, i) == inner.end() && !(jacobian.col(i).norm() > undetermined * norms.maxCoeff()))
         unknowns.alone.push_back(static_cast<std::size_t>(i));
     std::ranges::sort(unknowns.alone);
     refuse(data, space, unknowns);
