@@ -78,6 +78,8 @@ int fit(const Command& self, const Arguments& arguments) {
   const fit::FitResult result = fit::fit_law(data, choice, reading.young_modulus);
   std::cout << fit::report(data, choice, result);
   for (const std::string& warning : result.warnings) log::warning("{}: {}", data.file, warning);
+  if (const std::string reason = fit::why_useless(choice, result); !reason.empty())
+    throw SolverError(fmt::format("{}: {}", data.file, reason));
   const std::string text = fit::material_block(data, choice, result, block);
   if (output.empty()) {
     std::cout << '\n' << text;

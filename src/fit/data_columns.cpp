@@ -174,7 +174,9 @@ DataColumns::DataColumns(const std::string& file, const std::vector<std::string>
   const auto has = [&](ColumnRole role) { return columns_[static_cast<std::size_t>(role)].has_value(); };
   for (int i = 0; i < n_column_roles; ++i)  // the time before the rate, whose unit follows it
     if (has(static_cast<ColumnRole>(i))) set_unit(static_cast<ColumnRole>(i), units[static_cast<std::size_t>(i)], file);
-  const std::string unknown = unused_.empty() ? "" : fmt::format(" (not known: {})", fmt::join(unused_, ", "));
+  const std::string unknown = fmt::format(
+      "{}; known names of columns: {}",
+      unused_.empty() ? "" : fmt::format(" (not known: {})", fmt::join(unused_, ", ")), fmt::join(known, ", "));
   if (!has(ColumnRole::stress)) throw ConfigError(fmt::format("{}: no column 'stress'{}", file, unknown));
   if (!has(ColumnRole::time) && !has(ColumnRole::rate) && !has(ColumnRole::rupture))
     throw ConfigError(fmt::format("{}: no column 'time', 'rate' or 'rupture_time'{}", file, unknown));

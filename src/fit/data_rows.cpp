@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <regex>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
@@ -12,6 +15,22 @@ namespace creepcontact::fit {
 namespace {
 
 constexpr std::size_t most_mistakes = 20;
+constexpr std::size_t fewest_to_group = 3;  // rows with the same mistake
+
+/// "2-5, 9"
+std::string ranges_of(const std::vector<int>& lines) {
+  std::vector<std::string> ranges;
+  for (std::size_t first = 0, last = 0; first < lines.size(); first = ++last) {
+    while (last + 1 < lines.size() && lines[last + 1] == lines[last] + 1) ++last;
+    ranges.push_back(first == last ? fmt::format("{}", lines[first]) : fmt::format("{}-{}", lines[first], lines[last]));
+  }
+  return fmt::format("{}", fmt::join(ranges, ", "));
+}
+
+std::string without_numbers(const std::string& message) {
+  static const std::regex number(R"([-+]?\d+\.?\d*(e[-+]?\d+)?)");
+  return std::regex_replace(message, number, "#");
+}
 
 const std::vector<std::string>& kind_names() {
   static const std::vector<std::string> names{"creep", "relaxation", "rupture", "rate"};
@@ -103,7 +122,12 @@ class RowReader {
     if (*row.kind != TestKind::rate) require(row.time.has_value(), fmt::format("has no time ({})", what));
     if (*row.kind == TestKind::creep) require(row.strain.has_value(), "has no strain (creep)");
     if (*row.kind == TestKind::rupture && row.time)
-      require(*row.time > 0, fmt::format("time to rupture {:g}; allowed: times > 0", *row.time));
+      require(*row.time > 0,
+              fmt::format("time to rupture {:g}; allowed: times > 0{}", *row.time,
+                          text(ColumnRole::kind).empty()
+                              ? " (rows with a stress and a time alone are times to rupture; a relaxation test "
+                                "needs a column 'kind' with the word relaxation in each row)"
+                              : ""));
     if (*row.kind == TestKind::rate) {
       if (!row.rate)
         mistake("has no rate");
@@ -127,14 +151,36 @@ class RowReader {
 }  // namespace
 
 void RowMistakes::add(int line, const std::string& message) {
-  lines_.push_back(fmt::format("{}:{}: {}", file_, line, message));
+  mistakes_.push_back({line, message});
 }
 
 void RowMistakes::throw_if_any() const {
-  if (lines_.empty()) return;
-  std::vector<std::string> shown(lines_.begin(), lines_.begin() + std::min(most_mistakes, lines_.size()));
-  if (lines_.size() > most_mistakes)
-    shown.push_back(fmt::format("{}: {} more bad rows", file_, lines_.size() - most_mistakes));
+  if (mistakes_.empty()) return;
+  std::vector<Mistake> sorted = mistakes_;
+  std::ranges::stable_sort(sorted, {}, &Mistake::line);
+  std::map<std::string, std::vector<const Mistake*>> groups;
+  for (const Mistake& mistake : sorted) groups[without_numbers(mistake.message)].push_back(&mistake);
+  std::vector<std::string> shown;
+  std::size_t left_out = 0;
+  for (const Mistake& mistake : sorted) {
+    const std::vector<const Mistake*>& group = groups[without_numbers(mistake.message)];
+    const bool grouped = group.size() >= fewest_to_group;
+    if (grouped && group.front() != &mistake) continue;
+    if (shown.size() == most_mistakes) {
+      left_out += grouped ? group.size() : 1;
+      continue;
+    }
+    if (!grouped) {
+      shown.push_back(fmt::format("{}:{}: {}", file_, mistake.line, mistake.message));
+      continue;
+    }
+    std::vector<int> lines;
+    for (const Mistake* own : group) lines.push_back(own->line);
+    const bool equal = std::ranges::all_of(group, [&](const Mistake* own) { return own->message == mistake.message; });
+    shown.push_back(fmt::format("{}: {} rows (lines {}): {}{}", file_, group.size(), ranges_of(lines),
+                                equal ? "" : fmt::format("in line {}: ", mistake.line), mistake.message));
+  }
+  if (left_out > 0) shown.push_back(fmt::format("{}: {} more bad rows", file_, left_out));
   throw ConfigError(fmt::format("{}", fmt::join(shown, "\n")));
 }
 
@@ -149,6 +195,8 @@ const std::string& value_of(TestKind kind) {
 
 std::vector<DataRow> read_rows(const io::CsvCells& table, const DataColumns& columns, bool strain_is_total,
                                RowMistakes& mistakes) {
+  for (const io::CsvCells::UnevenRow& row : table.uneven)
+    mistakes.add(row.line, fmt::format("{} cells under {} columns", row.cells, table.names.size()));
   RowReader reader(table, columns, mistakes);
   std::vector<DataRow> rows;
   for (const io::CsvCells::Row& cells : table.rows)

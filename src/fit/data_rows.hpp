@@ -10,17 +10,21 @@
 
 namespace creepcontact::fit {
 
-/// Mistakes in rows; all are reported together.
+/// Mistakes in rows; all are reported together, those that differ in numbers alone in one line.
 class RowMistakes {
  public:
   explicit RowMistakes(std::string file) : file_(std::move(file)) {}
   void add(int line, const std::string& message);
-  /// @throws ConfigError with a line each, if there are any
+  /// @throws ConfigError if there are any
   void throw_if_any() const;
 
  private:
+  struct Mistake {
+    int line;
+    std::string message;
+  };
   std::string file_;
-  std::vector<std::string> lines_;
+  std::vector<Mistake> mistakes_;
 };
 
 /// One row in the units of the fit.
@@ -33,7 +37,7 @@ struct DataRow {
   bool strain_is_total = false;
 };
 
-/// @returns the rows without mistakes; empty ones are left out
+/// @returns the rows without mistakes; empty ones and those with a wrong number of cells are left out
 std::vector<DataRow> read_rows(const io::CsvCells& table, const DataColumns& columns, bool strain_is_total,
                                RowMistakes& mistakes);
 

@@ -19,6 +19,10 @@ std::string in_unit(const std::string& what, const std::string& unit) {
   return unit.empty() ? what : fmt::format("{} [{}]", what, unit);
 }
 
+std::string legend(const TestData& data, const Test& test) {
+  return test.is_named ? fmt::format("{}, {}", test.name, data.load(test.stress, test.temperature)) : test.name;
+}
+
 std::string short_name(const TestData& data) {
   return std::filesystem::path(data.file).filename().string();
 }
@@ -37,7 +41,7 @@ plot::Figure curves_figure(const TestData& data, const LawResponse& response, co
   std::size_t number = 0;
   for (const Test& test : data.tests) {
     if (test.kind != kind || number++ < first || number > first + n) continue;
-    plot::Series measured{test.name, {}, {}, plot::Series::Style::points, look};
+    plot::Series measured{legend(data, test), {}, {}, plot::Series::Style::points, look};
     for (const Reading& reading : test.readings) {
       measured.x.push_back(reading.time);
       measured.y.push_back(reading.value);

@@ -89,7 +89,10 @@ class Search {
       if (now < old) best = std::move(found);
       if (result.n_agreeing >= enough_agreeing) break;
     }
-    if (!best) throw SolverError(fmt::format("{}: {}", data_.file, why_no_start()));
+    if (!best) {
+      (void)space_.law(0.5 * (space_.lowest_guess(typical_strain()) + space_.highest_guess()));  // throws if impossible
+      throw SolverError(fmt::format("{}: {}", data_.file, why_no_start()));
+    }
     return std::move(*best);
   }
 
@@ -155,7 +158,11 @@ class Search {
 }  // namespace
 
 FitResult fit_law(const TestData& data, const LawChoice& choice, const std::optional<Function>& young_modulus) {
-  return Search(data, choice, young_modulus).run();
+  try {
+    return Search(data, choice, young_modulus).run();
+  } catch (const material::ParameterError& error) {
+    throw ConfigError(fmt::format("law '{}': {}", choice.info->name, error.what()));
+  }
 }
 
 }  // namespace creepcontact::fit

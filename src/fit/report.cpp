@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace creepcontact::fit {
 namespace {
@@ -43,7 +44,7 @@ std::string counted(int n, const std::string& what) {
 
 std::string basis(const TestData& data, const FitResult& result) {
   return fmt::format("{} of {}; root mean square of the residuals {}", counted(result.n_readings, "reading"),
-                     counted(static_cast<int>(data.tests.size()), "test"), percent(result.deviation));
+                     counted(data.n_specimens(), "test"), percent(result.deviation));
 }
 
 std::string units_line(const TestUnits& units) {
@@ -82,6 +83,27 @@ std::string report(const TestData& data, const LawChoice& choice, const FitResul
     text += fmt::format("  time        {}\n", span_of(result.range.time, data.units.time));
   return text + fmt::format("{} of {} searches from different starting points ended in this minimum\n",
                             result.n_agreeing, result.n_starts);
+}
+
+std::string why_useless(const LawChoice& choice, const FitResult& result) {
+  constexpr double useless = std::numbers::ln2;  // logarithm of a factor of two
+  if (!(result.deviation > useless)) return "";
+  std::string text = fmt::format(
+      "the root mean square of the residuals is {}: the law '{}' in this form does not describe the data, and its "
+      "constants mean nothing; no material block is written",
+      percent(result.deviation), choice.info->name);
+  std::vector<std::string> keys, remedies;
+  for (std::size_t i = 0; i < choice.fitted.size(); ++i) {
+    const material::ParameterInfo& key = choice.parameter(i);
+    if (std::ranges::count(key.variables, "q") == 0) continue;
+    keys.push_back(key.key);
+    remedies.push_back(fmt::format("--set '{}=EXPRESSION in {}'", key.key, fmt::join(key.variables, ", ")));
+  }
+  if (keys.empty()) return text + "; take another law";
+  return text +
+         fmt::format(". {} fitted as a number, the same at all stresses: give {} as a function of the stress q, {}",
+                     keys.size() > 1 ? fmt::format("{} are each", fmt::join(keys, ", ")) : keys.front() + " is",
+                     keys.size() > 1 ? "one of them" : "it", fmt::join(remedies, " or "));
 }
 
 std::string material_block(const TestData& data, const LawChoice& choice, const FitResult& result,

@@ -71,16 +71,15 @@ class TestCollector {
  private:
   std::string label(const DataRow& row) const {
     if (!row.test.empty()) return row.test;
-    const auto with = [](double value, const std::string& unit) {
-      return unit.empty() ? fmt::format("{:.5g}", value) : fmt::format("{:.5g} {}", value, unit);
-    };
-    std::string text = with(row.stress, data_.units.stress);
-    if (columns_[ColumnRole::temperature]) text += ", " + with(row.temperature, data_.units.temperature);
-    return text;
+    return data_.load(row.stress, row.temperature);
   }
 
   Test started(const DataRow& row, TestKind kind) {
     Test test{.name = label(row), .kind = kind, .stress = row.stress, .temperature = row.temperature};
+    test.is_named = !row.test.empty();
+    test.same_specimen = test.is_named && std::ranges::any_of(data_.tests, [&](const Test& other) {
+                           return other.name == row.test && !other.same_specimen;
+                         });
     if (row.test.empty() && (kind == TestKind::creep || kind == TestKind::relaxation)) {
       int same = 1;
       for (const Test& other : data_.tests)
@@ -134,7 +133,7 @@ class TestCollector {
         return mistakes_.add(
             row.line,
             fmt::format("the total strain {:g} is below the elastic strain {:g} of the stress {:g}: the column "
-                        "has the creep strain, or Young's modulus is too small",
+                        "has the creep strain (name it creep_strain), or Young's modulus is too small",
                         *row.strain, elastic_strain(row), row.stress));
     }
     Test* test = continued(row, TestKind::creep);
@@ -157,7 +156,7 @@ class TestCollector {
 
   void add_relaxation(const DataRow& row) {
     if (!options_.young_modulus)
-      return mistakes_.add(row.line, "is of a relaxation test, which needs Young's modulus: give --young-modulus");
+      return mistakes_.add(row.line, "a relaxation test needs Young's modulus: give --young-modulus");
     Test* test = continued(row, TestKind::relaxation);
     if (test == nullptr) {
       const double modulus = (*options_.young_modulus)({.T = row.temperature});
@@ -186,6 +185,7 @@ class TestCollector {
       for (const Test& test : data_.tests)
         if (test.kind == TestKind::rupture && test.readings.front().value == time && test.name == label(row)) return;
     data_.tests.push_back(started(row, TestKind::rupture));
+    data_.tests.back().same_specimen |= in_column;
     data_.tests.back().readings.push_back({0, time, row.line});
   }
 
@@ -231,18 +231,46 @@ void warn_of_falling_strain(TestData& data) {
 }
 
 /// A modulus in another unit than the stresses.
-void warn_of_young_modulus(TestData& data, const ReadOptions& options) {
-  constexpr double smallest_elastic = 1e-6;  // below any that could be measured
+void check_young_modulus(TestData& data, const ReadOptions& options) {
+  constexpr double smallest_elastic = 1e-6;                          // below any that could be measured
+  constexpr double large_elastic = 0.02, impossible_elastic = 0.10;  // above those of metals; of small strains
   const Test* most = nullptr;
-  for (const Test& test : data.tests)
-    if (test.young_modulus_used && (most == nullptr || test.stress > most->stress)) most = &test;
+  double stress = 0;
+  for (const Test& test : data.tests) {
+    if (!test.young_modulus_used) continue;
+    double own = test.stress;
+    if (test.kind == TestKind::relaxation)
+      for (const Reading& reading : test.readings) own = std::max(own, reading.value);
+    if (own <= stress) continue;
+    most = &test;
+    stress = own;
+  }
   if (most == nullptr) return;
   const double modulus = (*options.young_modulus)({.T = most->temperature});
-  if (most->stress < smallest_elastic * modulus)
+  if (stress > large_elastic * modulus) {
+    const std::string message = fmt::format(
+        "test '{}': the elastic strain at the start is {:.3g} % (stress {:g}, Young's modulus {:g}): is "
+        "--young-modulus "
+        "in {}?",
+        most->name, 100 * stress / modulus, stress, modulus,
+        data.units.stress.empty() ? "the unit of the stresses" : data.units.stress);
+    if (stress > impossible_elastic * modulus) throw ConfigError(fmt::format("{}: {}", data.file, message));
+    data.notes.push_back(message);
+  }
+  if (stress < smallest_elastic * modulus)
     data.notes.push_back(
         fmt::format("with Young's modulus {:g} the elastic strain at the stress {:g} is {:.2g}: is the modulus in the "
                     "unit of the stresses?",
-                    modulus, most->stress, most->stress / modulus));
+                    modulus, stress, stress / modulus));
+}
+
+/// Stresses in another unit than the heading has.
+void warn_of_small_stress(TestData& data) {
+  constexpr double smallest = 1e5;  // Pa
+  const double largest = data.range().stress.high;
+  if (data.units.stress == "Pa" && largest < smallest)
+    data.notes.push_back(
+        fmt::format("the stresses are {:g} Pa and less, too small for creep tests: are they in MPa?", largest));
 }
 
 std::vector<double> distinct(std::vector<double> values, double relative, double absolute) {
@@ -259,6 +287,18 @@ int TestData::n_readings() const {
   int n = 0;
   for (const Test& test : tests) n += static_cast<int>(test.readings.size());
   return n;
+}
+
+int TestData::n_specimens() const {
+  return static_cast<int>(std::ranges::count(tests, false, &Test::same_specimen));
+}
+
+std::string TestData::load(double stress, double temperature) const {
+  const auto with = [](double value, const std::string& unit) {
+    return unit.empty() ? fmt::format("{:.5g}", value) : fmt::format("{:.5g} {}", value, unit);
+  };
+  const std::string text = with(stress, units.stress);
+  return has_temperature ? text + ", " + with(temperature, units.temperature) : text;
 }
 
 std::vector<double> TestData::stresses() const {
@@ -312,7 +352,8 @@ TestData parse_test_data(std::string_view text, const std::string& name, const R
   warn_of_loading_strain(data, rows);
   tests.finish();
   warn_of_falling_strain(data);
-  warn_of_young_modulus(data, options);
+  check_young_modulus(data, options);
+  warn_of_small_stress(data);
   if (data.tests.empty())
     throw ConfigError(options.temperature ? fmt::format("{}: no test at temperature {:g}", name, *options.temperature)
                                           : fmt::format("{}: no readings after time 0", name));

@@ -17,8 +17,9 @@ namespace {
 
 constexpr double confidence = 0.95;
 constexpr double at_bound = 1e-6;
-constexpr double undetermined = 5e-4;  // ratio of singular values; derivatives are exact to that
-constexpr double wide = 10;            // ends of an interval of a parameter
+constexpr double undetermined = 5e-4;     // ratio of singular values; derivatives are exact to that
+constexpr double least_influence = 1e-9;  // of an unknown on the residuals
+constexpr double wide = 10;               // ends of an interval of a parameter
 constexpr double poor_fit = 0.3;
 constexpr double poor_test = 1.5;  // ratio
 constexpr int fewest_readings = 20;
@@ -31,13 +32,32 @@ std::vector<Eigen::Index> inner_unknowns(const LeastSquares& problem, const Eige
   return inner;
 }
 
-/// The parameters that a direction of the unknowns consists of.
-[[noreturn]] void refuse(const TestData& data, const ParameterSpace& space, const std::vector<Eigen::Index>& inner,
-                         const Eigen::VectorXd& direction) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < inner.size(); ++i)
-    if (std::abs(direction[static_cast<Eigen::Index>(i)]) > 0.2 * direction.cwiseAbs().maxCoeff())
-      names.push_back(space.parameter(static_cast<std::size_t>(inner[i])).key);
+/// What the data say nothing of.
+struct Undetermined {
+  std::vector<std::size_t> alone;     ///< unknowns without influence
+  std::vector<std::size_t> together;  ///< those of which only combinations have influence
+  std::size_t n_together = 0;         ///< how many of these have to be known
+};
+
+[[noreturn]] void refuse(const TestData& data, const ParameterSpace& space, const Undetermined& unknowns) {
+  const auto keys = [&](const std::vector<std::size_t>& which) {
+    std::vector<std::string> names;
+    for (const std::size_t i : which) names.push_back(space.parameter(i).key);
+    return names;
+  };
+  std::vector<std::string> found;
+  if (!unknowns.alone.empty())
+    found.push_back(fmt::format("do not determine {}", fmt::join(keys(unknowns.alone), ", ")));
+  if (!unknowns.together.empty())
+    found.push_back(fmt::format("cannot tell {} apart", fmt::join(keys(unknowns.together), " and ")));
+  // Held are those without unit first: their likely values are known.
+  std::vector<std::size_t> held = unknowns.together;
+  std::ranges::stable_partition(held, [&](std::size_t i) {
+    const std::string unit = unit_in(space.parameter(i).description);
+    return !unit_uses(unit, "stress") && !unit_uses(unit, "time");
+  });
+  held.resize(std::min(held.size(), unknowns.n_together));
+  held.insert(held.begin(), unknowns.alone.begin(), unknowns.alone.end());
   const DataRange range = data.range();
   std::string reach =
       fmt::format("stresses {:g} to {:g}, {} of them", range.stress.low, range.stress.high, data.stresses().size());
@@ -45,9 +65,9 @@ std::vector<Eigen::Index> inner_unknowns(const LeastSquares& problem, const Eige
     reach += fmt::format("; temperatures {:g} to {:g}", range.temperature.low, range.temperature.high);
   if (range.time.high > 0) reach += fmt::format("; times up to {:g}", range.time.high);
   throw ConfigError(
-      fmt::format("{}: the data do not determine {} ({}); hold {} at a known value, for example --set {}=..., "
-                  "or take a law with fewer parameters",
-                  data.file, fmt::join(names, " and "), reach, names.size() > 1 ? "one of them" : "it", names.front()));
+      fmt::format("{}: the data {} ({}); hold parameters at known values, for example --set {}=..., or take a law with "
+                  "fewer parameters",
+                  data.file, fmt::join(found, ", and "), reach, fmt::join(keys(held), "=... --set ")));
 }
 
 /// Covariance of the inner unknowns for a residual deviation of 1.
@@ -56,14 +76,33 @@ Eigen::MatrixXd covariance(const TestData& data, const ParameterSpace& space, co
   const auto n = static_cast<Eigen::Index>(inner.size());
   Eigen::MatrixXd columns(jacobian.rows(), n);
   Eigen::VectorXd norms(n);
+  Undetermined unknowns;
   for (Eigen::Index i = 0; i < n; ++i) {
-    norms[i] = jacobian.col(inner[static_cast<std::size_t>(i)]).norm();
-    if (!(norms[i] > 1e-9)) refuse(data, space, inner, Eigen::VectorXd::Unit(n, i));
-    columns.col(i) = jacobian.col(inner[static_cast<std::size_t>(i)]) / norms[i];
+    const Eigen::Index unknown = inner[static_cast<std::size_t>(i)];
+    norms[i] = jacobian.col(unknown).norm();
+    const bool has_influence = norms[i] > least_influence;
+    if (!has_influence) unknowns.alone.push_back(static_cast<std::size_t>(unknown));
+    columns.col(i) =
+        has_influence ? (jacobian.col(unknown) / norms[i]).eval() : Eigen::VectorXd::Zero(jacobian.rows()).eval();
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinV);
   const Eigen::VectorXd& values = svd.singularValues();
-  if (values[n - 1] < undetermined * values[0]) refuse(data, space, inner, svd.matrixV().col(n - 1));
+  const auto n_null = static_cast<Eigen::Index>(
+      std::ranges::count_if(values, [&](double value) { return value < undetermined * values[0]; }));
+  if (n_null > 0) {
+    unknowns.n_together = static_cast<std::size_t>(n_null) - unknowns.alone.size();
+    Eigen::VectorXd shares = svd.matrixV().rightCols(n_null).rowwise().norm();
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!(norms[i] > least_influence)) shares[i] = 0;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (unknowns.n_together > 0 && shares[i] > 0.2 * shares.maxCoeff())
+        unknowns.together.push_back(static_cast<std::size_t>(inner[static_cast<std::size_t>(i)]));
+    for (Eigen::Index i = 0; i < jacobian.cols(); ++i)  // at a bound, where a search without slope may have ended
+      if (std::ranges::find(inner, i) == inner.end() && !(jacobian.col(i).norm() > undetermined * norms.maxCoeff()))
+        unknowns.alone.push_back(static_cast<std::size_t>(i));
+    std::ranges::sort(unknowns.alone);
+    refuse(data, space, unknowns);
+  }
   const Eigen::MatrixXd root = norms.cwiseInverse().asDiagonal() * svd.matrixV() * values.cwiseInverse().asDiagonal();
   return root * root.transpose();
 }

@@ -69,7 +69,6 @@ CsvTable parse_csv_table(std::string_view text, const std::string& name, Unended
 CsvCells parse_csv_cells(std::string_view text, const std::string& name) {
   CsvLines lines(text);
   CsvCells table;
-  std::string mistakes;
   std::string_view line;
   for (int number = 1; lines.next(line); ++number) {
     if (line.starts_with('#')) continue;
@@ -79,17 +78,12 @@ CsvCells parse_csv_cells(std::string_view text, const std::string& name) {
     if (table.names.empty())
       table.names = std::move(cells);
     else if (cells.size() != table.names.size())
-      mistakes += fmt::format("{}:{}: {} cells under {} columns\n", name, number, cells.size(), table.names.size());
+      table.uneven.push_back({number, cells.size()});
     else
       table.rows.push_back({number, std::move(cells)});
   }
   if (table.names.empty()) throw ConfigError(fmt::format("{}: no header", name));
-  if (!mistakes.empty()) throw ConfigError(mistakes);
   return table;
-}
-
-CsvCells read_csv_cells(const std::filesystem::path& path) {
-  return parse_csv_cells(file_text<ConfigError>(path), path.string());
 }
 
 CsvTable read_csv_table(const std::filesystem::path& path, UnendedRow unended) {

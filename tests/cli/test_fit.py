@@ -153,7 +153,9 @@ class Fit(unittest.TestCase):
     def test_bad_rows_are_named(self):
         message = self.refused("time [h],stress [MPa],strain [%]\n1,100,0.1\n2,100,abc\n3,-100,0.2\n4,100\n5,100,0.3\n",
                                "--law", "norton")
-        self.assertIn("data.csv:5: 2 cells under 3 columns", message)
+        for part in ("data.csv:3: column 'strain [%]': 'abc' is not a number", "data.csv:4: stress -100",
+                     "data.csv:5: 2 cells under 3 columns"):
+            self.assertIn(part, message)
         message = self.refused("time [h],stress [MPa],strain [%]\n1,100,0.1\n2,100,abc\n3,-100,0.2\n5,100,0.3\n2,100,0.4\n",
                                "--law", "norton")
         self.assertIn("data.csv:3: column 'strain [%]': 'abc' is not a number", message)
@@ -181,6 +183,39 @@ class Fit(unittest.TestCase):
         self.assertIn("test '50': the strain falls from 0.003 (line 2) to 0.001 (line 3)", done.stderr)
         done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,6e-3\n1,100,2e-3\n2,100,4e-3\n", "--law", "norton")
         self.assertIn("n is at the end of its range, 1: the data ask for a value beyond it", done.stderr)
+
+    def test_a_modulus_in_another_unit(self):
+        data = "time [h],stress [MPa],kind\n" + "".join(
+            f"{t},{s / (1 + 0.1 * math.log1p(t))},relaxation\n" for s in (150, 110) for t in (0, 1, 10, 100, 1000))
+        message = self.refused(data, "--law", "norton", "--young-modulus", "150")
+        self.assertIn("the elastic strain at the start is 100 % (stress 150, Young's modulus 150): is --young-modulus in MPa?", message)
+        self.assertIn("strain at the start is 3 %", self.fit(data, "--law", "norton", "--young-modulus", "5000").stderr)
+        self.assertNotIn("elastic strain", self.fit(data, "--law", "norton", "--young-modulus", "150000").stderr)
+
+    def test_a_law_that_does_not_describe_the_data_gives_no_block(self):
+        data = "time,stress,creep_strain\n" + "".join(f"{t},{s},{1e-20 * s**6.5 * t}\n" for s in (50, 100, 200) for t in (10, 20, 30))
+        done = self.fit(data, "--law", "omega", "--set", "omega=1", "--output", "omega.toml")
+        self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
+        self.assertIn("the law 'omega' in this form does not describe the data", done.stderr)
+        self.assertIn("--set 'rate0=EXPRESSION in q, T'", done.stderr)
+        self.assertIn("residuals, measured against fitted values", done.stdout)
+        self.assertFalse((self.directory / "omega.toml").exists())
+        done = self.fit(data, "--law", "omega", "--set", "rate0=1e-20*q^6.5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("[[materials.fitted.creep]]", done.stdout)
+
+    def test_values_that_are_impossible_together(self):
+        message = self.refused(CONFIGS / "creep_tests.csv", "--law", "chaboche", "--set", "C=[1]")
+        self.assertIn("C: values without 'gamma'", message)
+
+    def test_all_undetermined_constants_are_named(self):
+        message = self.refused("time,stress\n100,100\n50,120\n30,150\n90,100\n52,120\n29,150\n10,200\n", "--law", "kachanov_rabotnov")
+        self.assertIn("do not determine A, n, and cannot tell B and phi apart", message)
+        self.assertIn("--set A=... --set n=... --set phi=...", message)
+
+    def test_specimens_are_counted_once(self):
+        done = self.fit(CONFIGS / "cmsx6_creep.csv", "--law", "kachanov_rabotnov")
+        self.assertIn("177 readings of 12 tests", done.stdout)
 
     def test_rupture_needs_damage(self):
         self.assertIn("the law does not rupture", self.refused("time,stress\n100,100\n50,120\n30,150\n", "--law", "norton"))

@@ -13,6 +13,10 @@ namespace creepcontact::fit {
 /// Tables of parameters, correlation, residuals and the range of the data, as plain text. Warnings are not among them.
 std::string report(const TestData& data, const LawChoice& choice, const FitResult& result);
 
+/// What to say of a fit whose residuals have a root mean square above 100 %, with a remedy if there is one; empty: the
+/// law describes the data.
+std::string why_useless(const LawChoice& choice, const FitResult& result);
+
 /// The elastic constants of the block, if they are known.
 struct BlockOptions {
   std::string material = "fitted";  ///< a bare key of TOML

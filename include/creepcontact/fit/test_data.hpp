@@ -31,7 +31,7 @@ struct Reading {
   int line = 0;      ///< in the file
 };
 
-/// One specimen.
+/// Readings of one kind from one specimen.
 struct Test {
   std::string name;  ///< from the column `test`, or its stress and temperature
   TestKind kind = TestKind::creep;
@@ -42,6 +42,8 @@ struct Test {
   double floor = 0;
   std::vector<Reading> readings = {};  ///< times increase
   bool young_modulus_used = false;     ///< the elastic strain was subtracted, or the stress relaxes
+  bool is_named = false;               ///< by the column `test`
+  bool same_specimen = false;          ///< as another test, such as the rupture after a creep curve
 };
 
 /// Units as in the header of the file; empty: none given.
@@ -61,6 +63,9 @@ struct TestData {
   std::vector<Test> tests = {};
   std::vector<std::string> notes = {};  ///< what was left out or assumed
   int n_readings() const;
+  int n_specimens() const;
+  /// "100 MPa, 600 degC"
+  std::string load(double stress, double temperature) const;
   std::vector<double> stresses() const;      ///< distinct, increasing; those within 1 % count as one
   std::vector<double> temperatures() const;  ///< likewise, within 2 degrees
   DataRange range() const;
@@ -73,7 +78,8 @@ struct ReadOptions {
 };
 
 /// Format: docs/fit.md. @throws ConfigError with a line for each bad row (file, line, column, what was found and what
-/// is allowed), for columns that are missing, and for units that cannot be what they should be
+/// is allowed; one for rows with the same mistake), for columns that are missing, for units that cannot be what they
+/// should be, and for a Young's modulus with an elastic strain above 10 %
 TestData read_test_data(const std::filesystem::path& path, const ReadOptions& options);
 /// Likewise, from text. @param name  of the file, for messages
 TestData parse_test_data(std::string_view text, const std::string& name, const ReadOptions& options);

@@ -41,15 +41,18 @@ struct CsvCells {
     int line;                        ///< in the file, counted from 1
     std::vector<std::string> cells;  ///< one per name
   };
+  struct UnevenRow {
+    int line;
+    std::size_t cells;
+  };
   std::vector<std::string> names;
   std::vector<Row> rows;
+  std::vector<UnevenRow> uneven = {};  ///< not among `rows`: more or fewer cells than names
   CsvFormat format;
 };
 
-/// As read_csv_table(), without a demand on the cells; lines that begin with '#' are comments.
-/// @throws ConfigError as read_csv_table(), of all rows with too many or too few cells
-CsvCells read_csv_cells(const std::filesystem::path& path);
-/// Likewise, from text. @param name  name of the file, for messages
+/// As parse_csv_table(), without a demand on the cells; lines that begin with '#' are comments.
+/// @param name  of the file, for messages @throws ConfigError if there is no header
 CsvCells parse_csv_cells(std::string_view text, const std::string& name);
 
 /// The number that is the whole of `cell`; a point is understood as decimal in every format.

@@ -84,11 +84,38 @@ TEST(TestData, BadRowsAreNamedAllTogether) {
   EXPECT_FALSE(has(message, "data.csv:5"));
 }
 
+TEST(TestData, RowsWithOneMistakeAreNamedTogether) {
+  const std::string message =
+      refusal("kind,time,stress\nrelaxation,0,100\nrelaxation,1,90\nrelaxation,2,80\ncreep,1,-100\nrelaxation,0,90\n");
+  EXPECT_TRUE(has(message, "data.csv: 4 rows (lines 2-4, 6): a relaxation test needs Young's modulus")) << message;
+  EXPECT_TRUE(has(message, "data.csv:5: stress -100")) << message;
+  const std::string numbers = refusal("time,stress,strain\n1,-1,0.1\n2,-2,0.1\n3,-3,0.1\n4,4,0.1,7\n");
+  EXPECT_TRUE(has(numbers, "data.csv: 3 rows (lines 2-4): in line 2: stress -1; allowed: stresses > 0")) << numbers;
+  EXPECT_TRUE(has(numbers, "data.csv:5: 4 cells under 3 columns")) << numbers;
+}
+
+TEST(TestData, ARelaxationTestWithoutItsKindIsExplained) {
+  EXPECT_TRUE(has(refusal("time,stress\n0,150\n1,140\n"), "a relaxation test needs a column 'kind'"));
+  EXPECT_FALSE(has(refusal("time,stress,kind\n0,150,rupture\n1,140,rupture\n"), "a relaxation test"));
+}
+
+TEST(TestData, ASpecimenIsCountedOnce) {
+  EXPECT_EQ(parsed("time,stress,strain,rupture_time\n1,100,0.001,9\n2,100,0.002,9\n1,120,0.002,\n").n_specimens(), 2);
+  EXPECT_EQ(parsed("test,time,stress,strain\na,1,100,0.001\na,9,100,\nb,5,100,\n").n_specimens(), 2);
+}
+
+TEST(TestData, StressesThatAreHardlyInPascalsAreDoubted) {
+  const TestData small = parsed("time [h],stress [Pa],strain\n1,100,0.001\n");
+  ASSERT_EQ(small.notes.size(), 1U);
+  EXPECT_TRUE(has(small.notes.front(), "are they in MPa?"));
+  EXPECT_TRUE(parsed("time [h],stress [Pa],strain\n1,1e8,0.001\n").notes.empty());
+}
+
 TEST(TestData, UnitsThatDoNotFitAreRefusedByName) {
   EXPECT_TRUE(has(refusal("time [MPa],stress [MPa],strain\n1,1,0.1\n"), "the unit 'MPa' is none of a time"));
   EXPECT_TRUE(has(refusal("time,stress [h],strain\n1,1,0.1\n"), "the unit 'h' is none of a stress"));
   EXPECT_TRUE(has(refusal("time,stress,rate [1/h]\n1,1,0.1\n"), "'time' has no unit"));
-  EXPECT_TRUE(has(refusal("time,strain\n1,0.1\n"), "no column 'stress'"));
+  EXPECT_TRUE(has(refusal("time,strain\n1,0.1\n"), "no column 'stress'; known names of columns: time, stress"));
 }
 
 }  // namespace
