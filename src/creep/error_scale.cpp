@@ -11,8 +11,8 @@ namespace {
 constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
 /// Of the largest stress that the loads give without creep: bodies that carry less are taken to be unloaded.
 constexpr double min_share_of_elastic = 1e-3;
-constexpr double cycle_resolution =
-    100;                        // of the change of a life per cycle: at a tolerance of 1e-4, one per cent of it
+/// Of the change of a life per cycle: half a per cent of it at a tolerance of 1e-4.
+constexpr double cycle_resolution = 50;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
 /// At the first point; of several processes that share the body, the one that has it.

@@ -109,7 +109,7 @@ double RccMr::start_exponent(const PointState& at) const {
 LawInfo rcc_mr_info() {
   const double any = -std::numeric_limits<double>::infinity();
   return {"rcc_mr",
-          "strain at constant stress = C1 q^n1 t^C2 up to t_fp = C3 q^n3, then rate = C q^n",
+          "strain at constant stress = C1 q^n1 t^C2 up to t_fp = C3 q^n3 or the rate C q^n, then rate = C q^n",
           "AFCEN, RCC-MR, Appendix A3",
           with_arrhenius(
               {{"C1", "primary creep strain at unit equivalent stress and time [1/(time^C2 stress^n1)]", 0.0, false},

@@ -29,7 +29,7 @@ class ErrorScale {
   /// Collective.
   void follow(const Equilibrium& at);
 
-  /// What a cycle of the loads changes is resolved as a whole: scales of lives become a hundred times the largest
+  /// What a cycle of the loads changes is resolved as a whole: scales of lives become fifty times the largest
   /// change over the points of a body, 1 at most. Collective.
   /// @param change  of the state in the last cycle @param least  change per cycle of a life that does not count
   void resolve_cycle(std::span<const double> change, double least);
