@@ -195,7 +195,10 @@ Cycles::Closed Cycles::close(double t, const RunCounters& work, std::span<double
 void Cycles::keep_limits(CycleRecord& record, std::int64_t cycle, std::int64_t jumped) {
   for (std::size_t b = 0; b < record.bodies.size(); ++b) {
     CycleRecord::Body& body = record.bodies[b];
-    if (std::isfinite(used_up_[b])) body.limit = used_up_[b];
+    if (std::isfinite(used_up_[b])) {
+      body.limit = used_up_[b];
+      continue;
+    }
     if (body.life.empty() || body.life.back().largest < 1) continue;
     used_up_[b] = body.limit =
         std::clamp(body.limit, static_cast<double>(cycle - jumped), static_cast<double>(cycle + 1));
