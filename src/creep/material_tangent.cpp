@@ -18,6 +18,12 @@ Matrix6 compliance(const mechanics::ElasticState& elastic, std::size_t point) {
   return result;
 }
 
+/// D, symmetrised. @param creep  N_c
+Matrix6 modulus(const mechanics::ElasticState& elastic, std::size_t point, const Matrix6& creep) {
+  const Matrix6 inverse = Matrix6(compliance(elastic, point) + creep).partialPivLu().inverse();
+  return 0.5 * (inverse + inverse.transpose());
+}
+
 }  // namespace
 
 struct MaterialTangent::Work {
@@ -80,9 +86,7 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
   eliminated.leftCols(n).setIdentity();
   eliminated.rightCols<6>() = gamma * work.by_stress;
   eliminate(gamma, work, eliminated.rightCols(n - work.first + 6));
-  const Matrix6 modulus =
-      Matrix6(compliance(at.elastic, p) + eliminated.topRightCorner<6, 6>()).partialPivLu().inverse();
-  moduli_[p] = 0.5 * (modulus + modulus.transpose());
+  moduli_[p] = modulus(at.elastic, p, eliminated.topRightCorner<6, 6>());
 }
 
 void MaterialTangent::prepare(double gamma, const PointsState& at) {
@@ -109,8 +113,8 @@ void MaterialTangent::solve_points(double gamma, const PointsState& at, std::spa
       work.columns.leftCols<6>() = gamma * work.by_stress;
       work.columns.col(6) = Eigen::Map<const Eigen::VectorXd>(&r[p * stride_], n);
       eliminate(gamma, work, work.columns);
-      const Matrix6 flexibility = compliance(at.elastic, p) + work.columns.topLeftCorner<6, 6>();
-      const Tensor6 change = flexibility.partialPivLu().solve(-work.columns.col(6).head<6>());
+      const Tensor6 change =
+          -(modulus(at.elastic, p, work.columns.topLeftCorner<6, 6>()) * work.columns.col(6).head<6>());
       Eigen::Map<Eigen::VectorXd>(&z[p * stride_], n) =
           work.columns.col(6) + work.columns.leftCols<6>().lazyProduct(change);
     }
