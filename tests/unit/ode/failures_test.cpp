@@ -53,6 +53,32 @@ TEST_P(Failures, OtherExceptionsComeThroughWithTheirType) {
   EXPECT_NEAR(integrator->state()[0], std::exp(-1), 0.05);
 }
 
+/// y' = exp(10 y): y = -log(1 - 10 t)/10, which grows without bound at t = 0.1.
+class Explosion : public TestSystem {
+ public:
+  Explosion() : TestSystem(1, 1) {}
+
+ protected:
+  void f(double, std::span<const double> y, std::span<double> rate) const override { rate[0] = std::exp(10 * y[0]); }
+  void df(double, std::span<const double> y, std::span<const double> v, std::span<double> product) const override {
+    product[0] = 10 * std::exp(10 * y[0]) * v[0];
+  }
+  void local(double, std::span<const double> y, std::span<double> diagonal) const override {
+    diagonal[0] = 10 * std::exp(10 * y[0]);
+  }
+};
+
+TEST_P(Failures, RatesThatGrowWithoutBoundEndTheSteps) {
+  if (is_euler(GetParam())) return;  // its steps do not follow the rate
+  Explosion system;
+  auto integrator = make(system, 1e-3);
+  integrator->initialize(0, Values{0});
+  constexpr int many = 1000000;
+  int steps = 0;
+  EXPECT_THROW(while (integrator->time() < 1 && ++steps < many) integrator->step(1), SolverError)
+      << "at t = " << integrator->time() << " after " << steps << " steps";
+}
+
 TEST_P(Failures, ImpossibleProblemGivesAdviceAndKeepsTheState) {
   LinearSystem system({-1.0});
   auto integrator = make(system, 1e-3);
