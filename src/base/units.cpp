@@ -1,5 +1,7 @@
 #include "creepcontact/base/units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -108,6 +110,11 @@ std::string unit_of(Dimension dimension, const std::string& units) {
     return word == "degC" ? "°C" : word == "degF" ? "°F" : word;
   }
   return "";
+}
+
+std::string with_unit(double value, Dimension dimension, const std::string& units) {
+  const std::string unit = unit_of(dimension, units);
+  return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
 }  // namespace creepcontact

@@ -28,8 +28,10 @@ double young_modulus(const Team& team, const mechanics::Body& body, const mechan
 ErrorScale::ErrorScale(const Assembly& assembly, const std::vector<double>& elastic_stress)
     : assembly_(assembly), layout_(assembly), strain_(assembly.bodies().size(), 0.0), values_(layout_.size(), 1.0) {
   for (std::size_t b = 0; b < strain_.size(); ++b) {
-    first_life_.push_back(lives_.size());
-    lives_.resize(lives_.size() + n_lives(b), 1.0);
+    std::size_t column = 6;
+    for (const auto& law : assembly.bodies()[b].material().creep)
+      for (int k = 0; k < law->n_internal(); ++k, ++column)
+        if (law->internal_kind(k) == material::InternalKind::life) lives_.push_back({b, column});
   }
   if (elastic_stress.empty()) return;
   const double largest = *std::ranges::max_element(elastic_stress);
@@ -67,47 +69,34 @@ void ErrorScale::follow(const Equilibrium& at) {
 }
 
 void ErrorScale::resolve_cycle(std::span<const double> change, double least) {
+  if (lives_.empty()) return;
   std::vector<double> largest(lives_.size(), least);
-  for (std::size_t b = 0; b < strain_.size(); ++b) {
-    if (n_lives(b) == 0) continue;
-    const std::span<const double> own = layout_.part(b, change);
-    std::size_t column = 6, life = first_life_[b];
-    for (const auto& law : assembly_.bodies()[b].material().creep)
-      for (int k = 0; k < law->n_internal(); ++k, ++column) {
-        if (law->internal_kind(k) != material::InternalKind::life) continue;
-        for (std::size_t i = column; i < own.size(); i += layout_.stride(b))
-          largest[life] = std::max(largest[life], std::abs(own[i]));
-        ++life;
-      }
+  for (std::size_t i = 0; i < lives_.size(); ++i) {
+    const std::span<const double> own = layout_.part(lives_[i].body, change);
+    for (std::size_t at = lives_[i].column; at < own.size(); at += layout_.stride(lives_[i].body))
+      largest[i] = std::max(largest[i], std::abs(own[at]));
   }
   assembly_.team().max(largest);
-  for (std::size_t i = 0; i < largest.size(); ++i) lives_[i] = std::min(1.0, cycle_resolution * largest[i]);
+  for (std::size_t i = 0; i < lives_.size(); ++i) lives_[i].scale = std::min(1.0, cycle_resolution * largest[i]);
   for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
 }
 
+std::vector<double> ErrorScale::lives() const {
+  std::vector<double> scales;
+  for (const Life& life : lives_) scales.push_back(life.scale);
+  return scales;
+}
+
 void ErrorScale::restore(const std::vector<double>& strain, const std::vector<double>& lives) {
-  if (lives.size() == lives_.size()) lives_ = lives;
+  for (std::size_t i = 0; lives.size() == lives_.size() && i < lives.size(); ++i) lives_[i].scale = lives[i];
   for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain.at(b));
 }
 
-std::size_t ErrorScale::n_lives(std::size_t body) const {
-  std::size_t n = 0;
-  for (const auto& law : assembly_.bodies()[body].material().creep)
-    for (int k = 0; k < law->n_internal(); ++k) n += law->internal_kind(k) == material::InternalKind::life ? 1 : 0;
-  return n;
-}
-
-std::vector<double> ErrorScale::of_point(std::size_t body, std::span<const double> lives) const {
-  using material::InternalKind;
+std::vector<double> ErrorScale::of_point(std::size_t body) const {
   std::vector<double> result(std::min<std::size_t>(6, layout_.stride(body)), strain_[body]);
   for (const auto& law : assembly_.bodies()[body].material().creep)
-    for (int k = 0; k < law->n_internal(); ++k) {
-      const InternalKind kind = law->internal_kind(k);
-      result.push_back(kind == InternalKind::strain ? strain_[body] : 1.0);
-      if (kind != InternalKind::life || lives.empty()) continue;
-      result.back() = lives.front();
-      lives = lives.subspan(1);
-    }
+    for (int k = 0; k < law->n_internal(); ++k)
+      result.push_back(law->internal_kind(k) == material::InternalKind::strain ? strain_[body] : 1.0);
   return result;
 }
 
@@ -119,13 +108,16 @@ void ErrorScale::fill(std::size_t body, std::span<const double> of_point, std::v
 
 std::vector<double> ErrorScale::of_whole_run() const {
   std::vector<double> result(values_.size());
-  for (std::size_t b = 0; b < strain_.size(); ++b) fill(b, of_point(b, {}), result);
+  for (std::size_t b = 0; b < strain_.size(); ++b) fill(b, of_point(b), result);
   return result;
 }
 
 void ErrorScale::set(std::size_t body, double strain) {
   strain_[body] = strain;
-  fill(body, of_point(body, std::span(lives_).subspan(first_life_[body])), values_);
+  std::vector<double> scales = of_point(body);
+  for (const Life& life : lives_)
+    if (life.body == body) scales[life.column] = life.scale;
+  fill(body, scales, values_);
 }
 
 }  // namespace creepcontact::creep

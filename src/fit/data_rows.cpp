@@ -159,11 +159,16 @@ void RowMistakes::throw_if_any() const {
   std::vector<Mistake> sorted = mistakes_;
   std::ranges::stable_sort(sorted, {}, &Mistake::line);
   std::map<std::string, std::vector<const Mistake*>> groups;
-  for (const Mistake& mistake : sorted) groups[without_numbers(mistake.message)].push_back(&mistake);
+  std::vector<std::vector<const Mistake*>*> group_of;
+  for (const Mistake& mistake : sorted) {
+    group_of.push_back(&groups[without_numbers(mistake.message)]);
+    group_of.back()->push_back(&mistake);
+  }
   std::vector<std::string> shown;
   std::size_t left_out = 0;
-  for (const Mistake& mistake : sorted) {
-    const std::vector<const Mistake*>& group = groups[without_numbers(mistake.message)];
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const Mistake& mistake = sorted[i];
+    const std::vector<const Mistake*>& group = *group_of[i];
     const bool grouped = group.size() >= fewest_to_group;
     if (grouped && group.front() != &mistake) continue;
     if (shown.size() == most_mistakes) {
@@ -175,6 +180,7 @@ void RowMistakes::throw_if_any() const {
       continue;
     }
     std::vector<int> lines;
+    lines.reserve(group.size());
     for (const Mistake* own : group) lines.push_back(own->line);
     const bool equal = std::ranges::all_of(group, [&](const Mistake* own) { return own->message == mistake.message; });
     shown.push_back(fmt::format("{}: {} rows (lines {}): {}{}", file_, group.size(), ranges_of(lines),

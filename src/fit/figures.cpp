@@ -47,6 +47,7 @@ plot::Figure curves_figure(const TestData& data, const LawResponse& response, co
       measured.y.push_back(reading.value);
     }
     std::vector<double> times;
+    times.reserve(points_of_curve);
     const double from = measured.x.front(), to = measured.x.back();
     for (int i = 0; i < points_of_curve; ++i)
       times.push_back(from * std::pow(to / from, static_cast<double>(i) / (points_of_curve - 1)));

@@ -30,8 +30,8 @@ bool near_temperature(double a, double b) {
 /// Tests put together from rows.
 class TestCollector {
  public:
-  TestCollector(TestData& data, const ReadOptions& options, const DataColumns& columns, RowMistakes& mistakes)
-      : data_(data), options_(options), columns_(columns), mistakes_(mistakes) {}
+  TestCollector(TestData& data, const ReadOptions& options, RowMistakes& mistakes)
+      : data_(data), options_(options), mistakes_(mistakes) {}
 
   void add(const DataRow& row) {
     if (row.rupture) add_rupture(row, *row.rupture);
@@ -191,7 +191,6 @@ class TestCollector {
 
   TestData& data_;
   const ReadOptions& options_;
-  const DataColumns& columns_;
   RowMistakes& mistakes_;
   std::vector<int> not_positive_;
 };
@@ -250,8 +249,7 @@ void check_young_modulus(TestData& data, const ReadOptions& options) {
   if (stress > large_elastic * modulus) {
     const std::string message = fmt::format(
         "test '{}': the elastic strain at the start is {:.3g} % (stress {:g}, Young's modulus {:g}): is "
-        "--young-modulus "
-        "in {}?",
+        "--young-modulus in {}?",
         most->name, 100 * stress / modulus, stress, modulus,
         data.units.stress.empty() ? "the unit of the stresses" : data.units.stress);
     if (stress > impossible_elastic * modulus) throw ConfigError(fmt::format("{}: {}", data.file, message));
@@ -346,7 +344,7 @@ TestData parse_test_data(std::string_view text, const std::string& name, const R
     if (!data.has_temperature) throw ConfigError(fmt::format("{}: --temperature: no column 'temperature'", name));
     std::erase_if(rows, [&](const DataRow& row) { return !near_temperature(row.temperature, *options.temperature); });
   }
-  TestCollector tests(data, options, columns, mistakes);
+  TestCollector tests(data, options, mistakes);
   for (const DataRow& row : rows) tests.add(row);
   mistakes.throw_if_any();
   warn_of_loading_strain(data, rows);

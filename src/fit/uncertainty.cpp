@@ -42,6 +42,7 @@ struct Undetermined {
 [[noreturn]] void refuse(const TestData& data, const ParameterSpace& space, const Undetermined& unknowns) {
   const auto keys = [&](const std::vector<std::size_t>& which) {
     std::vector<std::string> names;
+    names.reserve(which.size());
     for (const std::size_t i : which) names.push_back(space.parameter(i).key);
     return names;
   };
@@ -52,7 +53,7 @@ struct Undetermined {
     found.push_back(fmt::format("cannot tell {} apart", fmt::join(keys(unknowns.together), " and ")));
   // Held are those without unit first: their likely values are known.
   std::vector<std::size_t> held = unknowns.together;
-  std::ranges::stable_partition(held, [&](std::size_t i) {
+  std::stable_partition(held.begin(), held.end(), [&](std::size_t i) {
     const std::string unit = unit_in(space.parameter(i).description);
     return !unit_uses(unit, "stress") && !unit_uses(unit, "time");
   });

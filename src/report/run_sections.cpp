@@ -67,7 +67,7 @@ std::vector<std::string> sentences(const RunData& run) {
                               100 * largest.value, at_place(largest)));
   if (const auto& cycles = summary.cycles)
     for (const auto& [name, limit] : cycles->to_limit) {
-      if (limit <= static_cast<double>(cycles->completed))
+      if (cycles->has_reached(limit))
         all.push_back(fmt::format("After {:.4g} cycles the life of body {} was used up.", limit, name));
       else if (std::isfinite(limit))
         all.push_back(fmt::format("After {:.4g} cycles the life of body {} is used up, if all go on like cycle {}.",

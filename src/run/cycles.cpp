@@ -222,8 +222,7 @@ void Cycles::write(std::int64_t cycle, std::int64_t jumped, const CycleRecord& r
     if (!file_) return;
     std::vector<io::CsvCell> row{loads_.end(cycle), cycle + 1,           jumped,
                                  work.steps,        work.elastic_solves, record.stress_change};
-    for (std::size_t b = 0; b < record.bodies.size(); ++b) {
-      const CycleRecord::Body& body = record.bodies[b];
+    for (const CycleRecord::Body& body : record.bodies) {
       row.emplace_back(body.inelastic_strain_range);
       row.emplace_back(body.strain_range);
       for (const CycleRecord::Life& life : body.life) {

@@ -52,7 +52,7 @@ std::string cycle_lines(const io::Summary::Cycles& cycles) {
                         *cycles.last_change, cycles.steady_within);
   text += '\n';
   for (const auto& [name, limit] : cycles.to_limit)
-    if (limit <= static_cast<double>(cycles.completed))
+    if (cycles.has_reached(limit))
       text += fmt::format("  body '{}' reached the limit of its life after {:.4g} cycles\n", name, limit);
     else if (std::isfinite(limit))
       text += fmt::format(
@@ -64,11 +64,6 @@ std::string cycle_lines(const io::Summary::Cycles& cycles) {
 
 std::string share(double value) {
   return value < 10 ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g} times the whole", value);
-}
-
-std::string time_text(double time, const std::string& units) {
-  const std::string unit = unit_of(Dimension::time, units);
-  return fmt::format("{:.4g}{}{}", time, unit.empty() ? "" : " ", unit);
 }
 
 std::string place(const io::Summary::Largest& largest) {
@@ -99,7 +94,7 @@ std::string outcome_table(const io::Summary& summary) {
   for (const auto& [name, life] : summary.remaining_life)
     if (!summary.rupture)
       text += fmt::format("  body '{}' has a remaining life of {} at the present stress {}\n", name,
-                          time_text(life.value, summary.units), place(life));
+                          with_unit(life.value, Dimension::time, summary.units), place(life));
   if (const auto& rupture = summary.rupture)
     text +=
         fmt::format("  body '{}' ruptured at t = {:.6g} {}\n", rupture->body, rupture->time, place(rupture->damage));

@@ -88,8 +88,7 @@ class StartReport {
   }
 
   std::string with_unit(double value, Dimension dimension) const {
-    const std::string unit = unit_of(dimension, config_.units);
-    return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+    return creepcontact::with_unit(value, dimension, config_.units);
   }
 
   std::string contact_lines(const contact::Pair& pair, const std::optional<creep::Equilibrium>& finer) const {

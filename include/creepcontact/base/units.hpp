@@ -29,4 +29,7 @@ std::vector<std::string> known_units(Dimension dimension);
 /// The unit of a dimension in a list such as "mm, N, MPa, h, degC"; empty if the list has none for it.
 std::string unit_of(Dimension dimension, const std::string& units);
 
+/// "1.5 MPa" in four digits, or "1.5" if the list has no unit for it.
+std::string with_unit(double value, Dimension dimension, const std::string& units);
+
 }  // namespace creepcontact

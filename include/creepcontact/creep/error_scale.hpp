@@ -39,7 +39,7 @@ class ErrorScale {
   /// Scale per body: the complete state of the object, for restore().
   const std::vector<double>& strain() const { return strain_; }
   /// The second part of it: scales of the lives, of all bodies.
-  const std::vector<double>& lives() const { return lives_; }
+  std::vector<double> lives() const;
   /// @param lives  empty: as without cycles
   void restore(const std::vector<double>& strain, const std::vector<double>& lives);
   /// values() without what cycles have made of it.
@@ -47,17 +47,20 @@ class ErrorScale {
 
  private:
   void set(std::size_t body, double strain);
-  /// One entry per state variable of a point. @param lives  scales of its lives, from the front; empty: 1
-  std::vector<double> of_point(std::size_t body, std::span<const double> lives) const;
-  std::size_t n_lives(std::size_t body) const;
+  /// One entry per state variable of a point, without what cycles have made of it.
+  std::vector<double> of_point(std::size_t body) const;
   void fill(std::size_t body, std::span<const double> of_point, std::vector<double>& values) const;
 
   const Assembly& assembly_;
   StateLayout layout_;
   double least_ = 0;
-  std::vector<double> strain_;           // per body
-  std::vector<double> lives_;            // of all bodies one after another
-  std::vector<std::size_t> first_life_;  // per body
+  std::vector<double> strain_;  // per body
+  /// A state variable that counts life.
+  struct Life {
+    std::size_t body, column;
+    double scale = 1;
+  };
+  std::vector<Life> lives_;
   std::vector<double> values_;
 };
 

@@ -75,6 +75,8 @@ struct Summary : RunCounters {
     /// without it, and after cycles that need not repeat.
     std::optional<double> last_change;
     std::map<std::string, double> to_limit;  ///< cycles until the life of a body is used up, as far as it has life data
+    /// True if that number of cycles lies behind.
+    bool has_reached(double limit) const { return limit <= static_cast<double>(completed); }
   };
   struct WallSeconds {
     double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;

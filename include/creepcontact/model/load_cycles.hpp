@@ -34,7 +34,7 @@ class LoadCycles {
   std::int64_t ended_by(double t) const { return std::ranges::upper_bound(ends_, t) - ends_.begin(); }
 
   /// The key whose values differ between this cycle and the one before it; empty: they are alike. Compared are samples
-  /// within each piece between breakpoints, to 1e-7 of the largest, and the breakpoints.
+  /// at regular times and within each piece between breakpoints, to 1e-7 of the largest, and the breakpoints.
   const std::string& difference(std::int64_t cycle) const { return differences_[static_cast<std::size_t>(cycle)]; }
   bool repeats(std::int64_t cycle) const { return difference(cycle).empty(); }
   /// True if this cycle and all later ones do.
