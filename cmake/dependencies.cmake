@@ -11,7 +11,6 @@ find_package(ZLIB REQUIRED)
 find_package(OpenMP REQUIRED)
 find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
 find_package(BLAS REQUIRED)
-find_package(Ceres REQUIRED)
 
 # SuiteSparse and xxHash of Debian 12 bring no usable CMake package.
 function(creepcontact_find_library target header library)

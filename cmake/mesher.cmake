@@ -7,12 +7,6 @@ set_target_properties(creepcontact_mesher PROPERTIES OUTPUT_NAME creepcontact-me
 # Of what comes with creepcontact_io it needs next to nothing.
 target_link_options(creepcontact_mesher PRIVATE -Wl,--as-needed)
 
-# Where the program looks for it: in its own directory (that of the build), else where it is installed.
-set(mesher_directory ${CMAKE_INSTALL_LIBEXECDIR}/creepcontact)
-file(RELATIVE_PATH mesher_from_bin ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBEXECDIR}/creepcontact)
-target_compile_definitions(creepcontact_io PRIVATE
-    CREEPCONTACT_MESHER_FROM_BIN="${mesher_from_bin}/creepcontact-mesher"
-    CREEPCONTACT_MESHER_INSTALLED="${CMAKE_INSTALL_FULL_LIBEXECDIR}/creepcontact/creepcontact-mesher")
 if(TARGET creepcontact)
   foreach(program IN LISTS creepcontact_programs)
     add_dependencies(${program} creepcontact_mesher)

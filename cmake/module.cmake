@@ -51,3 +51,17 @@ function(creepcontact_program name target)
   add_executable(${target} ${sources})
   target_link_libraries(${target} PRIVATE ${arg_USES})
 endfunction()
+
+# creepcontact_plugin(name target USES <modules whose headers it includes> LIBRARIES <libraries>)
+# Library from src/<name>/*.cpp that a program loads when it needs it; nothing is linked to it.
+function(creepcontact_plugin name target)
+  cmake_parse_arguments(arg "" "" "USES;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  add_library(${target} MODULE ${sources})
+  foreach(module IN LISTS arg_USES)
+    target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:${module},INTERFACE_INCLUDE_DIRECTORIES>)
+  endforeach()
+  target_link_libraries(${target} PRIVATE ${arg_LIBRARIES})
+  set_target_properties(${target} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
+                        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+endfunction()

@@ -16,6 +16,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/cli/processes.hpp"
+#include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/platform/memory.hpp"
@@ -58,7 +59,7 @@ std::string help() {
   std::string text =
       fmt::format("{} COMMAND [arguments]\n\nCreep of bodies in contact.\n\nCommands\n", Processes::program());
   for (const Command& command : commands()) text += fmt::format("  {:<8}{}\n", command.name, command.summary);
-  text += "\nOptions\n  --help     show this help; after a command: help on it\n  --version  show the version\n";
+  text += "\nOptions\n  --help     show this help; after a command: help on it\n  --version  show the version; with --verbose also the libraries that decide the speed\n";
   return text;
 }
 
@@ -71,6 +72,14 @@ int dispatch(const Arguments& arguments) {
   }
   if (first == "--version") {
     std::cout << Processes::program() << " " CREEPCONTACT_VERSION "\n";
+    const bool is_verbose = arguments.size() == 2 && arguments.back() == "--verbose";
+    if (arguments.size() > 1 && !is_verbose)
+      throw ConfigError(fmt::format("--version takes no '{}'; allowed: --verbose", arguments[1]));
+    if (is_verbose) {
+      const linalg::BlasLibrary library = linalg::blas_library();
+      std::cout << "BLAS:   " << library.blas << "\nLAPACK: " << library.lapack << '\n';
+      if (!library.warning.empty()) std::cout << library.warning << '\n';
+    }
     return 0;
   }
   if (first.empty()) throw ConfigError(fmt::format("no command; see {} --help", Processes::program()));

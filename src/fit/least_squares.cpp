@@ -1,8 +1,15 @@
 #include "least_squares.hpp"
 
-#include <ceres/ceres.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "creepcontact/base/error.hpp"
+#include "creepcontact/fit/bounded_least_squares.hpp"
+#include "creepcontact/platform/companions.hpp"
 
 namespace creepcontact::fit {
 namespace {
@@ -13,29 +20,40 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-class Residuals final : public ceres::CostFunction {
- public:
-  Residuals(const LeastSquares& problem, int n_residuals) : problem_(problem) {
-    set_num_residuals(n_residuals);
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.lower.size()));
+Minimize load_optimizer() {
+  const std::filesystem::path file = platform::find_companion(optimizer_library, false);
+  if (file.empty()) {
+    std::string places;
+    for (const std::filesystem::path& place : platform::companion_places(optimizer_library))
+      places += (places.empty() ? "" : ", ") + place.string();
+    throw SolverError(fmt::format("{}, which fits constants, was not found as any of {}; install creepcontact again",
+                                  optimizer_library, places));
   }
+  const auto reason = [] {
+    const char* const text = ::dlerror();
+    return text != nullptr ? text : "unknown reason";
+  };
+  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw SolverError(fmt::format("'{}' cannot be loaded: {}", file.string(), reason()));
+  void* const function = ::dlsym(library, optimizer_function);
+  if (function == nullptr)
+    throw SolverError(fmt::format("'{}' is of another version: {}; install creepcontact again", file.string(), reason()));
+  return reinterpret_cast<Minimize>(function);
+}
 
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], problem_.lower.size());
-    const auto values = problem_.residuals(x);
-    if (!values) return false;
-    std::ranges::copy(*values, residuals);
-    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
-    const auto jacobian = difference_jacobian(problem_, x);
-    if (!jacobian) return false;
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<RowMajor>(jacobians[0], jacobian->rows(), jacobian->cols()) = *jacobian;
-    return true;
-  }
-
- private:
-  const LeastSquares& problem_;
-};
+bool evaluate(void* context, const double* at, double* residuals, double* jacobian) {
+  const LeastSquares& problem = *static_cast<const LeastSquares*>(context);
+  const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(at, problem.lower.size());
+  const auto values = problem.residuals(x);
+  if (!values) return false;
+  std::ranges::copy(*values, residuals);
+  if (jacobian == nullptr) return true;
+  const auto derivatives = difference_jacobian(problem, x);
+  if (!derivatives) return false;
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::Map<RowMajor>(jacobian, derivatives->rows(), derivatives->cols()) = *derivatives;
+  return true;
+}
 
 }  // namespace
 
@@ -58,24 +76,16 @@ std::optional<Minimum> minimize(const LeastSquares& problem, const Eigen::Vector
   minimum.x = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   const auto first = problem.residuals(minimum.x);
   if (!first) return std::nullopt;
-  {
-    ceres::Problem all;
-    all.AddResidualBlock(new Residuals(problem, static_cast<int>(first->size())), nullptr, minimum.x.data());
-    for (Eigen::Index i = 0; i < start.size(); ++i) {
-      all.SetParameterLowerBound(minimum.x.data(), static_cast<int>(i), problem.lower[i]);
-      all.SetParameterUpperBound(minimum.x.data(), static_cast<int>(i), problem.upper[i]);
-    }
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = most_iterations;
-    options.function_tolerance = 1e-9;
-    options.parameter_tolerance = 1e-7;
-    options.gradient_tolerance = 1e-12;
-    options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &all, &summary);
-    minimum.converged = summary.termination_type == ceres::CONVERGENCE;
-  }
+  static const Minimize minimize_bounded = load_optimizer();
+  LeastSquares of = problem;
+  minimum.converged = minimize_bounded({.n_unknowns = static_cast<int>(start.size()),
+                                        .n_residuals = static_cast<int>(first->size()),
+                                        .lower = problem.lower.data(),
+                                        .upper = problem.upper.data(),
+                                        .max_iterations = most_iterations,
+                                        .context = &of,
+                                        .evaluate = evaluate},
+                                       minimum.x.data());
   const auto residuals = problem.residuals(minimum.x);
   const auto jacobian = difference_jacobian(problem, minimum.x);
   if (!residuals || !jacobian) return std::nullopt;

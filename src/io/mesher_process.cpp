@@ -16,6 +16,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/platform/child_process.hpp"
+#include "creepcontact/platform/companions.hpp"
 #include "mesher_log.hpp"
 
 namespace creepcontact::io {
@@ -165,16 +166,10 @@ fs::path find_mesher() {
                     "creepcontact-mesher, or unset it",
                     given, std::strerror(errno)));
   }
-  std::error_code failure;
-  const fs::path here = fs::read_symlink("/proc/self/exe", failure).parent_path();
-  const std::vector<fs::path> places{here / "creepcontact-mesher",
-                                     (here / CREEPCONTACT_MESHER_FROM_BIN).lexically_normal(),
-                                     CREEPCONTACT_MESHER_INSTALLED};
-  for (const fs::path& place : places) {
-    if (::access(place.c_str(), X_OK) == 0) return place;
-  }
+  const std::string name = "creepcontact-mesher";
+  if (const fs::path found = platform::find_companion(name, true); !found.empty()) return found;
   std::string names;
-  for (const fs::path& place : places) names += (names.empty() ? "" : ", ") + place.string();
+  for (const fs::path& place : platform::companion_places(name)) names += (names.empty() ? "" : ", ") + place.string();
   throw ModelError(
       fmt::format("creepcontact-mesher, which meshes .geo files, was not found as any of {}; install it again, or give "
                   "its path in the environment variable CREEPCONTACT_MESHER. {}",

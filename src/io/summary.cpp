@@ -113,6 +113,7 @@ Json accuracy_json(const Summary::Accuracy& accuracy) {
 
 void write_summary(const std::filesystem::path& path, const Summary& summary) {
   Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
+  for (const auto& [name, file] : summary.libraries) json["libraries"][name] = file;
   for (const auto& [material, sources] : summary.sources) json["sources"][material] = sources;
   for (const auto& [name, probe] : summary.probes) json["probes"][name] = probe_json(probe);
   for (const auto& [name, time] : summary.events) json["events"][name] = time ? Json(*time) : Json(nullptr);

@@ -8,6 +8,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/linalg/blas_library.hpp"
 #include "memory_need.hpp"
 
 namespace creepcontact::run {
@@ -72,6 +73,7 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
                                      const creep::Assembly& assembly, const Processes& processes, Stopwatch& watch) {
   using settings::StiffnessMethod;
   const StiffnessMethod method = config.linear_solver.method;
+  if (const std::string warning = linalg::blas_library().warning; !warning.empty()) log::warning("{}", warning);
   bool is_short = false;
   const auto admit = [&](const contact::CondensedInterface& analyzed, double contact_bytes) {
     const MemoryNeed need = memory_need(config, assembly, contact_bytes, [&](std::size_t b) {

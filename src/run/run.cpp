@@ -18,6 +18,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/io/summary.hpp"
+#include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/platform/background.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
@@ -40,6 +41,8 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   summary.title = config.title;
   summary.units = config.units;
   summary.version = CREEPCONTACT_VERSION;
+  const linalg::BlasLibrary blas = linalg::blas_library();
+  summary.libraries = {{"blas", blas.blas}, {"lapack", blas.lapack}};
   for (const config::Material& material : config.materials)
     if (!material.sources.empty()) summary.sources[material.name] = material.sources;
   loop.probe_record().fill(config, summary);

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -53,6 +54,24 @@ class Help(CliTest):
             done = call(command, "--help")
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertTrue(done.stdout.startswith(f"creepcontact {command} "), done.stdout)
+
+    def test_libraries(self):
+        """The fast BLAS is used, although others are installed; where it is not, that is said."""
+        done = call("--version", "--verbose")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for library in ("BLAS", "LAPACK"):
+            self.assertRegex(done.stdout, rf"(?m)^{library}: .*openblas")
+        self.assertNotIn("slow", done.stdout)
+        loaded = subprocess.run([PROGRAM, "--version"], env={**os.environ, "LD_TRACE_LOADED_OBJECTS": "1"},
+                                capture_output=True, text=True, timeout=50).stdout
+        for name in ("atlas", "f77blas", "ceres"):
+            self.assertNotIn(name, loaded)
+        atlas = re.search(r"\S*libf77blas\.so\S*", subprocess.run(["ldconfig", "-p"], capture_output=True, text=True).stdout)
+        if atlas:
+            with_atlas = subprocess.run([PROGRAM, "--version", "--verbose"], env={**os.environ, "LD_PRELOAD": atlas[0]},
+                                        capture_output=True, text=True, timeout=50)
+            self.assertIn("is ATLAS", with_atlas.stdout)
+        self.expect_error(call("--version", "--quiet"), "allowed: --verbose")
 
     def test_options_of_run(self):
         text = call("run", "--help").stdout

@@ -93,6 +93,7 @@ struct Summary : RunCounters {
   Status status = Status::completed;
   std::string message;  ///< omitted if empty
   std::string title, units, version;
+  std::map<std::string, std::string> libraries;  ///< files of those that decide the speed: "blas", "lapack"
   std::string integrator;
   std::string method;  ///< integrator at work at the end, if `integrator` chose it; omitted if empty
   double time_reached = 0;

@@ -4,7 +4,8 @@ function(run)
 endfunction()
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
-foreach(file bin/creepcontact libexec/creepcontact/creepcontact-mesher share/creepcontact/configs share/man/man1/creepcontact.1
+foreach(file bin/creepcontact libexec/creepcontact/creepcontact-mesher
+             libexec/creepcontact/creepcontact-optimizer.so share/creepcontact/configs share/man/man1/creepcontact.1
              share/bash-completion/completions/creepcontact share/doc/creepcontact/docs/configuration.md)
   if(NOT EXISTS ${WORK_DIR}/prefix/${file})
     message(FATAL_ERROR "not installed: ${file}")
