@@ -121,6 +121,33 @@ const Evaluation& CreepSystem::evaluate_output(double t, std::span<const double>
   return output_;
 }
 
+double CreepSystem::rate_change(double t) {
+  const auto rate_of = [&](const Evaluation& at) {
+    std::vector<double> rate(size(), 0.0);
+    together(team(), [&] {
+      for (std::size_t b = 0; b < laws_.points().size(); ++b)
+        if (!laws_.points()[b].empty())
+          laws_.points()[b].rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
+    });
+    return rate;
+  };
+  std::vector<double> there;
+  try {
+    there = rate_of(evaluate_output(t, step_.y));
+  } catch (const RecoverableError&) {
+    return std::numeric_limits<double>::infinity();
+  } catch (const ModelError&) {  // loads that push a body away there, in the present state
+    return std::numeric_limits<double>::infinity();
+  }
+  const std::vector<double> here = rate_of(step_);
+  double largest = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const double change = std::abs(there[i] - here[i]) / scale_.values()[i];
+    largest = std::isnan(change) ? std::numeric_limits<double>::infinity() : std::max(largest, change);
+  }
+  return team().max(largest) / tolerance_;
+}
+
 void CreepSystem::forget_evaluations() {
   step_.valid = output_.valid = false;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,7 +22,9 @@ namespace {
 /// Damage at which steps that shrink to nothing mean rupture: the rate of damage is then infinite.
 constexpr double almost_ruptured = 0.5;
 constexpr int steps_between_warnings = 50;
-constexpr double no_time = 1e-9;      // relative to the time
+constexpr double no_time = 1e-9;         // relative to the time
+constexpr double longest_stretch = 1.1;  // of the step that an integrator proposes
+constexpr const char* jumps_name = "run.jumps";
 constexpr double failing_with = 0.9;  // damage at which steps that cannot be made mean rupture
 
 }  // namespace
@@ -67,7 +70,24 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
                     resumed_ ? &resumed_->arrays : nullptr);
   integrator_ = make_integrator(config.time, system);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
-  next_break_ = std::upper_bound(model.breakpoints.begin(), model.breakpoints.end(), time_);
+  breakpoints_ = model.breakpoints;
+  if (resumed_)
+    if (const auto found = resumed_->arrays.find(jumps_name); found != resumed_->arrays.end())
+      for (const double t : found->second) add_breakpoint(t);
+  find_next_breakpoint();
+  if (integrator_) {
+    guard_.emplace(config, model, system);
+    if (resumed_) guard_->restore(resumed_->arrays);
+  }
+}
+
+void TimeLoop::find_next_breakpoint() {
+  next_break_ = static_cast<std::size_t>(std::ranges::upper_bound(breakpoints_, time_) - breakpoints_.begin());
+}
+
+void TimeLoop::add_breakpoint(double t) {
+  const auto after = std::ranges::lower_bound(breakpoints_, t);
+  if (after == breakpoints_.end() || *after != t) breakpoints_.insert(after, t);
 }
 
 io::Checkpoint TimeLoop::checkpoint() const {
@@ -76,6 +96,9 @@ io::Checkpoint TimeLoop::checkpoint() const {
   probe_record_.save(checkpoint.arrays);
   events_->save(checkpoint.arrays);
   if (cycles_) cycles_->save(checkpoint.arrays);
+  if (guard_) guard_->save(checkpoint.arrays);
+  if (breakpoints_.size() > model_.breakpoints.size())
+    std::ranges::set_difference(breakpoints_, model_.breakpoints, std::back_inserter(checkpoint.arrays[jumps_name]));
   checkpoint.counters = counters();
   return checkpoint;
 }
@@ -221,13 +244,17 @@ TimeLoop::End TimeLoop::run() {
   return End::completed;
 }
 
-void TimeLoop::begin_segment() {
-  const std::vector<double>& breakpoints = model_.breakpoints;
+model::StepGuard::Segment TimeLoop::segment() const {
   constexpr double never = std::numeric_limits<double>::infinity();
   // At the end of the run there is no state after a jump that would still be integrated, but one to be reported.
   const double last = time_ < config_.time.end ? config_.time.end : never;
-  system_.begin_segment(next_break_ != breakpoints.begin() ? *(next_break_ - 1) : -never,
-                        next_break_ != breakpoints.end() ? *next_break_ : last);
+  return {.begin = next_break_ > 0 ? breakpoints_[next_break_ - 1] : -never,
+          .end = next_break_ < breakpoints_.size() ? breakpoints_[next_break_] : last};
+}
+
+void TimeLoop::begin_segment() {
+  const auto [begin, end] = segment();
+  system_.begin_segment(begin, end);
 }
 
 void TimeLoop::report_rupture(double time, const creep::CreepSystem::Extreme& where) {
@@ -280,7 +307,7 @@ void TimeLoop::begin_cycle() {
 
 void TimeLoop::continue_at(double t) {
   time_ = t;
-  next_break_ = std::upper_bound(model_.breakpoints.begin(), model_.breakpoints.end(), time_);
+  find_next_breakpoint();
   begin_segment();
   integrator_->initialize(time_, state_);
 }
@@ -356,7 +383,6 @@ bool TimeLoop::outputs_of_step(bool breakpoint) {
 
 void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   const double end = config_.time.end;
-  const auto last_break = model_.breakpoints.end();
   if (resumed_) {
     restore(*resumed_, config_, *integrator_);
     system_.resume(time_, integrator_->state(), resumed_->arrays);
@@ -369,11 +395,9 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (checkpoints_.due()) write_checkpoint();
     keep_restart_point();
     if (cycles_ && cycles_->is_between()) begin_cycle();
-    const double stop = next_break_ != last_break ? *next_break_ : end;
-    const bool interpolates = integrator_->interpolates() && !config_.time.stop_at_output;
-    const bool may_pass_outputs = interpolates || next_output_ == config_.time.output.end();
     const RunCounters before = system_.run_counters();
-    const double limit = std::min(may_pass_outputs ? stop : std::min(stop, *next_output_), longest_step_end());
+    const double limit = end_of_step();
+    const double stop = next_break_ < breakpoints_.size() ? breakpoints_[next_break_] : end;
     ode::StepReport report;
     try {
       report = integrator_->step(limit);
@@ -396,7 +420,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (cycles_ && cycles_->is_checking() && gone_back_for_event()) continue;
     if (ruptured(time_ - report.step) || stopped_in_step(time_ - report.step)) return;
     const bool breakpoint = time_ >= stop;
-    if (breakpoint && next_break_ != last_break) ++next_break_;
+    if (breakpoint && next_break_ < breakpoints_.size()) ++next_break_;
     if (!outputs_of_step(breakpoint)) {
       settled_ = true;
       continue;
@@ -418,6 +442,26 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     settled_ = true;
   }
   if (observer_ != nullptr) observer_->before_message();
+}
+
+double TimeLoop::end_of_step() {
+  const double stop = next_break_ < breakpoints_.size() ? breakpoints_[next_break_] : config_.time.end;
+  const bool interpolates = integrator_->interpolates() && !config_.time.stop_at_output;
+  const bool may_pass_outputs = interpolates || next_output_ == config_.time.output.end();
+  const double limit = std::min(may_pass_outputs ? stop : std::min(stop, *next_output_), longest_step_end());
+  const double proposed = integrator_->next_step();
+  const bool is_proposed = proposed > 0;
+  const double reach = is_proposed ? std::min(limit, time_ + longest_stretch * proposed) : limit;
+  const auto [begin, end] = segment();
+  const auto found =
+      guard_->end_of_step(time_, reach, is_proposed, {creep::just_after(begin), creep::just_before(end)});
+  if (!found) return limit;
+  if (found->is_jump) {
+    add_breakpoint(found->time);
+    find_next_breakpoint();
+    begin_segment();
+  }
+  return found->time;
 }
 
 double TimeLoop::longest_step_end() const {

@@ -21,6 +21,7 @@
 #include "creepcontact/run/run.hpp"
 #include "cycles.hpp"
 #include "event_search.hpp"
+#include "guarded_steps.hpp"
 #include "run_report.hpp"
 
 namespace creepcontact::run {
@@ -97,6 +98,13 @@ class TimeLoop {
   void see_uniqueness(const creep::Equilibrium& at);
   /// Where the turning of slip directions bounds the next step.
   double longest_step_end() const;
+  /// Ends of the present segment of the loads; infinite where there is none.
+  model::StepGuard::Segment segment() const;
+  /// The first breakpoint after time_.
+  void find_next_breakpoint();
+  void add_breakpoint(double t);
+  /// Where the next step has to end at the latest. A jump that nobody knew of becomes a breakpoint.
+  double end_of_step();
   void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
   bool at_restart_point() const {
@@ -129,6 +137,7 @@ class TimeLoop {
   results::ProbeRecord probe_record_;
   std::optional<results::EventWatch> events_;  // of the probes that results_ owns
   std::optional<Cycles> cycles_;               // likewise
+  std::optional<GuardedSteps> guard_;          // of integrators with a state
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   model::DataRangeMonitor data_ranges_;
@@ -155,7 +164,8 @@ class TimeLoop {
   std::vector<HeldStep> held_steps_;
   RunCounters earlier_;  // counters of the runs before an interruption
   std::vector<double>::const_iterator next_output_;
-  std::vector<double>::const_iterator next_break_;
+  std::vector<double> breakpoints_;  // those of the model, and jumps found since
+  std::size_t next_break_ = 0;       // index
 };
 
 }  // namespace creepcontact::run

@@ -91,6 +91,10 @@ class CreepSystem final : public ode::System,
   /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
   /// @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_step(double t, std::span<const double> y);
+  /// How much the rate would differ at another time in the state of the last evaluation made for a step: the largest
+  /// component over the error that a step may make in it [1/time]; infinity if there is no equilibrium. Collective.
+  /// Cost: one elastic solve.
+  double rate_change(double t);
   /// The last evaluation made for a step.
   const Evaluation& step_evaluation() const { return step_; }
   /// Shortest relaxation time per body, 1 / (largest eigenvalue of C H over its points); infinity if nothing creeps.

@@ -1,0 +1,81 @@
+#include "guarded_steps.hpp"
+
+#include <algorithm>
+
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/model/model.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+constexpr double allowed_effect = 0.05;  // of the error that a step may make
+constexpr double max_age = 20;           // findings for which a known effect counts
+constexpr double larger = 1.5;           // deviations, relative to the one whose effect is known: found anew
+constexpr const char* memory_name = "guard.effects";
+
+}  // namespace
+
+GuardedSteps::GuardedSteps(const config::Config& config, const model::Model& model, creep::CreepSystem& system)
+    : system_(system),
+      guard_(model::courses_in_time(config, model), config.time.end, config.time.tolerance),
+      is_fixed_(config.time.step.mode == settings::StepMode::fixed),
+      effects_(guard_.courses().size()),
+      reported_(guard_.courses().size(), 0) {}
+
+std::optional<GuardedSteps::End> GuardedSteps::end_of_step(double t, double to, bool is_proposed,
+                                                           const model::StepGuard::Segment& segment) {
+  std::optional<End> end;
+  for (std::size_t i = 0; i < guard_.courses().size(); ++i) {
+    const auto found = guard_.examine(i, t, end ? end->time : to, segment);
+    if (!found) continue;
+    const bool matters_here = found->is_jump || (is_proposed && matters(*found, to - t));
+    if (matters_here) report(*found, t, to);
+    if (is_fixed_ ? !found->is_jump : is_proposed && !matters_here) continue;
+    end = {.time = found->time, .is_jump = found->is_jump};
+  }
+  return end;
+}
+
+bool GuardedSteps::matters(const model::StepGuard::Finding& finding, double length) {
+  Effect& effect = effects_[finding.course];
+  ++effect.age;
+  if (effect.largest == 0 || effect.age > max_age || finding.relative > larger * effect.largest)
+    effect = {
+        .per_deviation = system_.rate_change(finding.at) / finding.relative, .largest = finding.relative, .age = 0};
+  return effect.per_deviation * finding.relative * finding.share * length > allowed_effect;
+}
+
+void GuardedSteps::report(const model::StepGuard::Finding& finding, double t, double to) {
+  if (reported_[finding.course] != 0) return;
+  reported_[finding.course] = 1;
+  const std::string& key = guard_.courses()[finding.course].key;
+  if (is_fixed_ && !finding.is_jump)
+    log::warning(
+        "{}: within the step from t = {:.6g} to {:.6g} it deviates by {:.3g} from what the ends of the step show, at t "
+        "= {:.6g}; steps of a fixed length do not follow it: use a shorter time.step, or an integrator with error "
+        "control",
+        key, t, to, finding.deviation, finding.at);
+  else if (finding.is_jump)
+    log::warning(
+        "{}: it jumps at t = {:.10g}, which was not found before the run; the step ends there. Others like it that are "
+        "shorter than the steps may be missed: list the times of jumps in time.breakpoints",
+        key, finding.time);
+  else
+    log::info("{}: steps are shortened from t = {:.6g} on, to follow its course", key, t);
+}
+
+void GuardedSteps::save(creep::Memory& memory) const {
+  if (!guard_.is_needed()) return;
+  std::vector<double>& values = memory[memory_name];
+  values.clear();
+  for (const Effect& effect : effects_) values.insert(values.end(), {effect.per_deviation, effect.largest, effect.age});
+}
+
+void GuardedSteps::restore(const creep::Memory& memory) {
+  const auto found = memory.find(memory_name);  // not in checkpoints of earlier versions
+  if (found == memory.end() || found->second.size() != 3 * effects_.size()) return;
+  for (std::size_t i = 0; i < effects_.size(); ++i)
+    effects_[i] = {found->second[3 * i], found->second[3 * i + 1], found->second[3 * i + 2]};
+}
+
+}  // namespace creepcontact::run
