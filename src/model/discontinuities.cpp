@@ -11,7 +11,7 @@
 namespace creepcontact::model {
 namespace {
 
-constexpr int uniform_samples = 16381;                     // a prime: no period divides their distance
+constexpr int fewest_samples = 64;
 constexpr double first_sample = 1e-10, log_ratio = 1.024;  // over the end; between samples near 0
 constexpr double standing_out = 0.02;  // deviation of a slope change from those beside it, over them: not smooth
 constexpr double negligible = 1e-7;    // over the range of the values
@@ -20,6 +20,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t finer = 8;  // refinement of a level
 constexpr std::size_t margin = 6, stencil = 3;
 constexpr std::size_t longest_cluster = 8, max_kinks = 4000, trials = 24;
+constexpr double at_border = 1e-11;  // relative: a kink at the begin of the interval belongs to it
 constexpr int max_evaluations = 500000, deepest = 40;
 
 /// Nodes that stand out beside each other: one or several kinks.
@@ -39,24 +40,15 @@ double rounder(double a, double b) {
   return fmt::format("{}", a).size() <= fmt::format("{}", b).size() ? a : b;
 }
 
-double rounded(double t, double error) {
-  for (int digits = 1; digits <= 12; ++digits)
-    if (const double round = std::strtod(fmt::format("{:.{}e}", t, digits - 1).c_str(), nullptr);
-        std::abs(round - t) <= error)
-      return round;
-  return t;
-}
-
-/// At one place. A smooth function, seen closely enough, has slope changes that vary smoothly from sample to sample; a
-/// kink has one that stands out however close one looks. Suspicious samples are looked at ever closer, up to rounding.
+/// A smooth function, seen closely enough, has slope changes that vary smoothly from sample to sample; a kink has one
+/// that stands out however close one looks. Suspicious samples are looked at ever closer, up to rounding.
 class Search {
  public:
-  Search(const Function& function, const Vector3& position, double end)
-      : function_(function), at_{.x = position[0], .y = position[1], .z = position[2]}, end_(end) {}
+  Search(const Course& course, Interval over, int samples)
+      : course_(course), begin_(over.low), end_(over.high), n_samples_(std::max(samples, fewest_samples)) {}
 
-  void run(Discontinuities& kinks) {
+  Discontinuities run() {
     const Grid grid = samples();
-    if (grid.t.empty()) return;
     const auto [least, largest] = std::minmax_element(grid.v.begin(), grid.v.end());
     const std::vector<Cluster> found = clusters(grid, negligible * (*largest - *least));
     std::size_t n_nodes = 0;
@@ -65,12 +57,8 @@ class Search {
     if (crowded && !is_smooth_closer(grid, found)) too_many_ = true;
     if (!crowded)
       for (const Cluster& cluster : found) examine(grid, cluster, {}, 0);
-    if (too_many_ || kinks_.size() + jumps_.size() > max_kinks) {
-      kinks.too_many = true;
-      return;
-    }
-    kinks.kinks.insert(kinks.kinks.end(), kinks_.begin(), kinks_.end());
-    kinks.jumps.insert(kinks.jumps.end(), jumps_.begin(), jumps_.end());
+    if (too_many_ || kinks_.size() + jumps_.size() > max_kinks) return {.jumps = {}, .kinks = {}, .too_many = true};
+    return {.jumps = jumps_, .kinks = kinks_, .too_many = false};
   }
 
  private:
@@ -80,27 +68,25 @@ class Search {
 
   double value(double t) {
     ++n_evaluations_;
-    at_.t = t;
-    double result = function_(at_);
+    double result = course_(t);
+    // A root of a negative number, say: where it begins to have a value counts as a jump.
+    if (!std::isfinite(result)) result = 0;
     for (const Jump& jump : subtracted_)
       if (t >= jump.time) result -= jump.size;
     return result;
   }
 
-  /// Empty if the function has no value somewhere.
   Grid samples() {
     Grid grid;
-    const double step = end_ / uniform_samples;
-    for (double t = first_sample * end_; t * (log_ratio - 1) < step; t *= log_ratio) grid.t.push_back(t);
-    const double begin = grid.t.back();
-    for (int i = 1; grid.t.back() <= end_ + 5 * step; ++i) grid.t.push_back(begin + step * i);
-    for (std::size_t i = 0; i < grid.t.size(); ++i) {
-      grid.v.push_back(value(grid.t[i]));
-      if (std::isfinite(grid.v.back())) continue;
-      if (grid.t[i] <= end_) return {};
-      grid.t.resize(i);
-      grid.v.pop_back();
+    const double step = (end_ - begin_) / n_samples_;
+    double first = std::max(begin_ - 5 * step, first_sample * end_);
+    if (begin_ == 0) {
+      for (double t = first_sample * end_; t * (log_ratio - 1) < step; t *= log_ratio) grid.t.push_back(t);
+      first = grid.t.back() + step;
     }
+    for (int i = 0; grid.t.empty() || grid.t.back() <= end_ + 5 * step; ++i) grid.t.push_back(first + step * i);
+    while (grid.t.back() > end_ && !std::isfinite(course_(grid.t.back()))) grid.t.pop_back();
+    for (const double t : grid.t) grid.v.push_back(value(t));
     return grid;
   }
 
@@ -175,7 +161,6 @@ class Search {
     for (std::size_t i = 0; i <= finer * intervals + 2 * margin; ++i) {
       grid.t.push_back(begin + step * (static_cast<double>(i) - static_cast<double>(margin)));
       grid.v.push_back(value(grid.t.back()));
-      if (!std::isfinite(grid.v.back())) return false;
     }
     bool found = false;
     for (const Cluster& cluster : clusters(grid, 0)) found = examine(grid, cluster, strengths, level) || found;
@@ -207,12 +192,12 @@ class Search {
   }
 
   void add(std::vector<double>& times, double t) const {
-    if (t > 0 && t < end_) times.push_back(t);
+    if (t > 0 && t >= begin_ * (1 - at_border) && t < end_) times.push_back(t);
   }
 
-  const Function& function_;
-  Arguments at_;
-  double end_;
+  const Course& course_;
+  double begin_, end_;
+  int n_samples_;
   int n_evaluations_ = 0;
   bool too_many_ = false;
   std::vector<double> kinks_, jumps_;
@@ -233,15 +218,33 @@ void tidy(std::vector<double>& times, double error, const std::vector<double>& o
 
 }  // namespace
 
-Discontinuities find_discontinuities(const Function& function, double end, std::span<const Vector3> positions) {
-  Discontinuities result;
-  if (!function.depends_on_time() || function.table_range("t")) return result;
-  for (const Vector3& position : positions.first(function.depends_on_position() ? positions.size() : 1))
-    Search(function, position, end).run(result);
-  if (result.too_many) return {.jumps = {}, .kinks = {}, .too_many = true};
+Discontinuities find_discontinuities(const Course& course, Interval over, int samples) {
+  Discontinuities result = Search(course, over, samples).run();
   tidy(result.jumps, 4 * epsilon);
   tidy(result.kinks, 1e-11, result.jumps);
   return result;
+}
+
+std::optional<double> jump_between(const Course& course, double low, double high) {
+  const double first = course(low), last = course(high);
+  if (!(first != last)) return std::nullopt;
+  while (std::nextafter(low, high) < high) {
+    const double middle = low + 0.5 * (high - low);
+    if (const double at = course(middle); std::abs(at - first) < std::abs(at - last))
+      low = middle;
+    else
+      high = middle;
+  }
+  if (!(std::abs(course(high) - course(low)) > 0.5 * std::abs(last - first))) return std::nullopt;
+  return rounder(low, high);
+}
+
+double rounded(double value, double error, int most_digits) {
+  for (int digits = 1; digits <= most_digits; ++digits)
+    if (const double round = std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
+        std::abs(round - value) <= error)
+      return round;
+  return value;
 }
 
 }  // namespace creepcontact::model

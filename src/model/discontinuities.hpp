@@ -1,13 +1,16 @@
 #pragma once
-/// Where an expression in t has kinks or jumps: the integration stops there and starts anew.
+/// Where a function of time has kinks or jumps: the integration stops there and starts anew.
 
-#include <span>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
-#include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::model {
+
+/// A function of the configuration as it depends on the time alone: at some place, temperature, stress and strain.
+using Course = std::function<double(double t)>;
 
 struct Discontinuities {
   std::vector<double>
@@ -16,10 +19,19 @@ struct Discontinuities {
   bool too_many = false;      ///< there are more than can be found: both lists are empty
 };
 
-/// Those in (0, end), from samples at logarithmically and uniformly spaced times: what is wider than end/16000, or,
-/// near 0, than 2 % of the time, is seen. Tables know their points themselves: none.
-/// @param positions  at which functions of position are sampled; one at least
-/// Cost: some 20000 evaluations a place, and some hundreds a kink.
-Discontinuities find_discontinuities(const Function& function, double end, std::span<const Vector3> positions);
+/// Uniformly spaced samples of a whole run. A prime: no period divides their distance.
+constexpr int run_samples = 16381;
+
+/// Those in an interval that begins at 0 or later, from uniformly spaced samples, and, if it begins at 0,
+/// logarithmically spaced ones near there: what is wider than the interval over the number of samples, or, near 0,
+/// than 2 % of the time, is seen. Where the function is no number it counts as 0.
+/// Cost: an evaluation per sample, some 700 more at 0, and some hundreds per kink.
+Discontinuities find_discontinuities(const Course& course, Interval over, int samples = run_samples);
+
+/// The jump between two times, as in Discontinuities::jumps, if one makes up most of the change between them.
+std::optional<double> jump_between(const Course& course, double low, double high);
+
+/// The decimal number of the fewest digits within an error: expressions are written with round numbers.
+double rounded(double value, double error, int most_digits = 12);
 
 }  // namespace creepcontact::model

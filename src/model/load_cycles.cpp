@@ -19,9 +19,8 @@ constexpr const char* once = "a support or a preload that acts from or until som
 
 }  // namespace
 
-LoadCycles::LoadCycles(const config::Config& config, const Bodies& bodies,
-                       const std::optional<mechanics::TemperatureField>& temperature, std::vector<double> breakpoints)
-    : period_(config.time.cycle.value()), breakpoints_(std::move(breakpoints)), positions_(sample_positions(bodies)) {
+LoadCycles::LoadCycles(const config::Config& config, std::vector<ChangingValue> values, std::vector<double> breakpoints)
+    : period_(config.time.cycle.value()), breakpoints_(std::move(breakpoints)), parts_(std::move(values)) {
   const auto n_cycles = static_cast<std::int64_t>(std::floor(config.time.end / period_ + same_time));
   for (std::int64_t k = 1; k <= n_cycles; ++k) {
     const double t = static_cast<double>(k) * period_;
@@ -29,11 +28,6 @@ LoadCycles::LoadCycles(const config::Config& config, const Bodies& bodies,
     const bool is_breakpoint = after != breakpoints_.end() && *after <= t + same_time * period_;
     ends_.push_back(is_breakpoint ? *after : config.time.end);
   }
-  for (const config::ConfiguredFunction& function : config.functions)
-    if (function.may_depend_on("t") && function.is_of_position_and_time() && function.value.depends_on_time())
-      parts_.push_back({function.key, function.value});
-  if (temperature && !config.temperature->files.empty() && temperature->depends_on_time())
-    parts_.push_back({"temperature.file", *temperature});
   for (const config::Support& support : config.supports)
     for (const auto& time : {support.from, support.until})
       if (time) sudden_.push_back(*time);
@@ -68,9 +62,9 @@ std::vector<double> LoadCycles::corners(std::int64_t cycle) const {
   return result;
 }
 
-std::vector<double> LoadCycles::values(const Part& part, double t) const {
+std::vector<double> LoadCycles::values(const ChangingValue& part, double t) {
   std::vector<double> result;
-  for (const Vector3& x : positions_) result.push_back(part.value({.x = x[0], .y = x[1], .z = x[2], .t = t}));
+  for (const auto& course : part.courses) result.push_back(course(t));
   return result;
 }
 
@@ -79,7 +73,7 @@ LoadCycles::Samples LoadCycles::samples(std::int64_t cycle) const {
   Samples result;
   for (const double t : at) result.corners.push_back(t - begin(cycle));
   constexpr int regular = 48;  // also at times that do not depend on the breakpoints, of which some may be missing
-  for (const Part& part : parts_) {
+  for (const ChangingValue& part : parts_) {
     std::vector<double>& all = result.values.emplace_back();
     for (int i = 0; i < regular; ++i)
       for (const double value : values(part, begin(cycle) + (i + 0.37) / regular * period_)) all.push_back(value);
@@ -113,7 +107,7 @@ bool LoadCycles::repeats_from(std::int64_t cycle) const {
 
 bool LoadCycles::jumps_at(double t) const {
   if (std::ranges::find(sudden_, t) != sudden_.end()) return true;
-  return std::ranges::any_of(parts_, [&](const Part& part) {
+  return std::ranges::any_of(parts_, [&](const ChangingValue& part) {
     const std::vector<double> before = values(part, creep::just_before(t)), after = values(part, creep::just_after(t));
     for (std::size_t i = 0; i < before.size(); ++i)
       if (std::abs(after[i] - before[i]) > no_jump * std::max(std::abs(after[i]), std::abs(before[i]))) return true;

@@ -10,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/model/temperature.hpp"
+#include "function_search.hpp"
 #include "model_links.hpp"
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
@@ -54,6 +55,23 @@ creep::SolverOptions solver_options(const config::Config& config, const Bodies& 
   if (config.temperature) options.refactor_change = config.temperature->refactor_change;
   return options;
 }
+
+namespace {
+
+std::vector<ChangingValue> changing_values(std::span<const SearchedFunction> functions) {
+  std::vector<ChangingValue> result;
+  for (const SearchedFunction& function : functions) result.push_back({function.key, function.courses});
+  return result;
+}
+
+StepLimits step_limits(std::span<const SearchedFunction> functions) {
+  std::vector<StepLimit> all;
+  for (const SearchedFunction& function : functions)
+    all.insert(all.end(), function.events.limits.begin(), function.events.limits.end());
+  return StepLimits(all);
+}
+
+}  // namespace
 
 Model build_model(const config::Config& config) {
   const mesh::Mesh whole = read_mesh(config.mesh, config.analysis);
@@ -127,16 +145,17 @@ Model build_model(const config::Config& config) {
   share_axial_strain(config, bodies, pairs);
 
   creep::SolverOptions options = solver_options(config, bodies);
-  std::vector<double> times = breakpoints(config, bodies, temperature);
+  const std::vector<SearchedFunction> functions = search_functions(config, bodies, temperature);
+  std::vector<double> times = breakpoints(config, functions, temperature);
   if (temperature) warn_of_positions_outside(config, bodies, *temperature);
   // Motions that nothing but facets would hold (a ring turning on its shaft) are left free exactly.
   const auto remake = [&](const Bodies& all, std::size_t pair, std::span<const mechanics::RigidMotion> sliding) {
     return make_pair(config.contacts[pair], config, all, temperature, sliding);
   };
   std::optional<LoadCycles> cycles;
-  if (config.time.cycle) cycles.emplace(config, bodies, temperature, times);
+  if (config.time.cycle) cycles.emplace(config, changing_values(functions), times);
   Model model{creep::Assembly(std::move(bodies), std::move(pairs), remake), std::move(options), std::move(temperature),
-              std::move(times), std::move(cycles)};
+              std::move(times), step_limits(functions), std::move(cycles)};
   if (model.cycles) require_cycles(config, model.assembly, *model.cycles);
   return model;
 }

@@ -14,6 +14,8 @@
 
 namespace creepcontact::model {
 
+struct SearchedFunction;  // function_search.hpp
+
 /// Reads or makes the mesh. @throws ModelError, with the place in the configuration if there is no such file
 mesh::Mesh read_mesh(const config::Mesh& mesh, settings::Analysis analysis);
 
@@ -65,12 +67,10 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
                         const std::optional<mechanics::TemperatureField>& temperature,
                         std::span<const mechanics::RigidMotion> sliding);
 
-/// Places inside the box around the bodies, on no plane of symmetry.
-std::vector<Vector3> sample_positions(const Bodies& bodies);
-/// Discontinuities and jumps in time of every function of the configuration, the points of tables, the ends of
-/// cycles, and the user's own breakpoints; ascending, within (0, end). Warns of expressions with more of them than can
-/// be found.
-std::vector<double> breakpoints(const config::Config& config, const Bodies& bodies,
+/// Discontinuities in time of every function of the configuration and the times at which it turns back, the points of
+/// tables, the ends of cycles, and the user's own breakpoints; ascending, within (0, end).
+/// @param functions  of search_functions
+std::vector<double> breakpoints(const config::Config& config, std::span<const SearchedFunction> functions,
                                 const std::optional<mechanics::TemperatureField>& temperature);
 
 /// @throws ConfigError if the integrator does not take the laws of the materials

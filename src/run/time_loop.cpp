@@ -466,7 +466,8 @@ double TimeLoop::end_of_step() {
 
 double TimeLoop::longest_step_end() const {
   const bool is_fixed = config_.time.step.mode == settings::StepMode::fixed;
-  return is_fixed ? std::numeric_limits<double>::infinity() : time_ + system_.longest_step(time_);
+  if (is_fixed) return std::numeric_limits<double>::infinity();
+  return std::min(time_ + system_.longest_step(time_), model_.step_limits.latest_end(time_));
 }
 
 bool TimeLoop::stopped_within(double from, double to, const StateAt& state_at) {

@@ -13,14 +13,20 @@
 
 namespace creepcontact::model {
 
+/// A value of the configuration that changes in time.
+struct ChangingValue {
+  std::string key;
+  std::vector<std::function<double(double t)>> courses;  ///< at some places where it acts
+};
+
 /// The run is divided into cycles of the length time.cycle, numbered from 0; what is left at the end belongs to none.
 /// Immutable.
 class LoadCycles {
  public:
-  /// @param config  with time.cycle @param breakpoints  of the model; ends of the cycles are among them
-  /// Cost: some hundred evaluations of the functions of time per cycle
-  LoadCycles(const config::Config& config, const std::vector<mechanics::Body>& bodies,
-             const std::optional<mechanics::TemperatureField>& temperature, std::vector<double> breakpoints);
+  /// @param config  with time.cycle @param values  all that change @param breakpoints  of the model; ends of the cycles
+  /// are among them
+  /// Cost: some hundred evaluations of each course per cycle
+  LoadCycles(const config::Config& config, std::vector<ChangingValue> values, std::vector<double> breakpoints);
 
   double period() const { return period_; }
   /// Number of whole cycles up to the end of the run.
@@ -45,11 +51,6 @@ class LoadCycles {
   std::vector<double> distinct_breakpoints() const;
 
  private:
-  /// Something that depends on time.
-  struct Part {
-    std::string key;
-    std::function<double(const Arguments& at)> value;
-  };
   /// What a cycle is compared by.
   struct Samples {
     std::vector<double> corners;              ///< since its begin
@@ -57,14 +58,13 @@ class LoadCycles {
   };
   Samples samples(std::int64_t cycle) const;
   std::string difference(const Samples& one, const Samples& other) const;
-  std::vector<double> values(const Part& part, double t) const;
+  static std::vector<double> values(const ChangingValue& part, double t);
   /// Breakpoints of a cycle, its ends included.
   std::vector<double> corners(std::int64_t cycle) const;
 
   double period_;
   std::vector<double> ends_, breakpoints_;
-  std::vector<Part> parts_;
-  std::vector<Vector3> positions_;
+  std::vector<ChangingValue> parts_;
   std::vector<double> sudden_;  // times at which something begins or ends to act
   std::vector<std::string> differences_;
 };

@@ -9,6 +9,7 @@
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/model/load_cycles.hpp"
+#include "creepcontact/model/step_limits.hpp"
 
 namespace creepcontact::model {
 
@@ -17,8 +18,9 @@ struct Model {
   creep::Assembly assembly;
   creep::SolverOptions solver;
   std::optional<mechanics::TemperatureField> temperature;
-  /// Times of jumps and slope changes of all loads, supports, gaps and temperatures, ascending.
+  /// Times at which functions of the configuration jump, change their slope or turn back, ascending.
   std::vector<double> breakpoints;
+  StepLimits step_limits;            ///< where functions vibrate
   std::optional<LoadCycles> cycles;  ///< given time.cycle
 
   /// Breakpoints at which the loads are not those of an earlier cycle.

@@ -10,10 +10,9 @@
 namespace creepcontact::model {
 namespace {
 
-const std::vector<Vector3> positions{{1.0, 0.7, 0.3}, {0.2, 3.1, 0.9}};
-
 Discontinuities of(const std::string& expression, double end) {
-  return find_discontinuities(Function::expression(expression, {"x", "y", "z", "t"}), end, positions);
+  const Function f = Function::expression(expression, {"x", "y", "z", "t"});
+  return find_discontinuities([&](double t) { return f({.x = 0.2, .y = 3.1, .z = 0.9, .t = t}); }, {0, end});
 }
 
 void expect_times(const std::string& expression, const std::vector<double>& found, const std::vector<double>& expected,
@@ -62,7 +61,7 @@ TEST(Discontinuities, AreFoundToRounding) {
 TEST(Discontinuities, AJumpIsKnownToTheLastBit) {
   for (const char* expression : {"t < 1/3 ? 1 : 2", "t <= 1/3 ? 1 : 2", "floor(3*t)", "floor(t/0.1)"}) {
     const Function f = Function::expression(expression, {"t"});
-    const Discontinuities found = find_discontinuities(f, 3, positions);
+    const Discontinuities found = of(expression, 3);
     EXPECT_FALSE(found.jumps.empty()) << expression;
     for (const double t : found.jumps)
       EXPECT_NEAR(f({.t = std::nextafter(t, 9.0)}) - f({.t = std::nextafter(t, 0.0)}), 1, 1e-9) << expression << t;
@@ -108,9 +107,18 @@ TEST(Discontinuities, OfAFastSawAreTooMany) {
   }
 }
 
-TEST(Discontinuities, TablesKnowTheirOwn) {
-  const Discontinuities found = find_discontinuities(Function::table("t", {0, 1, 2}, {0, 1, 0}), 10, positions);
-  EXPECT_TRUE(found.kinks.empty() && found.jumps.empty());
+/// Where a root has no value it counts as 0; what comes later is found all the same.
+TEST(Discontinuities, OfAFunctionThatIsNoNumberForATime) {
+  const Discontinuities found = of("sqrt(t - 3) + (t > 7 ? 1 : 0) + abs(t - 8)", 10);
+  EXPECT_EQ(found.jumps, (std::vector<double>{3, 7}));
+  expect_times("a root", found.kinks, {8}, 1e-9);
+}
+
+TEST(Discontinuities, OfAnIntervalThatBeginsLater) {
+  const Function f = Function::expression("(t > 730 && t < 730.5 ? 1 : 0) + abs(t - 731)", {"t"});
+  const Discontinuities found = find_discontinuities([&](double t) { return f({.t = t}); }, {720, 732}, 509);
+  EXPECT_EQ(found.jumps, (std::vector<double>{730, 730.5}));
+  expect_times("an interval", found.kinks, {731}, 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,213 @@
+/// Pulses, windows, ramps and vibrations in every place that takes a function, against the integral of the creep rate or
+/// a run that is told their times. None of them is announced.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "creepcontact/base/function.hpp"
+#include "verification/cube.hpp"
+
+namespace creepcontact::test {
+namespace {
+
+constexpr double end = 1000, A = 1e-14, n = 4, tolerance = 1e-4;
+
+/// A factor of about 1 as an expression in t, and the times between which it is smooth.
+struct Event {
+  std::string factor;
+  std::vector<double> times;
+  int pieces = 400;  ///< of the integral between two times, each by Simpson's rule
+
+  double operator()(double t) const {
+    static const std::vector<std::string> variables{"t"};
+    return Function::expression(factor, variables)({.t = t});
+  }
+};
+
+/// Of the rate over the run, for a rate that is a function of the factor.
+double integral(const Event& event, const std::function<double(double)>& rate) {
+  const Function f = Function::expression(event.factor, {"t"});
+  std::vector<double> times{0};
+  times.insert(times.end(), event.times.begin(), event.times.end());
+  times.push_back(end);
+  double sum = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const double h = (times[i] - times[i - 1]) / event.pieces, inside = 1e-9 * h;
+    for (int k = 0; k < event.pieces; ++k) {
+      const double begin = times[i - 1] + h * k;
+      const auto at = [&](double t) { return rate(f({.t = t})); };
+      sum += h / 6 * (at(begin + inside) + 4 * at(begin + h / 2) + at(begin + h - inside));
+    }
+  }
+  return sum;
+}
+
+std::vector<Event> random_events(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double from = 100 + 700 * uniform(random), width = 0.5 * std::pow(100, uniform(random));
+  const double high = 1.5 + uniform(random), slow = 10 + 90 * uniform(random);
+  std::vector<Event> events;
+  events.push_back({fmt::format("(t > {} && t < {} ? {} : 1)", from, from + width, high), {from, from + width}});
+  events.push_back({fmt::format("(1 + {}*exp(-((t - {})/{})^2))", high, from, width),
+                    {from - 4 * width, from - width, from, from + width, from + 4 * width}});
+  events.push_back({fmt::format("(1 + min(max((t - {})/{}, 0), 1) - min(max((t - {})/7, 0), 1))", from, width, from + 60),
+                    {from, from + width, from + 60, from + 67}});
+  const int periods = 150 + static_cast<int>(2500 * uniform(random));
+  events.push_back({fmt::format("(1 + 0.3*sin(2*pi*t*{}/1000))", periods), {}, 40 * periods});
+  std::vector<double> corners;
+  for (double t = slow; t < end; t += slow) corners.push_back(t);
+  events.push_back({fmt::format("(1 + 0.4*mod(t, {0})/{0})", slow), corners});
+  return events;
+}
+
+std::string time_keys(const std::string& more = "") {
+  return fmt::format("end = {}\noutput = [{}]\ntolerance = {}\n", end, end, tolerance) + more;
+}
+
+std::string norton(const std::string& factor = "1e-14") {
+  return creep_law_table("norton", "A = " + factor + "\nn = 4");
+}
+
+/// A place of a function, as material and loading of the cube.
+struct Place {
+  std::string name, material, loading;
+};
+
+std::vector<Place> places(const std::string& f) {
+  const std::string steady = pulled("100");
+  std::string forces;
+  for (const char* corner : {"100, 0, 0", "100, 100, 0", "100, 0, 100", "100, 100, 100"})
+    forces += fmt::format("\n[[loads]]\nat = [{}]\nforce = [\"2.5e5*{}\", 0, 0]\n", corner, f);
+  return {{"pressure", norton(), fmt::format("\n[[loads]]\non = \"x1\"\npressure = \"-100*{}\"\n", f)},
+          {"traction", norton(), pulled(fmt::format("\"100*{}\"", f))},
+          {"force", norton(), forces},
+          {"rate", creep_law_table("expression", fmt::format("rate = \"1e-14*q^4*{}^4\"", f)), steady},
+          {"temperature", norton("\"1e-14*(T/500)^4\""), steady + fmt::format("[temperature]\nvalue = \"500*{}\"\n", f)}};
+}
+
+void expect_integral(const Event& event, const std::string& time) {
+  const double exact = integral(event, [](double factor) { return A * std::pow(100 * factor, n); });
+  for (const Place& place : places(event.factor)) {
+    const Outcome outcome = run_cube(place.material, place.loading, time);
+    EXPECT_RELATIVE(outcome.history.at("cxx", end), exact, 5 * tolerance) << place.name << ": " << event.factor;
+  }
+}
+
+TEST(EventsInTime, AreSeenInEveryPlace) {
+  for (const unsigned seed : {1U, 2U})
+    for (const Event& event : random_events(seed)) expect_integral(event, time_keys());
+}
+
+TEST(EventsInTime, AreSeenByEveryIntegrator) {
+  const Event window{"(t > 400.1 && t < 402.3 ? 2 : 1)", {400.1, 402.3}};
+  const Event pulse{"(1 + exp(-((t - 611)/2)^2))", {600, 609, 611, 613, 622}};
+  for (const Event& event : {window, pulse}) {
+    const double exact = integral(event, [](double factor) { return A * std::pow(100 * factor, n); });
+    for (const char* integrator : {"log_adams", "cvode_bdf", "cvode_adams", "arkode_dirk", "arkode_erk", "rkc2"}) {
+      const std::string keys = time_keys(fmt::format("integrator = \"{}\"\n", integrator));
+      const std::string rate = creep_law_table("expression", fmt::format("rate = \"1e-14*q^4*{}^4\"", event.factor));
+      EXPECT_RELATIVE(run_cube(rate, pulled("100"), keys).history.at("cxx", end), exact, 2e-3) << integrator;
+    }
+  }
+}
+
+/// With time.cycle: what happens in one cycle alone, and what happens in all of them.
+TEST(EventsInTime, AreSeenInCycles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int run = 0; run < 3; ++run) {
+    const double from = 30 + 900 * uniform(random), width = 0.2 + 4 * uniform(random);
+    const std::string once = fmt::format("(t > {} && t < {} ? 1.8 : 1)", from, from + width);
+    std::vector<double> times{from, from + width};
+    expect_integral({once, times}, time_keys("cycle = 10\n"));
+    for (int k = 0; k < 100; ++k)
+      for (const double corner : {0., 2., 5., 6.}) times.push_back(10 * k + corner);
+    std::ranges::sort(times);
+    const std::string pulses = "min(1, min(mod(t, 10)/2, max(0, 6 - mod(t, 10))))";
+    expect_integral({fmt::format("({}*(0.5 + 0.5*{}))", once, pulses), times, 10}, time_keys("cycle = 10\n"));
+  }
+}
+
+/// The temperature passes the points of a table: a peak over 2 of 100 degrees.
+TEST(EventsInTime, PointsOfTablesInTheTemperature) {
+  const std::string table = "{ T = [500, 549, 550, 551, 600], values = [1e-15, 1e-15, 1e-12, 1e-15, 1e-15] }";
+  const auto rate = [](double T) { return 1e-15 + (1e-12 - 1e-15) * std::max(0.0, 1 - std::abs(T - 550)); };
+  const std::string held = support("x1", "x", "0.05");
+  for (const auto& [field, pass] : std::vector<std::pair<std::string, std::vector<double>>>{
+           {"500 + t/10", {490, 500, 510}},
+           {"600 - 100*(t/1000)^2", {1000 * std::sqrt(0.49), 1000 * std::sqrt(0.5), 1000 * std::sqrt(0.51)}}}) {
+    const Event event{field, pass};
+    const double total = integral(event, rate);
+    const Outcome outcome = run_cube(norton(table), held + "\n[temperature]\nvalue = \"" + field + "\"\n", time_keys());
+    // d(sigma)/dt = -E A sigma^n
+    const double exact = std::pow(std::pow(100, -3) + 3 * 2e5 * total, -1.0 / 3);
+    EXPECT_RELATIVE(outcome.history.at("sxx", end), exact, 3 * tolerance) << field;
+  }
+  // In a field with a gradient the places pass the peak one after the other.
+  const Outcome gradient = run_cube(
+      norton(table), pulled("100") + "\n[temperature]\nvalue = \"500 + t/10 + 0.02*(x - 50)\"\n", time_keys());
+  EXPECT_RELATIVE(gradient.history.at("cxx", end), 1e8 * (1e-15 * 1000 + (1e-12 - 1e-15) * 10), 5e-3);
+}
+
+TEST(EventsInTime, ExpressionsInTheTemperature) {
+  const std::string held = "\n[temperature]\nvalue = \"500 + t/10\"\n";
+  const Outcome jump =
+      run_cube(norton("\"(T > 540 && T < 540.3) ? 1e-11 : 1e-15\""), pulled("100") + held, time_keys());
+  EXPECT_RELATIVE(jump.history.at("cxx", end), 1e8 * (1e-15 * 997 + 1e-11 * 3), 3 * tolerance);
+  const Outcome peak =
+      run_cube(norton("\"1e-15 + 1e-11*exp(-((T - 560)/0.1)^2)\""), pulled("100") + held, time_keys());
+  EXPECT_RELATIVE(peak.history.at("cxx", end), 1e8 * (1e-12 + 1e-11 * std::sqrt(std::numbers::pi)), 3 * tolerance);
+}
+
+/// Displacements and gaps change the stress, which relaxes in between: against runs that are told the times.
+TEST(EventsInTime, OfDisplacementsAndGaps) {
+  const std::string blocks = R"(
+    [mesh]
+    file = "case.geo"
+    order = 1
+    [bodies.low]
+    region = "low"
+    material = "steel"
+    [bodies.high]
+    region = "high"
+    material = "steel"
+    [materials.steel]
+    young_modulus = 200e3
+    poisson_ratio = 0.3
+    [[materials.steel.creep]]
+    law = "norton"
+    A = 1e-14
+    n = 4
+    [[probes]]
+    name = "szz"
+    quantity = "stress_zz"
+    body = "low"
+  )" + support("low_z0", "z") + support("high_z1", "z") + support("low_x0", "x") + support("low_y0", "y") +
+                             support("high_x0", "x") + support("high_y0", "y");
+  const std::string geo = boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {1, 1, 2}}, {"high", {0, 0, 1}, {1, 1, 1}, {1, 1, 2}}});
+  for (const Event& event : random_events(3)) {
+    if (event.times.empty()) continue;
+    const std::string told = fmt::format("breakpoints = [{}]\ntolerance = 1e-6\n", fmt::join(event.times, ", "));
+    const std::string times = fmt::format("end = {}\noutput = [500, {}]\n", end, end);
+    const std::string unannounced = fmt::format("tolerance = {}\n", tolerance);
+    const std::string held = support("x1", "x", fmt::format("\"0.05*{}\"", event.factor));
+    const double exact = run_cube(norton(), held, times + told).history.at("sxx", end);
+    const double found = run_cube(norton(), held, times + unannounced).history.at("sxx", end);
+    EXPECT_NEAR(found, exact, 5 * tolerance * 100) << event.factor;
+    const std::string contact = blocks + contact_table("low_z1", "high_z0", fmt::format("gap = \"-1e-3*{}\"", event.factor));
+    const double pressed = run_case(contact + "[time]\n" + times + told, geo).history.at("szz", end);
+    EXPECT_NEAR(run_case(contact + "[time]\n" + times + unannounced, geo).history.at("szz", end), pressed,
+                5 * tolerance * 100)
+        << event.factor;
+  }
+}
+
+}  // namespace
+}  // namespace creepcontact::test
