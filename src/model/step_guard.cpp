@@ -47,8 +47,8 @@ double rounder(double a, double b) {
 /// A course at one place, from a time on.
 class Track {
  public:
-  Track(const CourseInTime& course, const Vector3& place, double from, const StepGuard::Segment& segment, double size)
-      : course_(course), place_(place), from_(from), segment_(segment), least_size_(negligible_size * size) {}
+  Track(const std::function<double(double)>& course, double from, const StepGuard::Segment& segment, double size)
+      : course_(course), from_(from), segment_(segment), least_size_(negligible_size * size) {}
 
   struct Fit {
     double at = 0, deviation = 0, relative = 0, share = 0;
@@ -71,7 +71,7 @@ class Track {
     return in_log.relative < in_time.relative ? in_log : in_time;
   }
 
-  double value(double t) const { return course_.value(place_, std::clamp(t, segment_.begin, segment_.end)); }
+  double value(double t) const { return course_(std::clamp(t, segment_.begin, segment_.end)); }
 
  private:
   /// @param map  of the time, monotonic @param inverse  of the map
@@ -119,8 +119,7 @@ class Track {
     return above / below;
   }
 
-  const CourseInTime& course_;
-  const Vector3& place_;
+  const std::function<double(double)>& course_;
   double from_;
   StepGuard::Segment segment_;
   double least_size_;
@@ -129,13 +128,13 @@ class Track {
 
 }  // namespace
 
-StepGuard::StepGuard(std::vector<CourseInTime> courses, double end, double tolerance)
+StepGuard::StepGuard(std::vector<CoursesInTime> courses, double end, double tolerance)
     : courses_(std::move(courses)), tolerance_(std::max(tolerance, rounding)) {
-  for (const CourseInTime& course : courses_) {
+  for (const CoursesInTime& course : courses_) {
     double size = 0;
     for (int i = 0; i < samples_of_run; ++i) {
-      const Vector3& place = course.places[static_cast<std::size_t>(i) * course.places.size() / samples_of_run];
-      const double value = course.value(place, end * low_discrepancy(0.5, static_cast<std::uint64_t>(i)));
+      const auto& at_place = course.at_places[static_cast<std::size_t>(i) * course.at_places.size() / samples_of_run];
+      const double value = at_place(end * low_discrepancy(0.5, static_cast<std::uint64_t>(i)));
       if (std::isfinite(value)) size = std::max(size, std::abs(value));
     }
     sizes_.push_back(size);
@@ -144,16 +143,16 @@ StepGuard::StepGuard(std::vector<CourseInTime> courses, double end, double toler
 
 std::optional<StepGuard::Finding> StepGuard::examine(std::size_t index, double from, double to,
                                                      const Segment& segment) const {
-  const CourseInTime& course = courses_[index];
+  const CoursesInTime& course = courses_[index];
   std::optional<Finding> first;
-  const std::size_t n_places = std::min(places_per_step, course.places.size());
+  const std::size_t n_places = std::min(places_per_step, course.at_places.size());
   const double start = scattered(-from);
   for (std::size_t k = 0; k < n_places; ++k) {
     const auto place =
-        n_places == course.places.size()
+        n_places == course.at_places.size()
             ? k
-            : static_cast<std::size_t>(low_discrepancy(start, k) * static_cast<double>(course.places.size()));
-    Track track(course, course.places[place], from, segment, sizes_[index]);
+            : static_cast<std::size_t>(low_discrepancy(start, k) * static_cast<double>(course.at_places.size()));
+    Track track(course.at_places[place], from, segment, sizes_[index]);
     double bad = first ? first->time : to, good = from;
     const auto found = track.fit(bad, tolerance_);
     if (!found.is_finite || found.relative <= tolerance_) continue;

@@ -16,26 +16,25 @@
 
 namespace creepcontact::model {
 
-/// A quantity that a function of the configuration gives at some places as time passes: the function itself, or what
-/// becomes of it at the temperature of the place.
-struct CourseInTime {
-  std::string key;  ///< full: "loads[0].pressure"
-  std::function<double(const Vector3& place, double t)> value;
-  std::vector<Vector3> places;  ///< one at least: where the function acts
+/// A function of the configuration as time passes, at the places where it acts and at stresses, strains and
+/// temperatures that it meets there.
+struct CoursesInTime {
+  std::string key;                                         ///< full: "loads[0].pressure"
+  std::vector<std::function<double(double t)>> at_places;  ///< one at least
 };
 
 /// The courses of all functions of the configuration that depend on time, or on a temperature that does.
-std::vector<CourseInTime> courses_in_time(const config::Config& config, const Model& model);
+std::vector<CoursesInTime> courses_in_time(const config::Config& config, const Model& model);
 
 /// Immutable: what it answers depends on the arguments alone.
 class StepGuard {
  public:
   /// @param courses  those that depend on time
   /// @param end  of the run @param tolerance  relative, of the functions: larger deviations from a polynomial count
-  StepGuard(std::vector<CourseInTime> courses, double end, double tolerance);
+  StepGuard(std::vector<CoursesInTime> courses, double end, double tolerance);
 
   bool is_needed() const { return !courses_.empty(); }
-  const std::vector<CourseInTime>& courses() const { return courses_; }
+  const std::vector<CoursesInTime>& courses() const { return courses_; }
 
   /// The times at which the loads of a segment are evaluated: jumps at its ends count from within.
   struct Segment {
@@ -58,7 +57,7 @@ class StepGuard {
   std::optional<Finding> examine(std::size_t index, double from, double to, const Segment& segment) const;
 
  private:
-  std::vector<CourseInTime> courses_;
+  std::vector<CoursesInTime> courses_;
   std::vector<double> sizes_;  // largest values at some times, per course
   double tolerance_;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 namespace creepcontact::model {
 namespace {
@@ -14,10 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr StepGuard::Segment unbounded{-infinity, infinity};
 
 StepGuard guard_of(std::function<double(double)> course, double end = 1000, double tolerance = 1e-4) {
-  return StepGuard({{.key = "loads[0].pressure",
-                     .value = [course](const Vector3&, double t) { return course(t); },
-                     .places = {Vector3::Zero()}}},
-                   end, tolerance);
+  return StepGuard({{.key = "loads[0].pressure", .at_places = {std::move(course)}}}, end, tolerance);
 }
 
 TEST(StepGuard, WhatAStepFollowsPasses) {
@@ -27,8 +25,7 @@ TEST(StepGuard, WhatAStepFollowsPasses) {
       {"parabola", [](double t) { return t * (1000 - t); }},
       {"relaxation", [](double t) { return 50 + 50 * std::exp(-t / 400); }},
       {"sixth of a period", [](double t) { return std::sin(2 * std::numbers::pi * t / 1800); }}};
-  for (const auto& [name, course] : smooth)
-    EXPECT_FALSE(guard_of(course).examine(0, 100, 400, unbounded)) << name;
+  for (const auto& [name, course] : smooth) EXPECT_FALSE(guard_of(course).examine(0, 100, 400, unbounded)) << name;
 }
 
 TEST(StepGuard, PowersOfTimePassOverDecades) {
@@ -123,13 +120,10 @@ TEST(StepGuard, ARootAtTheStartDoesNotStopTheRun) {
 }
 
 TEST(StepGuard, PlacesChangeFromStepToStep) {
-  std::vector<Vector3> places;
-  for (int i = 0; i < 100; ++i) places.emplace_back(i, 0, 0);
-  // Acts at one place in twenty.
-  const StepGuard guard({{.key = "loads[0].pressure",
-                          .value = [](const Vector3& x, double t) { return x[0] < 5 && t >= 0.5 ? 1.0 : 0.0; },
-                          .places = places}},
-                        1000, 1e-3);
+  std::vector<std::function<double(double)>> places;
+  for (int i = 0; i < 100; ++i)  // it acts at one place in twenty
+    places.emplace_back([=](double t) { return i < 5 && t >= 0.5 ? 1.0 : 0.0; });
+  const StepGuard guard({{.key = "loads[0].pressure", .at_places = places}}, 1000, 1e-3);
   int n_found = 0;
   for (int step = 0; step < 200; ++step)
     if (guard.examine(0, 1e-3 * step, 1, unbounded)) ++n_found;
@@ -137,10 +131,8 @@ TEST(StepGuard, PlacesChangeFromStepToStep) {
 }
 
 TEST(StepGuard, APlaceWithoutAValueIsPassedOver) {
-  const StepGuard guard({{.key = "loads[0].traction[0]",
-                          .value = [](const Vector3& x, double t) { return std::sqrt(x[0]) * (t >= 0.5 ? 2 : 1); },
-                          .places = {Vector3(-1, 0, 0), Vector3(1, 0, 0)}}},
-                        1, 1e-3);
+  const auto course_at = [](double x) { return [x](double t) { return std::sqrt(x) * (t >= 0.5 ? 2 : 1); }; };
+  const StepGuard guard({{.key = "loads[0].traction[0]", .at_places = {course_at(-1), course_at(1)}}}, 1, 1e-3);
   const auto found = guard.examine(0, 0.1, 0.9, unbounded);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->time, 0.5);
