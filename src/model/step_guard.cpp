@@ -12,8 +12,8 @@
 namespace creepcontact::model {
 namespace {
 
-constexpr std::size_t n_nodes = 6;   // of the polynomial, of Chebyshev's second kind
-constexpr std::size_t n_trials = 6;  // times at which it is compared
+constexpr std::size_t n_nodes = 6;    // of the polynomial, of Chebyshev's second kind
+constexpr std::size_t n_trials = 13;  // times at which it is compared
 constexpr std::size_t places_per_step = 3;
 constexpr double deviating = 0.1;         // of the largest deviation
 constexpr double rounding = 1e-11;        // of the size of a course
@@ -76,16 +76,19 @@ class Track {
  private:
   /// @param map  of the time, monotonic @param inverse  of the map
   template <class Map, class Inverse>
-  Fit fit_in(double to, const Map& map, const Inverse& inverse) const {
+  Fit fit_in(double to, const Map& map, const Inverse& inverse) {
     std::array<double, n_nodes> u{}, v{};
+    std::array<std::pair<double, double>, n_nodes> nodes{};
     double size = least_size_;
     const double begin = map(from_), length = map(to) - begin;
     for (std::size_t i = 0; i < n_nodes; ++i) {
       const double share = (1 - std::cos(std::numbers::pi * static_cast<double>(i) / (n_nodes - 1))) / 2;
       u[i] = begin + share * length;
-      v[i] = value(i == 0 ? from_ : i + 1 == n_nodes ? to : inverse(u[i]));
+      const double t = i == 0 ? from_ : i + 1 == n_nodes ? to : inverse(u[i]);
+      v[i] = value(t);
       if (!std::isfinite(v[i])) return {.is_finite = false};
       size = std::max(size, std::abs(v[i]));
+      nodes[i] = {t, v[i]};
     }
     Fit worst{.at = to};
     for (const auto& [t, found] : seen_) {
@@ -102,6 +105,7 @@ class Track {
       ++n;
       if (std::abs(found - interpolated(u, v, map(t))) > deviating * worst.deviation) ++n_deviating;
     }
+    seen_.insert(seen_.end(), nodes.begin(), nodes.end());
     worst.share = n > 0 ? static_cast<double>(n_deviating) / static_cast<double>(n) : 0;
     return worst;
   }
