@@ -15,7 +15,7 @@ struct CourseEvents {
   std::vector<Turn> turns;
   std::vector<StepLimit> limits;  ///< that may stand for the turns
   double n_turns = 0;
-  bool vibrates = false;  ///< turns are too many, and missing
+  bool vibrates = false;  ///< turns are too many, and most are missing
   bool too_many = false;  ///< jumps and kinks, which are then missing
 };
 

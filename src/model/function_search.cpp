@@ -141,12 +141,12 @@ class FunctionSearch {
     std::vector<Turn> distinct;
     for (const Turn& turn : events.turns)
       if (distinct.empty() || turn.time > distinct.back().time + turn.error) distinct.push_back(turn);
-    if (distinct.size() > of_one_course + most_turns) events.vibrates = true;
+    if (distinct.size() > of_one_course + most_turns) {
+      events.vibrates = true;
+      distinct.clear();
+    }
     events.turns = std::move(distinct);
-    if (events.vibrates)
-      events.turns.clear();
-    else
-      events.limits.clear();
+    if (!events.vibrates) events.limits.clear();
   }
 
   /// The field knows its times.
@@ -188,7 +188,8 @@ class FunctionSearch {
     const double n_steps = StepLimits(events.limits).n_steps();
     if (n_steps > most_steps) {
       log::warning(
-          "'{}' ({}) turns back about {:.2g} times: to follow it would take {:.2g} steps, so steps are not bounded, and "
+          "'{}' ({}) turns back about {:.2g} times: to follow it would take {:.2g} steps, so steps are not bounded, "
+          "and "
           "the mean of what it does may be wrong; replace it by its mean, or integrate fewer periods (time.cycle with "
           "time.jump_cycles)",
           function.key, function.value.text(), events.n_turns, n_steps);

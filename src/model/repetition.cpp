@@ -106,7 +106,7 @@ std::vector<Interval> Repetition::different(double end) const {
 }
 
 std::optional<double> find_period(const Course& course, double end) {
-  constexpr double begin = 0.37;           // of the run
+  constexpr double begin = 0.37;  // of the run
   constexpr std::size_t fewest_events = 12;
   constexpr int window_samples = 4093, near_samples = 256;
   for (double width = end / 64; width > 1e-9 * end; width /= 4) {
@@ -122,8 +122,8 @@ std::optional<double> find_period(const Course& course, double end) {
         const double expected = found[0].time + n * period, reach = 0.02 * period;
         const std::vector<Event> later = events(course, {expected - reach, expected + reach}, near_samples);
         if (later.empty()) break;
-        const auto nearest = std::ranges::min_element(
-            later, {}, [&](const Event& event) { return std::abs(event.time - expected); });
+        const auto nearest =
+            std::ranges::min_element(later, {}, [&](const Event& event) { return std::abs(event.time - expected); });
         period = (nearest->time - found[0].time) / n;
       }
       return rounded(period, 1e-11 * period, 9);

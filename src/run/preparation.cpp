@@ -8,6 +8,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/ode/restart_share.hpp"
 #include "memory_need.hpp"
 
 namespace creepcontact::run {
@@ -107,11 +108,13 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
                             config.time.tolerance, watch);
 }
 
-std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, creep::CreepSystem& system) {
+std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const model::Model& model,
+                                                 creep::CreepSystem& system) {
   // One of several processes may have nothing that creeps.
   if (!system.team().any(system.size() > 0)) return nullptr;
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
+  options.tolerance *= ode::restart_share(time.integrator, static_cast<double>(model.distinct_breakpoints().size()));
   return ode::make_integrator(time.integrator, system, options);
 }
 

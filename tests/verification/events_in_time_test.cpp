@@ -1,5 +1,5 @@
-/// Pulses, windows, ramps and vibrations in every place that takes a function, against the integral of the creep rate or
-/// a run that is told their times. None of them is announced.
+/// Pulses, windows, ramps and vibrations in every place that takes a function, against the integral of the creep rate
+/// or a run that is told their times. None of them is announced.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -57,8 +57,9 @@ std::vector<Event> random_events(unsigned seed) {
   events.push_back({fmt::format("(t > {} && t < {} ? {} : 1)", from, from + width, high), {from, from + width}});
   events.push_back({fmt::format("(1 + {}*exp(-((t - {})/{})^2))", high, from, width),
                     {from - 4 * width, from - width, from, from + width, from + 4 * width}});
-  events.push_back({fmt::format("(1 + min(max((t - {})/{}, 0), 1) - min(max((t - {})/7, 0), 1))", from, width, from + 60),
-                    {from, from + width, from + 60, from + 67}});
+  events.push_back(
+      {fmt::format("(1 + min(max((t - {})/{}, 0), 1) - min(max((t - {})/7, 0), 1))", from, width, from + 60),
+       {from, from + width, from + 60, from + 67}});
   const int periods = 150 + static_cast<int>(2500 * uniform(random));
   events.push_back({fmt::format("(1 + 0.3*sin(2*pi*t*{}/1000))", periods), {}, 40 * periods});
   std::vector<double> corners;
@@ -85,11 +86,12 @@ std::vector<Place> places(const std::string& f) {
   std::string forces;
   for (const char* corner : {"100, 0, 0", "100, 100, 0", "100, 0, 100", "100, 100, 100"})
     forces += fmt::format("\n[[loads]]\nat = [{}]\nforce = [\"2.5e5*{}\", 0, 0]\n", corner, f);
-  return {{"pressure", norton(), fmt::format("\n[[loads]]\non = \"x1\"\npressure = \"-100*{}\"\n", f)},
-          {"traction", norton(), pulled(fmt::format("\"100*{}\"", f))},
-          {"force", norton(), forces},
-          {"rate", creep_law_table("expression", fmt::format("rate = \"1e-14*q^4*{}^4\"", f)), steady},
-          {"temperature", norton("\"1e-14*(T/500)^4\""), steady + fmt::format("[temperature]\nvalue = \"500*{}\"\n", f)}};
+  return {
+      {"pressure", norton(), fmt::format("\n[[loads]]\non = \"x1\"\npressure = \"-100*{}\"\n", f)},
+      {"traction", norton(), pulled(fmt::format("\"100*{}\"", f))},
+      {"force", norton(), forces},
+      {"rate", creep_law_table("expression", fmt::format("rate = \"1e-14*q^4*{}^4\"", f)), steady},
+      {"temperature", norton("\"1e-14*(T/500)^4\""), steady + fmt::format("[temperature]\nvalue = \"500*{}\"\n", f)}};
 }
 
 void expect_integral(const Event& event, const std::string& time) {
@@ -151,8 +153,8 @@ TEST(EventsInTime, PointsOfTablesInTheTemperature) {
     EXPECT_RELATIVE(outcome.history.at("sxx", end), exact, 3 * tolerance) << field;
   }
   // In a field with a gradient the places pass the peak one after the other.
-  const Outcome gradient = run_cube(
-      norton(table), pulled("100") + "\n[temperature]\nvalue = \"500 + t/10 + 0.02*(x - 50)\"\n", time_keys());
+  const Outcome gradient =
+      run_cube(norton(table), pulled("100") + "\n[temperature]\nvalue = \"500 + t/10 + 0.02*(x - 50)\"\n", time_keys());
   EXPECT_RELATIVE(gradient.history.at("cxx", end), 1e8 * (1e-15 * 1000 + (1e-12 - 1e-15) * 10), 5e-3);
 }
 
@@ -161,8 +163,7 @@ TEST(EventsInTime, ExpressionsInTheTemperature) {
   const Outcome jump =
       run_cube(norton("\"(T > 540 && T < 540.3) ? 1e-11 : 1e-15\""), pulled("100") + held, time_keys());
   EXPECT_RELATIVE(jump.history.at("cxx", end), 1e8 * (1e-15 * 997 + 1e-11 * 3), 3 * tolerance);
-  const Outcome peak =
-      run_cube(norton("\"1e-15 + 1e-11*exp(-((T - 560)/0.1)^2)\""), pulled("100") + held, time_keys());
+  const Outcome peak = run_cube(norton("\"1e-15 + 1e-11*exp(-((T - 560)/0.1)^2)\""), pulled("100") + held, time_keys());
   EXPECT_RELATIVE(peak.history.at("cxx", end), 1e8 * (1e-12 + 1e-11 * std::sqrt(std::numbers::pi)), 3 * tolerance);
 }
 
@@ -189,9 +190,11 @@ TEST(EventsInTime, OfDisplacementsAndGaps) {
     name = "szz"
     quantity = "stress_zz"
     body = "low"
-  )" + support("low_z0", "z") + support("high_z1", "z") + support("low_x0", "x") + support("low_y0", "y") +
+  )" + support("low_z0", "z") +
+                             support("high_z1", "z") + support("low_x0", "x") + support("low_y0", "y") +
                              support("high_x0", "x") + support("high_y0", "y");
-  const std::string geo = boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {1, 1, 2}}, {"high", {0, 0, 1}, {1, 1, 1}, {1, 1, 2}}});
+  const std::string geo =
+      boxes_geo({{"low", {0, 0, 0}, {1, 1, 1}, {1, 1, 2}}, {"high", {0, 0, 1}, {1, 1, 1}, {1, 1, 2}}});
   for (const Event& event : random_events(3)) {
     if (event.times.empty()) continue;
     const std::string told = fmt::format("breakpoints = [{}]\ntolerance = 1e-6\n", fmt::join(event.times, ", "));
@@ -201,7 +204,8 @@ TEST(EventsInTime, OfDisplacementsAndGaps) {
     const double exact = run_cube(norton(), held, times + told).history.at("sxx", end);
     const double found = run_cube(norton(), held, times + unannounced).history.at("sxx", end);
     EXPECT_NEAR(found, exact, 5 * tolerance * 100) << event.factor;
-    const std::string contact = blocks + contact_table("low_z1", "high_z0", fmt::format("gap = \"-1e-3*{}\"", event.factor));
+    const std::string contact =
+        blocks + contact_table("low_z1", "high_z0", fmt::format("gap = \"-1e-3*{}\"", event.factor));
     const double pressed = run_case(contact + "[time]\n" + times + told, geo).history.at("szz", end);
     EXPECT_NEAR(run_case(contact + "[time]\n" + times + unannounced, geo).history.at("szz", end), pressed,
                 5 * tolerance * 100)
