@@ -108,7 +108,7 @@ CourseEvents without_cycle(const Course& course, double end, const SearchEffort&
 
 std::optional<CourseEvents> repeated(const Course& course, double end, double period, const SearchEffort& effort,
                                      bool is_declared) {
-  const auto cycles = Repetition::find(course, end, period, effort.comparisons);
+  const auto cycles = Repetition::find(course, end, period, effort.comparisons, effort.fewest_phases);
   if (!cycles) return std::nullopt;
   CourseEvents result, pattern;
   if (cycles->pattern() == 1) {  // the first two together

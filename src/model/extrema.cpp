@@ -188,7 +188,8 @@ class TurnSearch {
 
   void add_highest_and_lowest(Extrema& to) const {
     const double gap = (over_.high - over_.low) / to.count;
-    for (const double t : {std::min(lowest_, highest_), std::max(lowest_, highest_)}) to.turns.push_back({t, 0.1 * gap});
+    for (const double t : {std::min(lowest_, highest_), std::max(lowest_, highest_)})
+      to.turns.push_back({t, 0.1 * gap});
   }
 
   static void add_dense(Interval stretch, std::vector<Interval>& to) {

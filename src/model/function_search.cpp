@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t spread_places = 12, further_places = 20, point_temperature_places = 8;
 constexpr double all_screening = 3e6, most_screening = 1e6;  // evaluations of all functions, of one
-constexpr double place_turn_evaluations = 2e5, place_comparisons = 1e5;
+constexpr double place_turn_evaluations = 2e5, place_comparisons = 3e4;
+constexpr int place_phases = 11;
 constexpr int level_samples = 4093;
 constexpr double most_steps = 5e6;  // that bounds on steps may ask for
 
@@ -79,6 +80,7 @@ class FunctionSearch {
     if (of_place) {
       effort.turn_evaluations = place_turn_evaluations;
       effort.comparisons = place_comparisons;
+      effort.fewest_phases = place_phases;
     }
     const bool from_points = courses.needs_point_temperatures();
     std::vector<std::size_t> chosen = spread(places, from_points ? point_temperature_places : spread_places);

@@ -9,7 +9,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr double same = 1e-7, similar = 1e-4;  // of the largest value
-constexpr double fewest_phases = 29, most_phases = 2000;
+constexpr double most_phases = 2000;
 constexpr std::int64_t most_different = 64;
 constexpr double different_share = 0.05;
 constexpr double rounding = 1e-9;  // of a cycle
@@ -55,12 +55,14 @@ bool has_period(const Course& course, double period, Interval over) {
 
 }  // namespace
 
-std::optional<Repetition> Repetition::find(const Course& course, double end, double period, double comparisons) {
+std::optional<Repetition> Repetition::find(const Course& course, double end, double period, double comparisons,
+                                           int fewest_phases) {
   Repetition result;
   result.period_ = period;
   result.count_ = static_cast<std::int64_t>(std::floor(end / period * (1 + rounding * period / end)));
   const std::int64_t n = result.count_;
-  const double per_cycle = std::clamp(comparisons / static_cast<double>(n), fewest_phases, most_phases);
+  const double per_cycle =
+      std::clamp(comparisons / static_cast<double>(n), static_cast<double>(fewest_phases), most_phases);
   const auto phases = static_cast<std::int64_t>(per_cycle);
   const auto allowed = std::max(most_different, static_cast<std::int64_t>(different_share * static_cast<double>(n)));
   const std::array<std::int64_t, 3> patterns{1, n / 3, n / 2};

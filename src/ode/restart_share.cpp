@@ -26,4 +26,9 @@ double restart_share(const std::string& integrator, double restarts) {
   return std::max(least_share, std::pow(found->second.few / restarts, found->second.power));
 }
 
+double vibration_share(double turns) {
+  constexpr double few = 100, least = 1e-3;
+  return std::clamp(few / turns, least, 1.0);
+}
+
 }  // namespace creepcontact::ode

@@ -114,7 +114,10 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const
   if (!system.team().any(system.size() > 0)) return nullptr;
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
-  options.tolerance *= ode::restart_share(time.integrator, static_cast<double>(model.distinct_breakpoints().size()));
+  constexpr double steps_per_turn = 6;
+  options.tolerance *=
+      std::min(ode::restart_share(time.integrator, static_cast<double>(model.distinct_breakpoints().size())),
+               ode::vibration_share(model.step_limits.n_steps() / steps_per_turn));
   return ode::make_integrator(time.integrator, system, options);
 }
 

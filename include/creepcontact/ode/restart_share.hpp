@@ -12,4 +12,8 @@ namespace creepcontact::ode {
 /// @param restarts  in the whole run
 double restart_share(const std::string& integrator, double restarts);
 
+/// Likewise for the rises and falls of loads that vibrate, through which steps go on without restarts. Not less than
+/// 1e-3: beyond, the errors of steps bounded to a part of the period cancel.
+double vibration_share(double turns);
+
 }  // namespace creepcontact::ode
