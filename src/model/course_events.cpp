@@ -13,7 +13,7 @@ namespace {
 constexpr double most_repeated = 3e5;        // jumps and kinks of a period of its own, in all repetitions
 constexpr double most_repeated_turns = 1e5;  // as stops; beyond, bounds on steps
 constexpr double most_turns_of_found_period = 1000;
-constexpr int samples_of_cycle = 2039;       // of one that differs from the others
+constexpr int samples_of_cycle = 2039;  // of one that differs from the others
 
 /// Whether a vibration has kinks or jumps in each period, by a close look at some pieces of it.
 bool has_kinks(const Course& course, Interval dense, double gap) {
@@ -82,8 +82,8 @@ double repeated_jump(const Course& course, double time) {
 }
 
 /// What one cycle has, in all others that are like it.
-void repeat(const Course& course, const CourseEvents& pattern, const Repetition& cycles, double end, double stops_at_turns,
-            CourseEvents& into) {
+void repeat(const Course& course, const CourseEvents& pattern, const Repetition& cycles, double end,
+            double stops_at_turns, CourseEvents& into) {
   const double period = cycles.period();
   const double n = static_cast<double>(cycles.count());
   const bool stops = static_cast<double>(pattern.turns.size()) * n <= stops_at_turns;
@@ -108,7 +108,7 @@ CourseEvents without_cycle(const Course& course, double end, const SearchEffort&
 
 std::optional<CourseEvents> repeated(const Course& course, double end, double period, const SearchEffort& effort,
                                      bool is_declared) {
-  const auto cycles = Repetition::find(course, end, period, effort.comparisons);
+  const auto cycles = Repetition::find(course, end, period, effort.comparisons, effort.fewest_phases);
   if (!cycles) return std::nullopt;
   CourseEvents result, pattern;
   if (cycles->pattern() == 1) {  // the first two together

@@ -15,7 +15,7 @@ struct CourseEvents {
   std::vector<Turn> turns;
   std::vector<StepLimit> limits;  ///< that may stand for the turns
   double n_turns = 0;
-  bool vibrates = false;  ///< turns are too many, and missing
+  bool vibrates = false;  ///< turns are too many, and most are missing
   bool too_many = false;  ///< jumps and kinks, which are then missing
 };
 
@@ -23,13 +23,13 @@ struct CourseEvents {
 struct SearchEffort {
   int samples = run_samples;
   double turn_evaluations = model::turn_evaluations;
-  double comparisons = 4e5;  ///< with other cycles
+  double comparisons = 4e5;  ///< with other cycles, altogether ...
+  int fewest_phases = 29;    ///< ... and of each cycle
 };
 
 /// Up to `end`. If the course repeats from the second cycle on, but for some cycles, one cycle is searched and the
-/// others follow; those that differ are searched themselves. All cycles are compared, at 29 or more phases each and
-/// `effort.comparisons` altogether. A course with more jumps and kinks than can be found is searched for a period of
-/// its own.
+/// others follow; those that differ are searched themselves. All cycles are compared. A course with more jumps and
+/// kinks than can be found is searched for a period of its own.
 /// @param cycle  a period that is known
 CourseEvents find_events(const Course& course, double end, std::optional<double> cycle, const SearchEffort& effort);
 

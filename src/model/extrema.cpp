@@ -19,7 +19,7 @@ constexpr double rise_of_gap = 0.41;               // of a sine
 constexpr double sudden = 1e-6;                    // a rise shorter than this part of the distance is a jump
 constexpr double outstanding = 5, smallest_jump = 0.01;
 constexpr std::size_t most_suspects = 2000;
-constexpr double seen = 32;           // samples per turn that show a kink between two of them
+constexpr double seen = 32;  // samples per turn that show a kink between two of them
 constexpr std::size_t few_turns = 10;
 
 struct Samples {
@@ -84,8 +84,14 @@ class TurnSearch {
     ++n_evaluations_;
     const double v = course_(t);
     if (!std::isfinite(v)) return std::isfinite(low_) ? std::clamp(0.0, low_, high_) : 0.0;
-    low_ = std::min(low_, v);
-    high_ = std::max(high_, v);
+    if (v < low_) {
+      low_ = v;
+      lowest_ = t;
+    }
+    if (v > high_) {
+      high_ = v;
+      highest_ = t;
+    }
     return v;
   }
 
@@ -155,13 +161,18 @@ class TurnSearch {
       result.limits.push_back({blocks_[k].begin, blocks_[k].end, rise_of_gap / steps_per_rise * gap});
       add_dense({blocks_[k].begin, blocks_[k].end}, result.dense);
     }
-    if (all_.t.empty()) return result;
+    if (all_.t.empty()) {
+      add_highest_and_lowest(result);
+      return result;
+    }
     const std::vector<std::size_t> turns = turns_of(all_.v, turn());
     result.count += static_cast<double>(turns.size());
-    if (result.count <= static_cast<double>(most_turns))
+    if (result.count <= static_cast<double>(most_turns)) {
       for (const std::size_t i : turns) result.turns.push_back(sharpened(i));
-    else
+    } else {
+      add_highest_and_lowest(result);
       add_jumps(result);
+    }
     std::vector<std::size_t> nodes{0};
     nodes.insert(nodes.end(), turns.begin(), turns.end());
     nodes.push_back(all_.t.size() - 1);
@@ -173,6 +184,12 @@ class TurnSearch {
     }
     std::ranges::sort(result.dense, {}, &Interval::low);
     return result;
+  }
+
+  void add_highest_and_lowest(Extrema& to) const {
+    const double gap = (over_.high - over_.low) / to.count;
+    for (const double t : {std::min(lowest_, highest_), std::max(lowest_, highest_)})
+      to.turns.push_back({t, 0.1 * gap});
   }
 
   static void add_dense(Interval stretch, std::vector<Interval>& to) {
@@ -282,7 +299,8 @@ class TurnSearch {
   const Course& course_;
   Interval over_;
   double evaluations_, dense_gap_, n_evaluations_ = 0;
-  double low_ = HUGE_VAL, high_ = -HUGE_VAL;  // of all values
+  double low_ = HUGE_VAL, high_ = -HUGE_VAL;  // of all values ...
+  double lowest_ = 0, highest_ = 0;           // ... and their times
   std::vector<Block> blocks_;
   std::vector<Samples> samples_;  // of each block
   Samples all_;

@@ -16,7 +16,9 @@ struct Turn {
 };
 
 struct Extrema {
-  std::vector<Turn> turns;        ///< increasing; none if there are more than `most_turns`
+  /// Increasing; if there are more than `most_turns`, only the highest and the lowest that were seen, where loads have
+  /// their extremes.
+  std::vector<Turn> turns;
   std::vector<StepLimit> limits;  ///< bounds on steps that resolve each rise and fall, instead of stops at the turns
   std::vector<double> jumps;      ///< seen between turns that are too close for find_discontinuities
   double count = 0;               ///< number of turns

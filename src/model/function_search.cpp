@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t spread_places = 12, further_places = 20, point_temperature_places = 8;
 constexpr double all_screening = 3e6, most_screening = 1e6;  // evaluations of all functions, of one
-constexpr double place_turn_evaluations = 2e5, place_comparisons = 1e5;
+constexpr double place_turn_evaluations = 2e5, place_comparisons = 3e4;
+constexpr int place_phases = 11;
 constexpr int level_samples = 4093;
 constexpr double most_steps = 5e6;  // that bounds on steps may ask for
 
@@ -79,6 +80,7 @@ class FunctionSearch {
     if (of_place) {
       effort.turn_evaluations = place_turn_evaluations;
       effort.comparisons = place_comparisons;
+      effort.fewest_phases = place_phases;
     }
     const bool from_points = courses.needs_point_temperatures();
     std::vector<std::size_t> chosen = spread(places, from_points ? point_temperature_places : spread_places);
@@ -141,12 +143,12 @@ class FunctionSearch {
     std::vector<Turn> distinct;
     for (const Turn& turn : events.turns)
       if (distinct.empty() || turn.time > distinct.back().time + turn.error) distinct.push_back(turn);
-    if (distinct.size() > of_one_course + most_turns) events.vibrates = true;
+    if (distinct.size() > of_one_course + most_turns) {
+      events.vibrates = true;
+      distinct.clear();
+    }
     events.turns = std::move(distinct);
-    if (events.vibrates)
-      events.turns.clear();
-    else
-      events.limits.clear();
+    if (!events.vibrates) events.limits.clear();
   }
 
   /// The field knows its times.
@@ -188,7 +190,8 @@ class FunctionSearch {
     const double n_steps = StepLimits(events.limits).n_steps();
     if (n_steps > most_steps) {
       log::warning(
-          "'{}' ({}) turns back about {:.2g} times: to follow it would take {:.2g} steps, so steps are not bounded, and "
+          "'{}' ({}) turns back about {:.2g} times: to follow it would take {:.2g} steps, so steps are not bounded, "
+          "and "
           "the mean of what it does may be wrong; replace it by its mean, or integrate fewer periods (time.cycle with "
           "time.jump_cycles)",
           function.key, function.value.text(), events.n_turns, n_steps);

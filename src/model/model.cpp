@@ -154,8 +154,12 @@ Model build_model(const config::Config& config) {
   };
   std::optional<LoadCycles> cycles;
   if (config.time.cycle) cycles.emplace(config, changing_values(functions), times);
-  Model model{creep::Assembly(std::move(bodies), std::move(pairs), remake), std::move(options), std::move(temperature),
-              std::move(times), step_limits(functions), std::move(cycles)};
+  Model model{creep::Assembly(std::move(bodies), std::move(pairs), remake),
+              std::move(options),
+              std::move(temperature),
+              std::move(times),
+              step_limits(functions),
+              std::move(cycles)};
   if (model.cycles) require_cycles(config, model.assembly, *model.cycles);
   return model;
 }

@@ -12,17 +12,17 @@ namespace creepcontact::model {
 namespace {
 
 constexpr std::size_t few_cells = 4000;
-constexpr double integration_point = 0.7746;  // of the way from the centre of an element to a corner
+constexpr double linear_point = 0.577, quadratic_point = 0.775;  // of the way from the centre of an element to a corner
 
 /// What cells have besides their nodes.
-void add_inner_points(const mesh::Mesh& mesh, mesh::CellType type, std::span<const std::int64_t> nodes, std::size_t body,
-                      bool corners, Places& to) {
+void add_inner_points(const mesh::Mesh& mesh, mesh::CellType type, std::span<const std::int64_t> nodes,
+                      std::size_t body, bool corners, Places& to) {
   Vector3 centre = Vector3::Zero();
   const auto n = static_cast<std::size_t>(mesh::n_corners(type));
   for (std::size_t i = 0; i < n; ++i) centre += mesh.nodes[nodes[i]] / static_cast<double>(n);
   to.push_back({centre, body});
-  for (std::size_t i = 0; corners && i < n; ++i)
-    to.push_back({centre + integration_point * (mesh.nodes[nodes[i]] - centre), body});
+  const double share = mesh::order(type) == 1 ? linear_point : quadratic_point;
+  for (std::size_t i = 0; corners && i < n; ++i) to.push_back({centre + share * (mesh.nodes[nodes[i]] - centre), body});
 }
 
 /// The entry that a key belongs to: "loads[3].pressure" of "loads" is 3; nullopt: the key is of another list.

@@ -9,7 +9,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr double same = 1e-7, similar = 1e-4;  // of the largest value
-constexpr double fewest_phases = 29, most_phases = 2000;
+constexpr double most_phases = 2000;
 constexpr std::int64_t most_different = 64;
 constexpr double different_share = 0.05;
 constexpr double rounding = 1e-9;  // of a cycle
@@ -55,12 +55,14 @@ bool has_period(const Course& course, double period, Interval over) {
 
 }  // namespace
 
-std::optional<Repetition> Repetition::find(const Course& course, double end, double period, double comparisons) {
+std::optional<Repetition> Repetition::find(const Course& course, double end, double period, double comparisons,
+                                           int fewest_phases) {
   Repetition result;
   result.period_ = period;
   result.count_ = static_cast<std::int64_t>(std::floor(end / period * (1 + rounding * period / end)));
   const std::int64_t n = result.count_;
-  const double per_cycle = std::clamp(comparisons / static_cast<double>(n), fewest_phases, most_phases);
+  const double per_cycle =
+      std::clamp(comparisons / static_cast<double>(n), static_cast<double>(fewest_phases), most_phases);
   const auto phases = static_cast<std::int64_t>(per_cycle);
   const auto allowed = std::max(most_different, static_cast<std::int64_t>(different_share * static_cast<double>(n)));
   const std::array<std::int64_t, 3> patterns{1, n / 3, n / 2};
@@ -106,7 +108,7 @@ std::vector<Interval> Repetition::different(double end) const {
 }
 
 std::optional<double> find_period(const Course& course, double end) {
-  constexpr double begin = 0.37;           // of the run
+  constexpr double begin = 0.37;  // of the run
   constexpr std::size_t fewest_events = 12;
   constexpr int window_samples = 4093, near_samples = 256;
   for (double width = end / 64; width > 1e-9 * end; width /= 4) {
@@ -122,8 +124,8 @@ std::optional<double> find_period(const Course& course, double end) {
         const double expected = found[0].time + n * period, reach = 0.02 * period;
         const std::vector<Event> later = events(course, {expected - reach, expected + reach}, near_samples);
         if (later.empty()) break;
-        const auto nearest = std::ranges::min_element(
-            later, {}, [&](const Event& event) { return std::abs(event.time - expected); });
+        const auto nearest =
+            std::ranges::min_element(later, {}, [&](const Event& event) { return std::abs(event.time - expected); });
         period = (nearest->time - found[0].time) / n;
       }
       return rounded(period, 1e-11 * period, 9);

@@ -13,10 +13,11 @@ namespace creepcontact::model {
 /// Cycles that are alike from the second one on, but for some.
 class Repetition {
  public:
-  /// Compares every cycle with one of them, at 29 or more phases that change from cycle to cycle.
-  /// @param comparisons  in all, where the cycles leave more than 29 each
+  /// Compares every cycle with one of them, at phases that change from cycle to cycle.
+  /// @param comparisons  in all, where they leave more than `fewest_phases` for a cycle; at most 2000 are made of one
   /// @returns nullopt if more than 64 cycles and more than a twentieth of all differ
-  static std::optional<Repetition> find(const Course& course, double end, double period, double comparisons);
+  static std::optional<Repetition> find(const Course& course, double end, double period, double comparisons,
+                                        int fewest_phases);
 
   double period() const { return period_; }
   /// Number of whole cycles; what is left is one more.

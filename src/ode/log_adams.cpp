@@ -95,8 +95,11 @@ StepReport LogAdams::step(double t_limit) {
         const StepReport report{.time = target.time, .step = target.step, .order = order_, .error_estimate = of.own};
         const bool cut = target.step < h;  // by the limit: says nothing about the step that accuracy allows
         accept(target, s);
-        follow_power(of);
-        const double next = target.step * std::min(choose_order(of), attempts.count() > 1 ? 1.0 : adams_largest_growth);
+        // Of equal steps, cut by one limit after another, the errors within a vibration cancel as long as order and
+        // power stay.
+        if (!cut) follow_power(of);
+        const double growth = cut ? order_of_cut_step(of) : choose_order(of);
+        const double next = target.step * std::min(growth, attempts.count() > 1 ? 1.0 : adams_largest_growth);
         proposal_ = cut ? std::max(h, next) : next;
         return report;
       }
@@ -243,27 +246,37 @@ void LogAdams::transform(const LogAdamsHistory::Matrix& matrix) {
   });
 }
 
+bool LogAdams::is_stable(int order, double growth) const {
+  return order <= LogAdamsHistory::max_order && stiffness_ * growth <= stiffness_limit[static_cast<std::size_t>(order)];
+}
+
+/// As high as it may be: a lower one could not make a longer step. @returns the factor of the next step
+double LogAdams::order_of_cut_step(const Errors& errors) {
+  constexpr double small = 0.3;
+  if (order_ > 1 && !is_stable(order_, 1))
+    --order_;
+  else if (errors.higher > 0 && errors.higher < small && is_stable(order_ + 1, growth_ahead))
+    ++order_;
+  return 1;
+}
+
 double LogAdams::choose_order(const Errors& errors) {
   const auto factor = [](double error, int order) {
     return std::pow(adams_target_error / std::max(error, adams_tiny_error), 1.0 / (order + 1));
   };
-  const auto stable = [&](int order, double growth) {
-    return order <= LogAdamsHistory::max_order &&
-           stiffness_ * growth <= stiffness_limit[static_cast<std::size_t>(order)];
-  };
   const double same = factor(errors.own, order_);
   const double lower = order_ > 1 ? factor(errors.lower, order_ - 1) : 0;
   const double higher = errors.higher > 0 ? factor(errors.higher, order_ + 1) : 0;
-  climbing_ = climbing_ && lower <= same && same >= 1 && stable(order_ + 1, adams_largest_growth);
+  climbing_ = climbing_ && lower <= same && same >= 1 && is_stable(order_ + 1, adams_largest_growth);
   if (climbing_) {
     ++order_;
     return same;
   }
-  if (order_ > 1 && (!stable(order_, 1) || (lower > same && lower >= higher))) {
+  if (order_ > 1 && (!is_stable(order_, 1) || (lower > same && lower >= higher))) {
     --order_;
     return lower;
   }
-  if (higher > same && stable(order_ + 1, std::min(higher, growth_ahead))) {
+  if (higher > same && is_stable(order_ + 1, std::min(higher, growth_ahead))) {
     ++order_;
     return higher;
   }

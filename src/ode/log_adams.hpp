@@ -70,6 +70,9 @@ class LogAdams final : public Integrator {
   void transform(const LogAdamsHistory::Matrix& matrix);
   /// Chooses the next order. @returns the factor by which the step may change
   double choose_order(const Errors& errors);
+  double order_of_cut_step(const Errors& errors);
+  /// @param growth  of the step
+  bool is_stable(int order, double growth) const;
   double shortened(double h, const Errors& errors);
 
   System& system_;

@@ -9,6 +9,7 @@
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/linalg/blas_library.hpp"
+#include "creepcontact/ode/restart_share.hpp"
 #include "memory_need.hpp"
 
 namespace creepcontact::run {
@@ -109,11 +110,16 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
                             config.time.tolerance, watch);
 }
 
-std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, creep::CreepSystem& system) {
+std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const model::Model& model,
+                                                 creep::CreepSystem& system) {
   // One of several processes may have nothing that creeps.
   if (!system.team().any(system.size() > 0)) return nullptr;
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
+  constexpr double steps_per_turn = 6;
+  options.tolerance *=
+      std::min(ode::restart_share(time.integrator, static_cast<double>(model.distinct_breakpoints().size())),
+               ode::vibration_share(model.step_limits.n_steps() / steps_per_turn));
   return ode::make_integrator(time.integrator, system, options);
 }
 

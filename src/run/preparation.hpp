@@ -34,6 +34,7 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
                                creep::EquilibriumSolver& solver, Stopwatch& watch);
 
 /// Null if nothing creeps.
-std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, creep::CreepSystem& system);
+std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const model::Model& model,
+                                                 creep::CreepSystem& system);
 
 }  // namespace creepcontact::run

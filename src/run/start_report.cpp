@@ -59,7 +59,7 @@ class StartReport {
     constexpr double never = std::numeric_limits<double>::infinity();
     const std::vector<double> no_creep(system_.size(), 0.0);
     try {
-      const auto integrator = make_integrator(config_.time, system_);
+      const auto integrator = make_integrator(config_.time, model, system_);
       system_.begin_segment(-never, first != model.breakpoints.end() ? *first : config_.time.end);
       system_.evaluate_output(0, no_creep);
       if (integrator) integrator->initialize(0, no_creep);

@@ -68,7 +68,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
   if (model.cycles)
     cycles_.emplace(config, *model.cycles, system, whole_, results_->probes(), directory, time_,
                     resumed_ ? &resumed_->arrays : nullptr);
-  integrator_ = make_integrator(config.time, system);
+  integrator_ = make_integrator(config.time, model, system);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
   breakpoints_ = model.breakpoints;
   if (resumed_)

@@ -22,8 +22,7 @@ bool has(const std::vector<double>& times, double t, double error) {
 
 TEST(CourseEvents, OneCycleOfAThousandThatDiffers) {
   for (const double from : {2013., 15., 9991., 0.5, 12.3}) {
-    const CourseEvents found =
-        of(fmt::format("100*(t > {} && t < {} ? 6.7 : 1)", from, from + 5), 10000, 10);
+    const CourseEvents found = of(fmt::format("100*(t > {} && t < {} ? 6.7 : 1)", from, from + 5), 10000, 10);
     EXPECT_EQ(found.jumps, (std::vector<double>{from, from + 5})) << from;
   }
   const CourseEvents on_pulses = of("min(1, mod(t, 10)) + (t > 5432.1 && t < 5432.25 ? 1 : 0)", 10000, 10);

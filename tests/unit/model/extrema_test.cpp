@@ -42,7 +42,7 @@ TEST(Extrema, MonotonousFunctionsHaveNone) {
 TEST(Extrema, OfAVibrationBoundSteps) {
   for (const double n : {101., 777., 7777., 8192., 16381., 16384., 32000., 1e5, 131072., 1e6, 1e8}) {
     const Extrema found = of(fmt::format("100 + 50*sin(2*pi*t*{}/1000)", n).c_str(), 1000);
-    EXPECT_TRUE(found.turns.empty()) << n;
+    ASSERT_EQ(found.turns.size(), 2U) << n;  // the extremes of the load, for the scale of the stress
     EXPECT_NEAR(found.count / (2 * n), 1, n < 6e4 ? 1e-4 : 0.3) << n;
     const StepLimits limits(found.limits);
     for (int i = 1; i < 50; ++i) {
@@ -56,7 +56,7 @@ TEST(Extrema, OfAVibrationBoundSteps) {
 /// Bounds hold where the vibration is, and a step from before it ends there.
 TEST(Extrema, OfAVibrationForATime) {
   const Extrema found = of("(t > 300 && t < 310) ? sin(100*t) : 0", 1000);
-  EXPECT_TRUE(found.turns.empty());
+  EXPECT_EQ(found.turns.size(), 2U);
   EXPECT_NEAR(found.count, 318, 3);
   const StepLimits limits(found.limits);
   EXPECT_LT(limits.latest_end(305) - 305, 0.01);

@@ -83,6 +83,20 @@ TEST(LoadCycles, WhatDiffersIsNamed) {
   EXPECT_TRUE(support.jumps_at(40));
 }
 
+/// A pulse in one cycle of a thousand, in a pressure and in a creep rate.
+TEST(LoadCycles, OneCycleThatDiffers) {
+  const Case blocks;
+  const std::string factor = "(t > 2013 && t < 2013.5 ? 1.5 : 1)";
+  const std::vector<std::string> rate{"materials.soft.creep.0={ law = 'expression', rate = '1e-3*q^4*" + factor + "' }"};
+  for (const Model& model : {build_model(with_pressure(blocks, "'0.1*" + factor + "'", {}, "10000")),
+                             build_model(with_pressure(blocks, "0.1", rate, "10000"))}) {
+    EXPECT_EQ(model.breakpoints.size(), 999U + 2);
+    for (std::int64_t cycle = 1; cycle < 1000; ++cycle)
+      EXPECT_EQ(model.cycles->repeats(cycle), cycle != 201 && cycle != 202) << cycle;
+    EXPECT_TRUE(model.cycles->jumps_at(2013) && model.cycles->jumps_at(2013.5));
+  }
+}
+
 TEST(LoadCycles, JumpsAreSeen) {
   const Case blocks;
   const LoadCycles cycles =

@@ -1,0 +1,34 @@
+#include "creepcontact/ode/restart_share.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace creepcontact::ode {
+namespace {
+
+constexpr double least_share = 1e-5;  // beyond, rounding would decide
+
+/// The share is (few / restarts)^power.
+struct Loss {
+  double few, power;
+};
+
+// Errors fall about as the square root of the tolerance with the first two, nearly as the tolerance with the others.
+const std::map<std::string, Loss> losses{
+    {"cvode_bdf", {20, 2}}, {"rkc2", {20, 2}}, {"cvode_adams", {50, 1}}, {"log_adams", {100, 1}}, {"auto", {100, 1}}};
+
+}  // namespace
+
+double restart_share(const std::string& integrator, double restarts) {
+  const auto found = losses.find(integrator);
+  if (found == losses.end() || restarts <= found->second.few) return 1;
+  return std::max(least_share, std::pow(found->second.few / restarts, found->second.power));
+}
+
+double vibration_share(double turns) {
+  constexpr double few = 100, least = 1e-3;
+  return std::clamp(few / turns, least, 1.0);
+}
+
+}  // namespace creepcontact::ode
