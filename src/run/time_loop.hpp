@@ -21,6 +21,7 @@
 #include "creepcontact/run/run.hpp"
 #include "cycles.hpp"
 #include "event_search.hpp"
+#include "preload_watch.hpp"
 #include "run_report.hpp"
 
 namespace creepcontact::run {
@@ -95,7 +96,7 @@ class TimeLoop {
   void report_rupture(double time, const creep::CreepSystem::Extreme& where);
   void integrate(const platform::Interrupt& interrupt);
   void see_uniqueness(const creep::Equilibrium& at);
-  /// Where the turning of slip directions bounds the next step.
+  /// Where yielding bounds the next step.
   double longest_step_end() const;
   void elastic_history(const platform::Interrupt& interrupt);
   /// True if a run that is resumed from here computes the same.
@@ -129,6 +130,7 @@ class TimeLoop {
   results::ProbeRecord probe_record_;
   std::optional<results::EventWatch> events_;  // of the probes that results_ owns
   std::optional<Cycles> cycles_;               // likewise
+  std::optional<PreloadWatch> preloads_;
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   model::DataRangeMonitor data_ranges_;
