@@ -51,7 +51,42 @@ void take(Parcel& from, contact::ContactState& state) {
   state.image = from.take_vector();
 }
 
+void add(const SlipHistory& friction, Parcel& to) {
+  for (const Eigen::VectorXd* rows :
+       {&friction.slip, &friction.gap, &friction.direction, &friction.rate, &friction.path})
+    to.add(*rows);
+  to.add(friction.dissipated);
+  to.add(std::vector<double>{friction.time, friction.is_fresh ? 1.0 : 0.0});
+}
+
+void take(Parcel& from, SlipHistory& friction) {
+  for (Eigen::VectorXd* rows : {&friction.slip, &friction.gap, &friction.direction, &friction.rate, &friction.path})
+    *rows = from.take_vector();
+  friction.dissipated = from.take();
+  const std::vector<double> clock = from.take();
+  friction.time = clock[0];
+  friction.is_fresh = clock[1] != 0;
+}
+
 }  // namespace
+
+void broadcast(const Team& team, std::vector<PathPoint>& points) {
+  if (team.size() == 1) return;
+  Parcel parcel;
+  if (team.rank() == 0) {
+    parcel.add(std::vector<double>(points.size()));
+    for (const PathPoint& point : points) {
+      add(point.contact, parcel);
+      add(point.friction, parcel);
+    }
+  }
+  parcel.send(team);
+  points.resize(parcel.take().size());
+  for (PathPoint& point : points) {
+    take(parcel, point.contact);
+    take(parcel, point.friction);
+  }
+}
 
 void broadcast(const Team& team, contact::ContactState& state) {
   if (team.size() == 1) return;

@@ -47,6 +47,10 @@ void require_finite_stress(const Assembly& assembly, const Equilibrium& at) {
   }
 }
 
+bool jumps(const contact::ContactState& from, const contact::ContactState& to, double tolerance) {
+  return (to.multiplier - from.multiplier).cwiseAbs().maxCoeff() > tolerance * to.multiplier.cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey, double tolerance, Stopwatch& watch)
@@ -58,7 +62,7 @@ CreepSystem::CreepSystem(EquilibriumSolver& solver, const ElasticSurvey& survey,
       tolerance_(tolerance),
       yield_steps_(solver.assembly()),
       history_(solver.initial_history()),
-      before_(history_) {
+      path_(history_, {}) {
   preconditioners_.resize(laws_.points().size());
   for (const MaterialPoints& points : laws_.points())
     local_.push_back(points.has_closed_form() ? nullptr : std::make_unique<MaterialTangent>(points));
@@ -81,12 +85,15 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
   into.time = t;
   numerics::copy(y, into.y);
   laws_.layout().views(into.y, views_);
-  const History& history = has_friction() && t < history_.friction.time ? before_ : history_;
+  const bool is_within_last_step = has_friction() && t < history_.friction.time;
   try {
-    solver_.solve(t, views_, history, into.equilibrium);
+    if (is_within_last_step)
+      path_.solve(solver_, t, views_, into.equilibrium);
+    else
+      solver_.solve(t, views_, history_, into.equilibrium);
   } catch (const contact::SlidingOff& error) {
     // A trial state of the integrator may slide off where the solution does not.
-    if (!has_friction() || t - history.friction.time <= least_step * t) throw;
+    if (!has_friction() || t - history_.friction.time <= least_step * t) throw;
     throw RecoverableError(error.what());
   } catch (const SolverError& error) {
     throw RecoverableError(error.what());
@@ -146,6 +153,13 @@ double CreepSystem::rate_change(double t) {
     largest = std::isnan(change) ? std::numeric_limits<double>::infinity() : std::max(largest, change);
   }
   return team().max(largest) / tolerance_;
+}
+
+const Evaluation& CreepSystem::evaluate_result(double t, std::span<const double> y) {
+  evaluate_output(t, y);
+  Evaluation& found = is_at(load_time(t), y, step_) ? step_ : output_;
+  if (has_friction()) reported_.raise(found.equilibrium.friction);
+  return found;
 }
 
 void CreepSystem::forget_evaluations() {
@@ -331,13 +345,7 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
 }
 
 double CreepSystem::longest_step(double t) const {
-  const double for_yielding = yield_steps_.longest(t, segment_end_);
-  const SlipHistory& friction = history_.friction;
-  if (!(friction.turning_error > 0) || !(friction.turning_step > 0)) return for_yielding;
-  constexpr double safety = 0.9, least = 0.2, most = 3;
-  const double for_friction =
-      friction.turning_step * std::clamp(safety * std::cbrt(tolerance_ / friction.turning_error), least, most);
-  return std::min(for_yielding, for_friction);
+  return yield_steps_.longest(t, segment_end_);
 }
 
 void CreepSystem::apply_preloads(double t, std::span<const double> y) {
@@ -351,12 +359,20 @@ void CreepSystem::apply_preloads(double t, std::span<const double> y) {
 void CreepSystem::accept(double t, std::span<const double> y) {
   if (has_friction()) {
     if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
-    before_ = history_;
+    History before = history_;
+    const double begin = std::max(0.0, segment_begin_);
+    const bool has_ends = std::isfinite(segment_end_);
+    std::vector<PathPoint> points =
+        solver_.accept(step_.equilibrium, history_, {tolerance_, has_ends ? segment_end_ - begin : 0.0});
+    rate_has_jumped_ = points.size() > 2 && jumps(step_.equilibrium.contact, history_.contact, tolerance_);
+    path_ = {std::move(before), std::move(points)};
+  } else {
+    solver_.accept(step_.equilibrium, history_);
   }
-  solver_.accept(step_.equilibrium, history_);
   const auto lap = watch_.lap(Part::material);
   scale_.follow(step_.equilibrium);
   yield_steps_.accept(step_.equilibrium);
+  if (path_.has_substeps()) forget_evaluations();  // the state is that of the end of the path
 }
 
 void CreepSystem::save(Memory& memory) const {
@@ -368,7 +384,7 @@ void CreepSystem::save(Memory& memory) const {
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
-  before_ = history_;
+  path_ = {history_, {}};
   const auto lives = memory.find("life_scale");  // not in checkpoints of earlier versions
   scale_.restore(memory.at("strain_scale"), lives != memory.end() ? lives->second : std::vector<double>{});
 }

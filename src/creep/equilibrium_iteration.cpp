@@ -9,6 +9,7 @@
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
+#include "slip_advance.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -157,7 +158,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
     assembly_.team().sum({of_motions->data(), static_cast<std::size_t>(of_motions->size())});
   if (history.friction.slip.size() > 0) {
-    given.gap -= history.friction.slip;
+    given.gap -= slip_advance_->reference({history.contact, history.friction}, into.time);
     given.friction.direction = history.friction.direction;
   }
   given.gap += interference_gaps(history.interference);

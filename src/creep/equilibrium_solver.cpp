@@ -9,6 +9,7 @@
 #include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "slip_advance.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -35,10 +36,12 @@ void save_friction(const History& history, Memory& memory) {
   memory["contact.image"] = packed(history.contact.image);
   memory["contact.factored"] = packed(history.contact.factored);
   memory["friction.slip"] = packed(friction.slip);
+  memory["friction.gap"] = packed(friction.gap);
+  memory["friction.rate"] = packed(friction.rate);
   memory["friction.direction"] = packed(friction.direction);
   memory["friction.path"] = packed(friction.path);
   memory["friction.dissipated"] = friction.dissipated;
-  memory["friction.turning"] = {friction.time, friction.turning_error, friction.turning_step};
+  memory["friction.time"] = {friction.time, friction.is_fresh ? 1.0 : 0.0};
 }
 
 void restore_friction(const Memory& memory, History& history) {
@@ -50,10 +53,15 @@ void restore_friction(const Memory& memory, History& history) {
   friction.direction = vector_of(memory.at("friction.direction"));
   friction.path = vector_of(memory.at("friction.path"));
   friction.dissipated = memory.at("friction.dissipated");
-  const std::vector<double>& turning = memory.at("friction.turning");
-  friction.time = turning.at(0);
-  friction.turning_error = turning.at(1);
-  friction.turning_step = turning.at(2);
+  const auto clock = memory.find("friction.time");
+  if (clock == memory.end()) {  // of an earlier version: the next step is taken as it is
+    friction.time = memory.at("friction.turning").at(0);
+    return;
+  }
+  friction.time = clock->second.at(0);
+  friction.is_fresh = clock->second.at(1) != 0;
+  friction.gap = vector_of(memory.at("friction.gap"));
+  friction.rate = vector_of(memory.at("friction.rate"));
 }
 
 }  // namespace
@@ -75,7 +83,8 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
                                            assembly.team());
       }()),
       contact_solver_(make_contact_solver()),
-      active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)) {
+      active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)),
+      slip_advance_(std::make_unique<const SlipAdvance>(interface_.problem(), assembly.pairs())) {
   counters_.factorizations = std::ssize(assembly.bodies());
   for (const mechanics::Body& body : assembly.bodies()) {
     const std::size_t n_free = body.constraints().n_free();
@@ -159,6 +168,7 @@ History EquilibriumSolver::new_history() const {
     SlipHistory& friction = history.friction;
     friction.slip.setZero(interface_.n_rows());
     friction.direction.setZero(interface_.n_rows());
+    friction.rate.setZero(interface_.n_rows());
     friction.path.setZero(std::ssize(interface_.problem().nodes));
     friction.dissipated.assign(assembly_.pairs().size(), 0.0);
   }
@@ -186,7 +196,8 @@ History EquilibriumSolver::initial_history(int substeps) {
     const double part = reached + step > 1 - 1e-9 ? 1 : reached + step;
     contact::InterfaceLoad load = full;
     load.gap = part * full.gap + (1 - part) * unloaded;
-    if (has_friction) load.gap -= history.friction.slip;
+    at.time = part;  // for the rates of slip
+    if (has_friction) load.gap -= slip_advance_->reference({history.contact, history.friction}, part);
     load.work *= part;
     load.force *= part;
     load.friction.direction = history.friction.direction;
@@ -215,65 +226,25 @@ History EquilibriumSolver::initial_history(int substeps) {
     reached = part;
     step = std::min(2 * step, longest);
   }
-  history.friction.turning_error = 0;
+  if (has_friction) {
+    history.friction.time = 0;
+    history.friction.rate.setZero();
+    history.friction.is_fresh = true;
+  }
   history.preloaded_until = 0;
   return history;
 }
 
 SlipHistory EquilibriumSolver::slip_until(const Equilibrium& at, const History& history) const {
-  const contact::ContactProblem& problem = interface_.problem();
-  SlipHistory friction = history.friction;
-  const Eigen::VectorXd& before = history.contact.multiplier;
-  double turned = 0;  // slip times squared angle
-  for (std::size_t p = 0; p < assembly_.pairs().size(); ++p) {
-    const contact::MortarCoupling& coupling = assembly_.pairs()[p].coupling;
-    if (!coupling.has_friction()) continue;
-    const auto first_node = static_cast<std::size_t>(assembly_.pairs()[p].first_node);
-    for (std::size_t i = 0; i < coupling.nodes.size(); ++i) {
-      const contact::ContactNode& node = problem.nodes[first_node + i];
-      const contact::ContactStatus status = at.contact.nodes[first_node + i].status;
-      const Index first = node.first_row + 1, n = node.n_rows - 1;
-      const Eigen::VectorXd slip = at.gaps.segment(first, n), traction = at.contact.multiplier.segment(first, n);
-      friction.slip.segment(first, n) += slip;  // an open node slides along, so that slip counts from touching
-      auto direction = friction.direction.segment(first, n);
-      const Eigen::VectorXd old = direction;
-      if (status != contact::ContactStatus::slip) {
-        // At a breakpoint without a jump nothing slips, and rounding decides what a node at the limit is.
-        constexpr double same = 1e-8;
-        const bool unchanged =
-            before.size() > 0 && status == contact::ContactStatus::stick &&
-            (at.contact.multiplier - before).segment(node.first_row, node.n_rows).norm() <= same * traction.norm();
-        if (!unchanged) direction.setZero();
-        continue;
-      }
-      direction.setZero();
-      const double length = slip.norm() / coupling.area[i];
-      friction.path[static_cast<Index>(first_node + i)] += length;
-      // What slips only at the end of the step does so under the traction of the limit, reached before the slip.
-      const bool slipped = before.size() > 0 && old.dot(traction) > 0;
-      const Eigen::VectorXd mean = slipped ? Eigen::VectorXd((traction + before.segment(first, n)) / 2) : traction;
-      friction.dissipated[p] -= mean.dot(slip);
-      if (!(traction.norm() > 0)) continue;
-      direction = traction.normalized();
-      if (old.isZero(0)) continue;
-      const double angle = std::acos(std::clamp(old.dot(direction), -1.0, 1.0));
-      turned = std::max(turned, length * angle * angle);
-    }
-  }
-  constexpr double error_of_turning = 1.0 / 12;  // of the mean direction
-  constexpr double no_step = 1e-9;               // relative to the time: across a breakpoint
-  const double largest = friction.path.size() > 0 ? friction.path.maxCoeff() : 0.0;
-  if (at.time - friction.time > no_step * at.time) {
-    friction.turning_error = largest > 0 ? error_of_turning * turned / largest : 0.0;
-    friction.turning_step = at.time - friction.time;
-  }
-  friction.time = at.time;
-  return friction;
+  const PathPoint from{history.contact, history.friction};
+  return slip_advance_->advanced(from, at.time, slip_advance_->reference(from, at.time), at.contact, at.gaps);
 }
 
-void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
+std::vector<PathPoint> EquilibriumSolver::accept(const Equilibrium& at, History& history, const PathOptions& options) {
+  std::vector<PathPoint> path = follow_friction(at, history, options);
+  const contact::ContactState& contact = path.empty() ? at.contact : path.back().contact;
   std::vector<int> changed;
-  std::ranges::set_symmetric_difference(history.contact.active, at.contact.active, std::back_inserter(changed));
+  std::ranges::set_symmetric_difference(history.contact.active, contact.active, std::back_inserter(changed));
   auto row = changed.begin();
   Index end = 0;
   for (std::size_t p = 0; p < assembly_.pairs().size() && !history.contact.active.empty(); ++p) {
@@ -282,13 +253,14 @@ void EquilibriumSolver::accept(const Equilibrium& at, History& history) const {
     if (next != row) ++history.set_changes[p];
     row = next;
   }
-  history.friction = at.friction;
-  history.contact = at.contact;
-  if (!iterates()) return;
+  history.friction = path.empty() ? at.friction : path.back().friction;
+  history.contact = contact;
+  if (!iterates()) return path;
   std::vector<History::Accepted>& accepted = history.accepted;
   if (!accepted.empty() && accepted.front().time == at.time) accepted.erase(accepted.begin());
   accepted.insert(accepted.begin(), {at.time, at.displacements, at.factors});
   if (accepted.size() > 2) accepted.pop_back();
+  return path;
 }
 
 RunCounters EquilibriumSolver::counters() const {

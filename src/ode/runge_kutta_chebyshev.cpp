@@ -146,6 +146,10 @@ void RungeKuttaChebyshev::accept(const StepClock::Target& target) {
   last_step_ = target.step;
   ++counters_.steps;
   system_.accept(time(), state_);
+  if (system_.rate_has_jumped()) try {
+      system_.rate(time(), state_, rate_);
+    } catch (const RecoverableError&) {  // the step before it stands, and so does its rate
+    }
   norm_.set_scale(system_.scale());
 }
 

@@ -1,6 +1,7 @@
 #include "elastic_path.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -43,7 +44,7 @@ bool ElasticPath::stopped_by_event(double t) {
 
 bool ElasticPath::stopped_with_friction(double t) {
   for (auto turn = std::ranges::upper_bound(breakpoints_, time_); turn != breakpoints_.end() && *turn <= t; ++turn) {
-    system_.begin_segment(-never, *turn);
+    system_.begin_segment(last_breakpoint_before(*turn), *turn);
     if (stopped_in_slip(*turn)) return true;
     system_.begin_segment(*turn, never);
     system_.apply_preloads(*turn, state_);
@@ -61,7 +62,7 @@ bool ElasticPath::stopped_in_slip(double t) {
     const double to = step < t - reached ? reached + step : t;
     try {
       system_.accept(to, state_);
-    } catch (const RecoverableError&) {  // loads that turn the slip too far at once, or that friction cannot hold
+    } catch (const RecoverableError&) {  // loads that friction cannot hold in one step, or not at all
       step = (to - reached) / 2;
       if (!(step > shortest_step * t)) throw;
       continue;
@@ -76,7 +77,13 @@ bool ElasticPath::stopped_in_slip(double t) {
 /// A result at a jump is that after it.
 void ElasticPath::begin_last_segment(double t) {
   const bool is_jump = std::ranges::binary_search(breakpoints_, t);
-  system_.begin_segment(is_jump ? t : -never, never);
+  const auto next = std::ranges::upper_bound(breakpoints_, t);
+  system_.begin_segment(is_jump ? t : last_breakpoint_before(t), next != breakpoints_.end() ? *next : never);
+}
+
+double ElasticPath::last_breakpoint_before(double t) const {
+  const auto next = std::ranges::lower_bound(breakpoints_, t);
+  return next != breakpoints_.begin() ? *std::prev(next) : -never;
 }
 
 }  // namespace creepcontact::run

@@ -36,6 +36,7 @@ class ElasticPath {
   /// Accepts the state at t, in shorter steps where one is too long.
   bool stopped_in_slip(double t);
   void begin_last_segment(double t);
+  double last_breakpoint_before(double t) const;
 
   creep::CreepSystem& system_;
   const std::vector<double>& breakpoints_;

@@ -69,6 +69,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
     cycles_.emplace(config, *model.cycles, system, whole_, results_->probes(), directory, time_,
                     resumed_ ? &resumed_->arrays : nullptr);
   integrator_ = make_integrator(config.time, model, system);
+  preloads_.emplace(system, model.breakpoints, config.time.end, resumed_ ? time_ : -1);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
   breakpoints_ = model.breakpoints;
   if (resumed_)
@@ -158,7 +159,7 @@ RunCounters TimeLoop::counters() const {
 }
 
 void TimeLoop::output(double t, std::span<const double> y) {
-  const creep::Evaluation& own = system_.evaluate_output(t, y);
+  const creep::Evaluation& own = system_.evaluate_result(t, y);
   {
     const auto lap = watch_.lap(Part::output);
     if (after_fields_) finish_fields();  // a restart point before this output
@@ -416,6 +417,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (observer_ != nullptr) observer_->step(time_, counters());
     if (step_statistics_.n_steps() % steps_between_warnings == 0)
       life_.warn(time_, system_.step_evaluation(), integrator_->state());
+    preloads_->step(time_, integrator_->state());
     if (cycles_) cycles_->step(report, integrator_->state());
     if (cycles_ && cycles_->is_checking() && gone_back_for_event()) continue;
     if (ruptured(time_ - report.step) || stopped_in_step(time_ - report.step)) return;

@@ -22,6 +22,7 @@
 #include "cycles.hpp"
 #include "event_search.hpp"
 #include "guarded_steps.hpp"
+#include "preload_watch.hpp"
 #include "run_report.hpp"
 
 namespace creepcontact::run {
@@ -96,7 +97,7 @@ class TimeLoop {
   void report_rupture(double time, const creep::CreepSystem::Extreme& where);
   void integrate(const platform::Interrupt& interrupt);
   void see_uniqueness(const creep::Equilibrium& at);
-  /// Where the turning of slip directions bounds the next step.
+  /// Where yielding bounds the next step.
   double longest_step_end() const;
   /// Ends of the present segment of the loads; infinite where there is none.
   model::StepGuard::Segment segment() const;
@@ -138,6 +139,7 @@ class TimeLoop {
   std::optional<results::EventWatch> events_;  // of the probes that results_ owns
   std::optional<Cycles> cycles_;               // likewise
   std::optional<GuardedSteps> guard_;          // of integrators with a state
+  std::optional<PreloadWatch> preloads_;
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   model::DataRangeMonitor data_ranges_;

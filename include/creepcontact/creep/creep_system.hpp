@@ -13,6 +13,7 @@
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/creep/error_scale.hpp"
 #include "creepcontact/creep/evaluation.hpp"
+#include "creepcontact/creep/last_path.hpp"
 #include "creepcontact/creep/material_points.hpp"
 #include "creepcontact/creep/material_tangent.hpp"
 #include "creepcontact/creep/point_preconditioner.hpp"
@@ -72,8 +73,10 @@ class CreepSystem final : public ode::System,
   /// @throws as EquilibriumSolver::apply_preloads
   void apply_preloads(double t, std::span<const double> y);
   /// Makes the last step evaluation part of the history. Without friction it may have been made close to the accepted
-  /// point. With friction, whose slip it defines, it is made again unless it is within a tenth of the tolerance.
+  /// point. With friction, whose slip it defines, it is made again unless it is within a tenth of the tolerance; then
+  /// the path of the slip is followed (EquilibriumSolver::accept), and evaluations at (t, y) are those of its end.
   void accept(double t, std::span<const double> y) override;
+  bool rate_has_jumped() const override { return rate_has_jumped_; }
   void forget_evaluations() override;
   ode::System::Counters counters() const override { return {rate_evaluations_, jacobian_products_}; }
   /// All work so far except the integrator's: no steps.
@@ -88,6 +91,9 @@ class CreepSystem final : public ode::System,
   /// The evaluation at (t, y) for results; valid until the next call of a non-const member. Reuses an evaluation made
   /// for a step at the same point. @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_output(double t, std::span<const double> y);
+  /// The same for the results of a run, in the order of their times: with friction, accumulated slip and dissipated
+  /// energy do not fall from one to the next.
+  const Evaluation& evaluate_result(double t, std::span<const double> y);
   /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
   /// @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_step(double t, std::span<const double> y);
@@ -113,8 +119,7 @@ class CreepSystem final : public ode::System,
   /// After restore() and begin_segment(), from the same memory: the state from which the integration goes on.
   /// @throws RecoverableError if no equilibrium is found
   void resume(double t, std::span<const double> y, const Memory& memory);
-  /// Longest next step from t for which the turning of slip directions stays within the tolerance and no yielding is
-  /// missed (YieldSteps); infinity without friction and laws that yield.
+  /// Longest next step from t for which no yielding is missed (YieldSteps); infinity without laws that yield.
   double longest_step(double t) const;
 
   const EquilibriumSolver& solver() const { return solver_; }
@@ -162,8 +167,10 @@ class CreepSystem final : public ode::System,
   double tolerance_;
   YieldSteps yield_steps_;
   History history_;
-  History before_;            // that of the step before: what happens within the last step starts from there
-  Evaluation step_, output_;  // each identified by its (time, y)
+  LastPath path_;  // with friction: what happens within the last step starts from there
+  ReportedSlip reported_;
+  bool rate_has_jumped_ = false;  // in the last accept()
+  Evaluation step_, output_;      // each identified by its (time, y)
   std::vector<mechanics::CreepStrainView> views_;
   std::vector<std::vector<double>> stress_change_;
   std::int64_t rate_evaluations_ = 0, jacobian_products_ = 0;

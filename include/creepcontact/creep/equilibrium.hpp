@@ -20,16 +20,31 @@ struct BodyState {
 /// Displacements of all bodies on their free dofs, n_free each; a body without numbers: u = 0.
 using FreeDisplacements = std::vector<std::vector<double>>;
 
-/// Slip of contacts with friction up to some time. Vectors over rows are zero but in tangential rows.
+/// Slip of contacts with friction up to some time. Vectors over rows are zero in rows without friction, but for `gap`.
 struct SlipHistory {
   double time = 0;
-  Eigen::VectorXd slip;            ///< weighted tangential gaps since the unloaded state, per row
-  Eigen::VectorXd direction;       ///< contact::Friction::direction, per row
+  Eigen::VectorXd slip;       ///< weighted tangential gaps since the unloaded state, per row; zero in normal rows
+  Eigen::VectorXd gap;        ///< weighted gaps of all rows, tangential ones as `slip`; empty: not known
+  Eigen::VectorXd direction;  ///< contact::Friction::direction, per row
+  /// Rates over the last substep, per row. Tangential rows: of `slip` where the node was open at both ends or slips at
+  /// the last one. Normal row: of the weighted gap where the node was open at both ends, of the pressure where it
+  /// slips.
+  Eigen::VectorXd rate;
   Eigen::VectorXd path;            ///< accumulated slip [length] while in contact, per contact node
   std::vector<double> dissipated;  ///< energy, per pair
-  /// Error that the turning of the slip direction may cause in a step as long as the last one, relative to the largest
-  /// slip, and the length of that step; 0: it did not turn.
-  double turning_error = 0, turning_step = 0;
+  bool is_fresh = true;            ///< nothing is known of rates: at t = 0 and right after a breakpoint
+};
+
+/// A state of contact on the way of the loads, from which contact and slip go on.
+struct PathPoint {
+  contact::ContactState contact;
+  SlipHistory friction;
+};
+
+/// How the path of friction is followed when a step is accepted.
+struct PathOptions {
+  double tolerance = 1e-3;  ///< of tractions and slip per substep, relative to their largest values
+  double interval = 0;      ///< time between the breakpoints around the step; 0: the step is all of it
 };
 
 /// Elastic equilibrium of all bodies in contact at one time. Owned by the caller of EquilibriumSolver::solve(), which

@@ -28,6 +28,9 @@
 
 namespace creepcontact::creep {
 
+class LoadCourse;
+class SlipAdvance;
+
 /// Options of an EquilibriumSolver.
 struct SolverOptions {
   bool use_schwarz = true;  ///< false: active-set method
@@ -84,8 +87,14 @@ class EquilibriumSolver {
   /// @throws as solve(); ModelError naming the largest force if a force cannot be reached
   /// Cost: some solves, no factorisation
   void apply_preloads(double t, double at, CreepStrains creep, History& history);
-  /// Makes the equilibrium of an accepted step the start of later contact iterations and, with friction, of slip.
-  void accept(const Equilibrium& at, History& history) const;
+  /// Makes the equilibrium of an accepted step the start of later contact iterations. With friction the path of slip
+  /// from the history to there is followed in substeps, along the course of the gaps that the loads open, and its end
+  /// becomes the history.
+  /// @param at  solved from this history
+  /// @returns with friction the states on the path, that of the history first: two if the step is the path
+  /// @throws SlidingOff if friction cannot hold a body on the way, after which nothing has changed
+  /// Cost: with friction contact solves; some forward substitutions if the loads are not linear in time
+  std::vector<PathPoint> accept(const Equilibrium& at, History& history, const PathOptions& options = {});
   /// Stores the history and the state of this solver that evaluations depend on, for a checkpoint.
   void save(const History& history, Memory& memory) const;
   /// Inverse of save(); factors again if the stiffness changes in time. @throws std::out_of_range if an entry is
@@ -137,6 +146,12 @@ class EquilibriumSolver {
   void leave_residual(const Equilibrium& of);
   /// Slip up to an equilibrium that was solved from this history.
   SlipHistory slip_until(const Equilibrium& at, const History& history) const;
+  std::vector<PathPoint> follow_friction(const Equilibrium& at, const History& history, const PathOptions& options);
+  /// Loads between two times. @param at  the equilibrium at the second one
+  /// @param multiplier  the largest at both: the tolerance is relative to it
+  LoadCourse load_course(double begin, double end, const Equilibrium& at, double tolerance, double multiplier);
+  /// Once. @param error  relative to the tolerance
+  void warn_of_path(double from, double to, bool has_end, bool is_resolved, double error);
   /// The pairs whose preloads are due at t.
   std::vector<std::size_t> preloads_due(double t, const History& history) const;
   void hold_what_is_reached(double t, CreepStrains creep, History& history);
@@ -162,11 +177,13 @@ class EquilibriumSolver {
   contact::CondensedInterface interface_;
   std::unique_ptr<contact::ContactSolver> contact_solver_;
   contact::ActiveSetSystem active_set_;
+  std::unique_ptr<const SlipAdvance> slip_advance_;
   contact::IterationRecorder* recorder_ = nullptr;
   bool stiffness_changes_ = false;
   double solver_error_ = 0;   // its bound
   std::int64_t factors_ = 0;  // number of factorisations since the start
-  std::vector<Work> work_;    // scratch, no state between calls
+  bool path_warned_ = false;
+  std::vector<Work> work_;  // scratch, no state between calls
   RunCounters counters_;
 };
 

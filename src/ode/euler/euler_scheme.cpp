@@ -184,6 +184,10 @@ void EulerScheme::accept(const StepClock::Target& target) {
   last_step_ = target.step;
   ++counters_.steps;
   system_.accept(time(), current_.state);
+  if (system_.rate_has_jumped() && current_.load_residual.empty()) try {
+      system_.rate(time(), current_.state, current_.rate);
+    } catch (const RecoverableError&) {  // the step before it stands, and so does its rate
+    }
   if (doubling_) doubling_->set_scale(system_.scale());
   foresee_stable_step();
 }

@@ -116,7 +116,7 @@ StepReport SundialsIntegrator::step(double t_limit) {
   if (!(t_limit > time_)) throw std::invalid_argument(fmt::format("limit {} is not after t = {}", t_limit, time_));
   StepReport report;
   // Not right after the step before: interpolate() has needed the memory until now.
-  if (restart_interval() > 0 && steps_since_restart_ >= restart_interval()) begin_anew(proposal_);
+  if (restart_interval() > 0 && (steps_since_restart_ >= restart_interval() || rate_has_jumped_)) begin_anew(proposal_);
   // Too close for arithmetic on the time: the library would not step either.
   const double rounding = 100 * std::numeric_limits<double>::epsilon() * std::abs(time_);
   if (t_limit - internal_time() <= rounding) {
@@ -150,6 +150,7 @@ StepReport SundialsIntegrator::step(double t_limit) {
   ++steps_since_restart_;
   if (careful_steps_ > 0) --careful_steps_;
   system_.accept(time_, state());
+  rate_has_jumped_ = system_.rate_has_jumped();
   take_weights();
   return report;
 }

@@ -78,8 +78,9 @@ class SundialsIntegrator : public Integrator {
   bool stop_set_ = false;
   int steps_since_restart_ = 0;
   bool begun_ = false;
-  int careful_steps_ = 0;  ///< still to be made with the smaller tolerance of a start anew
-  Counters before_;        ///< of all restarts before the last
+  bool rate_has_jumped_ = false;  ///< after the last step: explicit methods carry its rate on
+  int careful_steps_ = 0;         ///< still to be made with the smaller tolerance of a start anew
+  Counters before_;               ///< of all restarts before the last
 };
 
 }  // namespace creepcontact::ode

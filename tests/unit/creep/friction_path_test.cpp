@@ -1,0 +1,219 @@
+/// The path of friction within a step, on condensed problems without a mesh, against very many equal substeps.
+#include "../../../src/creep/friction_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <memory>
+#include <random>
+
+#include "../../../src/creep/load_course.hpp"
+#include "creepcontact/contact/solver/contact_solver.hpp"
+
+namespace creepcontact::creep {
+namespace friction_path_tests {
+namespace {
+
+/// Nodes with friction on two bodies that are held.
+struct Joint {
+  contact::ContactProblem problem;
+  std::vector<contact::Pair> pairs;
+  std::unique_ptr<contact::ContactSolver> solver;
+  double mu = 0.4;
+
+  Joint(int n_nodes, int n_tangents, unsigned seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> number;
+    const int rows = n_nodes * (1 + n_tangents);
+    for (int i = 0; i < n_nodes; ++i) problem.add_node(contact::AdmissibleSet::cone, 1 + n_tangents, 0, 1);
+    Eigen::MatrixXd root(rows, rows);
+    for (double& value : root.reshaped()) value = number(generator) / std::sqrt(rows);
+    const Eigen::MatrixXd coupled = root * root.transpose();
+    problem.total = Eigen::MatrixXd::Identity(rows, rows) + 0.5 * coupled;
+    problem.bodies.resize(1);
+    for (int row = 0; row < rows; ++row) problem.bodies[0].rows.push_back(row);
+    problem.bodies[0].matrix = problem.total;
+    problem.rigid.resize(rows, 0);
+    contact::Pair pair;
+    pair.coupling.nodes.resize(static_cast<std::size_t>(n_nodes));
+    pair.coupling.tangents.resize(static_cast<std::size_t>(n_nodes));
+    pair.coupling.area.assign(static_cast<std::size_t>(n_nodes), 1.0);
+    pairs.push_back(pair);
+    solver = contact::friction_solver(problem, {});
+  }
+
+  contact::ContactLoad load(Eigen::VectorXd gap) const {
+    contact::ContactLoad result{std::move(gap), {}};
+    result.friction.coefficient.setConstant(std::ssize(problem.nodes), mu);
+    return result;
+  }
+
+  PathPoint at_rest(const Eigen::VectorXd& gap) const {
+    const SlipAdvance slip(problem, pairs);
+    PathPoint nothing;
+    SlipHistory& friction = nothing.friction;
+    friction.slip.setZero(gap.size());
+    friction.direction.setZero(gap.size());
+    friction.rate.setZero(gap.size());
+    friction.path.setZero(std::ssize(problem.nodes));
+    friction.dissipated = {0};
+    return next(slip, nothing, gap, 0);
+  }
+
+  PathPoint next(const SlipAdvance& slip, const PathPoint& from, const Eigen::VectorXd& gap, double t) const {
+    contact::ContactLoad now = load(gap);
+    const Eigen::VectorXd reference = slip.reference(from, t);
+    now.gap -= reference;
+    now.friction.direction = from.friction.direction;
+    const contact::ContactResult found = solver->solve(now, from.contact);
+    return {found.state, slip.advanced(from, t, reference, found.state, found.gap)};
+  }
+};
+
+/// Loads that press and shear at random, changed from one state to another.
+struct Loads {
+  Eigen::VectorXd first, last;
+
+  Loads(const Joint& joint, unsigned seed) {
+    std::mt19937 generator(seed + 100);
+    std::uniform_real_distribution<double> number(-1, 1);
+    for (Eigen::VectorXd* gap : {&first, &last}) {
+      gap->resize(joint.problem.n_rows());
+      for (double& value : *gap) value = number(generator);
+      for (const contact::ContactNode& node : joint.problem.nodes)
+        (*gap)[node.first_row] = -0.6 + 0.8 * (*gap)[node.first_row];
+    }
+  }
+  Eigen::VectorXd at(double part) const { return (1 - part) * first + part * last; }
+};
+
+double shear_error(const SlipAdvance& slip, const PathPoint& found, const PathPoint& exact) {
+  double error = 0, limit = 0;
+  for (const SlipNode& node : slip.nodes()) {
+    const Eigen::VectorXd difference =
+        node.tangential(found.contact.multiplier) - node.tangential(exact.contact.multiplier);
+    error = std::max(error, difference.norm());
+    limit = std::max(limit, node.at(exact.contact).friction * exact.contact.multiplier[node.normal_row]);
+  }
+  return error / limit;
+}
+
+class FollowedPath : public testing::TestWithParam<int> {};
+
+TEST_P(FollowedPath, EndsWhereManyEqualSubstepsEnd) {
+  int longer_paths = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Joint joint(12, GetParam(), seed);
+    const SlipAdvance slip(joint.problem, joint.pairs);
+    const Loads loads(joint, seed);
+    const PathPoint begin = joint.at_rest(loads.at(0));
+    const PathPoint once = joint.next(slip, begin, loads.at(1), 1);
+    PathPoint exact = begin;
+    constexpr int many = 2000;
+    for (int k = 1; k <= many; ++k) exact = joint.next(slip, exact, loads.at(double(k) / many), double(k) / many);
+
+    FrictionPath::Limits limits;
+    limits.tolerance = 1e-3;
+    int solves = 0;
+    FrictionPath path(
+        joint.problem, slip, limits, [&](double part) { return joint.load(loads.at(part)); },
+        [&](const contact::ContactLoad& load, const contact::ContactState& from) {
+          ++solves;
+          return joint.solver->solve(load, from);
+        });
+    const auto points = path.follow(begin, once);
+    ASSERT_TRUE(points);
+    EXPECT_EQ(path.unresolved(), 0);
+    const PathPoint& end = points->back();
+    EXPECT_EQ(end.friction.time, 1);
+    EXPECT_LT(shear_error(slip, end, exact), 5e-3) << seed;
+    const double slid = exact.friction.path.maxCoeff();
+    EXPECT_LT((end.friction.slip - exact.friction.slip).cwiseAbs().maxCoeff(), 5e-3 * slid) << seed;
+    EXPECT_NEAR(end.friction.dissipated[0], exact.friction.dissipated[0], 1e-2 * exact.friction.dissipated[0]) << seed;
+    EXPECT_LT((end.friction.path - exact.friction.path).cwiseAbs().maxCoeff(), 0.03 * slid) << seed;
+    EXPECT_LT(solves, 400);
+    if (shear_error(slip, once, exact) > 0.05) ++longer_paths;
+    for (std::size_t k = 1; k < points->size(); ++k) {
+      EXPECT_GT((*points)[k].friction.time, (*points)[k - 1].friction.time);
+      EXPECT_GE(((*points)[k].friction.path - (*points)[k - 1].friction.path).minCoeff(), 0);
+      EXPECT_GE((*points)[k].friction.dissipated[0], (*points)[k - 1].friction.dissipated[0] * (1 - 1e-12));
+    }
+  }
+  EXPECT_GT(longer_paths, 5) << "one step is far off";
+}
+
+INSTANTIATE_TEST_SUITE_P(Tangents, FollowedPath, testing::Values(1, 2));
+
+TEST(FrictionPath, CostsNothingWhereNothingMoves) {
+  const Joint joint(8, 2, 3);
+  const SlipAdvance slip(joint.problem, joint.pairs);
+  const Loads loads(joint, 3);
+  const PathPoint begin = joint.at_rest(loads.at(0)), end = joint.next(slip, begin, loads.at(0), 1);
+  FrictionPath path(
+      joint.problem, slip, {}, [&](double) { return joint.load(loads.at(0)); },
+      [&](const contact::ContactLoad&, const contact::ContactState&) -> contact::ContactResult {
+        ADD_FAILURE() << "no solve is needed";
+        return {};
+      });
+  const auto points = path.follow(begin, end);
+  ASSERT_TRUE(points);
+  EXPECT_EQ(points->size(), 2);
+}
+
+// The coefficient of friction falls for a while, and the loads do not change: what has slipped does not come back.
+TEST(FrictionPath, SeesFrictionThatFallsForAWhile) {
+  Joint joint(8, 1, 5);
+  const SlipAdvance slip(joint.problem, joint.pairs);
+  Loads loads(joint, 5);
+  for (const SlipNode& node : slip.nodes()) {
+    loads.first[node.normal_row] = -1;
+    node.tangential(loads.first).setConstant(0.3);
+  }
+  const PathPoint begin = joint.at_rest(loads.first), once = joint.next(slip, begin, loads.first, 1);
+  const auto with = [&](double part) {
+    contact::ContactLoad load = joint.load(loads.first);
+    load.friction.coefficient.setConstant(joint.mu * (1 - 0.9 * std::exp(-std::pow((part - 0.5) / 0.1, 2))));
+    return load;
+  };
+  FrictionPath path(joint.problem, slip, {}, with,
+                    [&](const contact::ContactLoad& load, const contact::ContactState& from) {
+                      return joint.solver->solve(load, from);
+                    });
+  const auto points = path.follow(begin, once);
+  ASSERT_TRUE(points);
+  PathPoint exact = begin;
+  constexpr int many = 1000;
+  for (int k = 1; k <= many; ++k) {
+    const double t = double(k) / many;
+    contact::ContactLoad load = with(t);
+    const Eigen::VectorXd reference = slip.reference(exact, t);
+    load.gap -= reference;
+    load.friction.direction = exact.friction.direction;
+    const contact::ContactResult found = joint.solver->solve(load, exact.contact);
+    exact = {found.state, slip.advanced(exact, t, reference, found.state, found.gap)};
+  }
+  EXPECT_GT(shear_error(slip, once, exact), 0.3);
+  EXPECT_LT(shear_error(slip, points->back(), exact), 5e-3);
+}
+
+TEST(LoadCourse, MeetsWhatItWasMadeOf) {
+  using Deviation = LoadCourse::Deviation;
+  const auto exact = [](double x) {
+    return Deviation{Eigen::VectorXd::Constant(1, std::sin(9 * x) * x * (1 - x)), Eigen::VectorXd(0)};
+  };
+  const LoadCourse course(exact(0), exact,
+                          [](const Deviation& a, const Deviation& b) { return std::abs(a.gap[0] - b.gap[0]) < 1e-3; });
+  EXPECT_TRUE(course.is_resolved());
+  for (double x = 0; x <= 1; x += 1.0 / 64) EXPECT_NEAR(course.at(x).gap[0], exact(x).gap[0], 1e-3);
+  const LoadCourse jump(
+      {Eigen::VectorXd::Zero(1), Eigen::VectorXd(0)},
+      [](double x) {
+        return Deviation{Eigen::VectorXd::Constant(1, x < 0.3), Eigen::VectorXd(0)};
+      },
+      [](const Deviation& a, const Deviation& b) { return std::abs(a.gap[0] - b.gap[0]) < 1e-3; });
+  EXPECT_FALSE(jump.is_resolved());
+}
+
+}  // namespace
+}  // namespace friction_path_tests
+}  // namespace creepcontact::creep
