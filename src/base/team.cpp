@@ -7,12 +7,13 @@
 #include <string>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/stop_request.hpp"
 
 namespace creepcontact {
 namespace {
 
 // Other than `recoverable`, all end the run.
-enum class Kind { none, recoverable, other, memory, error, solver, model, config };
+enum class Kind { none, recoverable, other, memory, error, solver, model, config, cancelled };
 constexpr bool is_fatal(Kind kind) {
   return kind > Kind::recoverable;
 }
@@ -39,6 +40,8 @@ Failure describe(const std::exception_ptr& failure) {
     return {Kind::error, error.exit_status(), error.what()};
   } catch (const std::bad_alloc&) {
     return {Kind::memory};
+  } catch (const Cancelled&) {
+    return {Kind::cancelled};
   } catch (const std::exception& error) {
     return {Kind::other, 0, error.what()};
   } catch (...) {
@@ -60,6 +63,8 @@ Failure describe(const std::exception_ptr& failure) {
       throw Error(failure.message, failure.exit_status);
     case Kind::memory:
       throw std::bad_alloc();
+    case Kind::cancelled:
+      throw Cancelled();
     default:
       throw std::runtime_error(failure.message);
   }

@@ -287,7 +287,7 @@ ContactLoad CondensedInterface::contact_load(const InterfaceLoad& load) {
   if (!warning.empty() && !residual_warned_) log::warning("{}", warning);
   residual_warned_ = residual_warned_ || !warning.empty();
   return {load.gap, held_resultant(rigid_body_modes_, load.work, load.force), load.friction,
-          idle_rows(pairs_, load.time)};
+          idle_rows(pairs_, load.time), held_force(rigid_body_modes_, load.force)};
 }
 
 void CondensedInterface::report(const UnbalancedLoad& unbalanced, double t) const {

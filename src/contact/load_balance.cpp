@@ -51,9 +51,12 @@ std::string require_free_motions_unloaded(const RigidBodyModes& modes, const Eig
 }
 
 Eigen::VectorXd held_resultant(const RigidBodyModes& modes, const Eigen::VectorXd& work, const Eigen::VectorXd& force) {
-  const Eigen::VectorXd resultant = modes.held().transpose() * work;
-  const Eigen::VectorXd sum = modes.held().cwiseAbs().transpose() * force;
+  const Eigen::VectorXd resultant = modes.held().transpose() * work, sum = held_force(modes, force);
   return (resultant.array().abs() > force_round_off * sum.array()).select(resultant, 0.0);
+}
+
+Eigen::VectorXd held_force(const RigidBodyModes& modes, const Eigen::VectorXd& force) {
+  return modes.held().cwiseAbs().transpose() * force;
 }
 
 void report_unbalanced(const RigidBodyModes& modes, const UnbalancedLoad& unbalanced, double t) {
@@ -79,7 +82,8 @@ void require_balance(std::span<const mechanics::Body> bodies, std::span<const Pa
   require_free_motions_unloaded(modes, work, force, t);
   if (problem.has_friction()) return;
   try {
-    throw_if_unbalanced(problem, {{}, held_resultant(modes, work, force), {}, idle_rows(pairs, t)});
+    throw_if_unbalanced(problem,
+                        {{}, held_resultant(modes, work, force), {}, idle_rows(pairs, t), held_force(modes, force)});
   } catch (const UnbalancedLoad& unbalanced) {
     report_unbalanced(modes, unbalanced, t);
   }

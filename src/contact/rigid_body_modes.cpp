@@ -16,6 +16,7 @@ namespace {
 constexpr double unconstrained_rate = 1e-8;  // rounding of the contact rows
 constexpr double sliding_rate = 3e-3;        // what facets make of a surface that slides in itself
 constexpr double no_part = 1e-6;             // of an amplitude in a description
+constexpr double not_moved = 1e-10;          // of the largest amplitude: round-off of the decomposition
 
 using mechanics::FreeMotion;
 using mechanics::RigidMotion;
@@ -55,6 +56,17 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
   return result;
 }
 
+/// Bodies that a combination does not move take no part in it: times the loads on them, round-off would be work.
+Eigen::MatrixXd without_round_off(const Eigen::MatrixXd& basis) {
+  Eigen::MatrixXd result = basis;
+  for (Index j = 0; j < result.cols(); ++j) {
+    const double least = not_moved * result.col(j).cwiseAbs().maxCoeff();
+    for (double& part : result.col(j))
+      if (std::abs(part) < least) part = 0;
+  }
+  return result;
+}
+
 }  // namespace
 
 RigidBodyModes::RigidBodyModes(Bodies bodies, std::span<const Pair> pairs) : bodies_(bodies) {
@@ -89,7 +101,8 @@ RigidBodyModes::RigidBodyModes(Bodies bodies, std::span<const Pair> pairs) : bod
     sliding_rates_.topRows(std::min<Index>(std::ssize(resisting), n)) =
         linalg::triangular_factor(Eigen::MatrixXd(rates(resisting, Eigen::all)));
   }
-  unconstrained_ = readable_basis(combinations_below(rates_, unconstrained_rate, &held_));
+  unconstrained_ = without_round_off(readable_basis(combinations_below(rates_, unconstrained_rate, &held_)));
+  held_ = without_round_off(held_);
 }
 
 void RigidBodyModes::require_contact(std::span<const Pair> pairs) const {

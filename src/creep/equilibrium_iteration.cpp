@@ -208,6 +208,7 @@ void EquilibriumSolver::solve_contact(const contact::InterfaceLoad& load, const 
   contact::ContactResult result;
   std::optional<contact::SlidingOff> sliding;  // which no team can agree on: it is of `contact`
   together(assembly_.team(), [&] {
+    stop_.heed();
     if (!interface_.is_here()) return;
     if (recorder_ != nullptr) recorder_->begin_solve(load.time);
     try {

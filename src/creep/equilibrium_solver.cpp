@@ -160,6 +160,12 @@ void EquilibriumSolver::set_recorder(contact::IterationRecorder* recorder) {
   if (contact_solver_) contact_solver_->set_recorder(recorder);
 }
 
+void EquilibriumSolver::set_stop(const StopRequest& stop) {
+  stop_ = stop;
+  if (contact_solver_) contact_solver_->set_stop(stop);
+  active_set_.set_stop(stop);
+}
+
 History EquilibriumSolver::new_history() const {
   History history;
   history.set_changes.assign(assembly_.pairs().size(), 0);

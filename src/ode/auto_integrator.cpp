@@ -16,7 +16,10 @@ namespace {
 constexpr std::size_t window = 30;        // steps looked back on
 constexpr std::int64_t max_failures = 6;  // of the iterations in so many steps: a kink of a load costs some
 constexpr std::int64_t max_mean_stages =
-    40;                                   // of rkc2 in a step on average, some ten times the solves of an implicit one
+    40;  // of rkc2 in a step on average, some ten times the solves of an implicit one
+/// Of cvode_bdf in a step on average: where bodies relax a million times faster than others, GMRES needs many, and what
+/// it leaves keeps the steps short. The tangent stiffness then takes a third of the steps and a tenth of the solves.
+constexpr std::int64_t max_mean_products = 8;
 constexpr double max_stable_steps = 300;  // in a step, for rkc2 to take over: 25 stages
 
 /// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
@@ -108,10 +111,14 @@ void AutoIntegrator::begin_watch(double loads_since) {
 
 StepReport AutoIntegrator::step(double t_limit) {
   // Not right after the step that showed it: interpolate() has needed the integrator until now.
-  if (trouble_) change_to(choose(last_step_), reason_);
+  if (trouble_) {
+    const std::optional<Method> wanted = std::exchange(wanted_, std::nullopt);
+    change_to(wanted ? *wanted : choose(last_step_), reason_, !wanted && !is_functional(method_));
+  }
   for (;;) {
     try {
-      if (std::exchange(starting_, false)) choose_functional(t_limit);
+      if (starting_) choose_functional(t_limit);
+      starting_ = false;
       const StepReport report = current_->step(t_limit);
       failure_.clear();
       watch(report, t_limit);
@@ -123,7 +130,7 @@ StepReport AutoIntegrator::step(double t_limit) {
       if (next == method_)
         throw SolverError(
             fmt::format("auto: {}{}", failure_, failure_ == error.what() ? "" : " Other methods fail too."));
-      change_to(next, error.what());
+      change_to(next, error.what(), !is_functional(method_));
     }
   }
 }
@@ -133,11 +140,20 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   if (++steps_with_method_ == quiet_steps) given_up_.clear();
   if (is_functional(method_) && steps_with_method_ % looks == 0) look_ahead(t_limit);
   if (trouble_) return;
-  recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations});
+  recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations,
+                     system_.counters().jacobian_products});
   if (recent_.size() <= window) return;
   const std::int64_t failures = recent_.back().failures - recent_.front().failures;
   const std::int64_t stages = (recent_.back().evaluations - recent_.front().evaluations) / std::int64_t{window};
+  const std::int64_t products = (recent_.back().products - recent_.front().products) / std::int64_t{window};
   recent_.pop_front();
+  if (method_ == Method::krylov && products > max_mean_products && !given_up_.contains(Method::tangent) &&
+      system_.newton_solver() != nullptr) {
+    trouble_ = true;
+    wanted_ = Method::tangent;
+    reason_ = fmt::format("{} Jacobian products per step at t = {:.6g}", products, report.time);
+    return;
+  }
   trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
   if (!trouble_) return;
   reason_ = method_ == Method::stabilized ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
@@ -167,12 +183,12 @@ AutoIntegrator::Method AutoIntegrator::choose(double step) {
   return free(Method::stabilized) && method_ != Method::stabilized ? Method::stabilized : method_;
 }
 
-void AutoIntegrator::change_to(Method method, const std::string& reason) {
+void AutoIntegrator::change_to(Method method, const std::string& reason, bool has_failed) {
   trouble_ = false;
   recent_.clear();
   steps_with_method_ = 0;
   if (method == method_) return;
-  log::write(is_functional(method_) ? log::Level::info : log::Level::warning,
+  log::write(has_failed ? log::Level::warning : log::Level::info,
              fmt::format("time integration changes from {} to {}: {}", describe(method_), describe(method), reason));
   go_on_with(method, 0);
 }
@@ -190,7 +206,7 @@ RestartPoint AutoIntegrator::save() const {
   std::vector<double>& methods = point.memory["methods"];  // the present one, then those given up
   methods.push_back(static_cast<double>(method_));
   for (const Method method : given_up_) methods.push_back(static_cast<double>(method));
-  point.memory["chosen"] = {chosen_ ? 1.0 : 0.0};
+  point.memory["chosen"] = {chosen_ ? 1.0 : 0.0, starting_ ? 1.0 : 0.0};
   point.memory["loads_since"] = {remaining_step_estimate_.begin()};
   return point;
 }
@@ -198,7 +214,9 @@ RestartPoint AutoIntegrator::save() const {
 void AutoIntegrator::restore(const RestartPoint& point) {
   const std::vector<double>& methods = point.memory.at("methods");
   method_ = static_cast<Method>(static_cast<int>(methods.at(0)));
-  chosen_ = point.memory.at("chosen").at(0) != 0;
+  const std::vector<double>& chosen = point.memory.at("chosen");
+  chosen_ = chosen.at(0) != 0;
+  starting_ = chosen.size() > 1 && chosen[1] != 0;  // not in checkpoints of earlier versions
   given_up_.clear();
   for (std::size_t i = 1; i < methods.size(); ++i) given_up_.insert(static_cast<Method>(static_cast<int>(methods[i])));
   current_ = make(method_);

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -51,12 +52,13 @@ class AutoIntegrator final : public Integrator {
   void look_ahead(double t_limit);
   /// The best of those not given up, or the present one if there is none.
   Method choose(double step);
-  void change_to(Method method, const std::string& reason);
+  /// @param has_failed  the present one, which is worth a warning
+  void change_to(Method method, const std::string& reason, bool has_failed);
   /// Starts another method from the present state. @param step  see initialize()
   void go_on_with(Method method, double step);
 
   struct Observation {
-    std::int64_t failures, evaluations;  ///< counters after the step
+    std::int64_t failures, evaluations, products;  ///< counters after the step
   };
   System& system_;
   const IntegratorOptions options_;
@@ -70,7 +72,8 @@ class AutoIntegrator final : public Integrator {
   std::size_t steps_with_method_ = 0;
   RemainingStepEstimate remaining_step_estimate_;
   double last_look_ = 0;
-  bool trouble_ = false;  ///< seen at the end of the last step
+  bool trouble_ = false;          ///< seen at the end of the last step
+  std::optional<Method> wanted_;  ///< instead of the present one, if not that of choose()
   std::string reason_;
   std::string failure_;  ///< of the first method that made no step from here
   Counters before_;      ///< of the integrators before the present one

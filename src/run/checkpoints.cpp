@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/base/team.hpp"
 #include "fingerprint.hpp"
@@ -37,6 +38,10 @@ io::Checkpoint Checkpoints::read() const {
       if (is_like_state(name)) values = distribution_.own_states(values);
   });
   return checkpoint;
+}
+
+bool Checkpoints::exist() const {
+  return path_exists(path_);
 }
 
 io::Checkpoint Checkpoints::whole() const {

@@ -27,6 +27,7 @@ class Checkpoints {
   /// The last one on disk; of several processes each gets its part, however many had written it. Collective.
   /// @throws ConfigError if there is none, or it is of another model: what differs
   io::Checkpoint read() const;
+  bool exist() const;
   /// Of an earlier run in the same directory.
   void remove() const { io::remove_checkpoints(path_); }
 

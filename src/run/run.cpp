@@ -16,6 +16,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/linalg/blas_library.hpp"
@@ -149,6 +150,18 @@ Diagnosis diagnosis(const creep::CreepSystem& system) {
   return result;
 }
 
+/// What contact iterations heed. A step that is about to end may end, so that nothing of it is lost.
+StopRequest stop_request(const platform::Interrupt& interrupt) {
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto patience = std::chrono::milliseconds(300);
+  return StopRequest([&interrupt, since = std::make_shared<std::optional<Clock::time_point>>()] {
+    if (!interrupt.requested()) return false;
+    const Clock::time_point now = Clock::now();
+    if (!since->has_value()) *since = now;
+    return now - **since >= patience;
+  });
+}
+
 }  // namespace
 
 RunResult run(const config::Config& config, const RunOptions& options) {
@@ -213,6 +226,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   creep::CreepSystem system = make_system(config, model, solver, watch);
 
   interrupt.emplace();  // from here on there is something to save
+  solver.set_stop(stop_request(*interrupt));
   together(team, [&] {
     if (!writes) return;
     std::error_code failure;
@@ -268,7 +282,8 @@ RunResult run(const config::Config& config, const RunOptions& options) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
       result = {platform::interrupted_status,
-                fmt::format("interrupted at t = {:.6g}; continue with --resume", loop.time())};
+                fmt::format("interrupted at t = {:.6g}; {}", loop.time(),
+                            loop.may_be_resumed() ? "continue with --resume" : "there is nothing to resume yet")};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {
@@ -285,7 +300,9 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   if (loop.resumed())
     result.details += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
   result.details += table_of_processes(options.processes, distribution);
-  result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
+  // A step that was cancelled has left no evaluation to speak of.
+  if (result.exit_status == 0 || system.step_evaluation().valid)
+    result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
   for (const std::string& line : result.advice) warnings.add(line);
   if (team.any(!result.advice.empty())) write_summary(summary.status, summary.message);
   return result;

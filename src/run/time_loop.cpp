@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/contact/solver/friction_uniqueness.hpp"
 #include "creepcontact/results/contact_width.hpp"
 #include "creepcontact/results/equilibrium_residual.hpp"
@@ -131,7 +132,9 @@ void TimeLoop::keep_restart_point() {
   const bool output_ahead = next_output_ != config_.time.output.end() && (reach == 0 || *next_output_ <= time_ + reach);
   std::optional<io::Checkpoint>& here = writing ? after_fields_ : kept_;
   here.reset();
-  const bool may_end = system_.has(material::damage) || events_->is_waiting();  // within the step
+  // Within the step, also on request: contact iterations heed signals.
+  const bool may_end =
+      system_.has(material::damage) || events_->is_waiting() || system_.solver().interface().n_rows() > 0;
   if (far || output_ahead || may_end) here = checkpoint();
 }
 
@@ -202,6 +205,7 @@ void TimeLoop::see_uniqueness(const creep::Equilibrium& at) {
 
 TimeLoop::End TimeLoop::run() {
   const platform::Interrupt interrupt;
+  bool cancelled = false;
   try {
     begin_segment();
     if (time_ >= config_.time.end) {  // killed between its last checkpoint and its last summary, which is made up for
@@ -224,6 +228,11 @@ TimeLoop::End TimeLoop::run() {
       elastic_history(interrupt);
     }
     finish_fields();
+  } catch (const Cancelled&) {
+    cancelled = true;
+    settled_ = false;  // what the step has changed is not saved: the restart point before it is
+    if (!integrator_ && kept_) time_ = kept_->time;
+    if (observer_ != nullptr) observer_->before_message();
   } catch (const RecoverableError& error) {
     write_checkpoint();
     throw SolverError(error.what());
@@ -238,6 +247,7 @@ TimeLoop::End TimeLoop::run() {
     throw;
   }
   write_checkpoint();
+  if (cancelled) return End::interrupted;
   if (ruptured_ || stopped_ || time_ >= config_.time.end) table_ranges_.finish();
   if (ruptured_) return End::ruptured;
   if (time_ < config_.time.end && !stopped_) return End::interrupted;
@@ -503,6 +513,7 @@ void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   for (; next_output_ != config_.time.output.end(); ++next_output_) {
     if (interrupted(interrupt)) return;
     if (checkpoints_.due()) write_checkpoint();
+    kept_ = checkpoint();
     const double t = *next_output_;
     if (path.stopped_before(t)) return output(time_, state_);
     system_.apply_preloads(t, state_);

@@ -29,6 +29,7 @@ namespace creepcontact::run {
 
 class TimeLoop {
  public:
+  /// interrupted: by a signal, between two steps or, through the contact iterations of the solver, within one
   enum class End { completed, ruptured, interrupted };
 
   /// @param distribution  of the model; must outlive the object @param system  of its own part
@@ -44,6 +45,8 @@ class TimeLoop {
   double time() const { return time_; }
   /// False if the run failed before its first output.
   bool has_output() const { return has_output_; }
+  /// Whether there is a checkpoint on disk.
+  bool may_be_resumed() const { return checkpoints_.exist(); }
   RunCounters counters() const;
   const results::Results& results() const { return *results_; }
   const results::DamageMonitor& life() const { return life_; }

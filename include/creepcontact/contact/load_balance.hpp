@@ -25,6 +25,8 @@ std::string require_free_motions_unloaded(const RigidBodyModes& modes, const Eig
 
 /// Work on the modes that contact holds, without round-off.
 Eigen::VectorXd held_resultant(const RigidBodyModes& modes, const Eigen::VectorXd& work, const Eigen::VectorXd& force);
+/// The scale of that work: what the forces on the bodies would do if nothing cancelled.
+Eigen::VectorXd held_force(const RigidBodyModes& modes, const Eigen::VectorXd& force);
 
 /// @throws ModelError naming the bodies and the motion along which the loads drive them
 [[noreturn]] void report_unbalanced(const RigidBodyModes& modes, const UnbalancedLoad& unbalanced, double t);

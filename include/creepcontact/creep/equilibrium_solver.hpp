@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "creepcontact/base/run_counters.hpp"
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/base/stopwatch.hpp"
 #include "creepcontact/contact/condensed_interface.hpp"
 #include "creepcontact/contact/solver/active_set_system.hpp"
@@ -103,6 +104,9 @@ class EquilibriumSolver {
 
   /// Reports every contact iteration from now on. @param recorder  null for none; must outlive the object
   void set_recorder(contact::IterationRecorder* recorder);
+  /// Sets the request that all later contact iterations heed: whatever solves then throws Cancelled, on all processes,
+  /// and leaves the history as it was.
+  void set_stop(const StopRequest& stop);
 
   const Assembly& assembly() const { return assembly_; }
   const contact::CondensedInterface& interface() const { return interface_; }
@@ -179,6 +183,7 @@ class EquilibriumSolver {
   contact::ActiveSetSystem active_set_;
   std::unique_ptr<const SlipAdvance> slip_advance_;
   contact::IterationRecorder* recorder_ = nullptr;
+  StopRequest stop_;
   bool stiffness_changes_ = false;
   double solver_error_ = 0;   // its bound
   std::int64_t factors_ = 0;  // number of factorisations since the start

@@ -2,6 +2,7 @@
 /// What the ways through the equations of an active set have in common: the rows' flexibility, the coarse problem of
 /// the rigid motions, and the outcome.
 
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/contact/solver/iteration_recorder.hpp"
 #include "rigid_balance.hpp"
 
@@ -21,11 +22,13 @@ struct InnerResult {
   bool converged = false;
 };
 
-/// Tells the recorder, if there is one, of the iterations on one set.
+/// Tells the recorder, if there is one, of the iterations on one set; each heeds the request to end.
 struct InnerLog {
   IterationRecorder* recorder = nullptr;
   int set_change = 0;
+  StopRequest stop = {};
   void operator()(std::string_view method, int iteration, double residual, std::size_t active) const {
+    stop.heed();
     if (recorder) recorder->record({set_change, iteration, method, residual, active});
   }
 };

@@ -29,6 +29,11 @@ class ActiveSetSolver final : public ContactSolver {
   }
 
   void set_recorder(IterationRecorder* recorder) override { recorder_ = recorder; }
+  void set_stop(const StopRequest& stop) override {
+    stop_ = stop;
+    system_.set_stop(stop);
+    springs_.reset();
+  }
 
  private:
   /// Updates the set until it repeats; one row at a time if sets recur (only without rigid motions, where that ends).
@@ -38,6 +43,7 @@ class ActiveSetSolver final : public ContactSolver {
     std::set<std::vector<int>> seen;
     bool one_at_a_time = false;
     for (int change = 0; change < max_single_changes; ++change) {
+      stop_.heed();
       ActiveSetSolution solution = system_.solve(active, load);
       if (!solution.balanced) return false;
       result.gap = contact_gaps(problem_, load, solution.state);
@@ -58,7 +64,7 @@ class ActiveSetSolver final : public ContactSolver {
   }
 
   bool iterate_springs(const ContactLoad& load, ContactResult& result) {
-    if (!springs_) springs_ = std::make_unique<SpringRegularization>(problem_);
+    if (!springs_) springs_ = std::make_unique<SpringRegularization>(problem_, stop_);
     return springs_->search(load, result.set_changes, [&](const ContactState& held) {
       result.state.active = held.active;
       return iterate(load, result);
@@ -82,6 +88,7 @@ class ActiveSetSolver final : public ContactSolver {
   ActiveSetSystem system_;
   std::unique_ptr<SpringRegularization> springs_;  // made when first needed
   IterationRecorder* recorder_ = nullptr;
+  StopRequest stop_;
 };
 
 }  // namespace

@@ -57,12 +57,18 @@ void ActiveSetSystem::flexibility_changed() {
   cg_.reset();
 }
 
+void ActiveSetSystem::set_stop(const StopRequest& stop) {
+  stop_ = stop;
+  if (friction_) friction_->set_stop(stop);
+}
+
 ActiveSetSolution ActiveSetSystem::solve(const std::vector<int>& active, const ContactLoad& load) {
   if (active.empty()) {
     ActiveSetSolution nothing;
     nothing.state.multiplier.setZero(problem_.n_rows());
     nothing.state.rigid.setZero(problem_.n_motions());
-    nothing.balanced = load.resultant.size() == 0 || load.resultant.isZero(0);
+    nothing.balanced =
+        load.resultant.size() == 0 || load.resultant.cwiseAbs().maxCoeff() <= resultant_rounding(problem_, load);
     return nothing;
   }
   if (problem_.large) return solve_iteratively(active, load);
@@ -72,7 +78,10 @@ ActiveSetSolution ActiveSetSystem::solve(const std::vector<int>& active, const C
 
 ContactState ActiveSetSystem::solve_change(const ContactState& at, const Eigen::VectorXd& gap) {
   if (at.nodes.empty()) return solve(at.active, {gap, {}}).state;
-  if (!friction_) friction_ = std::make_unique<FrictionSystem>(problem_);
+  if (!friction_) {
+    friction_ = std::make_unique<FrictionSystem>(problem_);
+    friction_->set_stop(stop_);
+  }
   const FrictionRows& rows = friction_->rows();
   const double tolerance = problem_.large != nullptr ? tolerance_ : change_tolerance;
   const Eigen::VectorXd right = -rows.equations(at.nodes, Eigen::VectorXd::Zero(problem_.n_rows()), gap);
@@ -105,7 +114,7 @@ ActiveSetSolution ActiveSetSystem::solve_directly(const ContactLoad& load) {
     if (largest > 0) left += load.resultant;
     const Eigen::MatrixXd weights = problem_.rigid(active_, Eigen::all).cwiseAbs();
     const double sum = (weights.transpose() * reduced.cwiseAbs()).maxCoeff();
-    const double rounding = multiplier_rounding(problem_, load) * weights.colwise().sum().maxCoeff();
+    const double rounding = multiplier_rounding(problem_, load) * problem_.rigid.cwiseAbs().colwise().sum().maxCoeff();
     solution.balanced = left.cwiseAbs().maxCoeff() <= std::max(resultant_error * std::max(largest, sum), rounding);
   }
   return solution;
@@ -116,7 +125,7 @@ ActiveSetSolution ActiveSetSystem::solve_iteratively(const std::vector<int>& act
     cg_ = std::make_unique<ProjectedCg>(
         problem_, SchwarzOptions{.tolerance = tolerance_, .max_iterations = max_iterations}, active);
   const ActiveSetLoad set_load{load.gap(active), load.resultant, multiplier_rounding(problem_, load)};
-  const InnerResult inner = cg_->solve(set_load, Eigen::VectorXd::Zero(set_load.gap.size()), {nullptr, 0});
+  const InnerResult inner = cg_->solve(set_load, Eigen::VectorXd::Zero(set_load.gap.size()), {nullptr, 0, stop_});
   ActiveSetSolution solution;
   ContactState& state = solution.state;
   state.active = active;

@@ -13,7 +13,8 @@ constexpr double singular = 1e-9;  // reciprocal condition
 
 }  // namespace
 
-DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own) {
+DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t body, const std::vector<int>& own,
+                                   IfSingular if_singular) {
   Eigen::MatrixXd flexibility = problem.bodies[body].matrix(own, own);
   Eigen::MatrixXd basis(flexibility.rows(), 0);
   if (problem.n_motions() > 0) {
@@ -26,6 +27,7 @@ DirichletProblem::DirichletProblem(const ContactProblem& problem, std::size_t bo
   flexibility_ = flexibility.diagonal();
   factor_.compute(flexibility);
   regular_ = factor_.info() == Eigen::Success && factor_.rcond() > singular;
+  if (!regular_ && if_singular == IfSingular::nothing) return;
   if (!regular_) pseudo_inverse_ = linalg::symmetric_pseudo_inverse(flexibility, singular);
   if (basis.cols() == 0) return;
   carried_.resize(basis.rows(), basis.cols());

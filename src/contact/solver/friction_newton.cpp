@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "creepcontact/base/index.hpp"
 
@@ -15,6 +16,7 @@ constexpr double residual_share = 0.01;      // of the tolerance: errors of mult
 constexpr double round_off = 1e-14;          // of the largest multiplier
 constexpr double balance_of_polish = 1e-11;  // of the forces that make up a resultant
 constexpr double no_bound = 1e-14;           // of x_t: a projection onto a point
+constexpr double newton_progress = 0.95;     // of the least residual so far
 
 }  // namespace
 
@@ -152,21 +154,45 @@ bool FrictionNewton::polish(const ContactLoad& load, const Linearization& factor
   if (state.image.size() == 0) state.image = flexibility_product(problem, multiplier);
   Eigen::VectorXd gap = gaps_of(problem, load, state);
   if (state.nodes.empty()) state.nodes = trial(load, mean, options, multiplier, gap).at;
-  for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
+  // Of a state: the residual, with the multipliers that would carry what is unbalanced.
+  const auto size_of = [&](const Trial& at, const Eigen::VectorXd& its) {
+    double square = at.residual.squaredNorm();
+    const Eigen::VectorXd left = unbalanced(problem.rigid, its, load.resultant);
+    for (Index j = 0; j < left.size(); ++j)
+      if (const double motion = problem.rigid.col(j).squaredNorm(); motion > 0) square += left[j] * left[j] / motion;
+    return std::sqrt(square);
+  };
+  double least = std::numeric_limits<double>::infinity(), size = least;
+  int idle = 0;
+  for (int iteration = 0; iteration < options.max_iterations && idle < options.patience; ++iteration) {
     const FrictionSystem::Solution step =
         system_.solve(state.nodes, factored, right(state.nodes, multiplier, gap),
                       Eigen::VectorXd(-unbalanced(problem.rigid, multiplier, load.resultant)), linear_tolerance);
-    multiplier += step.multiplier;
-    if (problem.n_motions() > 0) state.rigid += step.rigid;
-    state.image += flexibility_product(problem, step.multiplier);
+    const Eigen::VectorXd image_change = flexibility_product(problem, step.multiplier);
     state.linear_iterations = step.iterations;
     ++state.iterations;
-    gap = gaps_of(problem, load, state);
-    Trial now = trial(load, mean, options, multiplier, gap);
+    Trial now;
+    const FrictionState from = state;
+    for (double length = 1;; length /= 2) {
+      multiplier = from.multiplier + length * step.multiplier;
+      if (problem.n_motions() > 0) state.rigid = from.rigid + length * step.rigid;
+      state.image = from.image + length * image_change;
+      gap = gaps_of(problem, load, state);
+      now = trial(load, mean, options, multiplier, gap);
+      if (!options.damped) break;
+      const double reached = size_of(now, multiplier);
+      if (iteration == 0 || reached <= (1 - sufficient * length) * size) {
+        size = reached;
+        break;
+      }
+      if (length <= shortest) return false;
+    }
     state.nodes = std::move(now.at);
     const double largest = multiplier.cwiseAbs().maxCoeff(), error = now.residual.cwiseAbs().maxCoeff();
     record_(iteration, largest > 0 ? error / largest : 0.0, state.nodes);
     if (!std::isfinite(error)) return false;
+    idle = largest > 0 && error < newton_progress * least * largest ? 0 : idle + 1;
+    if (largest > 0) least = std::min(least, error / largest);
     if (error <= std::max(residual_share * options.tolerance * largest, options.rounding) &&
         is_balanced(problem.rigid, multiplier, load.resultant, balance_of_polish, options.rounding))
       return true;

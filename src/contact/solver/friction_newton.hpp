@@ -31,6 +31,10 @@ class FrictionNewton {
     double normal_scale = 1;        // r_n = scale / F_nn
     double tangential_scale = 0.3;  // r_t
     int min_iterations = 0, max_iterations = 50;
+    /// In polish(): ends after so many iterations that do not reduce the least residual so far.
+    int patience = 8;
+    /// In polish(): whether a step is halved while the residual does not fall (Armijo).
+    bool damped = false;
     /// Per node: the limit of the shear traction in place of mu times the pressure (Tresca's law, which makes the
     /// problem convex); empty: Coulomb's law. In search() only.
     Eigen::VectorXd bound = {};
@@ -45,8 +49,8 @@ class FrictionNewton {
   bool search(const ContactLoad& load, const Linearization& factored, const Options& options,
               FrictionState& state) const;
 
-  /// From a state nearby, by full steps without springs, the first one with state.nodes if they are known: statuses of
-  /// an earlier load are a better guess than those that its multipliers and the new gaps suggest.
+  /// From a state nearby, by full steps (or damped ones) without springs, the first one with state.nodes if they are
+  /// known: statuses of an earlier load are a better guess than those that its multipliers and the new gaps suggest.
   /// @param mean  whether slip follows the mean direction @returns false if the iteration does not converge quickly
   bool polish(const ContactLoad& load, const Linearization& factored, const Options& options, bool mean,
               FrictionState& state) const;

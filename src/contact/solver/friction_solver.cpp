@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/solver/contact_solver.hpp"
 #include "friction_newton.hpp"
+#include "friction_splitting.hpp"
 #include "tresca.hpp"
 
 namespace creepcontact::contact {
@@ -21,8 +23,11 @@ constexpr int max_passes = 60;
 constexpr int stalled_passes = 5;   // after which bodies slide off
 constexpr int many_iterations = 8;  // of GMRES: a factor of the present equations pays
 constexpr int frozen_limits = 12;   // iterations on the limits of the shear tractions
-constexpr int quick = 8;            // Newton iterations from the last accepted state
-constexpr int quick_enough = 20;    // from a state found by search
+constexpr double splitting_tolerance = 1e-6;
+constexpr int max_splittings = 3000;
+constexpr int max_newton = 60;      // full steps, as long as they get on
+constexpr int newton_patience = 8;  // iterations without progress
+const double usual_scale = FrictionNewton::Options{}.tangential_scale;
 
 class FrictionSolver final : public ContactSolver {
  public:
@@ -60,10 +65,16 @@ class FrictionSolver final : public ContactSolver {
   void flexibility_changed() override {
     system_.flexibility_changed();
     tresca_.flexibility_changed();
+    tangential_step_ = 0;
   }
   void set_recorder(IterationRecorder* recorder) override {
     recorder_ = recorder;
     tresca_.sets().set_recorder(recorder);
+  }
+  void set_stop(const StopRequest& stop) override {
+    stop_ = stop;
+    system_.set_stop(stop);
+    tresca_.sets().set_stop(stop);
   }
   bool has_given_up_sweeps() const override { return tresca_.sets().has_given_up_sweeps(); }
   void give_up_sweeps() override { tresca_.sets().give_up_sweeps(); }
@@ -85,31 +96,86 @@ class FrictionSolver final : public ContactSolver {
                 tresca_warned_);
       state = start;
     }
-    if (!start.nodes.empty() && polish(work, quick, state)) return state;
+    if (polish_from(start, work, state)) return state;
     std::string failure;
     try {
       state = start;
       search(work, search_tolerance, state);
       const FrictionState near = state;
-      if (polish(work, quick_enough, state)) return state;
+      if (polish(work, state)) return state;
       // Motions that are weakly held, or loads so near to the limit of what contact holds that it matters on which
       // side.
       state = near;
       search(work, strict_tolerance, state);
-      if (polish(work, quick_enough, state)) return state;
+      if (polish(work, state)) return state;
     } catch (const SolverError& error) {  // another way, or another start
       failure = error.what();
     }
+    if (split(start, work, state)) return state;
     state = start;
-    if (!use_tresca && solve_by_tresca(work, state) && polish(work, quick_enough, state)) return state;
+    if (!use_tresca && solve_by_tresca(work, state) && polish(work, state)) return state;
     throw SolverError(failure.empty() ? "contact: no state of contact with friction was found; use shorter steps"
                                       : failure);
   }
 
-  bool polish(Work& work, int max_iterations, FrictionState& state) {
+  /// Steps of Newton's method from the start: full ones from its statuses, then from those that its multipliers
+  /// suggest, and damped ones; each with the usual scale of the residual, and with one that lets no traction pass its
+  /// limit because of what the nodes next to it do, as along a bar. Where there are several states, damped steps stay
+  /// nearer to the last one. @returns false if none converges
+  bool polish_from(const FrictionState& start, Work& work, FrictionState& state) {
+    enum class From { statuses, multipliers };
+    const auto attempt = [&](From from, double tangential_scale, bool damped) {
+      state = start;
+      if (from == From::multipliers) state.nodes.clear();
+      return polish(work, state, tangential_scale, damped);
+    };
+    const auto full = [&](From from) {
+      return attempt(from, usual_scale, false) || attempt(from, tangential_step(), false);
+    };
+    const auto damped = [&] {
+      return std::ranges::any_of(std::array{usual_scale, 1.0, tangential_step()},
+                                 [&](double scale) { return attempt(From::multipliers, scale, true); });
+    };
+    if (start.nodes.empty()) return full(From::multipliers) || damped();
+    return full(From::statuses) || damped() || full(From::multipliers);
+  }
+
+  /// By splitting, with steps of different lengths: slow, for problems that Newton's method does not solve from the
+  /// start. It ends in the steps of Newton's method.
+  bool split(const FrictionState& start, Work& work, FrictionState& state) {
+    if (problem_.large != nullptr) return false;
+    for (const double scale : {0.1, 0.01, 1.0}) {
+      state = start;
+      ++set_;
+      const FrictionSplitting splitting(system_.rows(), scale);
+      splitting.iterate(
+          work.load, splitting_tolerance, max_splittings,
+          [&](int iteration, double change) {
+            stop_.heed();
+            ++work.result.iterations;
+            if (recorder_ != nullptr)
+              recorder_->record({set_, iteration + 1, "splitting", change, problem_.nodes.size()});
+          },
+          state);
+      const FrictionState near = state;
+      if (polish_from(near, work, state)) return true;
+    }
+    return false;
+  }
+
+  double tangential_step() {
+    if (tangential_step_ == 0) tangential_step_ = system_.rows().tangential_step();
+    return tangential_step_;
+  }
+
+  bool polish(Work& work, FrictionState& state, double tangential_scale = usual_scale, bool damped = false) {
     ++set_;
-    const FrictionNewton::Options options{
-        .tolerance = options_.schwarz.tolerance, .rounding = work.rounding, .max_iterations = max_iterations};
+    const FrictionNewton::Options options{.tolerance = options_.schwarz.tolerance,
+                                          .rounding = work.rounding,
+                                          .tangential_scale = tangential_scale,
+                                          .max_iterations = max_newton,
+                                          .patience = damped ? max_newton : newton_patience,
+                                          .damped = damped};
     const Friction& friction = work.load.friction;
     const bool mean = friction.direction.size() > 0 && !friction.direction.isZero(0);
     return newton_.polish(work.load, work.factored, options, mean, state);
@@ -190,6 +256,7 @@ class FrictionSolver final : public ContactSolver {
   }
 
   void record(int iteration, double residual, const Linearization& nodes) const {
+    stop_.heed();
     if (recorder_ != nullptr) recorder_->record({set_, iteration + 1, "newton", residual, closed_rows(nodes).size()});
   }
 
@@ -211,7 +278,9 @@ class FrictionSolver final : public ContactSolver {
   FrictionNewton newton_;
   Tresca tresca_;
   IterationRecorder* recorder_ = nullptr;
-  int set_ = 0;  // attempts within the present solve
+  StopRequest stop_;
+  double tangential_step_ = 0;  // of the rows; 0: not known
+  int set_ = 0;                 // attempts within the present solve
   bool tresca_warned_ = false;
 };
 

@@ -16,10 +16,11 @@ namespace {
 
 constexpr double least_movable = 1e-14;   // of the largest flexibility
 constexpr double relative_spring = 1e-3;  // of the stiffness of the bodies on their rigid-body modes
-constexpr double regularization = 1e-9;   // of the largest flexibility: rows that repeat each other
+constexpr double regularization = 1e-11;  // of the largest flexibility: rows that repeat each other
 constexpr int max_gmres = 40;             // iterations with a factor of equations nearby
 constexpr int max_gmres_large = 1000;
 constexpr std::size_t n_factors = 2;
+constexpr int power_iterations = 15;
 constexpr double weakest_held_motion_of_friction = 1e-6;  // of a motion that only the springs hold
 
 }  // namespace
@@ -43,6 +44,21 @@ FrictionRows::FrictionRows(const ContactProblem& problem) : problem_(&problem), 
   }
   const double motion = problem.rigid.squaredNorm();
   if (motion > 0) spring_ = relative_spring * motion / flexibility_diagonal(problem).sum();
+}
+
+double FrictionRows::tangential_step() const {
+  Eigen::VectorXd root = Eigen::VectorXd::Zero(problem_->n_rows());  // of 1/diag F, in tangential rows
+  for (const Tangents& tangents : tangents_)
+    for (int k = 0; k < tangents.n; ++k) root[tangents.rows[k]] = 1 / std::sqrt(tangents.flexibility);
+  Eigen::VectorXd vector = root;
+  double largest = 1;
+  for (int k = 0; k < power_iterations && vector.norm() > 0; ++k) {
+    vector.normalize();
+    const Eigen::VectorXd image = root.cwiseProduct(flexibility_product(*problem_, root.cwiseProduct(vector)));
+    largest = std::max(largest, image.norm());
+    vector = image;
+  }
+  return 1 / largest;
 }
 
 Eigen::VectorXd FrictionRows::gaps(const Eigen::VectorXd& multiplier) const {
@@ -279,7 +295,10 @@ Inverse FrictionSystem::approximate_inverse(const Linearization& at) const {
 
 FrictionSystem::Solution FrictionSystem::solve_held(const Linearization& at, const Linearization& factored,
                                                     const Eigen::VectorXd& right, double tolerance) {
-  const auto product = [&](const Eigen::VectorXd& v) { return rows_.equations(at, v, rows_.gaps(v)); };
+  const auto product = [&](const Eigen::VectorXd& v) {
+    stop_.heed();
+    return rows_.equations(at, v, rows_.gaps(v));
+  };
   if (problem_.large != nullptr) {
     const GmresResult found = gmres(product, approximate_inverse(at), right, tolerance, max_gmres_large);
     if (!found.converged) throw SolverError("contact: the iteration for the shear tractions did not converge");
@@ -313,6 +332,7 @@ FrictionSystem::Solution FrictionSystem::solve(const Linearization& at, const Li
       return both;
     };
     const auto product = [&](const Eigen::VectorXd& v) {
+      stop_.heed();
       const Eigen::VectorXd multiplier = v.head(n);
       const Eigen::VectorXd left = rows_.equations(at, multiplier, flexibility_product(problem_, multiplier));
       return joined(left + motions * v.tail(m), problem_.rigid.transpose() * multiplier);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 
 namespace creepcontact::contact {
@@ -50,6 +51,9 @@ class FrictionRows {
   Eigen::MatrixXd motions(const Linearization& at) const;
   /// Stiffness of the springs on the rigid-body modes; 0 without any.
   double spring() const { return spring_; }
+  /// 1 / the largest eigenvalue of the tangential part of F, scaled to a unit diagonal: steps of the tractions against
+  /// the slip, in units of 1/diag F, that are no longer than this move no node too far. Cost: some products with F.
+  double tangential_step() const;
   /// F multiplier + N N^T multiplier / spring
   Eigen::VectorXd gaps(const Eigen::VectorXd& multiplier) const;
   /// N N^T multiplier / spring
@@ -77,6 +81,8 @@ class FrictionSystem {
   const FrictionRows& rows() const { return rows_; }
   /// Must be called when the flexibilities of the problem have changed.
   void flexibility_changed();
+  /// Sets the request that all later iterations heed: the solutions then throw Cancelled.
+  void set_stop(const StopRequest& stop) { stop_ = stop; }
 
   struct Solution {
     Eigen::VectorXd multiplier;
@@ -103,6 +109,7 @@ class FrictionSystem {
 
   const ContactProblem& problem_;
   FrictionRows rows_;
+  StopRequest stop_;
   std::list<std::unique_ptr<const Factor>> factors_;  // the last used first
 };
 

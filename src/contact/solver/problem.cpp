@@ -10,6 +10,7 @@ namespace {
 
 constexpr double no_change = 1e-12;
 constexpr double rounding_of_gaps = 1e-13;
+constexpr double rounding_of_forces = 1e-12;
 constexpr double immovable = 1e-14;    // rows that neither body can move along (held on both sides) carry no multiplier
 constexpr double fixing_floor = 1e-2;  // of the flexibility of fixing dofs
 
@@ -79,7 +80,15 @@ double multiplier_rounding(const ContactProblem& problem, const ContactLoad& loa
   double largest = 0;
   for (int i = 0; i < problem.n_rows(); ++i)
     if (flexibility[i] > least) largest = std::max(largest, std::abs(load.gap[i]) / flexibility[i]);
-  return rounding_of_gaps * largest;
+  double rounding = rounding_of_gaps * largest;
+  for (Index j = 0; j < load.force.size(); ++j)
+    if (const double carried = problem.rigid.col(j).cwiseAbs().sum(); carried > 0)
+      rounding = std::max(rounding, rounding_of_forces * load.force[j] / carried);
+  return rounding;
+}
+
+double resultant_rounding(const ContactProblem& problem, const ContactLoad& load) {
+  return load.force.size() > 0 ? rounding_of_forces * load.force.maxCoeff() : 0.0;
 }
 
 std::vector<int> updated_set(const ContactProblem& problem, const ContactLoad& load, const std::vector<int>& current,

@@ -34,7 +34,7 @@ bool ProjectedCg::add_block(const ContactProblem& problem, std::size_t body, std
     const int row = set_.active()[position];
     own.push_back(static_cast<int>(std::lower_bound(rows.begin(), rows.end(), row) - rows.begin()));
   }
-  auto dirichlet = std::make_unique<DirichletProblem>(problem, body, own);
+  auto dirichlet = std::make_unique<DirichletProblem>(problem, body, own, DirichletProblem::IfSingular::nothing);
   if (!dirichlet->is_regular()) return false;
   blocks_.push_back({std::move(positions), std::move(dirichlet)});
   positions.clear();

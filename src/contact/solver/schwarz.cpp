@@ -43,6 +43,13 @@ class Schwarz final : public ContactSolver {
     fallback_->set_recorder(recorder);
   }
 
+  void set_stop(const StopRequest& stop) override {
+    stop_ = stop;
+    sets_.set_stop(stop);
+    fallback_->set_stop(stop);
+    springs_.reset();
+  }
+
   bool has_given_up_sweeps() const override { return sets_.has_given_up_sweeps(); }
   void give_up_sweeps() override { sets_.give_up_sweeps(); }
 
@@ -84,7 +91,7 @@ class Schwarz final : public ContactSolver {
   }
 
   End iterate_springs(const ContactLoad& load, ContactResult& result) {
-    if (!springs_) springs_ = std::make_unique<SpringRegularization>(problem_);
+    if (!springs_) springs_ = std::make_unique<SpringRegularization>(problem_, stop_);
     End end = End::cycling;
     springs_->search(load, result.set_changes, [&](const ContactState& held) {
       result.state.active = held.active;
@@ -99,6 +106,7 @@ class Schwarz final : public ContactSolver {
   SetSolver sets_;
   std::unique_ptr<ContactSolver> fallback_;
   std::unique_ptr<SpringRegularization> springs_;  // made when first needed
+  StopRequest stop_;
   bool fallback_warned_ = false;
 };
 

@@ -19,7 +19,8 @@ SetSolver::SetSolver(const ContactProblem& problem, const SchwarzOptions& option
 
 InnerResult SetSolver::solve(const std::vector<int>& active, const ActiveSetLoad& load, const Eigen::VectorXd& start,
                              ContactResult& total) {
-  const InnerLog log{recorder_, total.set_changes};
+  stop_.heed();
+  const InnerLog log{recorder_, total.set_changes, stop_};
   if (options_.acceleration != SchwarzOptions::Acceleration::cg && !sweeps_fail_) {
     const SchwarzSweeps& sweeps =
         sweeps_.at(active, [&](const auto& set) { return SchwarzSweeps(problem_, options_, set); });

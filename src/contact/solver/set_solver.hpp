@@ -19,6 +19,7 @@ class SetSolver {
                     ContactResult& total);
   void flexibility_changed();
   void set_recorder(IterationRecorder* recorder) { recorder_ = recorder; }
+  void set_stop(const StopRequest& stop) { stop_ = stop; }
   bool has_given_up_sweeps() const { return sweeps_fail_; }
   void give_up_sweeps() { sweeps_fail_ = true; }
 
@@ -28,6 +29,7 @@ class SetSolver {
   ActiveSetCache<SchwarzSweeps> sweeps_;
   ActiveSetCache<ProjectedCg> cg_;
   IterationRecorder* recorder_ = nullptr;
+  StopRequest stop_;
   bool sweeps_fail_ = false;
 };
 

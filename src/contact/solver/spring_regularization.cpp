@@ -35,7 +35,7 @@ constexpr int patience = 2;  // updates before it is asked whether the bodies fl
 
 }  // namespace
 
-SpringRegularization::SpringRegularization(const ContactProblem& problem)
+SpringRegularization::SpringRegularization(const ContactProblem& problem, const StopRequest& stop)
     : problem_(problem), held_(ContactProblem::with_nodes_of(problem)) {
   const double flexibility = flexibility_diagonal(problem).sum();
   compliance_ = problem.rigid.colwise().squaredNorm().transpose();
@@ -47,6 +47,7 @@ SpringRegularization::SpringRegularization(const ContactProblem& problem)
     held_.total = problem.total + problem.rigid * compliance_.asDiagonal() * problem.rigid.transpose();
   }
   solver_ = active_set_solver(held_);
+  solver_->set_stop(stop);
 }
 
 SpringRegularization::~SpringRegularization() = default;
@@ -63,7 +64,7 @@ bool SpringRegularization::search(const ContactLoad& load, int& set_changes, con
     if (attempt(state)) return true;
     const Eigen::VectorXd unbalanced = problem_.rigid.transpose() * state.multiplier + resultant;
     // No pressures balance these loads if the nearest ones do not: asked only when the springs do not settle.
-    if (update == patience) throw_if_unbalanced(problem_, {load.gap, resultant, {}, load.idle});
+    if (update == patience) throw_if_unbalanced(problem_, {load.gap, resultant, {}, load.idle, load.force});
     rigid += compliance_.cwiseProduct(unbalanced);
   }
   return false;

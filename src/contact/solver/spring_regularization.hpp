@@ -15,7 +15,7 @@ class SpringRegularization {
   using Attempt = std::function<bool(const ContactState& state)>;
 
   /// @param problem  with rigid motions; must outlive the object
-  explicit SpringRegularization(const ContactProblem& problem);
+  SpringRegularization(const ContactProblem& problem, const StopRequest& stop);
   ~SpringRegularization();
 
   /// @param set_changes  counted up

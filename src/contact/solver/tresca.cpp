@@ -10,7 +10,6 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr int max_iterations_of_tractions = 1000;
-constexpr int power_iterations = 15;
 
 /// The direction e for which a slip along -u has the mean direction e + (e . before) before: the tangent of its angle
 /// to `before` is twice that of u.
@@ -169,26 +168,9 @@ void Tresca::flexibility_changed() {
   scale_ = 0;
 }
 
-/// By power iterations on the tangential part of F, scaled to a unit diagonal.
-void Tresca::set_scale(const FrictionRows& rows) {
-  Eigen::VectorXd root = Eigen::VectorXd::Zero(problem_.n_rows());  // of 1/diag F, in tangential rows
-  for (std::size_t i = 0; i < problem_.nodes.size(); ++i)
-    for (int k = 0; k < rows.tangents(i).n; ++k)
-      root[rows.tangents(i).rows[k]] = 1 / std::sqrt(rows.tangents(i).flexibility);
-  Eigen::VectorXd vector = root;
-  double largest = 1;
-  for (int k = 0; k < power_iterations && vector.norm() > 0; ++k) {
-    vector.normalize();
-    const Eigen::VectorXd image = root.cwiseProduct(flexibility_product(problem_, root.cwiseProduct(vector)));
-    largest = std::max(largest, image.norm());
-    vector = image;
-  }
-  scale_ = 1 / largest;
-}
-
 bool Tresca::solve(const ContactLoad& load, double rounding, const FrictionRows& rows, FrictionState& state,
                    ContactResult& total) {
-  if (scale_ == 0) set_scale(rows);
+  if (scale_ == 0) scale_ = rows.tangential_step();
   Iteration iteration(*this, load, rounding, rows, state, total);
   Eigen::VectorXd given = iteration.first_tractions(), image(given.size());
   Aitken aitken;

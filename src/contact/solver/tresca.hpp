@@ -35,8 +35,6 @@ class Tresca {
     return options;
   }
 
-  void set_scale(const FrictionRows& rows);
-
   const ContactProblem& problem_;
   SchwarzOptions options_;
   SetSolver sets_;

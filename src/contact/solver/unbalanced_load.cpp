@@ -22,8 +22,8 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& rigid, const std::vector<in
 
 void throw_if_unbalanced(const ContactProblem& problem, const ContactLoad& load) {
   const Eigen::VectorXd& resultant = load.resultant;
-  const double size = resultant.norm();
-  if (size == 0) return;
+  const double size = resultant.norm(), rounding = resultant_rounding(problem, load);
+  if (size <= rounding) return;
   const Index n = problem.n_rows();
   Eigen::VectorXd multiplier = Eigen::VectorXd::Zero(n);
   std::vector<int> set;
@@ -49,7 +49,7 @@ void throw_if_unbalanced(const ContactProblem& problem, const ContactLoad& load)
       set.erase(set.begin() + blocking);
     }
     const Eigen::VectorXd left = problem.rigid.transpose() * multiplier + resultant;
-    if (left.norm() <= round_off * size) return;
+    if (left.norm() <= std::max(round_off * size, rounding)) return;
     // A row that the remaining motion would close takes the load.
     const Eigen::VectorXd opening = problem.rigid * left;
     int entering = -1;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/stop_request.hpp"
 #include "thread_team.hpp"
 
 namespace creepcontact {
@@ -74,6 +75,8 @@ std::string thrown(int n, const std::function<void(int rank)>& local) {
       own = "Error " + std::to_string(error.exit_status()) + ": " + error.what();
     } catch (const std::bad_alloc&) {
       own = "bad_alloc";
+    } catch (const Cancelled&) {
+      own = "Cancelled";
     } catch (const std::exception& error) {
       own = std::string("exception: ") + error.what();
     }
@@ -97,6 +100,7 @@ TEST(Together, AFailureOfOneIsThrownByAll) {
       EXPECT_EQ(on_failing(SolverError("")), "SolverError: ");
       EXPECT_EQ(on_failing(Error("disk", 5)), "Error 5: disk");
       EXPECT_EQ(on_failing(std::bad_alloc()), "bad_alloc");
+      EXPECT_EQ(on_failing(Cancelled()), "Cancelled");
       EXPECT_EQ(on_failing(std::invalid_argument("n < 0")), "exception: n < 0");
     }
     EXPECT_EQ(thrown(n, [](int) {}), "");

@@ -79,6 +79,25 @@ TEST(FloatingBody, PulledOffFliesOffAlongThePull) {
   }
 }
 
+// The loads of bodies in balance sum to round-off, in whatever unit they are given.
+TEST(FloatingBody, WhatIsRoundOffIsJudgedByTheLoads) {
+  std::mt19937 generator(2);
+  const ContactProblem problem = chain(1, 5, 1.0, generator, 1);
+  for (const double unit : {1e-6, 1.0, 1e6})
+    for (const double gap : {-1.0, 0.0, 1.0}) {
+      // An overlap that no force upholds: the body moves away.
+      ContactLoad load{Eigen::VectorXd::Constant(5, gap * unit), unit * Eigen::Vector2d(3e-14, 0.0)};
+      load.force = unit * Eigen::Vector2d(400.0, 400.0);
+      for (const auto& solver : {active_set_solver(problem), schwarz_solver(problem, {})}) {
+        const ContactState state = solver->solve(load, {}).state;
+        EXPECT_LT(state.multiplier.cwiseAbs().maxCoeff(), 1e-9 * unit);
+        load.resultant *= 1e8;
+        EXPECT_THROW(solver->solve(load, {}), UnbalancedLoad) << "a load";
+        load.resultant /= 1e8;
+      }
+    }
+}
+
 TEST(FloatingBody, PressedOutsideItsSupportTiltsOff) {
   std::mt19937 generator(2);
   const ContactProblem problem = chain(1, 5, 1.0, generator, 1);

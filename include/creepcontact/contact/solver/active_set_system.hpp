@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 
 namespace creepcontact::contact {
@@ -44,6 +45,8 @@ class ActiveSetSystem {
   ContactState solve_change(const ContactState& at, const Eigen::VectorXd& gap);
   /// Must be called when the flexibilities of the problem have changed.
   void flexibility_changed();
+  /// Sets the request that all later iterations heed: solve() and solve_change() then throw Cancelled.
+  void set_stop(const StopRequest& stop);
 
  private:
   void factorize(const std::vector<int>& active);
@@ -52,6 +55,7 @@ class ActiveSetSystem {
 
   const ContactProblem& problem_;
   double tolerance_;
+  StopRequest stop_;
   std::unique_ptr<FrictionSystem> friction_;  // made when first needed
   std::unique_ptr<ProjectedCg> cg_;           // if the flexibility is an operator
   std::vector<int> active_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/contact/solver/fixed_point_solver.hpp"
 #include "creepcontact/contact/solver/iteration_recorder.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
@@ -18,12 +19,14 @@ class ContactSolver {
   virtual ~ContactSolver() = default;
   /// @param warm  state to start from; it affects the cost, and the result by less than the tolerance
   /// @throws UnbalancedLoad if the loads push away bodies that only contact holds; SolverError if no consistent contact
-  /// state is found
+  /// state is found; Cancelled if the end is requested
   virtual ContactResult solve(const ContactLoad& load, const ContactState& warm) = 0;
   /// Must be called when the flexibilities of the problem have changed: discards what was computed from them.
   virtual void flexibility_changed() = 0;
   /// Sets the receiver of all later iterations; null: none. @param recorder  must outlive its use
   virtual void set_recorder(IterationRecorder* recorder) = 0;
+  /// Sets the request that all later iterations heed.
+  virtual void set_stop(const StopRequest& stop) = 0;
   /// True after Schwarz sweeps have failed to converge; they are then not tried again. Later solves depend on this
   /// only, apart from their arguments.
   virtual bool has_given_up_sweeps() const { return false; }

@@ -84,6 +84,9 @@ struct ContactLoad {
   Friction friction = {};     ///< empty unless the problem has friction
   /// One mark per row, or empty: tied rows that do not act at present; their multipliers are zero, whatever their gap.
   std::vector<char> idle = {};
+  /// What the loads add up to along the motions if nothing cancels, n_motions: the scale of round-off in `resultant`.
+  /// Empty: zero.
+  Eigen::VectorXd force = {};
 
   bool is_idle(Index row) const { return !idle.empty() && idle[static_cast<std::size_t>(row)] != 0; }
 };
@@ -152,8 +155,11 @@ std::vector<int> immovable_rows(const ContactProblem& problem);
 double fixing_flexibility(const ContactProblem& problem);
 
 /// Round-off threshold below which a multiplier counts as zero: 1e-13 of the largest multiplier that closing the gaps
-/// of the load would need.
+/// of the load would need, and 1e-12 of those that would carry ContactLoad::force.
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
+
+/// The same for resultants: what may remain unbalanced.
+double resultant_rounding(const ContactProblem& problem, const ContactLoad& load);
 
 /// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones that are not idle, ascending. Changes
 /// below 1e-12 of the largest multiplier, or below `rounding`, are ignored. Tangential rows are left out.
