@@ -1,6 +1,7 @@
 #include "creepcontact/results/contact_values.hpp"
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/contact/closed_nodes.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -21,7 +22,7 @@ ContactValues contact_values(const contact::Pair& pair, std::size_t node, const 
   result.shear = shear.norm();
   if (!tied) result.gap = at.gaps[pair.first_row + coupling.row(node)] / coupling.area[node];
   const auto number = pair.first_node + static_cast<Index>(node);
-  ContactStatus status = result.pressure > 0 ? ContactStatus::slip : ContactStatus::open;
+  ContactStatus status = contact::is_closed(pair, node, at.contact) ? ContactStatus::slip : ContactStatus::open;
   if (tied) status = ContactStatus::stick;
   if (coupling.has_friction()) {
     const contact::NodeLinearization& law = at.contact.nodes[static_cast<std::size_t>(number)];
