@@ -41,8 +41,10 @@ double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multiplier
   const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
   if (pair.preload) return -pair.interference_gap().dot(own);
   double force = 0;
+  const bool is_tied = pair.coupling.type == contact::ContactType::tied && pair.coupling.rows_per_node() == 3;
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-    force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
+    force += is_tied ? pair.coupling.nodes[i].normal.dot(pair.coupling.nodal_force(i, own))
+                     : pair.coupling.area[i] * pair.coupling.pressure(i, own);
   return force;
 }
 
