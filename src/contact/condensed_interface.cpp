@@ -169,7 +169,9 @@ void CondensedInterface::condense(std::span<const std::size_t> bodies) {
     if (!is_here()) return;
     for (const std::size_t b : bodies) {
       Side& side = sides_[b];
-      side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver(), problem_.has_friction());
+      const bool has_many_rows = 2 * rows_[b].reduced.rows() > std::ssize(side.trailing);
+      side.condensed = CondensedRows(rows_[b].reduced, side.trailing, factored_[b].solver(),
+                                     problem_.has_friction() || has_many_rows);
       problem_.bodies[b].matrix = side.condensed.take_flexibility();
     }
     sum_flexibilities();

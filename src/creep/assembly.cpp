@@ -19,7 +19,7 @@ Assembly::Assembly(std::vector<mechanics::Body> bodies, std::vector<contact::Pai
   const auto sliding = rigid_body_modes_.sliding(pairs_);
   bool remade = false;
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    if (sliding[p].empty() || pairs_[p].ties_nodes()) continue;
+    if (sliding[p].empty() || pairs_[p].coupling.type == contact::ContactType::tied) continue;
     pairs_[p] = remake(bodies_, p, sliding[p]);
     remade = true;
   }

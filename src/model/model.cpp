@@ -15,6 +15,7 @@
 #include "model_parts.hpp"
 #include "schwarz_options.hpp"
 #include "shared_nodes.hpp"
+#include "tied_nodes.hpp"
 
 namespace creepcontact::model {
 
@@ -138,7 +139,14 @@ Model build_model(const config::Config& config) {
   for (const config::Contact& contact : config.contacts)
     errors.collect(contact.location, [&] { pairs.push_back(make_pair(contact, config, bodies, temperature, {})); });
   errors.raise();
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    errors.collect(config.contacts[p].location, [&] {
+      require_same_supports(pairs[p].coupling.ties, bodies[pairs[p].slave_body], bodies[pairs[p].master_body],
+                            config.time.output);
+    });
+  errors.raise();
   append_ties(config, shared.value(), bodies, pairs);
+  leave_out_dependent_ties(bodies, config.time.output, pairs);
   append_sector_ties(config, links, bodies, pairs, errors);
   append_equations(config, whole, meshes, bodies, pairs, errors);
   errors.raise();

@@ -264,8 +264,10 @@ contact::Pair make_pair(const config::Contact& contact, const config::Config& co
   pair.master_surface = surfaces[master].name;
   pair.slave_body = body[slave];
   pair.master_body = body[master];
-  pair.coupling =
-      contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding, !contact.friction.is_zero());
+  pair.coupling = contact.type == settings::ContactType::tied
+                      ? contact::tied_coupling(surfaces[slave], surfaces[master])
+                      : contact::mortar_coupling(surfaces[slave], surfaces[master], contact.type, sliding,
+                                                 !contact.friction.is_zero());
   pair.gap = contact.gap;
   if (contact.preload) pair.preload = {contact.preload->force, contact.preload->time};
   pair.geometric_gap = contact.geometric_gap;

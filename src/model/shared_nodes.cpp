@@ -10,6 +10,7 @@
 #include "creepcontact/base/disjoint_sets.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/contact/geometry/node_ties.hpp"
+#include "tied_nodes.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -24,37 +25,6 @@ std::size_t n_bodies(const mesh::SharedMesh& shared) {
 
 std::string plural(std::size_t n) {
   return n == 1 ? "1 node" : fmt::format("{} nodes", n);
-}
-
-/// A displacement that supports prescribe for both nodes of a tie must be the same.
-void require_same_supports(const contact::NodeTie& tie, const mechanics::Body& slave, const mechanics::Body& master,
-                           const std::vector<double>& times) {
-  const auto held = [](const mechanics::Body& body, std::int64_t node) {
-    Matrix3 projector = Matrix3::Zero();
-    const Matrix3 frame = body.constraints().frame(node);
-    for (int k = 0; k < 3; ++k)
-      if (k < body.constraints().n_held(node)) projector += frame.col(k) * frame.col(k).transpose();
-    return projector;
-  };
-  const auto moved = [](const mechanics::Body& body, std::int64_t node, double t) {
-    std::vector<double> all(body.constraints().n_full());
-    body.constraints().prescribed(t, all);
-    return Vector3(Eigen::Map<const Vector3>(all.data() + 3 * node));
-  };
-  if (!slave.constraints().has_nonzero_values() && !master.constraints().has_nonzero_values()) return;
-  const Matrix3 both = held(slave, tie.slave) * held(master, tie.master);
-  if (both.isZero(0)) return;
-  for (const double t : times) {
-    const Vector3 u_slave = moved(slave, tie.slave, t), u_master = moved(master, tie.master, t);
-    if ((both * (u_slave - u_master)).norm() <= 1e-8 * (u_slave.norm() + u_master.norm())) continue;
-    const Vector3& x = slave.mesh().nodes[tie.slave];
-    throw ModelError(
-        fmt::format("supports move the node ({:.6g}, {:.6g}, {:.6g}), which bodies '{}' and '{}' share, by ({:.6g}, "
-                    "{:.6g}, {:.6g}) "
-                    "and by ({:.6g}, {:.6g}, {:.6g}) at t = {:.6g}; tied nodes need the same supports",
-                    x[0], x[1], x[2], slave.name(), master.name(), u_slave[0], u_slave[1], u_slave[2], u_master[0],
-                    u_master[1], u_master[2], t));
-  }
 }
 
 }  // namespace
@@ -180,7 +150,7 @@ std::vector<contact::Pair> SharedNodes::ties(const config::Config& config, const
   std::vector<contact::Pair> pairs;
   for (const auto& [pair_of, nodes] : ties) {
     const mechanics::Body &slave = bodies[pair_of.first], &master = bodies[pair_of.second];
-    for (const contact::NodeTie& tie : nodes) require_same_supports(tie, slave, master, config.time.output);
+    require_same_supports(nodes, slave, master, config.time.output);
     contact::Pair pair;
     pair.name = fmt::format("shared nodes of '{}' and '{}'", slave.name(), master.name());
     pair.slave_body = pair_of.first;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/index.hpp"
 #include "face_points.hpp"
 #include "probe_part.hpp"
 
@@ -50,15 +51,17 @@ struct SurfacePart {
 
 /// Share of the master nodes that a multiplier presses on.
 double opposite_share(const contact::Pair& pair, std::size_t multiplier, const std::vector<double>& shares) {
-  const bool is_tied = pair.coupling.type == contact::ContactType::tied;
-  const Vector3 direction = is_tied ? Vector3(Vector3::UnitX()) : pair.coupling.nodes[multiplier].normal;
+  const contact::MortarCoupling& coupling = pair.coupling;
+  const bool is_tied = coupling.type == contact::ContactType::tied;
+  Matrix3 directions = coupling.axes.empty() ? Matrix3(Matrix3::Identity()) : coupling.axes[multiplier];
+  if (!is_tied) directions.col(0) = coupling.nodes[multiplier].normal;
   double part = 0, whole = 0;
-  for (contact::RowMatrix::InnerIterator entry(pair.coupling.master_rows, pair.coupling.row(multiplier)); entry;
-       ++entry) {
-    const double weight = entry.value() * direction[entry.col() % 3];
-    whole += weight;
-    part += weight * shares[entry.col() / 3];
-  }
+  for (Index k = 0; k < (is_tied ? coupling.rows_per_node() : 1); ++k)  // some may be empty
+    for (contact::RowMatrix::InnerIterator entry(coupling.master_rows, coupling.row(multiplier) + k); entry; ++entry) {
+      const double weight = entry.value() * directions(entry.col() % 3, k);
+      whole += weight;
+      part += weight * shares[entry.col() / 3];
+    }
   return whole != 0 ? std::clamp(part / whole, 0.0, 1.0) : 0;
 }
 

@@ -1,6 +1,7 @@
 #include "creepcontact/results/contact_values.hpp"
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/contact/closed_nodes.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -21,7 +22,7 @@ ContactValues contact_values(const contact::Pair& pair, std::size_t node, const 
   result.shear = shear.norm();
   if (!tied) result.gap = at.gaps[pair.first_row + coupling.row(node)] / coupling.area[node];
   const auto number = pair.first_node + static_cast<Index>(node);
-  ContactStatus status = result.pressure > 0 ? ContactStatus::slip : ContactStatus::open;
+  ContactStatus status = contact::is_closed(pair, node, at.contact) ? ContactStatus::slip : ContactStatus::open;
   if (tied) status = ContactStatus::stick;
   if (coupling.has_friction()) {
     const contact::NodeLinearization& law = at.contact.nodes[static_cast<std::size_t>(number)];
@@ -40,8 +41,10 @@ double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multiplier
   const Eigen::VectorXd own = multipliers.segment(pair.first_row, pair.coupling.n_rows());
   if (pair.preload) return -pair.interference_gap().dot(own);
   double force = 0;
+  const bool is_tied = pair.coupling.type == contact::ContactType::tied && pair.coupling.rows_per_node() == 3;
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i)
-    force += pair.coupling.area[i] * pair.coupling.pressure(i, own);
+    force += is_tied ? pair.coupling.nodes[i].normal.dot(pair.coupling.nodal_force(i, own))
+                     : pair.coupling.area[i] * pair.coupling.pressure(i, own);
   return force;
 }
 

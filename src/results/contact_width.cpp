@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+
+#include "creepcontact/base/index.hpp"
+#include "creepcontact/contact/closed_nodes.hpp"
 
 namespace creepcontact::results {
 namespace {
 
-constexpr int enough = 4;                      // elements across
-constexpr double no_matter = 0.1;              // of the force: zones that carry less
-constexpr double multiplier_round_off = 1e-9;  // of the largest multiplier
+constexpr int enough = 4;          // elements across
+constexpr double no_matter = 0.1;  // of the force: zones that carry less
 
 /// Rows that can be reached from the first ones, each with its distance in steps.
 std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const std::vector<int>& first,
@@ -59,12 +62,14 @@ std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen
 
 std::optional<int> elements_across(const creep::Assembly& assembly, const contact::Pair& pair,
                                    const creep::Equilibrium& at) {
-  const Eigen::VectorXd& multipliers = at.contact.multiplier;
-  const double largest = multipliers.size() > 0 ? multipliers.cwiseAbs().maxCoeff() : 0.0;
-  const Eigen::VectorXd pressure = (multipliers.array() > multiplier_round_off * largest).select(multipliers, 0.0);
-  const Eigen::Map<const Eigen::VectorXd> area(pair.coupling.area.data(), std::ssize(pair.coupling.area));
-  const Eigen::VectorXd force =
-      pair.coupling.first_rows(pressure.segment(pair.first_row, pair.coupling.n_rows())).cwiseProduct(area);
+  constexpr double closed_without_force = std::numeric_limits<double>::min();
+  const std::vector<char> closed = contact::closed_nodes(pair, at.contact);
+  const auto multipliers = at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(std::ssize(closed));
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i] != 0)
+      force[static_cast<Index>(i)] =
+          std::max(closed_without_force, pair.coupling.area[i] * pair.coupling.pressure(i, multipliers));
   const contact::ContactGrid grid(pair, assembly.bodies()[pair.slave_body].mesh());
   return elements_across(grid, grid.of_all(force));
 }

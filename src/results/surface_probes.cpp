@@ -5,6 +5,7 @@
 
 #include "contact_part.hpp"
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/contact/closed_nodes.hpp"
 #include "creepcontact/contact/geometry/contact_area.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "probe_kinds.hpp"
@@ -35,7 +36,7 @@ class AreaProbe final : public Probe {
       if (pair.coupling.type == contact::ContactType::tied)
         sum += shares.dot(Eigen::Map<const Eigen::VectorXd>(pair.coupling.area.data(), shares.size()));
       else
-        sum += shares.dot(areas_[i].of_nodes(of_nodes(pair, snapshot.equilibrium().contact.multiplier),
+        sum += shares.dot(areas_[i].of_nodes(contact::closed_nodes(pair, snapshot.equilibrium().contact),
                                              of_nodes(pair, snapshot.equilibrium().gaps)));
     }
     return sum;

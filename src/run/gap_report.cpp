@@ -40,7 +40,11 @@ std::string gap_text(const config::Contact& contact, const contact::Pair& pair) 
     return fmt::format("{}{:.6g} from t = {:.6g} on, distance in the mesh {}", kind, contact.preload->force,
                        contact.preload->time, mesh);
   }
-  if (contact.type == config::ContactType::tied) return "tied, distance in the mesh " + mesh;
+  if (contact.type == config::ContactType::tied) {
+    const std::size_t n = pair.coupling.ties.size();
+    const std::string how = n == 0 ? "" : n == pair.coupling.nodes.size() ? ", node to node" : ", partly node to node";
+    return "tied, distance in the mesh " + mesh + how;
+  }
   if (contact.geometric_gap) return "gap from the mesh, " + mesh;
   const bool overlaps = contact.gap.is_constant() && contact.gap({}) < 0;
   return fmt::format("gap {}{}, distance in the mesh {}", contact.gap.text(), overlaps ? " (interference)" : "", mesh);

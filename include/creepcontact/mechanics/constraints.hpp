@@ -5,6 +5,7 @@
 /// rigid surface, of which supports may hold some.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,17 @@ class Constraints {
       const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows) const;
   /// Number of held directions at a node, 0 to 3: the leading columns of its frame.
   int n_held(std::int64_t node) const;
+  /// True if supports, those of a rigid surface included, leave the node no displacement along a unit vector but what
+  /// they prescribe.
+  bool holds(std::int64_t node, const Vector3& direction) const;
+  /// A part factor * value(t) of a prescribed displacement.
+  struct PrescribedPart {
+    double factor = 0;
+    const Function* value = nullptr;  ///< never null; of this object
+  };
+  /// Parts that add up to the displacement that supports prescribe along a direction which they hold, without those
+  /// that are zero at all times. nullopt if it depends on the position, or is not zero and that of a rigid surface.
+  std::optional<std::vector<PrescribedPart>> prescribed_along(std::int64_t node, const Vector3& direction) const;
   /// Conditions q . (t, s w) = 0 of the links on a rigid-body mode t + w x (x - centre) of all nodes; s is a length.
   Eigen::Matrix<double, Eigen::Dynamic, 6> conditions_on_motions(const std::vector<Vector3>& nodes,
                                                                  const Vector3& centre, double size) const;

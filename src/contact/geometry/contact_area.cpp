@@ -69,19 +69,20 @@ void ContactArea::add_inside(const ContactGrid::Facet& facet, const Eigen::Vecto
   }
 }
 
-double ContactArea::value(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
-  return of_nodes(pressure, gap).sum();
+double ContactArea::value(const std::vector<char>& closed, const Eigen::VectorXd& gap) const {
+  return of_nodes(closed, gap).sum();
 }
 
-Eigen::VectorXd ContactArea::of_nodes(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
-  const Eigen::VectorXd level = edge_.distances(pressure, gap);
+Eigen::VectorXd ContactArea::of_nodes(const std::vector<char>& closed, const Eigen::VectorXd& gap) const {
+  const Eigen::VectorXd level = edge_.distances(closed, gap);
   Eigen::VectorXd inside = Eigen::VectorXd::Zero(grid_.n_own), whole = inside;
   for (const ContactGrid::Facet& facet : grid_.facets) add_inside(facet, level, inside, whole);
   Eigen::VectorXd areas(inside.size());
   for (Index row = 0; row < areas.size(); ++row)
     // A row without a facet that is covered at all its corners has no edge to be seen.
-    areas[row] = coupling_.area[static_cast<std::size_t>(row)] *
-                 (whole[row] > 0 ? inside[row] / whole[row] : static_cast<double>(pressure[row] > 0));
+    areas[row] =
+        coupling_.area[static_cast<std::size_t>(row)] *
+        (whole[row] > 0 ? inside[row] / whole[row] : static_cast<double>(closed[static_cast<std::size_t>(row)]));
   return areas;
 }
 

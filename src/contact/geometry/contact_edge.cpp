@@ -180,15 +180,14 @@ double ContactEdge::far_distance() const {
   return box.diagonal().norm();
 }
 
-Eigen::VectorXd ContactEdge::distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const {
+Eigen::VectorXd ContactEdge::distances(const std::vector<char>& closed, const Eigen::VectorXd& gap) const {
   const double far = far_distance();
   const Eigen::Map<const Eigen::VectorXd> area(coupling_.area.data(), gap.size());
   State state{std::vector<char>(grid_.positions.size()), grid_.of_all(gap.cwiseQuotient(area))};
-  const Eigen::VectorXd pressure_of_all = grid_.of_all(pressure);
-  Eigen::VectorXd distance(pressure_of_all.size());
-  for (Index i = 0; i < distance.size(); ++i) {
-    state.closed[i] = pressure_of_all[i] > 0 ? 1 : 0;
-    distance[i] = state.is_closed(static_cast<int>(i)) ? far : -far;
+  Eigen::VectorXd distance(state.gap.size());
+  for (int row = 0; row < distance.size(); ++row) {
+    state.closed[row] = closed[grid_.own(row)];
+    distance[row] = state.is_closed(row) ? far : -far;
   }
   std::vector<std::pair<int, Vector3>> known;
   std::map<int, Edge> edges;

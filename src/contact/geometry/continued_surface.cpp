@@ -75,6 +75,12 @@ RowMatrix ContinuedSurface::on_own_nodes(const RowMatrix& rows) const {
   return rows * images;
 }
 
+std::pair<std::int64_t, Matrix3> ContinuedSurface::own_node(std::int64_t node) const {
+  if (!continued_) return {node, Matrix3::Identity()};
+  const auto& [own, turns] = continued_->nodes[static_cast<std::size_t>(node)];
+  return {own, own_.sector->turns(turns)};
+}
+
 const mechanics::NodeLinks::Turned* ContinuedSurface::link_or_null(std::int64_t node) const {
   const auto found = link_of_.find(node);
   return found == link_of_.end() ? nullptr : found->second;

@@ -24,6 +24,8 @@ class ContinuedSurface {
   std::size_t n_own_faces() const { return own_.faces.size(); }
   /// Rows on the displacements of all nodes as rows on those of the own ones.
   RowMatrix on_own_nodes(const RowMatrix& rows) const;
+  /// The node of this sector that a node is an image of, and the rotation from there to it.
+  std::pair<std::int64_t, Matrix3> own_node(std::int64_t node) const;
   /// How an own node follows another one by cyclic symmetry; nullptr if it does not.
   const mechanics::NodeLinks::Turned* link_or_null(std::int64_t node) const;
 

@@ -14,6 +14,8 @@
 #include "continued_surface.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "node_glue.hpp"
+#include "row_directions.hpp"
 #include "row_gathering.hpp"
 
 namespace creepcontact::contact {
@@ -34,29 +36,6 @@ struct FacetSums {
 /// Directions of the rows of the multipliers at the corners of a facet, at one point: per corner the normal there and
 /// tangents, if there is friction (unilateral), or three (tied).
 using Directions = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 12>;
-
-/// Tangents of a multiplier. A direction that a support holds comes first: along it nothing moves and nothing slides.
-std::array<Vector3, 2> tangents(const MultiplierNode& at, const mesh::Mesh& mesh,
-                                const mechanics::Constraints& constraints) {
-  constexpr double along_surface = 0.99;
-  const Vector3& normal = at.normal;
-  if (mesh.section.dimension() == 2) return {Vector3(-normal.y(), normal.x(), 0), Vector3(Vector3::UnitZ())};
-  Index least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  Vector3 first = Vector3::Unit(least);
-  const Matrix3 frame = constraints.frame(at.node);
-  for (int k = constraints.n_held(at.node) - 1; k >= 0; --k)
-    if (normal.cross(frame.col(k)).norm() > along_surface) first = frame.col(k);
-  first = (first - normal.dot(first) * normal).normalized();
-  return {first, normal.cross(first)};
-}
-
-/// Weighted gaps of the nodes on the rows of a coupling: zero but on normal ones.
-Eigen::VectorXd normal_gaps(const MortarCoupling& coupling, const Eigen::VectorXd& of_nodes) {
-  Eigen::VectorXd gaps = Eigen::VectorXd::Zero(coupling.n_rows());
-  if (coupling.type != ContactType::tied) gaps(Eigen::seqN(0, of_nodes.size(), coupling.rows_per_node())) = of_nodes;
-  return gaps;
-}
 
 /// Plates of different thickness touch over the smaller one.
 Strip common_strip(const Surface& slave, const Surface& master) {
@@ -98,28 +77,28 @@ std::vector<Acting> acting_multipliers(const SurfaceNormals& normals, const Cont
 class Assembler {
  public:
   Assembler(const Surface& slave, const Surface& master, ContactType type,
-            std::span<const mechanics::RigidMotion> sliding, bool friction)
+            std::span<const mechanics::RigidMotion> sliding, bool friction, bool glue)
       : slave_(slave),
         master_(master),
         type_(type),
-        n_tangents_(friction ? slave.mesh->section.dimension() - 1 : 0),
         slave_facets_(make_facets(slave_.mesh(), slave_.faces(), common_strip(slave, master))),
         master_facets_(make_facets(master_.mesh(), master_.faces(), common_strip(slave, master))),
         normals_(surface_normals(slave_facets_, slave_.constraints())),
         acting_(acting_multipliers(normals_, slave_)),
+        directions_(type, friction, normals_, slave_, slave),
         segmentation_(slave_facets_, master_facets_),
         geometry_(slave_facets_, normals_, master_facets_, surface_normals(master_facets_, master_.constraints()),
                   sliding) {
     covered_.assign(normals_.multipliers.size(), 0.0);
     full_.assign(normals_.multipliers.size(), 0.0);
     geometric_.setZero(normals_.multipliers.size());
-    if (friction)
-      for (const MultiplierNode& node : normals_.multipliers)
-        tangents_.push_back(tangents(node, slave_.mesh(), slave_.constraints()));
+    opposite_.resize(normals_.multipliers.size());
+    if (glue) glue_ = NodeGlue({slave, slave_, slave_facets_}, normals_, {master, master_, master_facets_});
   }
 
   void integrate() {
     for (std::size_t f = 0; f < slave_.n_own_faces(); ++f) {
+      if (glue_.holds(f)) continue;
       add_full_area(f);
       const std::vector<Segment> segments = segmentation_.segments(f);
       if (!segments.empty()) add_facet(f, segments);
@@ -142,7 +121,6 @@ class Assembler {
   }
 
   void add_facet(std::size_t f, const std::vector<Segment>& segments);
-  int rows_per_multiplier() const { return type_ == ContactType::tied ? 3 : 1 + n_tangents_; }
   Matrix3 turned(const Acting& at, const Vector3& normal) const;
   Directions directions(std::size_t f, const ContactPoint& point) const;
   void add_gap(std::size_t f, const HatVector& weighted, const ContactPoint& point);
@@ -150,6 +128,7 @@ class Assembler {
   std::vector<std::vector<RowGathering::Neighbour>> neighbours(const std::vector<char>& joins) const;
   Matrix3 turned_directions(const RowGathering::Neighbour& of, int in) const;
   std::vector<MortarCoupling::Image> images(const std::vector<int>& kept) const;
+  std::vector<char> rows_without_effect(const std::vector<int>& kept, const Surface& master) const;
 
   static HatVector hat_values(const Facet& facet, const Vector3& xi) {
     HatVector hats(facet.n_corners());
@@ -166,14 +145,15 @@ class Assembler {
 
   ContinuedSurface slave_, master_;
   ContactType type_;
-  int n_tangents_;  // rows per multiplier
-  std::vector<std::array<Vector3, 2>> tangents_;
   std::vector<Facet> slave_facets_, master_facets_;
   SurfaceNormals normals_;
   std::vector<Acting> acting_;  // by multiplier of normals_
+  RowDirections directions_;
+  NodeGlue glue_;
   Segmentation segmentation_;
   ContactGeometry geometry_;
-  std::vector<double> covered_, full_;  // area of each multiplier: the covered part, and all
+  std::vector<double> covered_, full_;           // area of each multiplier: the covered part, and all
+  std::vector<std::set<std::size_t>> opposite_;  // master facets, of multipliers that planes of symmetry hold
   // Rows are multipliers (tied: three each), columns the components of the nodes.
   Triplets on_slave_, on_master_, gap_;
   std::vector<Vector3> gap_points_;
@@ -239,7 +219,10 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   const Facet& facet = slave_facets_[f];
   const std::vector<int> rows = this->rows(f);
   const HatMatrix dual = dual_transformation(f, segments);
-  const int width = rows_per_multiplier(), n_rows = width * facet.n_corners();
+  const int width = directions_.width(), n_rows = width * facet.n_corners();
+  for (const int row : rows)
+    if (directions_.is_any_held(row))
+      for (const Segment& segment : segments) opposite_[static_cast<std::size_t>(row)].insert(segment.master);
   Products on_slave(facet, -1.0, n_rows);
   for (const Segment& segment : segments) {
     const Facet& master = master_facets_[segment.master];
@@ -268,18 +251,18 @@ Matrix3 Assembler::turned(const Acting& at, const Vector3& normal) const {
 /// A multiplier turns with the normal on its way from its node: a traction that is constant along a curved surface is
 /// then transmitted as exactly as on a flat one.
 Directions Assembler::directions(std::size_t f, const ContactPoint& point) const {
-  const int n = slave_facets_[f].n_corners(), width = rows_per_multiplier();
+  const int n = slave_facets_[f].n_corners(), width = directions_.width();
   Directions result(3, width * n);
   for (int i = 0; i < n; ++i) {
     const Acting& at = acting(f, i);
     if (type_ == ContactType::tied) {
-      result.middleCols<3>(Index{3} * i) = turned(at, point.normal);
+      result.middleCols<3>(Index{3} * i) = turned(at, point.normal) * directions_.axes(at.row);
       continue;
     }
     result.col(Index{width} * i) = point.normal;
-    if (n_tangents_ == 0) continue;
+    if (width == 1) continue;
     const Matrix3 turn = turned(at, point.normal);
-    for (int k = 0; k < n_tangents_; ++k) result.col(Index{width} * i + 1 + k) = turn * tangents_[at.row][k];
+    for (int k = 1; k < width; ++k) result.col(Index{width} * i + k) = turn * directions_.axes(at.row).col(k);
   }
   return result;
 }
@@ -316,13 +299,14 @@ std::vector<std::vector<RowGathering::Neighbour>> Assembler::neighbours(const st
 /// times direction b of `in`.
 Matrix3 Assembler::turned_directions(const RowGathering::Neighbour& of, int in) const {
   if (of.row == in) return Matrix3::Identity();
-  if (type_ == ContactType::tied) return of.turned.transpose();
+  const Matrix3 &axes_of = directions_.axes(of.row), &axes_in = directions_.axes(in);
+  if (type_ == ContactType::tied) return axes_of.transpose() * of.turned.transpose() * axes_in;
   Matrix3 result = Matrix3::Identity();
-  if (n_tangents_ == 0) return result;
+  if (directions_.width() == 1) return result;
   const Matrix3 turned =
       rotation(of.turned * normals_.multipliers[of.row].normal, normals_.multipliers[in].normal) * of.turned;
-  for (int a = 0; a < n_tangents_; ++a)
-    for (int b = 0; b < n_tangents_; ++b) result(1 + a, 1 + b) = tangents_[in][b].dot(turned * tangents_[of.row][a]);
+  for (int a = 1; a < directions_.width(); ++a)
+    for (int b = 1; b < directions_.width(); ++b) result(a, b) = axes_in.col(b).dot(turned * axes_of.col(a));
   return result;
 }
 
@@ -339,17 +323,39 @@ std::vector<MortarCoupling::Image> Assembler::images(const std::vector<int>& kep
   return result;
 }
 
+/// Marks the rows along directions in which planes of symmetry hold both bodies (PlaneHolding).
+std::vector<char> Assembler::rows_without_effect(const std::vector<int>& kept, const Surface& master) const {
+  const auto width = static_cast<std::size_t>(directions_.width());
+  std::vector<char> result(width * kept.size(), 0);
+  if (!directions_.holding()) return result;
+  const PlaneHolding master_holding(master);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    std::vector<const Facet*> facets;
+    for (const std::size_t m : opposite_[static_cast<std::size_t>(kept[i])]) facets.push_back(&master_facets_[m]);
+    for (std::size_t k = 0; k < width; ++k) {
+      const auto direction = static_cast<int>(k);
+      if (directions_.is_held(kept[i], direction) &&
+          holds_both(*directions_.holding(), normals_.multipliers[static_cast<std::size_t>(kept[i])].node,
+                     directions_.axes(kept[i]).col(direction), master_holding, master_, facets))
+        result[width * i + k] = 1;
+    }
+  }
+  return result;
+}
+
 MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) const {
   std::vector<double> parts(covered_.size());
-  std::vector<char> joins(covered_.size());
+  std::vector<char> joins(covered_.size()), drops(covered_.size());
   for (std::size_t i = 0; i < covered_.size(); ++i) {
     if (covered_[i] > 0) parts[i] = covered_[i] / full_[i];
-    joins[i] = parts[i] < min_cover_of_row || std::ranges::binary_search(slave.joining, normals_.multipliers[i].node);
+    drops[i] = glue_.ties(normals_.multipliers[i].node);
+    joins[i] = drops[i] != 0 || parts[i] < min_cover_of_row ||
+               std::ranges::binary_search(slave.joining, normals_.multipliers[i].node);
   }
-  const RowGathering gathering(neighbours(joins), parts, joins);
+  const RowGathering gathering(neighbours(joins), parts, joins, drops);
   const std::vector<int>& kept = gathering.kept();
   const RowMatrix gather = gathering.matrix(1, [](const auto&, int) { return Matrix3(Matrix3::Identity()); });
-  if (kept.empty())
+  if (kept.empty() && glue_.empty())
     throw ModelError(
         fmt::format("contact between '{}' and '{}': the surfaces do not face each other anywhere; check "
                     "the groups and the distance between them",
@@ -364,59 +370,43 @@ MortarCoupling Assembler::coupling(const Surface& slave, const Surface& master) 
   for (std::size_t k = 0; k < kept.size(); ++k) {
     result.nodes.push_back(normals_.multipliers[kept[k]]);
     result.area.push_back(areas[k]);
-    if (n_tangents_ > 0) result.tangents.push_back(tangents_[kept[k]]);
+    const Matrix3& axes = directions_.axes(kept[k]);
+    if (type_ == ContactType::tied)
+      result.axes.push_back(axes);
+    else if (directions_.width() > 1)
+      result.tangents.push_back({axes.col(1), axes.col(2)});
   }
+  if (std::ranges::all_of(result.axes, [](const Matrix3& axes) { return axes == Matrix3::Identity(); }))
+    result.axes.clear();
   result.images = images(kept);
   result.sector = slave.sector;
   result.gap_points = gap_points_;
   result.gap_distances = gap_distances_;
   result.gap_weights = gather * sparse(n, gap_points_.size(), gap_);
-  const int width = rows_per_multiplier();
+  const int width = directions_.width();
   const RowMatrix gather_rows =
       gathering.matrix(width, [&](const RowGathering::Neighbour& of, int in) { return turned_directions(of, in); });
+  const std::vector<char> without_effect = rows_without_effect(kept, master);
   result.slave_rows = slave_.on_own_nodes(gather_rows * sparse(width * n, 3 * n_slave, on_slave_));
   result.master_rows = master_.on_own_nodes(gather_rows * sparse(width * n, 3 * n_master, on_master_));
-  result.geometric_gap = normal_gaps(result, gather * geometric_);
+  for (RowMatrix* rows : {&result.slave_rows, &result.master_rows})
+    rows->prune([&](Index row, Index, double) { return without_effect[static_cast<std::size_t>(row)] == 0; });
+  result.geometric_gap = result.on_rows(gather * geometric_);
+  glue_.append_to(result);
   return result;
 }
 
 }  // namespace
 
-Eigen::VectorXd MortarCoupling::given_gap(const Function& gap, double t) const {
-  if (type == ContactType::tied) return Eigen::VectorXd::Zero(n_rows());
-  if (!gap.depends_on_position())
-    return normal_gaps(*this, gap({.t = t}) * Eigen::Map<const Eigen::VectorXd>(area.data(), std::ssize(area)));
-  Eigen::VectorXd values(gap_points.size());
-  for (std::size_t p = 0; p < gap_points.size(); ++p) {
-    const Vector3& x = gap_points[p];
-    values[p] = gap({.x = x.x(), .y = x.y(), .z = x.z(), .t = t});
-  }
-  return normal_gaps(*this, gap_weights * values);
-}
-
-Eigen::VectorXd MortarCoupling::first_rows(const Eigen::Ref<const Eigen::VectorXd>& of_rows) const {
-  return of_rows(Eigen::seqN(0, std::ssize(nodes), rows_per_node()));
-}
-
-double MortarCoupling::pressure(std::size_t node, const Eigen::Ref<const Eigen::VectorXd>& multiplier) const {
-  if (type == ContactType::tied && rows_per_node() == 3)
-    return nodes[node].normal.dot(multiplier.segment<3>(row(node)));
-  return multiplier[row(node)];
-}
-
-Vector3 MortarCoupling::shear(std::size_t node, const Eigen::Ref<const Eigen::VectorXd>& multiplier) const {
-  Vector3 result = Vector3::Zero();
-  const Index first = row(node);
-  if (has_friction())
-    for (Index k = 1; k < rows_per_node(); ++k) result += multiplier[first + k] * tangents[node][k - 1];
-  else if (rows_per_node() == 3)
-    result = multiplier.segment<3>(first) - pressure(node, multiplier) * nodes[node].normal;
-  return result;
-}
-
 MortarCoupling mortar_coupling(const Surface& slave, const Surface& master, ContactType type,
                                std::span<const mechanics::RigidMotion> sliding, bool friction) {
-  Assembler assembler(slave, master, type, sliding, friction);
+  Assembler assembler(slave, master, type, sliding, friction, false);
+  assembler.integrate();
+  return assembler.coupling(slave, master);
+}
+
+MortarCoupling tied_coupling(const Surface& slave, const Surface& master) {
+  Assembler assembler(slave, master, ContactType::tied, {}, false, true);
   assembler.integrate();
   return assembler.coupling(slave, master);
 }

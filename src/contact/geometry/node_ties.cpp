@@ -7,35 +7,6 @@ namespace {
 
 constexpr double held = 1e-8;  // squared cosine of a direction with what is free
 
-/// Projector on the directions that supports leave free.
-Matrix3 free_part(const mechanics::Constraints& constraints, std::int64_t node) {
-  const Matrix3 frame = constraints.frame(node);
-  Matrix3 projector = Matrix3::Zero();
-  for (int k = 0; k < 3; ++k)
-    if (k >= constraints.n_held(node)) projector += frame.col(k) * frame.col(k).transpose();
-  return projector;
-}
-
-/// Orthonormal columns: x, y, z where all is free.
-Eigen::Matrix3Xd free_directions(const Matrix3& projectors) {
-  Matrix3 off_diagonal = projectors;
-  off_diagonal.diagonal().setZero();
-  Eigen::Vector3d values = projectors.diagonal();
-  Matrix3 vectors = Matrix3::Identity();
-  if (!off_diagonal.isZero(0)) {
-    const tensor::Principal principal(projectors);
-    values = principal.values;
-    vectors = principal.directions;
-  }
-  Eigen::Matrix3Xd directions(3, 0);
-  for (int k = 0; k < 3; ++k)
-    if (values[k] > held) {
-      directions.conservativeResize(Eigen::NoChange, directions.cols() + 1);
-      directions.rightCols(1) = vectors.col(k);
-    }
-  return directions;
-}
-
 RowMatrix sparse(int rows, std::size_t n_nodes, const std::vector<Eigen::Triplet<double>>& entries) {
   RowMatrix matrix(rows, 3 * n_nodes);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -44,15 +15,38 @@ RowMatrix sparse(int rows, std::size_t n_nodes, const std::vector<Eigen::Triplet
 
 }  // namespace
 
+Matrix3 free_part(const mechanics::Constraints& constraints, std::int64_t node) {
+  const Matrix3 frame = constraints.frame(node);
+  Matrix3 projector = Matrix3::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (k >= constraints.n_held(node)) projector += frame.col(k) * frame.col(k).transpose();
+  return projector;
+}
+
+FreeAxes free_axes(const Matrix3& projectors) {
+  Matrix3 off_diagonal = projectors;
+  off_diagonal.diagonal().setZero();
+  Eigen::Vector3d values = projectors.diagonal();
+  FreeAxes result;
+  if (!off_diagonal.isZero(0)) {
+    const tensor::Principal principal(projectors);
+    values = principal.values;
+    result.axes = principal.directions;
+  }
+  for (int k = 0; k < 3; ++k) result.is_free[static_cast<std::size_t>(k)] = values[k] > held;
+  return result;
+}
+
 MortarCoupling node_ties(const TiedBody& slave, const TiedBody& master, std::span<const NodeTie> ties) {
   MortarCoupling result;
   result.type = ContactType::tied;
   std::vector<Eigen::Triplet<double>> slave_entries, master_entries;
   int row = 0;
   for (const NodeTie& tie : ties) {
-    const Eigen::Matrix3Xd directions =
-        free_directions(free_part(*slave.constraints, tie.slave) + free_part(*master.constraints, tie.master));
-    for (Index k = 0; k < directions.cols(); ++k, ++row) {
+    const auto [directions, is_free] =
+        free_axes(free_part(*slave.constraints, tie.slave) + free_part(*master.constraints, tie.master));
+    for (int k = 0; k < 3; ++k) {
+      if (!is_free[static_cast<std::size_t>(k)]) continue;
       for (int a = 0; a < 3; ++a) {
         const double entry = tie.area * directions(a, k);
         if (entry == 0) continue;
@@ -61,6 +55,7 @@ MortarCoupling node_ties(const TiedBody& slave, const TiedBody& master, std::spa
       }
       result.nodes.push_back({tie.slave, directions.col(k)});
       result.area.push_back(tie.area);
+      ++row;
     }
   }
   result.slave_rows = sparse(row, slave.mesh->nodes.size(), slave_entries);

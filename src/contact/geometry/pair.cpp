@@ -32,7 +32,10 @@ Eigen::VectorXd Pair::interference_gap() const {
   Vector3 normal = Vector3::Zero();
   for (Index i = 0; i < n_nodes; ++i) normal += area[i] * coupling.nodes[i].normal;
   normal.normalize();
-  for (Index i = 0; i < n_nodes; ++i) change.segment<3>(width * i) = area[i] * normal;
+  for (Index i = 0; i < n_nodes; ++i)
+    change.segment<3>(width * i) =
+        area[i] *
+        (coupling.axes.empty() ? normal : Vector3(coupling.axes[static_cast<std::size_t>(i)].transpose() * normal));
   return change;
 }
 

@@ -13,7 +13,7 @@ RowMatrix sparse(Index rows, Index columns, const Triplets& entries) {
 }
 
 RowGathering::RowGathering(const std::vector<std::vector<Neighbour>>& neighbours, const std::vector<double>& covered,
-                           const std::vector<char>& joins)
+                           const std::vector<char>& joins, const std::vector<char>& drops)
     : target_(covered.size()) {
   for (int i = 0; i < std::ssize(covered); ++i)
     if (covered[i] > 0) order_.push_back(i);
@@ -28,7 +28,9 @@ RowGathering::RowGathering(const std::vector<std::vector<Neighbour>>& neighbours
       nearest = other.distance;
       target_[i] = other;
     }
+    if (drops[i] != 0 && target_[i].row == i) target_[i].row = -1;
   }
+  std::erase_if(order_, [&](int i) { return target_[i].row < 0; });
   for (std::size_t i = 0; i < target_.size(); ++i)
     if (target_[i].row == static_cast<int>(i)) kept_.push_back(target_[i].row);
 }

@@ -25,9 +25,9 @@ class RowGathering {
 
   /// @param neighbours  of the rows that join others: those that share a facet with it
   /// @param covered  part of each row's area that the master covers; 0: the row is left out
-  /// @param joins  by row
+  /// @param joins  by row @param drops  by row: those that join others and are left out where there is none
   RowGathering(const std::vector<std::vector<Neighbour>>& neighbours, const std::vector<double>& covered,
-               const std::vector<char>& joins);
+               const std::vector<char>& joins, const std::vector<char>& drops);
 
   const std::vector<int>& kept() const { return kept_; }
   /// kept rows x all rows, in blocks. @param block  (target, i): its entries for the rows of multiplier i, width square
@@ -45,7 +45,7 @@ class RowGathering {
   }
 
  private:
-  std::vector<Neighbour> target_;  // the row that each is added to; itself if kept, -1 if not covered
+  std::vector<Neighbour> target_;  // the row that each is added to; itself if kept, -1 if left out
   std::vector<int> order_, kept_;
 };
 

@@ -56,6 +56,9 @@ class FrictionSolver final : public ContactSolver {
     state.multiplier = std::move(found.multiplier);
     state.rigid = std::move(found.rigid);
     state.nodes = std::move(found.nodes);
+    for (std::size_t i = 0; i < state.nodes.size(); ++i)  // iterations leave rounding errors
+      if (const ContactNode& own = problem_.nodes[i]; state.nodes[i].status == ContactStatus::open)
+        state.multiplier.segment(own.first_row, own.n_rows).setZero();
     state.active = closed_rows(state.nodes);
     state.factored = warm.factored.empty() || found.linear_iterations > many_iterations ? state.nodes : warm.factored;
     state.image = std::move(found.image);

@@ -8,7 +8,7 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double round_off = 1e-9;
+constexpr double balance_round_off = 1e-9;
 constexpr int max_changes = 1000;
 
 /// Pressures on the rows of the set that come nearest to balancing the resultants.
@@ -49,11 +49,11 @@ void throw_if_unbalanced(const ContactProblem& problem, const ContactLoad& load)
       set.erase(set.begin() + blocking);
     }
     const Eigen::VectorXd left = problem.rigid.transpose() * multiplier + resultant;
-    if (left.norm() <= std::max(round_off * size, rounding)) return;
+    if (left.norm() <= std::max(balance_round_off * size, rounding)) return;
     // A row that the remaining motion would close takes the load.
     const Eigen::VectorXd opening = problem.rigid * left;
     int entering = -1;
-    double most = -round_off * problem.rigid.rowwise().norm().maxCoeff() * left.norm();
+    double most = -balance_round_off * problem.rigid.rowwise().norm().maxCoeff() * left.norm();
     for (int i = 0; i < n; ++i)
       if (!is_tied(i) && opening[i] < most && std::find(set.begin(), set.end(), i) == set.end()) {
         most = opening[i];

@@ -38,7 +38,9 @@ class Square {
       gaps[i] = inside < 0 ? gap(-inside) : 0.0;
     }
     const Eigen::VectorXd weighted = coupling.gap_weights * gaps;
-    return ContactArea(pair_, slave_.mesh).value(pressure, (pressure.array() > 0).select(0.0, weighted));
+    std::vector<char> in_contact;
+    for (const double value : pressure) in_contact.push_back(value > 0 ? 1 : 0);
+    return ContactArea(pair_, slave_.mesh).value(in_contact, (pressure.array() > 0).select(0.0, weighted));
   }
   /// Area of the multipliers under pressure.
   double counted(const Distance& distance) const {

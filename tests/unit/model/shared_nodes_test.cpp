@@ -133,7 +133,7 @@ TEST(SharedNodes, SupportsMustNotMoveThemApart) {
       "[[supports]]\non = 'top'\nbody = 'b'\ndisplacement = { z = 0.2 }\n";
   const std::string said = mistakes(blocks, common + body("a", "'a'") + body("b", "'b'") + moved, {tie});
   EXPECT_TRUE(contains(said, "supports move the node (")) << said;
-  EXPECT_TRUE(contains(said, "which bodies 'a' and 'b' share, by (0, ")) << said;
+  EXPECT_TRUE(contains(said, "at which bodies 'a' and 'b' are tied, by (0, ")) << said;
 }
 
 /// History of a run with fixed steps. @param joint  the body at a place of the joint

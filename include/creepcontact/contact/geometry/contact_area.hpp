@@ -2,6 +2,7 @@
 /// Area in contact. The edge of contact is located between the multiplier nodes.
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "creepcontact/contact/geometry/contact_edge.hpp"
 
@@ -16,11 +17,11 @@ class ContactArea {
   ContactArea(const ContactArea&) = delete;
   ContactArea& operator=(const ContactArea&) = delete;
 
-  /// Area in contact [length^2]. @param pressure, gap  of the multiplier nodes of the pair; the gaps are weighted
-  /// Cost: O(rows), and the quadrature points near the edge.
-  double value(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+  /// Area in contact [length^2]. @param closed  1 where a multiplier node of the pair is in contact (closed_nodes),
+  /// else 0 @param gap  weighted, of these nodes Cost: O(rows), and the quadrature points near the edge.
+  double value(const std::vector<char>& closed, const Eigen::VectorXd& gap) const;
   /// The same by multiplier node: value() is their sum.
-  Eigen::VectorXd of_nodes(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+  Eigen::VectorXd of_nodes(const std::vector<char>& closed, const Eigen::VectorXd& gap) const;
 
  private:
   void add_inside(const ContactGrid::Facet& facet, const Eigen::VectorXd& level, Eigen::VectorXd& inside,

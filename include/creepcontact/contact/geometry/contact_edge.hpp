@@ -29,9 +29,9 @@ class ContactEdge {
 
   /// Signed distance per row of the grid: positive inside, negative outside. Rows more than two rows away from the edge
   /// get plus or minus the size of the surface.
-  /// @param pressure, gap  of the rows of the pair; the gaps are weighted
+  /// @param closed  1 where a row of the pair is in contact, else 0 @param gap  weighted, of these rows
   /// Cost: the quadrature points of the rows near the edge, for each open row next to it.
-  Eigen::VectorXd distances(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap) const;
+  Eigen::VectorXd distances(const std::vector<char>& closed, const Eigen::VectorXd& gap) const;
 
  private:
   struct State;  // per row: open or closed, mean gap
