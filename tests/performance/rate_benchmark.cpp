@@ -6,10 +6,13 @@
 #include <omp.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 #include "creepcontact/config/reader.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/model.hpp"
+#include "creepcontact/model/step_guard.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "performance/measuring.hpp"
 
@@ -17,9 +20,9 @@ namespace creepcontact::test {
 namespace {
 
 /// Pressed blocks with so many elements along the sides of the upper block.
-config::Config pressed_blocks(int n) {
-  return config::read(CREEPCONTACT_CONFIGS "/pressed_blocks.toml", run::vocabulary(),
-                      {fmt::format("mesh.parameters={{n_lower={},n_upper={}}}", n * 5 / 4, n)});
+config::Config pressed_blocks(int n, std::vector<std::string> overrides = {}) {
+  overrides.push_back(fmt::format("mesh.parameters={{n_lower={},n_upper={}}}", n * 5 / 4, n));
+  return config::read(CREEPCONTACT_CONFIGS "/pressed_blocks.toml", run::vocabulary(), overrides);
 }
 
 class Scene {
@@ -99,9 +102,32 @@ void rate(benchmark::State& state) {
 void product(benchmark::State& state) {
   measure(state, [](Scene& s) { s.product(); });
 }
+/// What model::StepGuard takes before a step, for four functions of time; counter `of_a_rate`: the least that a step
+/// costs.
+void guard(benchmark::State& state) {
+  omp_set_num_threads(1);
+  const int n = static_cast<int>(state.range(0));
+  const double rate = min_seconds(5, [&] { scene(n).rate(); });
+  const config::Config config = pressed_blocks(
+      n, {"supports[1].displacement.z=\"-0.02*(1 + 0.01*sin(t/3e3))\"", "contacts[0].gap=\"1e-5*x*exp(-t/2e3)\"",
+          "materials.steel.creep[0].A=\"1e-14*(1 + 0.1*exp(-(T - 20)/300))\"",
+          "temperature={value=\"500 + 0.3*x + 20*exp(-t/4e3)\"}"});
+  const model::Model model = model::build_model(config);
+  const model::StepGuard of_model(model::courses_in_time(config, model), config.time.end, config.time.tolerance);
+  double t = 0, least = 1e300;
+  for ([[maybe_unused]] auto _ : state)
+    least = std::min(least, min_seconds(1, [&] {
+                       t += 1;
+                       for (std::size_t i = 0; i < of_model.courses().size(); ++i)
+                         benchmark::DoNotOptimize(of_model.examine(i, t, t + 300, {0, config.time.end}));
+                     }));
+  state.counters["functions"] = static_cast<double>(of_model.courses().size());
+  state.counters["of_a_rate"] = least / rate;
+}
 const std::vector<std::vector<std::int64_t>> cases{{10, 15}, {1, 2}};  // 50,000 and 150,000 unknowns; threads
 BENCHMARK(pass)->ArgsProduct({{10, 15}, {1}})->Unit(benchmark::kMillisecond);
 BENCHMARK(rate)->ArgsProduct(cases)->Unit(benchmark::kMillisecond);
+BENCHMARK(guard)->Arg(2)->Arg(4)->Arg(10)->Unit(benchmark::kMicrosecond);
 BENCHMARK(product)->ArgsProduct(cases)->Unit(benchmark::kMillisecond);
 
 }  // namespace
