@@ -26,9 +26,11 @@ double restart_share(const std::string& integrator, double restarts) {
   return std::max(least_share, std::pow(found->second.few / restarts, found->second.power));
 }
 
-double vibration_share(double turns) {
+double vibration_share(const std::string& integrator, double turns) {
   constexpr double few = 100, least = 1e-3;
-  return std::clamp(few / turns, least, 1.0);
+  if (turns <= few) return 1;
+  const double power = integrator == "rkc2" ? 2 : 1;  // of low order
+  return std::max(least, std::pow(few / turns, power));
 }
 
 }  // namespace creepcontact::ode

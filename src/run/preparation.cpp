@@ -119,7 +119,7 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const
   constexpr double steps_per_turn = 6;
   options.tolerance *=
       std::min(ode::restart_share(time.integrator, static_cast<double>(model.distinct_breakpoints().size())),
-               ode::vibration_share(model.step_limits.n_steps() / steps_per_turn));
+               ode::vibration_share(time.integrator, model.step_limits.n_steps() / steps_per_turn));
   return ode::make_integrator(time.integrator, system, options);
 }
 

@@ -20,10 +20,11 @@ TEST(RestartShare, FallsWithTheirNumber) {
 }
 
 TEST(RestartShare, OfVibrations) {
-  EXPECT_EQ(vibration_share(0), 1);
-  EXPECT_EQ(vibration_share(100), 1);
-  EXPECT_EQ(vibration_share(400), 0.25);
-  EXPECT_EQ(vibration_share(1e9), 1e-3);
+  EXPECT_EQ(vibration_share("auto", 0), 1);
+  EXPECT_EQ(vibration_share("rkc2", 100), 1);
+  EXPECT_EQ(vibration_share("auto", 400), 0.25);
+  EXPECT_EQ(vibration_share("rkc2", 400), 0.0625);
+  EXPECT_EQ(vibration_share("rkc2", 1e9), 1e-3);
 }
 
 }  // namespace
