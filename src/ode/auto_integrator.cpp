@@ -147,14 +147,14 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   const std::int64_t stages = (recent_.back().evaluations - recent_.front().evaluations) / std::int64_t{window};
   const std::int64_t products = (recent_.back().products - recent_.front().products) / std::int64_t{window};
   recent_.pop_front();
-  if (method_ == Method::krylov && products > max_mean_products && !given_up_.contains(Method::tangent) &&
+  trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
+  if (!trouble_ && method_ == Method::krylov && products > max_mean_products && !given_up_.contains(Method::tangent) &&
       system_.newton_solver() != nullptr) {
     trouble_ = true;
     wanted_ = Method::tangent;
     reason_ = fmt::format("{} Jacobian products per step at t = {:.6g}", products, report.time);
     return;
   }
-  trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
   if (!trouble_) return;
   reason_ = method_ == Method::stabilized ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
                                           : fmt::format("iterations failed {} times in the {} steps before t = {:.6g}",

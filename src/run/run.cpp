@@ -291,6 +291,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   } catch (const std::bad_alloc&) {
     return failed(SolverError::status, platform::out_of_memory);
   }
+  if (!loop.has_output()) return result;
   const char* const end = result.exit_status != 0 ? "interrupted" : summary.rupture ? "ruptured" : "done";
   result.report = fmt::format("{}: t = {:.6g}; results in {}\n", end, loop.time(), directory.string()) +
                   outcome_table(summary) +

@@ -159,6 +159,31 @@ TEST_F(Auto, TakesTheTangentWhereStabilisedStepsHaveTooManyStages) {
   EXPECT_LT(bars.counters().rate_evaluations, 5000);
 }
 
+/// As if GMRES needed ten times the products.
+class LaboriousBars : public ParallelBars {
+ public:
+  using ParallelBars::ParallelBars;
+  Counters counters() const override {
+    Counters many = ParallelBars::counters();
+    many.jacobian_products *= 10;
+    return many;
+  }
+  NewtonSolver* newton_solver() override { return tangent ? this : nullptr; }
+  bool tangent = true;
+};
+
+TEST_F(Auto, TakesTheTangentWhereStepsNeedManyProducts) {
+  const double end = 1e3 * tau;
+  for (const bool has_tangent : {true, false}) {
+    LaboriousBars bars(20, 1e5);
+    bars.tangent = has_tangent;
+    auto integrator = make_integrator("auto", bars, {.tolerance = 1e-4, .end_time = end});
+    begin_with_bdf(*integrator, 20);
+    EXPECT_EQ(run(*integrator, end), has_tangent ? (std::vector{krylov, tangent}) : std::vector{krylov});
+    expect_steady(bars, integrator->state(), 1e-4);
+  }
+}
+
 TEST_F(Auto, WithoutTangentGoesOnWithWhatThereIs) {
   MisleadingBars bars(20, 1e3);
   bars.tangent = false;
