@@ -345,7 +345,12 @@ bool CreepSystem::is_near(double t, std::span<const double> y, const Evaluation&
 }
 
 double CreepSystem::longest_step(double t) const {
-  return yield_steps_.longest(t, segment_end_);
+  const double for_yielding = yield_steps_.longest(t, segment_end_);
+  return std::isfinite(segment_end_) ? std::min(for_yielding, longest_step_of_friction(t, segment_end_)) : for_yielding;
+}
+
+double CreepSystem::longest_step_of_friction(double t, double end) const {
+  return solver_.longest_for_friction(load_time(t), load_time(end));
 }
 
 void CreepSystem::apply_preloads(double t, std::span<const double> y) {

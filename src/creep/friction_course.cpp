@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "contact_broadcast.hpp"
@@ -21,10 +22,11 @@ constexpr double loosest = 1e-3, tightest = 1e-5;  // tolerances: below, substep
 // Where the flexibility is an operator, a substep costs tens of elastic solves.
 constexpr double largest_with_operator = 1.0 / 2, event_with_operator = 1.0 / 8;
 
-/// Loads at one time, without creep.
+/// Loads at one time, without creep. Forces are those on the stiffness of the factors that move it as far.
 struct LoadsAt {
   std::vector<std::vector<double>> forces;  // of this process
   Eigen::VectorXd gap, work;
+  double force = 0;  // sum of the absolute external forces, the scale of the work
 };
 
 /// a - (1 - part) b - part c
@@ -70,16 +72,19 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
     const auto lap = watch_.lap(Part::material);
     assembly_.update(t, conditions);
     LoadsAt loads;
+    const double stiffness_scale = stiffness_changes_ ? stiffness_change(conditions).scale : 1.0;
     contact::InterfaceLoad interface_load = interface_.initial_load(t, conditions);
     for (std::size_t b = 0; b < work_.size(); ++b) {
       loads.forces.emplace_back(work_[b].right_hand_side.size());
       assembly_.bodies()[b].right_hand_side(conditions[b], {}, loads.forces[b]);
       assembly_.bodies()[b].clear_fixing_dofs(loads.forces[b]);
+      vector(loads.forces[b]) /= stiffness_scale;
       interface_.add_resultant(b, conditions[b], interface_load);
     }
     loads.gap = interface_load.gap;
     loads.work = interface_load.work;
     assembly_.team().sum({loads.work.data(), static_cast<std::size_t>(loads.work.size())});
+    loads.force = assembly_.team().sum(interface_load.force.size() > 0 ? interface_load.force.maxCoeff() : 0.0);
     return loads;
   };
   const LoadsAt first = loads_at(begin), last = loads_at(end);
@@ -103,25 +108,25 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
            !is_small(off_the_line(part, loads.gap, first.gap, last.gap).norm(),
                      loads.gap.norm() + first.gap.norm() + last.gap.norm()) ||
            !is_small(off_the_line(part, loads.work, first.work, last.work).norm(),
-                     loads.work.norm() + first.work.norm() + last.work.norm());
+                     loads.force + first.force + last.force);
   };
   if (!is_off(0.25) && !is_off(0.5) && !is_off(0.75)) return {};
 
   const contact::ContactProblem& problem = interface_.problem();
   const Eigen::MatrixXd& held = interface_.rigid_body_modes().held();
   const LoadCourse::Deviation none{Eigen::VectorXd::Zero(problem.n_rows()), Eigen::VectorXd::Zero(problem.n_motions())};
-  double largest = multiplier;
+  double largest = multiplier, force = std::max(first.force, last.force);
   Eigen::VectorXd flexibility;
   if (interface_.is_here()) flexibility = contact::row_flexibility(problem);
   const auto deviation = [&](double part) {
     const LoadsAt loads = loads_at(time(part));
     LoadCourse::Deviation result = none;
     result.gap = off_the_line(part, loads.gap, first.gap, last.gap);
-    for (std::size_t b = 0; b < work_.size(); ++b)
-      vector(work_[b].right_hand_side) = forces_off(part, loads, b) / at.stiffness_scale;
+    for (std::size_t b = 0; b < work_.size(); ++b) vector(work_[b].right_hand_side) = forces_off(part, loads, b);
     forward();
     add_traces(result.gap);
     ++counters_.elastic_solves;
+    force = std::max(force, loads.force);
     if (problem.n_motions() > 0)
       result.resultant = held.transpose() * off_the_line(part, loads.work, first.work, last.work);
     for (Index row = 0; row < flexibility.size(); ++row)
@@ -134,11 +139,41 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
     for (Index row = 0; row < flexibility.size(); ++row)
       far = far || (flexibility[row] > 0 &&
                     std::abs(a.gap[row] - b.gap[row]) > tolerance * flexibility[row] * friction * largest);
-    if (interface_.is_here() && problem.n_motions() > 0)
-      far = far || (a.resultant - b.resultant).norm() > tolerance * (a.resultant.norm() + b.resultant.norm()) / 2;
+    far = far || (problem.n_motions() > 0 &&
+                  (a.resultant - b.resultant).norm() > tolerance * held.cwiseAbs().maxCoeff() * force);
     return !assembly_.team().any(far);
   };
   return {none, deviation, is_near};
+}
+
+double EquilibriumSolver::longest_for_friction(double t, double end) const {
+  constexpr double never = std::numeric_limits<double>::infinity(), most = 0.01;
+  if (!stiffness_changes_ || !interface_.problem().has_friction() || !(end > t)) return never;
+  std::vector<mechanics::BodyConditions> conditions;
+  const auto stiffness_at = [&](double time) {
+    assembly_.update(time, conditions);
+    std::vector<double> low, high;
+    for (std::size_t b = 0; b < work_.size(); ++b) {
+      const auto [least, largest] = interface_.factored(b).stiffness_ratio(conditions[b]);
+      low.push_back(least);
+      high.push_back(largest);
+    }
+    assembly_.team().min(low);
+    assembly_.team().max(high);
+    low.insert(low.end(), high.begin(), high.end());
+    return low;
+  };
+  const std::vector<double> now = stiffness_at(t);
+  const auto changes_little = [&](double step) {
+    const std::vector<double> then = stiffness_at(t + step);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (std::abs(then[i] - now[i]) > most * std::abs(now[i])) return false;
+    return true;
+  };
+  double step = end - t;
+  const double shortest = step / 1024;  // where it jumps, or nearly so
+  while (step > shortest && !(changes_little(step) && changes_little(step / 2))) step /= 2;
+  return step < end - t ? step : never;
 }
 
 std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at, const History& history,
@@ -168,6 +203,22 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
     limits.largest = largest_with_operator;
     limits.with_event = event_with_operator;
   }
+  // Of the stiffness, at equal parts of the step.
+  std::vector<double> scales(stiffness_changes_ ? 5 : 1, at.stiffness_scale);
+  if (stiffness_changes_) {
+    std::vector<mechanics::BodyConditions> conditions = at.conditions;
+    for (std::size_t k = 0; k + 1 < scales.size(); ++k) {
+      assembly_.update(from + static_cast<double>(k) / static_cast<double>(scales.size() - 1) * (to - from),
+                       conditions);
+      scales[k] = stiffness_change(conditions).scale;
+    }
+  }
+  const auto scale = [&scales](double part) {
+    const double place = part * static_cast<double>(scales.size() - 1);
+    const std::size_t k = std::min(static_cast<std::size_t>(place), scales.size() - 1),
+                      next = std::min(k + 1, scales.size() - 1);
+    return scales[k] + (place - static_cast<double>(k)) * (scales[next] - scales[k]);
+  };
   std::vector<double> work{0, 0};  // contact solves, iterations
   double unresolved = 0;
   bool has_end = true;
@@ -176,7 +227,6 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
   together(assembly_.team(), [&] {
     if (!interface_.is_here()) return;
     // Gaps and resultants of the loads are those that the states at both ends are in equilibrium with.
-    const double scale = at.stiffness_scale;
     const auto without_multipliers = [&](const PathPoint& point, const Eigen::VectorXd& image) {
       Eigen::VectorXd gap = point.friction.gap - image;
       if (problem.n_motions() > 0) gap -= problem.rigid * point.contact.rigid;
@@ -184,7 +234,7 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
     };
     const auto image_of = [&](const contact::ContactState& state, bool is_of_these_factors) {
       if (is_of_these_factors && state.image.size() > 0) return state.image;
-      return contact::flexibility_product(problem, state.multiplier / scale);
+      return contact::flexibility_product(problem, state.multiplier / scales.front());
     };
     const Eigen::VectorXd first_gap = without_multipliers(begin, image_of(begin.contact, !stiffness_changes_));
     const Eigen::VectorXd last_gap = without_multipliers(end, image_of(end.contact, true));
@@ -194,23 +244,23 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
       load.gap = (1 - part) * first_gap + part * last_gap;
       if (problem.n_motions() > 0)
         load.resultant = -problem.rigid.transpose() *
-                         ((1 - part) * begin.contact.multiplier + part * end.contact.multiplier) / scale;
+                         ((1 - part) * begin.contact.multiplier + part * end.contact.multiplier) / scale(part);
       load.friction = interface_.friction(t);
       load.idle = contact::idle_rows(interface_.pairs(), t);
       if (!course.is_straight()) {
         const LoadCourse::Deviation off = course.at(part);
         load.gap += off.gap;
-        if (problem.n_motions() > 0) load.resultant += off.resultant / scale;
+        if (problem.n_motions() > 0) load.resultant += off.resultant / scale(part);
       }
       return load;
     };
-    const auto solve = [&](const contact::ContactLoad& load, const contact::ContactState& last) {
+    const auto solve = [&](const contact::ContactLoad& load, const contact::ContactState& last, double part) {
       if (recorder_ != nullptr) recorder_->begin_solve(to);
       contact::ContactState start = last;
-      start.multiplier /= scale;
+      start.multiplier /= scale(part);
       if (stiffness_changes_) start.image.resize(0);
       contact::ContactResult result = contact_solver_->solve(load, start);
-      result.state.multiplier *= scale;
+      result.state.multiplier *= scale(part);
       work[0] += 1;
       work[1] += result.iterations;
       return result;

@@ -69,7 +69,7 @@ std::optional<PathPoint> FrictionPath::attempt(const PathPoint& from, double end
   load.gap -= reference;
   load.friction.direction = from.friction.direction;
   try {
-    contact::ContactResult found = solve_(load, from.contact);
+    contact::ContactResult found = solve_(load, from.contact, end);
     PathPoint to{std::move(found.state), {}};
     to.friction = slip_.advanced(from, time(end), reference, to.contact, found.gap);
     return to;

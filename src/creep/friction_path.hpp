@@ -19,8 +19,10 @@ class FrictionPath {
  public:
   /// The loads after a part of the step, in [0, 1]: weighted gaps without multipliers and without the slip so far.
   using Course = std::function<contact::ContactLoad(double part)>;
+  /// @param part  of the step, as for the load
   /// @throws SolverError or contact::UnbalancedLoad if there is no solution
-  using Solve = std::function<contact::ContactResult(const contact::ContactLoad& load, const contact::ContactState&)>;
+  using Solve = std::function<contact::ContactResult(const contact::ContactLoad& load,
+                                                     const contact::ContactState& from, double part)>;
 
   struct Limits {
     double tolerance = 1e-3;

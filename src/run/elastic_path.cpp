@@ -59,6 +59,7 @@ bool ElasticPath::stopped_with_friction(double t) {
 bool ElasticPath::stopped_in_slip(double t) {
   double reached = system_.history().friction.time, step = t - reached;
   while (true) {
+    step = std::min(step, system_.longest_step_of_friction(reached, t));
     const double to = step < t - reached ? reached + step : t;
     try {
       system_.accept(to, state_);

@@ -14,15 +14,16 @@ namespace creepcontact {
 namespace friction_events {
 namespace {
 
-/// A block pressed on a softer foot and moved to and fro, while the pressure changes: nodes open, close, stick and slip.
+/// A block pressed on a softer foot and moved to and fro, while the pressure changes: nodes open, close, stick and
+/// slip.
 struct Pair {
   bool is_solid = true;
   double A = 0;  ///< creep constant, n = 3
 
   std::string toml(const std::string& time) const {
     const std::string normal = is_solid ? "z" : "y", top = "block_" + normal + "1", foot = "foot_" + normal + "0";
-    std::string text =
-        is_solid ? "[mesh]\nfile = \"case.geo\"\norder = 1\nallow_locking = true\n" : test::section_of("plane_strain", 1);
+    std::string text = is_solid ? "[mesh]\nfile = \"case.geo\"\norder = 1\nallow_locking = true\n"
+                                : test::section_of("plane_strain", 1);
     text += test::body("foot", 2e5, 0, A, 3) + test::body("block", 4e4, 0.45, A, 3);
     for (const char* component : {"x", "y", "z"})
       if (is_solid || *component != 'z') text += test::support(foot, component);
@@ -30,7 +31,8 @@ struct Pair {
     if (is_solid) text += test::support(top, "y", "{ t = [0, 500, 1000], values = [0, 0.02, 0.01] }");
     return text + "[[loads]]\non = \"" + top + "\"\npressure = { t = [0, 500, 1000], values = [23, 40, 12] }\n" +
            "[[contacts]]\nname = \"c\"\nbetween = [\"foot_" + normal + "1\", \"block_" + normal +
-           "0\"]\nfriction = 0.6\n[time]\nend = 1000\ntolerance = 1e-4\noutput = { count = 12, spacing = \"linear\" }\n" +
+           "0\"]\nfriction = 0.6\n[time]\nend = 1000\ntolerance = 1e-4\noutput = { count = 12, spacing = \"linear\" "
+           "}\n" +
            time + test::probe("x", "contact_force_x", "on = \"foot_" + normal + "1\"") +
            test::probe("normal", "contact_force_" + normal, "on = \"foot_" + normal + "1\"") +
            test::probe("largest", "slip", "on = \"foot_" + normal + "1\"\nreduce = \"max\"") +
@@ -38,7 +40,8 @@ struct Pair {
   }
   std::string geo() const {
     if (is_solid)
-      return test::boxes_geo({{"foot", {0, 0, 0}, {16, 9, 5}, {4, 3, 2}}, {"block", {2, 1, 5}, {12, 7, 12}, {3, 2, 4}}});
+      return test::boxes_geo(
+          {{"foot", {0, 0, 0}, {16, 9, 5}, {4, 3, 2}}, {"block", {2, 1, 5}, {12, 7, 12}, {3, 2, 4}}});
     return test::regions_geo({{"foot", {0, 16, 10}, {0, 5, 3}}, {"block", {2, 14, 7}, {5, 17, 6}}});
   }
   test::Outcome run(const std::string& time = "", const std::vector<std::string>& overrides = {}) const {
@@ -103,11 +106,11 @@ TEST(FrictionEvents, WithStiffnessThatChanges) {
   expect_same_path(pair.run("", overrides), pair.run_finely(overrides), 5e-3, 2e-2);
 }
 
-// There substeps are longer.
+// There substeps are four times as long.
 TEST(FrictionEvents, WithoutMatrices) {
   const Pair pair{.is_solid = false};
   const std::vector<std::string> overrides{"contact_solver.dense_limit_mb=0"};
-  expect_same_path(pair.run("", overrides), pair.run_finely(), 3e-2, 5e-2);
+  expect_same_path(pair.run("", overrides), pair.run_finely(), 3e-2, 0.1);
 }
 
 TEST(FrictionEvents, OutputsDoNotChangeARun) {
@@ -120,12 +123,15 @@ TEST(FrictionEvents, OutputsDoNotChangeARun) {
 
 // Friction falls to almost nothing for a while; what has slipped then does not come back.
 TEST(FrictionEvents, CoefficientThatFallsForAWhile) {
-  std::string toml = test::section_of("plane_strain", 1) + test::body("low", 2.1e5, 0.3) + test::body("high", 2.1e5, 0.3);
+  std::string toml =
+      test::section_of("plane_strain", 1) + test::body("low", 2.1e5, 0.3) + test::body("high", 2.1e5, 0.3);
   toml += test::support("low_y0", "x") + test::support("low_y0", "y") + test::support("high_y1", "y", "-0.01") +
           test::support("high_y1", "x", "\"1e-3*min(t, 10)/10\"") +
-          "[[contacts]]\nname = \"c\"\nbetween = [\"low_y1\", \"high_y0\"]\nfriction = \"t > 40 && t < 45 ? 0.001 : 0.5\"\n" +
+          "[[contacts]]\nname = \"c\"\nbetween = [\"low_y1\", \"high_y0\"]\nfriction = \"t > 40 && t < 45 ? 0.001 : "
+          "0.5\"\n" +
           "[time]\nend = 100\noutput = [10, 49, 51, 100]\nbreakpoints = [10, 40, 45]\n" +
-          test::probe("x", "contact_force_x", "on = \"high_y0\"") + test::probe("y", "contact_force_y", "on = \"high_y0\"");
+          test::probe("x", "contact_force_x", "on = \"high_y0\"") +
+          test::probe("y", "contact_force_y", "on = \"high_y0\"");
   const test::Outcome outcome =
       test::run_case(toml, test::regions_geo({{"low", {0, 2, 4}, {0, 1, 2}}, {"high", {0, 2, 4}, {1, 2, 2}}}));
   EXPECT_GT(std::abs(outcome.history.at("x", 10)), 10 * std::abs(outcome.history.at("x", 49)));

@@ -1,4 +1,4 @@
-/// A load path that turns: the direction of slip turns with it, and its error is of second order in the steps.
+/// A load path that turns: the direction of slip turns with it, whatever the steps.
 
 #include <fmt/format.h>
 
@@ -53,17 +53,17 @@ std::string even_steps(int steps) {
   return fmt::format("output = {{ first = {:.17g}, count = {}, spacing = \"linear\" }}\n", 1.0 / steps, steps);
 }
 
-TEST(FrictionCircle, ElasticErrorIsOfSecondOrder) {
+// Between outputs and breakpoints the path is followed, along loads that are not linear in time.
+TEST(FrictionCircle, ElasticStepsFollowTheCircle) {
   const Circle exact = turn(0, even_steps(256));
   EXPECT_GT(exact.mean, 0.03) << "much of the way slips";
-  const double coarse = error(turn(0, even_steps(16)), exact), fine = error(turn(0, even_steps(64)), exact);
-  EXPECT_LT(coarse, 0.025);
-  EXPECT_LT(fine, coarse / 16);
+  for (const int steps : {2, 4, 16}) EXPECT_LT(error(turn(0, even_steps(steps)), exact), 1e-3) << steps;
 }
 
+// Substeps are longer where the flexibility is an operator.
 TEST(FrictionCircle, ContactSolversAgree) {
   const Circle dense = turn(0, even_steps(16)), iterated = turn(0, even_steps(16), {"contact_solver.dense_limit_mb=0"});
-  EXPECT_LT(error(iterated, dense), 1e-8);
+  EXPECT_LT(error(iterated, dense), 2e-4);
 }
 
 constexpr double creep = 1e-4;
@@ -76,7 +76,7 @@ class CreepingCircle : public testing::Test {
   }
 };
 
-TEST_F(CreepingCircle, FixedStepsAreOfSecondOrder) {
+TEST_F(CreepingCircle, FixedStepsFollowTheCircle) {
   EXPECT_GT(std::abs(exact().x / turn(0, even_steps(64)).x - 1), 0.1) << "creep counts";
   const auto with = [&](int steps) {
     return error(
@@ -85,11 +85,10 @@ TEST_F(CreepingCircle, FixedStepsAreOfSecondOrder) {
         exact());
   };
   const double coarse = with(16), fine = with(64);
-  EXPECT_LT(coarse, 0.025);
-  EXPECT_LT(fine, coarse / 16);
+  EXPECT_LT(coarse, 1e-3);
+  EXPECT_LT(fine, 3e-4);
 }
 
-// The steps are bounded such that the error of a step, which is of third order, is the tolerance.
 TEST_F(CreepingCircle, ErrorFollowsTheTolerance) {
   for (const char* integrator : {"integrator = \"cvode_adams\"", "integrator = \"cvode_bdf\"",
                                  "integrator = \"arkode_erk\"", "integrator = \"arkode_dirk\"",

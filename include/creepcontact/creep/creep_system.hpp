@@ -119,8 +119,11 @@ class CreepSystem final : public ode::System,
   /// After restore() and begin_segment(), from the same memory: the state from which the integration goes on.
   /// @throws RecoverableError if no equilibrium is found
   void resume(double t, std::span<const double> y, const Memory& memory);
-  /// Longest next step from t for which no yielding is missed (YieldSteps); infinity without laws that yield.
+  /// Longest next step from t for which no yielding is missed (YieldSteps) and, with friction, the stiffness changes
+  /// little; infinity if nothing bounds it.
   double longest_step(double t) const;
+  /// The part of that for friction. @param end  the farthest that is of interest
+  double longest_step_of_friction(double t, double end) const;
 
   const EquilibriumSolver& solver() const { return solver_; }
   const Assembly& assembly() const { return solver_.assembly(); }

@@ -117,7 +117,7 @@ TEST_P(FollowedPath, EndsWhereManyEqualSubstepsEnd) {
     int solves = 0;
     FrictionPath path(
         joint.problem, slip, limits, [&](double part) { return joint.load(loads.at(part)); },
-        [&](const contact::ContactLoad& load, const contact::ContactState& from) {
+        [&](const contact::ContactLoad& load, const contact::ContactState& from, double) {
           ++solves;
           return joint.solver->solve(load, from);
         });
@@ -126,11 +126,11 @@ TEST_P(FollowedPath, EndsWhereManyEqualSubstepsEnd) {
     EXPECT_EQ(path.unresolved(), 0);
     const PathPoint& end = points->back();
     EXPECT_EQ(end.friction.time, 1);
-    EXPECT_LT(shear_error(slip, end, exact), 5e-3) << seed;
+    EXPECT_LT(shear_error(slip, end, exact), 2e-3) << seed;
     const double slid = exact.friction.path.maxCoeff();
-    EXPECT_LT((end.friction.slip - exact.friction.slip).cwiseAbs().maxCoeff(), 5e-3 * slid) << seed;
-    EXPECT_NEAR(end.friction.dissipated[0], exact.friction.dissipated[0], 1e-2 * exact.friction.dissipated[0]) << seed;
-    EXPECT_LT((end.friction.path - exact.friction.path).cwiseAbs().maxCoeff(), 0.03 * slid) << seed;
+    EXPECT_LT((end.friction.slip - exact.friction.slip).cwiseAbs().maxCoeff(), 1e-3 * slid) << seed;
+    EXPECT_NEAR(end.friction.dissipated[0], exact.friction.dissipated[0], 3e-3 * exact.friction.dissipated[0]) << seed;
+    EXPECT_LT((end.friction.path - exact.friction.path).cwiseAbs().maxCoeff(), 0.01 * slid) << seed;
     EXPECT_LT(solves, 400);
     if (shear_error(slip, once, exact) > 0.05) ++longer_paths;
     for (std::size_t k = 1; k < points->size(); ++k) {
@@ -151,7 +151,7 @@ TEST(FrictionPath, CostsNothingWhereNothingMoves) {
   const PathPoint begin = joint.at_rest(loads.at(0)), end = joint.next(slip, begin, loads.at(0), 1);
   FrictionPath path(
       joint.problem, slip, {}, [&](double) { return joint.load(loads.at(0)); },
-      [&](const contact::ContactLoad&, const contact::ContactState&) -> contact::ContactResult {
+      [&](const contact::ContactLoad&, const contact::ContactState&, double) -> contact::ContactResult {
         ADD_FAILURE() << "no solve is needed";
         return {};
       });
@@ -176,7 +176,7 @@ TEST(FrictionPath, SeesFrictionThatFallsForAWhile) {
     return load;
   };
   FrictionPath path(joint.problem, slip, {}, with,
-                    [&](const contact::ContactLoad& load, const contact::ContactState& from) {
+                    [&](const contact::ContactLoad& load, const contact::ContactState& from, double) {
                       return joint.solver->solve(load, from);
                     });
   const auto points = path.follow(begin, once);
