@@ -21,6 +21,9 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("units", &Config::units, text(),
                     "the units used, for information; copied to `summary.json` and the field files")
           .changeable(),
+      field<Config>("remarks", &Config::remarks, list(text()),
+                    "what `check` and `run` repeat as warnings, such as what `import` left out of a deck")
+          .changeable(),
       field<Config>("analysis", &Config::analysis, choice<settings::Analysis>("analysis"),
                     "what the mesh is: the `solid` itself, or a section in the plane z = 0 (axisymmetric: x is the "
                     "radius, y the axis)"),
@@ -32,7 +35,7 @@ Value<Config> config_table(const Vocabulary& vocabulary) {
       field<Config>("supports", &Config::supports, tables(support_table()), "prescribed displacements"),
       field<Config>("loads", &Config::loads, tables(load_table()), "external forces"),
       field<Config>("generalized_plane_strain", &Config::generalized_plane_strain, generalized_plane_strain_table(),
-                    "the axial strain of sections, common to all bodies"),
+                    "the axial strain of sections, common to all bodies or of each by itself"),
       field<Config>("temperature", &Config::temperature, temperature_table(), "temperature of all bodies")
           .otherwise("each material is at its `reference_temperature`"),
       field<Config>("contacts", &Config::contacts, tables(contact_table()), "pairs of surfaces in contact"),

@@ -144,6 +144,10 @@ Value<Body> body_table() {
       field<Body>("thickness", &Body::thickness, number(greater(0)), "plane stress only: thickness of this body")
           .in("length")
           .otherwise("that of the mesh"),
+      field<Body>("axial_force", &Body::axial_force, function({"t"}),
+                  "generalised plane strain with `per_body = true` only: axial force on the cross-section of this body")
+          .in("force")
+          .otherwise("no force"),
       field<Body>("material_axes", &Body::material_axes, material_axes_table(),
                   "axes of an orthotropic material or of Hill's creep")
           .otherwise("axes 1, 2, 3 along x, y, z"),

@@ -40,6 +40,11 @@ class SectionChecks {
         errors_.add(root.child("bodies").child(body.name).child("thickness").location,
                     "bodies may differ in thickness in plane stress only",
                     is_plane ? "mesh.thickness, for all bodies" : "with analysis = \"plane_stress\"");
+    for (const Body& body : config.bodies)
+      if (body.axial_force && !config.generalized_plane_strain.per_body)
+        errors_.add(root.child("bodies").child(body.name).child("axial_force").location,
+                    "an axial force on one body, where the bodies have no axial strain of their own",
+                    "with analysis = \"generalized_plane_strain\" and generalized_plane_strain.per_body = true");
     const Item revolve = root.child("output").child("revolve");
     if (revolve.node && analysis_ != Analysis::axisymmetric)
       errors_.add(revolve.location, fmt::format("a section with analysis = \"{}\" is not revolved", name_),

@@ -174,10 +174,19 @@ Value<GeneralizedPlaneStrain> generalized_plane_strain_table() {
                    "... axial force on the cross-sections of all bodies together; the strain follows from it")
           .in("force")
           .otherwise("no force"),
+      field<Table>("per_body", &Table::per_body, boolean(),
+                   "each body has an axial strain of its own, which follows from the axial force on it alone: "
+                   "`bodies.<name>.axial_force`"),
   });
   return converted<Table>(keys, [](Table found, const Item& item, Context& context) -> std::optional<Table> {
     if (item.has("strain") && item.has("force"))
       context.errors.add(item.location, "both 'strain' and 'force'", "one of them; the other one follows");
+    if (found.per_body && item.has("strain"))
+      context.errors.add(item.child("per_body").location, "'per_body' with a 'strain', which all bodies have",
+                         "one of them");
+    if (found.per_body && item.has("force"))
+      context.errors.add(item.child("force").location, "'force' on all bodies together with 'per_body = true'",
+                         "the force on each body, 'axial_force' in its table [bodies.<name>]; without it 0");
     return found;
   });
 }

@@ -162,6 +162,10 @@ const Evaluation& CreepSystem::evaluate_result(double t, std::span<const double>
   return found;
 }
 
+const Evaluation& CreepSystem::evaluate_accepted(double t, std::span<const double> y) {
+  return step_.valid && step_.time == load_time(t) ? step_ : evaluate_step(t, y);
+}
+
 void CreepSystem::forget_evaluations() {
   step_.valid = output_.valid = false;
 }

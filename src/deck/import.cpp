@@ -85,6 +85,9 @@ std::string comments(const Draft& draft) {
 void write_head(Draft& draft) {
   draft.add(fmt::format("title = {}\n", toml_string(draft.name)));
   if (draft.is_section()) draft.add(fmt::format("analysis = \"{}\"\n", settings::name_of(draft.analysis)));
+  if (std::ranges::any_of(draft.deck.steps, &Step::nonlinear_geometry))
+    draft.add(
+        "remarks = [\"NLGEOM of the deck is left out: displacements, strains and rotations are taken as small\"]\n");
   draft.add(fmt::format("\n[mesh]\nfile = {}\n", toml_string(draft.name + ".msh")));
   if (std::ranges::any_of(draft.deck.elements,
                           [](const ElementBlock& block) { return fem::reference_element(block.type.cell).locks(); }))

@@ -31,6 +31,7 @@ Json bodies(const Summary& summary) {
                     {"initial_von_mises", body.von_mises.start},
                     {"largest_von_mises", body.von_mises.largest},
                     {"final_von_mises", body.von_mises.end}};
+    if (body.von_mises.t_largest > 0) result[name]["t_largest_von_mises"] = body.von_mises.t_largest;
   }
   return result;
 }
@@ -60,10 +61,12 @@ void add_life(const Summary& summary, Json& json) {
                     {"largest_normal_force", contact.normal_force.largest},
                     {"final_normal_force", contact.normal_force.end},
                     {"remaining_fraction", contact.normal_force.remaining()}};
+    if (contact.normal_force.t_largest > 0) json_contact["t_largest_normal_force"] = contact.normal_force.t_largest;
     if (contact.interference) json_contact["interference"] = *contact.interference;
     if (contact.dissipated_energy) json_contact["dissipated_energy"] = *contact.dissipated_energy;
     if (contact.largest_slip) json_contact["largest_slip"] = *contact.largest_slip;
     if (contact.opened) json_contact["opened"] = *contact.opened;
+    if (contact.openings > 0) json_contact["openings"] = contact.openings;
   }
 }
 
@@ -120,6 +123,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["status"] = text(summary.status);
   if (!summary.message.empty()) json["message"] = summary.message;
   json["time_reached"] = summary.time_reached;
+  if (summary.last_output) json["last_output"] = *summary.last_output;
   json["integrator"] = summary.integrator;
   if (!summary.method.empty()) json["method"] = summary.method;
   for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;

@@ -53,27 +53,30 @@ std::map<std::string, Summary::Largest> extremes_of(const nlohmann::json& summar
   return result;
 }
 
+/// @param of  the end of the names of its numbers
+Summary::Course course_of(const nlohmann::json& json, const std::string& of) {
+  return {number(json, ("initial_" + of).c_str()), number(json, ("largest_" + of).c_str()),
+          number(json, ("final_" + of).c_str()), number(json, ("t_largest_" + of).c_str())};
+}
+
 void read_bodies(const nlohmann::json& json, Summary& summary) {
   const auto bodies = json.find("bodies");
   if (bodies == json.end()) return;
   for (const auto& [name, body] : bodies->items())
-    summary.bodies[name] = {
-        count(body, "dofs"),
-        count(body, "elements"),
-        count(body, "integration_points"),
-        {number(body, "initial_von_mises"), number(body, "largest_von_mises"), number(body, "final_von_mises")}};
+    summary.bodies[name] = {count(body, "dofs"), count(body, "elements"), count(body, "integration_points"),
+                            course_of(body, "von_mises")};
 }
 
 void read_contacts(const nlohmann::json& json, Summary& summary) {
   const auto contacts = json.find("contacts");
   if (contacts == json.end()) return;
   for (const auto& [name, contact] : contacts->items())
-    summary.contacts[name] = {{number(contact, "initial_normal_force"), number(contact, "largest_normal_force"),
-                               number(contact, "final_normal_force")},
+    summary.contacts[name] = {course_of(contact, "normal_force"),
                               number_if_any(contact, "interference"),
                               number_if_any(contact, "dissipated_energy"),
                               number_if_any(contact, "largest_slip"),
-                              number_if_any(contact, "opened")};
+                              number_if_any(contact, "opened"),
+                              contact.contains("openings") ? count(contact, "openings") : 0};
 }
 
 void read_probes(const nlohmann::json& json, Summary& summary) {
@@ -136,6 +139,7 @@ std::optional<Summary> parse_summary(std::string_view text) {
     summary.message = json.value("message", "");
     summary.version = json.at("version");
     summary.time_reached = json.at("time_reached");
+    summary.last_output = number_if_any(json, "last_output");
     for (const RunCounters::Field& field : RunCounters::fields) summary.*field.value = count(json, field.name);
     summary.events = events_of(json);
     summary.warnings = json.value("warnings", std::vector<std::string>());

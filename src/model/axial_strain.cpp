@@ -1,4 +1,4 @@
-/// The axial strain in generalised plane strain, common to all bodies.
+/// The axial strain in generalised plane strain: common to all bodies, or one of each.
 
 #include <fmt/format.h>
 
@@ -38,6 +38,12 @@ void prescribe_axial_strain(const config::Config& config, const BodyMeshes& mesh
 
 void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs) {
   if (!is_unknown(config)) return;
+  if (config.generalized_plane_strain.per_body) {
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (const auto& force = config.bodies[b].axial_force; force && !force->is_zero())
+        bodies[b].add_load(mechanics::axial_load(bodies[b].mesh(), *force));
+    return;
+  }
   mechanics::Body& first = bodies.front();
   if (!config.generalized_plane_strain.force.is_zero())
     first.add_load(mechanics::axial_load(first.mesh(), config.generalized_plane_strain.force));

@@ -48,8 +48,8 @@ std::vector<mechanics::Support> make_supports(const config::Support& support, co
 /// Generalised plane strain: supports that give the axial strain, if it is prescribed. Otherwise nothing.
 void prescribe_axial_strain(const config::Config& config, const BodyMeshes& meshes,
                             std::vector<std::vector<mechanics::Support>>& supports);
-/// Generalised plane strain with an unknown axial strain: the axial force as a load, and ties that make the strain the
-/// same in all bodies. Otherwise nothing.
+/// Generalised plane strain with an unknown axial strain: the axial force as a load, and, unless each body has its own,
+/// ties that make the strain the same in all bodies. Otherwise nothing.
 void share_axial_strain(const config::Config& config, Bodies& bodies, std::vector<contact::Pair>& pairs);
 
 /// [[equations]], and supports that act for a time, as pairs of bodies, without those that follow from others or that

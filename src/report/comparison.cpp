@@ -46,6 +46,8 @@ void add_comparison(const std::vector<RunData>& runs, Drawings& drawings, Html& 
   for (const RunData& run : runs) status.push_back(ending(run).empty() ? "completed" : "early");
   rows.push_back(status);
   rows.push_back(row("time reached", runs, [](const io::Summary& s) { return number(s.time_reached); }));
+  rows.push_back(row("last output, the end of these values", runs,
+                     [](const io::Summary& s) { return number(s.last_output.value_or(s.time_reached)); }));
   for (const std::string& name : names_in_all(runs, &io::Summary::contacts)) {
     const auto of = [&](double io::Summary::Course::*member) {
       return [&name, member](const io::Summary& s) {
@@ -54,6 +56,7 @@ void add_comparison(const std::vector<RunData>& runs, Drawings& drawings, Html& 
       };
     };
     rows.push_back(row(fmt::format("normal force of {}, start", name), runs, of(&io::Summary::Course::start)));
+    rows.push_back(row(fmt::format("normal force of {}, largest", name), runs, of(&io::Summary::Course::largest)));
     rows.push_back(row(fmt::format("normal force of {}, end", name), runs, of(&io::Summary::Course::end)));
   }
   for (const std::string& name : names_in_all(runs, &io::Summary::probes)) {

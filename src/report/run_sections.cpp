@@ -37,7 +37,27 @@ std::string at_place(const io::Summary::Largest& largest) {
 /// Start, largest value, end and what remains, as the program prints them at the end of a run.
 std::vector<std::string> course_row(const std::string& name, const io::Summary::Course& course) {
   return {name, number(course.start), number(course.largest), number(course.end),
-          fmt::format("{:.0f} %", 100 * course.remaining())};
+          course.largest > 0 ? fmt::format("{:.0f} %", 100 * course.remaining()) : "-"};
+}
+
+/// The time of the last output, whose values are those of the end.
+double last_time(const io::Summary& summary) {
+  return summary.last_output.value_or(summary.time_reached);
+}
+
+/// From the start over the largest value to the end. A percentage of a start that hardly carries anything means
+/// nothing.
+std::string force_sentence(const std::string& name, const io::Summary::Course& course, double end,
+                           const std::string& force, const std::string& time) {
+  constexpr double least_start = 0.01, notable = 1e-3;  // of the largest; beyond start and end
+  std::string text = fmt::format("The normal force of contact {} goes from {} at the start to {} at t = {}", name,
+                                 with_unit(course.start, force), with_unit(course.end, force), with_unit(end, time));
+  if (course.start > least_start * course.largest)
+    text += fmt::format(", which is {:.0f}\u00a0% of the start", 100 * course.end / course.start);
+  if (course.largest > (1 + notable) * std::max(course.start, course.end))
+    text += fmt::format("; its largest value is {} at t = {}", with_unit(course.largest, force),
+                        with_unit(course.t_largest, time));
+  return text + ".";
 }
 
 /// The results in sentences, the most important ones first.
@@ -49,15 +69,11 @@ std::vector<std::string> sentences(const RunData& run) {
     all.push_back(fmt::format("Body {} ruptures at t = {} {}.", rupture->body, with_unit(rupture->time, time),
                               at_place(rupture->damage)));
   for (const auto& [name, contact] : summary.contacts) {
-    const auto& course = contact.normal_force;
-    if (contact.opened)
-      all.push_back(fmt::format("Contact {} is open from t = {} on.", name, with_unit(*contact.opened, time)));
-    else if (course.start > 0)
-      all.push_back(
-          fmt::format("The normal force of contact {} goes from {} at the start to {} at t = {}, which is "
-                      "{:.0f}\u00a0% of the start.",
-                      name, with_unit(course.start, force), with_unit(course.end, force),
-                      with_unit(summary.time_reached, time), 100 * course.end / course.start));
+    if (contact.normal_force.largest > 0)
+      all.push_back(force_sentence(name, contact.normal_force, last_time(summary), force, time));
+    if (const std::string opening = io::opening_text(summary, contact, [&](double at) { return with_unit(at, time); });
+        !opening.empty())
+      all.push_back(fmt::format("Contact {} {}.", name, opening));
   }
   for (const auto& [name, largest] : summary.life_fraction)
     all.push_back(fmt::format("Body {} has used {:.3g}\u00a0% of its creep life {}.", name, 100 * largest.value,
@@ -77,8 +93,10 @@ std::vector<std::string> sentences(const RunData& run) {
     all.push_back(fmt::format("The damage of body {} reaches {:.3g} {}.", name, largest.value, at_place(largest)));
   for (const auto& [name, life] : summary.remaining_life)
     if (!summary.rupture)
-      all.push_back(fmt::format("The remaining life of body {} is {}, with the stress and temperature of the end, {}.",
-                                name, with_unit(life.value, time), at_place(life)));
+      all.push_back(fmt::format("The remaining life of body {} is {}, with the stress and temperature of {}, {}.", name,
+                                with_unit(life.value, time),
+                                summary.ended_early() ? "t = " + with_unit(last_time(summary), time) : "the end",
+                                at_place(life)));
   for (const auto& [name, at] : summary.events)
     all.push_back(
         at ? fmt::format("Event {}: first true at t = {}.", name, with_unit(*at, time))
@@ -110,19 +128,22 @@ std::string with_unit(double value, const std::string& unit) {
 std::string ending(const RunData& run) {
   using Status = io::Summary::Status;
   if (!run.summary) return "This run has no summary: what follows is as far as it came.";
-  const std::string reached = with_unit(run.summary->time_reached, unit(Dimension::time, run));
+  const std::string of_time = unit(Dimension::time, run);
+  const std::string reached = with_unit(run.summary->time_reached, of_time),
+                    last = with_unit(last_time(*run.summary), of_time);
   switch (run.summary->status) {
     case Status::completed:
       return "";
     case Status::ruptured:
       return fmt::format("The run ended by rupture at t = {}.", reached);
     case Status::failed:
-      return fmt::format("The run failed at t = {}: {}. Results up to there are shown.", reached, run.summary->message);
+      return fmt::format("The run failed at t = {}: {}. The last output is that of t = {}.", reached,
+                         run.summary->message, last);
     default:
       return fmt::format(
-          "The run was interrupted at t = {}, before its end. Results up to there are shown. It can be "
-          "continued with --resume.",
-          reached);
+          "The run was interrupted at t = {}, before its end. The last output is that of t = {}. It can be continued "
+          "with --resume.",
+          reached, last);
   }
 }
 
@@ -141,7 +162,9 @@ void add_answer(const RunData& run, Html& page, const std::string& level) {
   Rows forces, stresses;
   for (const auto& [name, contact] : summary.contacts) forces.push_back(course_row(name, contact.normal_force));
   for (const auto& [name, body] : summary.bodies) stresses.push_back(course_row(name, body.von_mises));
-  const std::vector<std::string> course{"start", "largest", "end", "end / largest"};
+  const std::string last = fmt::format("t = {}", with_unit(last_time(summary), unit(Dimension::time, run)));
+  const std::string end = summary.ended_early() ? last : "end";
+  const std::vector<std::string> course{"start", "largest", end, end + " / largest"};
   const auto head = [&](const char* first) {
     std::vector<std::string> all{first};
     all.insert(all.end(), course.begin(), course.end());
@@ -160,7 +183,7 @@ void add_answer(const RunData& run, Html& page, const std::string& level) {
                         number(c.t_max)});
     }
   if (!probes.empty())
-    page.table({"probe", "quantity", "unit", "start", "end", "smallest", label("at t", unit(Dimension::time, run)),
+    page.table({"probe", "quantity", "unit", "start", end, "smallest", label("at t", unit(Dimension::time, run)),
                 "largest", label("at t", unit(Dimension::time, run))},
                probes, "Probes");
   if (!summary.warnings.empty())

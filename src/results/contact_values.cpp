@@ -1,5 +1,9 @@
 #include "creepcontact/results/contact_values.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/contact/closed_nodes.hpp"
 
@@ -46,6 +50,18 @@ double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multiplier
     force += is_tied ? pair.coupling.nodes[i].normal.dot(pair.coupling.nodal_force(i, own))
                      : pair.coupling.area[i] * pair.coupling.pressure(i, own);
   return force;
+}
+
+double scale_modulus(const mechanics::Body& body) {
+  const material::Material& material = body.material();
+  const double modulus = material.young_modulus({.T = material.reference_temperature});
+  return std::isfinite(modulus) ? modulus : 0;
+}
+
+double round_off_force(const creep::Assembly& assembly, const contact::Pair& pair) {
+  const std::vector<mechanics::Body>& bodies = assembly.bodies();
+  return round_off_strain * std::min(scale_modulus(bodies[pair.slave_body]), scale_modulus(bodies[pair.master_body])) *
+         std::reduce(pair.coupling.area.begin(), pair.coupling.area.end());
 }
 
 }  // namespace creepcontact::results

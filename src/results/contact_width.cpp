@@ -74,18 +74,23 @@ std::optional<int> elements_across(const creep::Assembly& assembly, const contac
   return elements_across(grid, grid.of_all(force));
 }
 
+std::string narrow_contact_text(const contact::Pair& pair, int width, const std::string& when) {
+  if (width >= enough) return "";
+  return fmt::format(
+      "contact '{}': {} the contact zone is about {} element{} wide at its narrowest (elements "
+      "of the slave surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: at "
+      "least {} elements are needed, eight are better",
+      pair.name, when, width, width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough);
+}
+
 std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at,
                                          const std::string& when) {
   std::vector<std::string> lines;
   for (const contact::Pair& pair : assembly.pairs()) {
     if (pair.coupling.type == contact::ContactType::tied) continue;
     const std::optional<int> width = elements_across(assembly, pair, at);
-    if (!width || *width >= enough) continue;
-    lines.push_back(
-        fmt::format("contact '{}': {} the contact zone is about {} element{} wide at its narrowest (elements "
-                    "of the slave surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: at "
-                    "least {} elements are needed, eight are better",
-                    pair.name, when, *width, *width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough));
+    if (!width) continue;
+    if (std::string text = narrow_contact_text(pair, *width, when); !text.empty()) lines.push_back(std::move(text));
   }
   return lines;
 }

@@ -15,6 +15,11 @@
 namespace creepcontact::results {
 namespace {
 
+/// True of displacements, which are nodal: they need no smoothed fields.
+bool is_nodal(const ProbeQuantity& quantity) {
+  return quantity.variable().name.starts_with("displacement");
+}
+
 /// Displacement interpolated in the element, the other fields fitted to the integration points around.
 class PointProbe final : public Probe {
  public:
@@ -41,7 +46,9 @@ class PointProbe final : public Probe {
     Sample sample;
     const BodyFields& fields = snapshot.fields(body_);
     for (std::size_t i = 0; i < location_.nodes.size(); ++i)
-      sample.displacement += location_.weights[i] * fields.at_node(location_.nodes[i]).displacement;
+      sample.displacement += location_.weights[i] * fields.moved_node(location_.nodes[i]).displacement;
+    sample.position = location_.position;
+    if (is_nodal(quantity_)) return quantity_(sample);
     for (const auto& [point, weight] : points_) {
       const Sample at_point = fields.at_point(point);
       sample.stress += weight * at_point.stress;
@@ -51,7 +58,6 @@ class PointProbe final : public Probe {
       sample.state.resize(at_point.state.size());
       for (std::size_t k = 0; k < at_point.state.size(); ++k) sample.state[k] += weight * at_point.state[k];
     }
-    sample.position = location_.position;
     return quantity_(sample);
   }
 
@@ -74,9 +80,12 @@ class NodesProbe final : public Probe {
 
   double value(Snapshot& snapshot) const override {
     Reduction reduction(reduce_);
-    for (const Part& part : parts_)
+    const bool at_nodes = is_nodal(quantity_);
+    for (const Part& part : parts_) {
+      const BodyFields& fields = snapshot.fields(part.body);
       for (const auto& [node, weight] : part.nodes)
-        reduction.add(quantity_(snapshot.fields(part.body).at_node(node)), weight);
+        reduction.add(quantity_(at_nodes ? fields.moved_node(node) : fields.at_node(node)), weight);
+    }
     return reduction.result(snapshot.assembly().team());
   }
 
@@ -99,11 +108,9 @@ class VolumeProbe final : public Probe {
     Reduction reduction(reduce_);
     const bool at_nodes = is_nodal(quantity_);
     for (const auto& [place, weight] : places_)
-      reduction.add(quantity_(at_nodes ? fields.at_node(place) : fields.at_point(place)), weight);
+      reduction.add(quantity_(at_nodes ? fields.moved_node(place) : fields.at_point(place)), weight);
     return reduction.result(snapshot.assembly().team());
   }
-
-  static bool is_nodal(const ProbeQuantity& quantity) { return quantity.variable().name.starts_with("displacement"); }
 
  private:
   std::size_t body_;
@@ -198,7 +205,7 @@ std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model
   const mechanics::Body& body = model.bodies()[b];
   const mechanics::Discretization& discretization = body.discretization();
   std::vector<std::pair<std::size_t, double>> places;
-  if (VolumeProbe::is_nodal(quantity)) {
+  if (is_nodal(quantity)) {
     for (std::size_t i = 0; i < body.mesh().n_cell_nodes(); ++i)
       if (where.holds(body.mesh().nodes[i])) places.emplace_back(i, 1.0);
   } else {

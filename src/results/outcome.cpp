@@ -1,17 +1,25 @@
 #include "creepcontact/results/outcome.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/results/contact_values.hpp"
+#include "creepcontact/results/contact_width.hpp"
 
 namespace creepcontact::results {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
-constexpr double no_force = 1e-9;  // of the largest: round-off
+constexpr double lost = 1e-9;        // of the largest force: a contact that carries no more is open
+constexpr double no_stress = 1e-12;  // of the largest stress of all bodies: round-off
+const std::string force_courses = "outcome.forces", stress_courses = "outcome.stresses",
+                  opening_record = "outcome.openings";  // in memories
+constexpr std::size_t course_numbers = 4, opening_numbers = 6;
+constexpr double grown = 1.1;  // force, relative to that at which the width of a contact was last taken
 
 /// Tied contacts without preload have no normal force of interest.
 bool has_normal_force(const contact::Pair& pair) {
@@ -25,24 +33,40 @@ double largest_von_mises(const std::vector<double>& stress) {
   return largest;
 }
 
-void add(double value, bool is_first, io::Summary::Course& course) {
-  if (is_first) course.start = value;
-  course.largest = is_first ? value : std::max(course.largest, value);
+void enlarge(double time, double value, io::Summary::Course& course) {
+  if (!(value > course.largest)) return;
+  course.largest = value;
+  course.t_largest = time;
+}
+
+void output(double time, double value, bool is_first, io::Summary::Course& course) {
+  if (is_first) course = {.start = value, .largest = value, .end = value, .t_largest = time};
+  enlarge(time, value, course);
   course.end = value;
+}
+
+/// The same, where rounding counts as nothing.
+io::Summary::Course rounded(io::Summary::Course course, double rounding) {
+  for (double* value : {&course.start, &course.largest, &course.end})
+    if (std::abs(*value) <= rounding) *value = 0;
+  return course;
 }
 
 std::vector<double> packed(const std::vector<io::Summary::Course>& courses) {
   std::vector<double> values;
   for (const io::Summary::Course& course : courses)
-    values.insert(values.end(), {course.start, course.largest, course.end});
+    values.insert(values.end(), {course.start, course.largest, course.end, course.t_largest});
   return values;
 }
 
 bool unpack(const creep::Memory& memory, const std::string& name, std::vector<io::Summary::Course>& courses) {
   const auto found = memory.find(name);
-  if (found == memory.end() || found->second.size() != 3 * courses.size()) return false;
-  for (std::size_t i = 0; i < courses.size(); ++i)
-    courses[i] = {found->second[3 * i], found->second[3 * i + 1], found->second[3 * i + 2]};
+  if (found == memory.end() || found->second.size() != course_numbers * courses.size()) return false;
+  const double* next = found->second.data();
+  for (io::Summary::Course& course : courses) {
+    course = {.start = next[0], .largest = next[1], .end = next[2], .t_largest = next[3]};
+    next += course_numbers;
+  }
   return true;
 }
 
@@ -51,20 +75,71 @@ bool unpack(const creep::Memory& memory, const std::string& name, std::vector<io
 Outcome::Outcome(const creep::Assembly& assembly)
     : assembly_(assembly),
       forces_(assembly.pairs().size()),
-      opened_(assembly.pairs().size(), never),
+      widths_(assembly.pairs().size(), {0, 0, 0}),
+      openings_(assembly.pairs().size(), {never, never, 0}),
       stresses_(assembly.bodies().size()),
       dissipated_(assembly.pairs().size(), never),
       slip_(assembly.pairs().size(), never),
       interference_(assembly.pairs().size(), never),
-      slid_far_(assembly.pairs().size(), 0) {}
+      slid_far_(assembly.pairs().size(), 0) {
+  for (const mechanics::Body& body : assembly.bodies()) moduli_.push_back(scale_modulus(body));
+  for (const contact::Pair& pair : assembly.pairs()) rounding_.push_back(round_off_force(assembly, pair));
+}
 
-void Outcome::see_friction(double time, const creep::Equilibrium& at, std::size_t p) {
+StepValues Outcome::values(const creep::Assembly& assembly, double time, const creep::Equilibrium& at,
+                           const Team& team) {
+  StepValues values;
+  values.time = time;
+  for (const contact::Pair& pair : assembly.pairs())
+    values.forces.push_back(has_normal_force(pair) ? normal_force(pair, at.contact.multiplier) : 0);
+  for (const creep::BodyState& body : at.bodies) values.von_mises.push_back(largest_von_mises(body.stress));
+  team.max(values.von_mises);
+  return values;
+}
+
+double Outcome::no_force(std::size_t p) const {
+  return std::max(lost * forces_[p].largest, rounding_[p]);
+}
+
+void Outcome::follow(double time, std::size_t p, double force) {
+  Opening& opening = openings_[p];
+  if (force > no_force(p)) {
+    opening.carried = time;
+    opening.since = never;
+  } else if (!std::isnan(opening.carried) && std::isnan(opening.since)) {
+    opening.since = time;
+    ++opening.count;
+  }
+}
+
+void Outcome::see_contacts(double time, const creep::Equilibrium& at) {
+  for (std::size_t p = 0; p < assembly_.pairs().size(); ++p) {
+    const contact::Pair& pair = assembly_.pairs()[p];
+    if (pair.coupling.has_friction() && slid_far_[p] == 0) see_slip(time, at, p);
+    if (pair.coupling.type == contact::ContactType::tied) continue;
+    const double force = normal_force(pair, at.contact.multiplier);
+    if (!(force > std::max(grown * widths_[p].force, rounding_[p]))) continue;
+    widths_[p] = {static_cast<double>(elements_across(assembly_, pair, at).value_or(0)), time, force};
+  }
+}
+
+std::vector<std::string> Outcome::narrow_contacts() const {
+  std::vector<std::string> lines;
+  for (std::size_t p = 0; p < widths_.size(); ++p) {
+    if (widths_[p].elements == 0 || forces_[p].end > no_force(p)) continue;
+    const std::string when = fmt::format("at t = {:.6g}, where it carries most,", widths_[p].time);
+    if (std::string text = narrow_contact_text(assembly_.pairs()[p], static_cast<int>(widths_[p].elements), when);
+        !text.empty())
+      lines.push_back(std::move(text));
+  }
+  return lines;
+}
+
+void Outcome::see_slip(double time, const creep::Equilibrium& at, std::size_t p) {
   const contact::Pair& pair = assembly_.pairs()[p];
   const contact::MortarCoupling& coupling = pair.coupling;
   const mesh::Mesh& slave = assembly_.bodies()[pair.slave_body].mesh();
-  dissipated_[p] = at.friction.dissipated[p];
-  slip_[p] = at.friction.path.segment(pair.first_node, std::ssize(coupling.nodes)).maxCoeff();
-  for (std::size_t i = 0; i < coupling.nodes.size() && slid_far_[p] == 0; ++i) {
+  for (std::size_t i = 0; i < coupling.nodes.size(); ++i) {
     const double area = coupling.area[i];
     const Index first = pair.first_row + coupling.row(i) + 1;
     const double slid = at.friction.slip.segment(first, coupling.rows_per_node() - 1).norm() / area;
@@ -79,63 +154,99 @@ void Outcome::see_friction(double time, const creep::Equilibrium& at, std::size_
         "between "
         "nodes and faces where they are in the mesh, so results are doubtful from here on",
         pair.name, time, slid, size);
+    return;
   }
 }
 
 void Outcome::output(double time, const creep::Equilibrium& at) {
   const bool is_first = !started_;
   started_ = true;
+  last_output_ = time;
+  const StepValues now = values(assembly_, time, at, assembly_.team());
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (!has_normal_force(pair)) continue;
     if (pair.preload) interference_[p] = at.interference[p];
-    add(normal_force(pair, at.contact.multiplier), is_first, forces_[p]);
-    const bool is_open = forces_[p].end <= no_force * forces_[p].largest;
-    if (!is_open)
-      opened_[p] = never;
-    else if (forces_[p].largest > 0 && std::isnan(opened_[p]))
-      opened_[p] = time;
-    if (pair.coupling.has_friction()) see_friction(time, at, p);
+    results::output(time, now.forces[p], is_first, forces_[p]);
+    follow(time, p, now.forces[p]);
+    if (!pair.coupling.has_friction()) continue;
+    dissipated_[p] = at.friction.dissipated[p];
+    slip_[p] = at.friction.path.segment(pair.first_node, std::ssize(pair.coupling.nodes)).maxCoeff();
   }
-  for (std::size_t b = 0; b < stresses_.size(); ++b)
-    add(assembly_.team().max(largest_von_mises(at.bodies[b].stress)), is_first, stresses_[b]);
+  see_contacts(time, at);
+  for (std::size_t b = 0; b < stresses_.size(); ++b) results::output(time, now.von_mises[b], is_first, stresses_[b]);
+}
+
+void Outcome::see(const StepValues& now) {
+  if (!started_) return;
+  for (std::size_t p = 0; p < forces_.size(); ++p) {
+    if (!has_normal_force(assembly_.pairs()[p])) continue;
+    enlarge(now.time, now.forces[p], forces_[p]);
+    follow(now.time, p, now.forces[p]);
+  }
+  for (std::size_t b = 0; b < stresses_.size(); ++b) enlarge(now.time, now.von_mises[b], stresses_[b]);
 }
 
 void Outcome::warn_of_open_contacts() const {
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
-    if (!has_normal_force(pair) || forces_[p].largest > 0) continue;
-    log::warning("contact '{}' was open at every output time and carried no load (a negative gap is an interference)",
-                 pair.name);
+    if (!has_normal_force(pair) || forces_[p].largest > rounding_[p]) continue;
+    log::warning(
+        "contact '{}' carried no load at any time step or output time: it was open, or its surfaces touched without "
+        "force (a negative gap is an interference)",
+        pair.name);
   }
 }
 
-void Outcome::fill(io::Summary& summary) const {
+void Outcome::fill(io::Summary& summary, std::optional<double> cycle) const {
+  if (started_) summary.last_output = last_output_;
+  double largest = 0;
+  for (const io::Summary::Course& stress : stresses_) largest = std::max(largest, stress.largest);
   for (std::size_t b = 0; b < stresses_.size(); ++b)
-    summary.bodies[assembly_.bodies()[b].name()].von_mises = stresses_[b];
+    summary.bodies[assembly_.bodies()[b].name()].von_mises =
+        rounded(stresses_[b], std::max(no_stress * largest, round_off_strain * moduli_[b]));
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (!has_normal_force(pair)) continue;
     io::Summary::Contact& contact = summary.contacts[pair.name];
-    contact.normal_force = forces_[p];
+    contact.normal_force = rounded(forces_[p], no_force(p));
     if (!std::isnan(interference_[p])) contact.interference = interference_[p];
     if (!std::isnan(dissipated_[p])) contact.dissipated_energy = dissipated_[p];
     if (!std::isnan(slip_[p])) contact.largest_slip = slip_[p];
-    if (!std::isnan(opened_[p])) contact.opened = opened_[p];
+    const Opening& opening = openings_[p];
+    contact.openings = static_cast<std::int64_t>(opening.count);
+    if (std::isnan(opening.since)) continue;
+    // Open for now: the next cycle closes it, as the last one has done.
+    const bool is_periodic = cycle && opening.count > 1 && opening.carried >= summary.time_reached - *cycle;
+    if (!is_periodic) contact.opened = opening.since;
   }
 }
 
 void Outcome::save(creep::Memory& memory) const {
-  memory["outcome.forces"] = packed(forces_);
-  memory["outcome.opened"] = opened_;
-  memory["outcome.stresses"] = packed(stresses_);
+  memory[force_courses] = packed(forces_);
+  memory[stress_courses] = packed(stresses_);
+  std::vector<double>& numbers = memory[opening_record];
+  numbers = {last_output_};
+  for (std::size_t p = 0; p < openings_.size(); ++p) {
+    const Opening& opening = openings_[p];
+    const Width& width = widths_[p];
+    numbers.insert(numbers.end(),
+                   {opening.since, opening.carried, opening.count, width.elements, width.time, width.force});
+  }
 }
 
 void Outcome::restore(const creep::Memory& memory) {
-  const auto opened = memory.find("outcome.opened");
-  if (opened == memory.end() || opened->second.size() != opened_.size()) return;
-  started_ = unpack(memory, "outcome.forces", forces_) && unpack(memory, "outcome.stresses", stresses_);
-  if (started_) opened_ = opened->second;
+  const auto openings = memory.find(opening_record);
+  if (openings == memory.end() || openings->second.size() != 1 + opening_numbers * openings_.size()) return;
+  started_ = unpack(memory, force_courses, forces_) && unpack(memory, stress_courses, stresses_);
+  if (!started_) return;
+  const double* next = openings->second.data();
+  last_output_ = *next++;
+  for (std::size_t p = 0; p < openings_.size(); ++p) {
+    openings_[p] = {next[0], next[1], next[2]};
+    widths_[p] = {next[3], next[4], next[5]};
+    next += opening_numbers;
+  }
 }
 
 }  // namespace creepcontact::results

@@ -47,6 +47,18 @@ io::SummaryProbe described(const config::Probe& probe, const std::string& units)
   return result;
 }
 
+/// @param margin  by which a value must go beyond the extremes to be one
+void widen(Course& course, double time, double value, double margin) {
+  if (!(course.min - margin <= value)) {
+    course.min = value;
+    course.t_min = time;
+  }
+  if (!(course.max + margin >= value)) {
+    course.max = value;
+    course.t_max = time;
+  }
+}
+
 }  // namespace
 
 void ProbeRecord::output(double time, std::span<const double> values) {
@@ -56,15 +68,16 @@ void ProbeRecord::output(double time, std::span<const double> values) {
       courses_[i] = Course{.start = value, .end = value, .min = unknown, .max = unknown, .t_min = time, .t_max = time};
     Course& course = *courses_[i];
     course.end = value;
-    if (!std::isfinite(value)) continue;
-    if (!(course.min <= value)) {
-      course.min = value;
-      course.t_min = time;
-    }
-    if (!(course.max >= value)) {
-      course.max = value;
-      course.t_max = time;
-    }
+    if (std::isfinite(value)) widen(course, time, value, 0);
+  }
+}
+
+void ProbeRecord::see(double time, std::span<const double> values, double tolerance) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!courses_[i] || !std::isfinite(values[i])) continue;
+    Course& course = *courses_[i];
+    const double known = std::isnan(course.min) ? 0 : std::max(std::abs(course.min), std::abs(course.max));
+    widen(course, time, values[i], tolerance * std::max(known, std::abs(values[i])));
   }
 }
 

@@ -46,12 +46,24 @@ std::vector<double> to_nodes(const mechanics::Discretization& discretization, co
   return at_nodes;
 }
 
+/// Those variables that are known, each with its first column in rows of all.
+std::vector<std::pair<std::size_t, const PointState*>> columns(const std::vector<PointState>& variables) {
+  std::vector<std::pair<std::size_t, const PointState*>> result;
+  std::size_t first = 0;
+  auto known = variables.begin();
+  for (const material::StateVariable* variable : material::state_variables()) {
+    if (known != variables.end() && known->variable == variable) result.emplace_back(first, &*known++);
+    first += variable->width();
+  }
+  return result;
+}
+
 }  // namespace
 
 BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions,
                        const creep::BodyState& state, mechanics::CreepStrainView creep,
-                       const std::vector<PointState>& variables)
-    : body_(body), state_(state) {
+                       std::vector<PointState> variables)
+    : body_(body), state_(state), variables_(std::move(variables)) {
   using enum PointField;
   const mechanics::Discretization& discretization = body.discretization();
   const auto at_points = [&](PointField field) -> std::vector<double>& { return points_[number(field)]; };
@@ -69,40 +81,51 @@ BodyFields::BodyFields(const mechanics::Body& body, const mechanics::BodyConditi
   }
   at_points(temperature) = conditions.temperature;
   at_points(temperature).resize(n_points(), body.material().reference_temperature);
+  if (variables_.empty()) return;
+  state_at_points_.assign(state_width() * n_points(), 0.0);
+  for (const auto& [first, known] : columns(variables_))
+    insert(known->values, known->variable->width(), first, state_at_points_);
+}
+
+const BodyFields::Nodal& BodyFields::nodal() const {
+  using enum PointField;
+  if (nodal_) return *nodal_;
+  const mechanics::Discretization& discretization = body_.discretization();
+  Nodal& at_nodes = nodal_.emplace();
   std::vector<double> tensors(6 * n_tensors * n_points());
   for (std::size_t k = 0; k < n_tensors; ++k)
     for (std::size_t p = 0; p < n_points(); ++p)
       tensor::writable(tensors, n_tensors * p + k) = tensor_at(points_[k], p);
-  tensors_at_nodes_.resize(6 * n_tensors * discretization.n_nodes());
-  discretization.tensors_to_nodes(tensors, tensors_at_nodes_);
-  temperature_at_nodes_ = to_nodes(discretization, at_points(temperature), false);
-  if (variables.empty()) return;
-  state_at_points_.assign(state_width() * n_points(), 0.0);
-  state_at_nodes_.assign(state_width() * discretization.n_nodes(), 0.0);
-  std::size_t first = 0;
-  auto known = variables.begin();
-  for (const material::StateVariable* variable : material::state_variables()) {
-    if (known != variables.end() && known->variable == variable) {
-      std::vector<double> at_nodes = to_nodes(discretization, known->values, variable->is_tensor);
-      if (!variable->is_tensor)
-        for (double& value : at_nodes) value = std::clamp(value, variable->minimum, variable->maximum);
-      insert(known->values, variable->width(), first, state_at_points_);
-      insert(at_nodes, variable->width(), first, state_at_nodes_);
-      ++known;
-    }
-    first += variable->width();
+  at_nodes.tensors.resize(6 * n_tensors * discretization.n_nodes());
+  discretization.tensors_to_nodes(tensors, at_nodes.tensors);
+  at_nodes.temperature = to_nodes(discretization, points_[number(temperature)], false);
+  if (variables_.empty()) return at_nodes;
+  at_nodes.state.assign(state_width() * discretization.n_nodes(), 0.0);
+  for (const auto& [first, known] : columns(variables_)) {
+    const material::StateVariable& variable = *known->variable;
+    std::vector<double> values = to_nodes(discretization, known->values, variable.is_tensor);
+    if (!variable.is_tensor)
+      for (double& value : values) value = std::clamp(value, variable.minimum, variable.maximum);
+    insert(values, variable.width(), first, at_nodes.state);
   }
+  return at_nodes;
+}
+
+Sample BodyFields::moved_node(std::size_t node) const {
+  return {.position = body_.mesh().nodes[node],
+          .displacement = Eigen::Map<const Vector3>(state_.displacement.data() + 3 * node)};
 }
 
 Sample BodyFields::at_node(std::size_t node) const {
   using enum PointField;
+  const Nodal& at_nodes = nodal();
   return {body_.mesh().nodes[node],
           Eigen::Map<const Vector3>(state_.displacement.data() + 3 * node),
-          tensor_at(tensors_at_nodes_, n_tensors * node + number(stress)),
-          tensor_at(tensors_at_nodes_, n_tensors * node + number(strain)),
-          tensor_at(tensors_at_nodes_, n_tensors * node + number(creep_strain)),
-          temperature_at_nodes_[node],
-          row(state_at_nodes_, node)};
+          tensor_at(at_nodes.tensors, n_tensors * node + number(stress)),
+          tensor_at(at_nodes.tensors, n_tensors * node + number(strain)),
+          tensor_at(at_nodes.tensors, n_tensors * node + number(creep_strain)),
+          at_nodes.temperature[node],
+          row(at_nodes.state, node)};
 }
 
 Sample BodyFields::at_point(std::size_t point) const {
@@ -131,7 +154,7 @@ const BodyFields& Snapshot::fields(std::size_t body) {
       variables.push_back({variable, std::move(values)});
   return fields_
       .try_emplace(body, assembly().bodies()[body], at_.equilibrium.conditions[body], at_.equilibrium.bodies[body],
-                   creep[body], variables)
+                   creep[body], std::move(variables))
       .first->second;
 }
 

@@ -43,6 +43,7 @@ void check(const config::Config& config, std::ostream& report, const CheckOption
 
   std::string text;
   for (const std::string& warning : settings_warnings(config)) text += "warning: " + warning + "\n";
+  for (const std::string& warning : model::model_warnings(config, model)) text += "warning: " + warning + "\n";
   double contact_bytes = 0;
   for (const mechanics::Body& body : model.bodies()) {
     text += fmt::format("body '{}': {}, {} nodes, {} unknowns, {} integration points, material '{}'{}\n", body.name(),

@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 
 namespace creepcontact::run {
 namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr int most_passed = 2000;       // states, two per breakpoint: an elastic solve each
 constexpr double shortest_step = 1e-7;  // relative to the time
 }  // namespace
 
@@ -23,7 +25,16 @@ bool ElasticPath::stopped_before(double t) {
   return false;
 }
 
-/// Without friction there is nothing on the way but events.
+void ElasticPath::pass(double t) {
+  if (n_passed_ < most_passed) callbacks_.passes(t);
+  if (++n_passed_ == most_passed)
+    log::warning(
+        "the loads have more than {} breakpoints between output times: those after t = {:.6g} are not looked at, so "
+        "that the largest values there are those of output times alone. Put output times where the loads are largest",
+        most_passed / 2, t);
+}
+
+/// Without friction there is nothing on the way but events and extremes.
 bool ElasticPath::stopped_by_event(double t) {
   double from = time_;
   for (auto jump = std::ranges::upper_bound(breakpoints_, from); from < t; ++jump) {
@@ -34,9 +45,11 @@ bool ElasticPath::stopped_by_event(double t) {
     from = to;
     callbacks_.reached(to);
     if (!is_jump) break;
+    pass(to);
     system_.begin_segment(to, never);
     system_.apply_preloads(to, state_);
     if (callbacks_.stops(to, to)) return true;
+    if (to < t) pass(to);
   }
   begin_last_segment(t);
   return false;
@@ -46,11 +59,13 @@ bool ElasticPath::stopped_with_friction(double t) {
   for (auto turn = std::ranges::upper_bound(breakpoints_, time_); turn != breakpoints_.end() && *turn <= t; ++turn) {
     system_.begin_segment(last_breakpoint_before(*turn), *turn);
     if (stopped_in_slip(*turn)) return true;
+    callbacks_.passes(*turn);
     system_.begin_segment(*turn, never);
     system_.apply_preloads(*turn, state_);
     system_.accept(*turn, state_);
     callbacks_.reached(*turn);
     if (callbacks_.stops(*turn, *turn)) return true;
+    if (*turn < t) callbacks_.passes(*turn);
   }
   begin_last_segment(t);
   return stopped_in_slip(t);
@@ -69,6 +84,7 @@ bool ElasticPath::stopped_in_slip(double t) {
       continue;
     }
     if (to > reached && callbacks_.stops(reached, to)) return true;
+    if (to < t) callbacks_.passes(to);
     if (to >= t) return false;
     reached = to;
     step *= 2;

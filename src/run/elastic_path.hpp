@@ -18,6 +18,9 @@ class ElasticPath {
     std::function<bool(double from, double to)> stops;
     /// The loads are applied up to t, and the run may be resumed from there.
     std::function<void(double t)> reached;
+    /// A state on the way at t, before or after the loads jump there. The system evaluates it at no cost with friction;
+    /// without, these are the first breakpoints alone.
+    std::function<void(double t)> passes;
   };
 
   /// @param system, breakpoints, state  must outlive the object; the state is that of the internal variables, which
@@ -37,12 +40,15 @@ class ElasticPath {
   bool stopped_in_slip(double t);
   void begin_last_segment(double t);
   double last_breakpoint_before(double t) const;
+  /// A breakpoint without friction, where the loads may have an extreme.
+  void pass(double t);
 
   creep::CreepSystem& system_;
   const std::vector<double>& breakpoints_;
   const std::vector<double>& state_;
   double time_;
   Callbacks callbacks_;
+  int n_passed_ = 0;
 };
 
 }  // namespace creepcontact::run

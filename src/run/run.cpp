@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -59,7 +60,7 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
                                    static_cast<std::int64_t>(body.discretization().n_elements()),
                                    static_cast<std::int64_t>(body.discretization().n_points()),
                                    {}};
-  loop.outcome().fill(summary);
+  loop.outcome().fill(summary, config.time.cycle);
   summary.friction_kappa = loop.friction_kappa();
   summary.accuracy = {config.time.tolerance, loop.step_statistics().mean_error(),
                       loop.step_statistics().largest_error(), loop.equilibrium_residual()};
@@ -73,9 +74,13 @@ io::Summary make_summary(const config::Config& config, const model::Model& model
   return summary;
 }
 
-/// Warnings of this run after those of the run that it continues, each once.
-std::vector<std::string> joined(std::vector<std::string> earlier, const log::WarningRecord& record) {
-  for (std::string& warning : record.texts())
+/// Warnings of this run after those of the run that it continues, each once. Those of large strain are those up to now.
+std::vector<std::string> joined(std::vector<std::string> earlier, const log::WarningRecord& record,
+                                const results::SmallStrainMonitor& strains) {
+  std::erase_if(earlier, results::SmallStrainMonitor::is_warning);
+  std::vector<std::string> own = record.texts();
+  std::ranges::copy(strains.warnings(), std::back_inserter(own));
+  for (std::string& warning : own)
     if (std::ranges::find(earlier, warning) == earlier.end()) earlier.push_back(std::move(warning));
   return earlier;
 }
@@ -205,6 +210,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
   else
     loading.start(io::prepare_checkpoints);
   for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
+  for (const std::string& warning : model::model_warnings(config, model)) log::warning("{}", warning);
   for (const mechanics::Body& body : model.bodies())
     for (const std::string& warning : model::mesh_warnings(body)) log::warning("{}", warning);
   for (const mechanics::Body& body : model.bodies())
@@ -242,7 +248,7 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     io::Summary summary = make_summary(config, model, loop, watch);
     summary.status = status;
     summary.message = message;
-    summary.warnings = joined(earlier_warnings, warnings);
+    summary.warnings = joined(earlier_warnings, warnings, loop.small_strains());
     together(team, [&] {
       if (writes) io::write_summary(directory / "summary.json", summary);
     });
@@ -260,7 +266,11 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     if (team.any(summary_due())) write_summary(io::Summary::Status::interrupted, "killed after this time was reached");
   };
 
+  const auto warn_of_strains = [&] {
+    for (const std::string& warning : loop.small_strains().warnings()) log::warning("{}", warning);
+  };
   const auto failed = [&](int status, const std::string& cause) {
+    warn_of_strains();
     try {
       write_summary(io::Summary::Status::failed, cause);
     } catch (const Error& second) {
@@ -268,22 +278,26 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     }
     return RunResult{status, !loop.has_output() ? cause
                                                 : fmt::format("{}; results up to t = {:.6g} are in {}", cause,
-                                                              loop.time(), directory.string())};
+                                                              loop.outcome().last_output(), directory.string())};
   };
 
   RunResult result;
   io::Summary summary;
   try {
     const TimeLoop::End end = loop.run();
+    warn_of_strains();
     if (end == TimeLoop::End::completed) {
       for (const std::string& warning : loop.narrow_contacts()) log::warning("{}", warning);
       summary = write_summary(io::Summary::Status::completed, loop.end_message());
     } else if (end == TimeLoop::End::ruptured) {
       summary = write_summary(io::Summary::Status::ruptured, "");
     } else {
-      result = {platform::interrupted_status,
-                fmt::format("interrupted at t = {:.6g}; {}", loop.time(),
-                            loop.may_be_resumed() ? "continue with --resume" : "there is nothing to resume yet")};
+      result = {
+          platform::interrupted_status,
+          fmt::format(
+              "interrupted at t = {:.6g}{}; {}", loop.time(),
+              loop.has_output() ? fmt::format(", after the output of t = {:.6g}", loop.outcome().last_output()) : "",
+              loop.may_be_resumed() ? "continue with --resume" : "there is nothing to resume yet")};
       summary = write_summary(io::Summary::Status::interrupted, result.message);
     }
   } catch (const Error& error) {

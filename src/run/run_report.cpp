@@ -36,8 +36,9 @@ std::string where(const io::Summary& summary, const Diagnosis& diagnosis) {
 
 /// A row of the table of outcomes.
 std::string row(const std::string& name, const io::Summary::Course& course) {
-  return fmt::format("  {:<34}{:>12.5g}{:>12.5g}{:>12.5g}{:>10.0f} %\n", name, course.start, course.largest, course.end,
-                     100 * course.remaining());
+  const std::string remaining = course.largest > 0 ? fmt::format("{:.0f} %", 100 * course.remaining()) : "-";
+  return fmt::format("  {:<34}{:>12.5g}{:>12.5g}{:>12.5g}{:>12}\n", name, course.start, course.largest, course.end,
+                     remaining);
 }
 
 std::string cycle_lines(const io::Summary::Cycles& cycles) {
@@ -76,14 +77,19 @@ std::string place(const io::Summary::Largest& largest) {
 std::string outcome_table(const io::Summary& summary) {
   // Without an output at its end a run has no values of its end.
   const bool is_end = summary.status == io::Summary::Status::completed || summary.rupture;
-  std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", is_end ? "" : "up to the last output time",
-                                 "start", "largest", is_end ? "end" : "last", is_end ? "end/largest" : "last/largest");
+  const std::string up_to =
+      is_end ? "" : fmt::format("last output: t = {:.6g}", summary.last_output.value_or(summary.time_reached));
+  std::string text = fmt::format("  {:<34}{:>12}{:>12}{:>12}{:>12}\n", up_to, "start", "largest",
+                                 is_end ? "end" : "last", is_end ? "end/largest" : "last/largest");
   for (const auto& [name, contact] : summary.contacts)
     text += row(fmt::format("normal force of contact '{}'", name), contact.normal_force);
   for (const auto& [name, body] : summary.bodies)
     text += row(fmt::format("von Mises stress of body '{}'", name), body.von_mises);
   for (const auto& [name, contact] : summary.contacts)
-    if (contact.opened) text += fmt::format("  contact '{}' is open from t = {:.6g} on\n", name, *contact.opened);
+    if (const std::string opening =
+            io::opening_text(summary, contact, [](double time) { return fmt::format("{:.6g}", time); });
+        !opening.empty())
+      text += fmt::format("  contact '{}' {}\n", name, opening);
   for (const auto& [name, largest] : summary.life_fraction)
     text += fmt::format("  body '{}' has used {} of its creep life {}\n", name, share(largest.value), place(largest));
   for (const auto& [name, largest] : summary.creep_fatigue)

@@ -6,7 +6,8 @@
 namespace creepcontact::run {
 
 std::vector<std::string> settings_warnings(const config::Config& config) {
-  std::vector<std::string> warnings = model::DataRangeMonitor::time_warnings(config);
+  std::vector<std::string> warnings = config.remarks;
+  for (std::string& warning : model::DataRangeMonitor::time_warnings(config)) warnings.push_back(std::move(warning));
   const config::Time& time = config.time;
   const bool controls_errors = !time.integrator.ends_with("_euler") || time.step.mode == settings::StepMode::adaptive;
   const bool iterates = config.contact_solver.method == settings::ContactMethod::schwarz;

@@ -11,20 +11,25 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/results/contact_values.hpp"
 #include "creepcontact/results/contact_width.hpp"
+#include "creepcontact/results/small_strain_monitor.hpp"
 #include "preparation.hpp"
 
 namespace creepcontact::run {
 namespace {
 
+constexpr double touching = 1e-9;  // a gap relative to the size of the elements
+
 /// The state of one contact in a few numbers.
 struct ContactStart {
   double force = 0, peak = 0, slip = 0;
+  bool touches = false;  ///< some node is closed
 };
 
 ContactStart contact_start(const contact::Pair& pair, const creep::Equilibrium& at) {
   ContactStart start{.force = results::normal_force(pair, at.contact.multiplier)};
   for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
     const results::ContactValues here = results::contact_values(pair, i, at);
+    start.touches = start.touches || here.gap <= touching * std::sqrt(pair.coupling.area[i]);
     start.peak = std::max(start.peak, here.pressure);
     start.slip = std::max(start.slip, here.slip);
   }
@@ -47,6 +52,9 @@ class StartReport {
       if (!pair.ties_nodes()) text += contact_lines(pair, finer);
     for (const std::string& warning : results::narrow_contacts(assembly, at_.equilibrium, "at the start"))
       text += "  warning: " + warning + "\n";
+    results::SmallStrainMonitor strains(system_);
+    strains.see(0, at_);
+    for (const std::string& warning : strains.warnings()) text += "  warning: " + warning + "\n";
     const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
     for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
     return text;
@@ -95,7 +103,8 @@ class StartReport {
     const ContactStart start = contact_start(pair, at_.equilibrium);
     const bool tied = pair.coupling.type == contact::ContactType::tied;
     std::string text = fmt::format("  contact '{}': ", pair.name);
-    if (!tied && !(start.force > 0)) return text + "open, no force\n";
+    if (!tied && !(start.force > results::round_off_force(solver_.assembly(), pair)))
+      return text + (start.touches ? "touches, no force\n" : "open, no force\n");
     text += fmt::format("normal force {}, peak pressure {}", with_unit(start.force, Dimension::force),
                         with_unit(start.peak, Dimension::stress));
     if (tied) return text + " (tied; tension is negative)\n";

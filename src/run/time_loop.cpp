@@ -44,6 +44,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
       life_(system),
       outcome_(model.assembly),
       probe_record_(config.probes.size()),
+      small_strains_(system),
       table_ranges_(config),
       data_ranges_(config),
       state_(system.size(), 0.0) {
@@ -56,6 +57,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
     system.restore(resumed_->arrays);
     outcome_.restore(resumed_->arrays);
     probe_record_.restore(resumed_->arrays);
+    small_strains_.restore(resumed_->arrays);
     continuation = {.resume = true, .last_time = time_};
   } else if (distribution.is_root()) {
     checkpoints_.remove();
@@ -71,6 +73,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
                     resumed_ ? &resumed_->arrays : nullptr);
   integrator_ = make_integrator(config.time, model, system);
   preloads_.emplace(system, model.breakpoints, config.time.end, resumed_ ? time_ : -1);
+  extremes_.emplace(whole_, results_->probes(), outcome_, probe_record_, small_strains_, config.time.tolerance);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
   breakpoints_ = model.breakpoints;
   if (resumed_)
@@ -96,6 +99,7 @@ io::Checkpoint TimeLoop::checkpoint() const {
   io::Checkpoint checkpoint = checkpoints_.take(time_, integrator_.get(), system_);
   outcome_.save(checkpoint.arrays);
   probe_record_.save(checkpoint.arrays);
+  small_strains_.save(checkpoint.arrays);
   events_->save(checkpoint.arrays);
   if (cycles_) cycles_->save(checkpoint.arrays);
   if (guard_) guard_->save(checkpoint.arrays);
@@ -176,6 +180,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
       if (t == 0 || is_end) see_uniqueness(at);
       if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
       if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at, "at the end");
+      if (is_end) std::ranges::copy(outcome_.narrow_contacts(), std::back_inserter(narrow_contacts_));
       return results_->last_values();
     });
     if (cycles_) cycles_->see_probes(values);
@@ -183,6 +188,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
     life_.warn(t, own, own.y);
     table_ranges_.see(own.time, system_.assembly().bodies(), own.equilibrium, distribution_.team());
     data_ranges_.see(system_.assembly().bodies(), own.equilibrium, distribution_.team());
+    small_strains_.see(t, own);
     has_output_ = true;
   }
   if (after_output) after_output();
@@ -325,6 +331,7 @@ void TimeLoop::continue_at(double t) {
 
 void TimeLoop::go_back_before_jump() {
   held_steps_.clear();
+  extremes_->drop();
   continue_at(cycles_->go_back(state_));
   settled_ = true;
 }
@@ -354,6 +361,17 @@ void TimeLoop::write_held_steps() {
   held_steps_.clear();
 }
 
+void TimeLoop::see_extremes(std::span<const double> y) {
+  try {
+    extremes_->see(time_, system_.evaluate_accepted(time_, y));
+  } catch (const RecoverableError&) {  // the integrator meets it next, and decides what becomes of the run
+  }
+}
+
+void TimeLoop::keep_extremes() {
+  if (!cycles_ || !cycles_->is_checking()) extremes_->keep();
+}
+
 bool TimeLoop::end_of_segment() {
   cycles_->see(time_, integrator_->state());
   const std::span<const double> y = integrator_->state();
@@ -361,6 +379,7 @@ bool TimeLoop::end_of_segment() {
   const Cycles::Closed closed = cycles_->close(time_, counters(), state_);
   if (closed.is_rejected) {
     held_steps_.clear();
+    extremes_->drop();
     continue_at(closed.time);
     return false;
   }
@@ -377,6 +396,7 @@ bool TimeLoop::outputs_of_step(bool breakpoint) {
     output(*next_output_, state_);
   }
   if (breakpoint && cycles_ && !end_of_segment()) return false;
+  keep_extremes();
   if (breakpoint) {
     begin_segment();  // a result at a jump is that after it
     if (restarts_) integrator_->initialize(time_, state_);
@@ -431,6 +451,7 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (cycles_) cycles_->step(report, integrator_->state());
     if (cycles_ && cycles_->is_checking() && gone_back_for_event()) continue;
     if (ruptured(time_ - report.step) || stopped_in_step(time_ - report.step)) return;
+    see_extremes(integrator_->state());
     const bool breakpoint = time_ >= stop;
     if (breakpoint && next_break_ < breakpoints_.size()) ++next_break_;
     if (!outputs_of_step(breakpoint)) {
@@ -446,6 +467,10 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (breakpoint && !restarted && time_ < end && !integrator_->jumps_with_loads()) {
       const std::span<const double> y = integrator_->state();
       integrator_->initialize(time_, std::vector<double>(y.begin(), y.end()));
+    }
+    if (breakpoint && time_ < end) {
+      see_extremes(integrator_->state());
+      keep_extremes();
     }
     if (breakpoint && stopped_at_once(integrator_->state())) {  // the loads jump here
       if (last_output_ != time_) output(time_, integrator_->state());
@@ -509,7 +534,12 @@ void TimeLoop::elastic_history(const platform::Interrupt& interrupt) {
   const auto at_rest = [&](double) { return std::span<const double>(state_); };
   ElasticPath path(system_, model_.breakpoints, state_, time_,
                    {.stops = [&](double from, double to) { return stopped_within(from, to, at_rest); },
-                    .reached = [&](double t) { time_ = t; }});
+                    .reached = [&](double t) { time_ = t; },
+                    .passes =
+                        [&](double t) {
+                          extremes_->see_between(t, state_);
+                          extremes_->keep();
+                        }});
   for (; next_output_ != config_.time.output.end(); ++next_output_) {
     if (interrupted(interrupt)) return;
     if (checkpoints_.due()) write_checkpoint();

@@ -24,6 +24,7 @@
 #include "guarded_steps.hpp"
 #include "preload_watch.hpp"
 #include "run_report.hpp"
+#include "step_extremes.hpp"
 
 namespace creepcontact::run {
 
@@ -54,6 +55,7 @@ class TimeLoop {
   std::optional<double> friction_kappa() const { return friction_kappa_; }
   const results::Outcome& outcome() const { return outcome_; }
   const results::ProbeRecord& probe_record() const { return probe_record_; }
+  const results::SmallStrainMonitor& small_strains() const { return small_strains_; }
   const results::EventWatch& events() const { return *events_; }
   /// Null without time.cycle.
   const Cycles* cycles() const { return cycles_ ? &*cycles_ : nullptr; }
@@ -88,6 +90,10 @@ class TimeLoop {
   void go_back_before_jump();
   void record_step(const ode::StepReport& report, const RunCounters& work);
   void write_held_steps();
+  /// The state at time_, of an accepted step or after the loads have jumped there, counts for the extremes of the run.
+  void see_extremes(std::span<const double> y);
+  /// Unless the cycle under way may be rejected.
+  void keep_extremes();
   void begin_segment();
   /// Damage has reached its end within the last step: takes the time back to where, with the results up to there.
   bool ruptured(double begin_of_step);
@@ -139,10 +145,12 @@ class TimeLoop {
   results::DamageMonitor life_;
   results::Outcome outcome_;
   results::ProbeRecord probe_record_;
+  results::SmallStrainMonitor small_strains_;
   std::optional<results::EventWatch> events_;  // of the probes that results_ owns
   std::optional<Cycles> cycles_;               // likewise
   std::optional<GuardedSteps> guard_;          // of integrators with a state
   std::optional<PreloadWatch> preloads_;
+  std::optional<StepExtremes> extremes_;       // likewise
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   model::DataRangeMonitor data_ranges_;

@@ -9,7 +9,11 @@ WholeState::WholeState(const creep::Distribution& distribution, creep::CreepSyst
 
 std::vector<double> WholeState::look(double t, std::span<const double> y,
                                      const std::function<std::vector<double>(results::Snapshot&)>& f) {
-  const creep::Evaluation& own = system_.evaluate_output(t, y);
+  return look_at(t, system_.evaluate_output(t, y), f);
+}
+
+std::vector<double> WholeState::look_at(double t, const creep::Evaluation& own,
+                                        const std::function<std::vector<double>(results::Snapshot&)>& f) {
   const creep::BodyLaws& laws = laws_ ? *laws_ : system_.laws();
   const creep::Evaluation& at = distribution_.gather(own, laws, space_);
   std::vector<double> result;

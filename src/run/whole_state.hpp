@@ -21,6 +21,9 @@ class WholeState {
   /// @param y  of this process @returns what f returns, in all processes
   std::vector<double> look(double t, std::span<const double> y,
                            const std::function<std::vector<double>(results::Snapshot&)>& f);
+  /// The same with an evaluation that is known. @param own  of the part of this process, at t
+  std::vector<double> look_at(double t, const creep::Evaluation& own,
+                              const std::function<std::vector<double>(results::Snapshot&)>& f);
   creep::CreepSystem& system() { return system_; }
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/io/summary.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/replace_file.hpp"
@@ -44,6 +46,13 @@ void claim(const fs::path& directory, const config::Study& study) {
   platform::replace_file(file, study.normalized);
 }
 
+/// By the extremes between output times.
+void widen(ProbeCourse& course, const io::SummaryProbe& probe) {
+  if (!probe.course || std::isnan(course.min)) return;
+  course.min = std::min(course.min, probe.course->min);
+  course.max = std::max(course.max, probe.course->max);
+}
+
 class Comparison {
  public:
   explicit Comparison(const config::Study& study) : study_(study) {
@@ -70,8 +79,11 @@ class Comparison {
     if (study_.reference) row.errors.assign(n, std::numeric_limits<double>::quiet_NaN());
     if (!row.succeeded() || n == 0) return;
     const io::CsvTable history = io::read_csv_table(directory / "history.csv");
+    const auto summary = io::read_summary(directory / "summary.json");
     for (std::size_t q = 0; q < n; ++q) {
-      row.courses[q] = course_of(*history.column(study_.compare.quantities[q].name));
+      const std::string& name = study_.compare.quantities[q].name;
+      row.courses[q] = course_of(*history.column(name));
+      if (summary && summary->probes.contains(name)) widen(row.courses[q], summary->probes.at(name));
       if (!reference_) continue;
       const auto [value, message] =
           reference_->error(history, study_.compare.quantities[q].name, study_.compare.norm, row.status == "completed");

@@ -14,7 +14,7 @@ namespace creepcontact::study {
 /// The study as it was read, in its output directory.
 inline constexpr const char* stored_study = "study_input.toml";
 
-/// A probe over the output times of a run. NaN: not known.
+/// A probe over a run: at its first and last output time, and its extremes. NaN: not known.
 struct ProbeCourse {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   double start = unknown, end = unknown, min = unknown, max = unknown;

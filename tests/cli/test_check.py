@@ -1,9 +1,13 @@
 """creepcontact check --start and --fields: the state at t = 0, the refusals of a run, the files and the picture."""
 
+import pathlib
 import re
+import subprocess
 import unittest
 
-from test_runs import SHORT, RunTest
+from test_runs import PROGRAM, SHORT, RunTest
+
+CONFIGS = pathlib.Path(__file__).resolve().parents[2] / "configs"
 
 
 class StartCheck(RunTest):
@@ -45,6 +49,22 @@ class StartCheck(RunTest):
         options = ("--output", str(self.output), *SHORT, "--resume")
         self.assertEqual(self.call("check", *options).returncode, 0)
         self.expect_error(self.call("check", *options, "--set", "contacts.0.gap=-0.08"), 2, "belongs to another model")
+
+
+class Remarks(RunTest):
+    """What is allowed and seldom meant is said by check and run; the examples give no cause."""
+
+    REMARKS = (r"Young's modulus of body .* differ as", "the coefficient of friction is", "but their free expansion along z differs",
+               r"covers .* no \[\[cyclic\]\] joins", "and '.*' goes on beyond its edges")
+
+    def test_examples_have_none(self):
+        for config in sorted(CONFIGS.glob("*.toml")):
+            with self.subTest(config.stem):
+                done = subprocess.run([PROGRAM, "check", str(config), "--output", str(self.output)], cwd=self.directory,
+                                      capture_output=True, text=True, timeout=100)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                for remark in self.REMARKS:
+                    self.assertNotRegex(done.stdout, remark)
 
 
 class ModelView(RunTest):

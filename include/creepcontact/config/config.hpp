@@ -57,9 +57,10 @@ struct MaterialAxes {
 /// [bodies.<name>]
 struct Body {
   std::string name;
-  std::vector<Reference> region;    ///< physical volumes, in sections physical surfaces; at least one
-  Reference material;               ///< a name in Config::materials
-  std::optional<double> thickness;  ///< plane stress: default Mesh::thickness
+  std::vector<Reference> region;        ///< physical volumes, in sections physical surfaces; at least one
+  Reference material;                   ///< a name in Config::materials
+  std::optional<double> thickness;      ///< plane stress: default Mesh::thickness
+  std::optional<Function> axial_force;  ///< of t, generalised plane strain of each body by itself; default 0
   std::optional<MaterialAxes> material_axes;
   Location location;
 };
@@ -358,6 +359,7 @@ struct Event {
 struct GeneralizedPlaneStrain {
   std::optional<Function> strain;  ///< of t: the axial strain of all bodies; if not given it follows from ...
   Function force = 0.0;            ///< ... the axial force on all bodies together, of t
+  bool per_body = false;           ///< each body has its own axial strain, which follows from Body::axial_force
 };
 
 /// A configuration that has been read and checked.
@@ -365,6 +367,7 @@ struct Config {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
   std::string units;
+  std::vector<std::string> remarks;  ///< what check and run repeat as warnings
   settings::Analysis analysis = settings::Analysis::solid;
   Mesh mesh;
   std::vector<Body> bodies;  ///< at least one; in the order of the file, like the materials

@@ -101,6 +101,10 @@ class CreepSystem final : public ode::System,
   /// component over the error that a step may make in it [1/time]; infinity if there is no equilibrium. Collective.
   /// Cost: one elastic solve.
   double rate_change(double t);
+  /// The evaluation at the end of the last accepted step: the one that the step has made at t, on y or within the
+  /// tolerance of it; solved only where the step has made none there, and then what the next step begins with.
+  /// @throws RecoverableError if no equilibrium is found
+  const Evaluation& evaluate_accepted(double t, std::span<const double> y);
   /// The last evaluation made for a step.
   const Evaluation& step_evaluation() const { return step_; }
   /// Shortest relaxation time per body, 1 / (largest eigenvalue of C H over its points); infinity if nothing creeps.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,7 +25,8 @@ struct SummaryProbe {
   std::optional<std::string> unit = {};
   std::string expression = {};  ///< of other probes; then it has no quantity
 
-  /// The values over the output times. Those that are not finite are left out of min and max.
+  /// The values at the first and the last output time, and the extremes of the run: of its output times and of the ends
+  /// of its steps. Those that are not finite are left out of min and max.
   struct Course {
     double start = 0, end = 0;
     double min = 0, max = 0, t_min = 0, t_max = 0;  ///< smallest and largest value, and their first times
@@ -37,9 +39,11 @@ struct SummaryProbe {
 /// Content of summary.json; members have the names used in the file.
 struct Summary : RunCounters {
   enum class Status { completed, ruptured, failed, interrupted };
-  /// A quantity over the output times.
+  /// A quantity at the first output time, at its largest (of the output times and the ends of all steps), and at the
+  /// last output time.
   struct Course {
     double start = 0, largest = 0, end = 0;
+    double t_largest = 0;  ///< first time of the largest value
     /// end / largest; 0 if there was nothing
     double remaining() const { return largest > 0 ? end / largest : 0; }
   };
@@ -61,7 +65,9 @@ struct Summary : RunCounters {
     std::optional<double> interference;       ///< found for a preload
     std::optional<double> dissipated_energy;  ///< by friction, up to the end
     std::optional<double> largest_slip;       ///< accumulated at the end, the largest over the surface
-    std::optional<double> opened;  ///< output time from which on it carries nothing, having carried something
+    /// Time from which on it carries nothing, having carried something; not if the cycles of the loads close it again.
+    std::optional<double> opened;
+    std::int64_t openings = 0;  ///< how often it has lost its force
   };
   /// Of the loads, if the run has them.
   struct Cycles {
@@ -90,6 +96,9 @@ struct Summary : RunCounters {
     std::optional<double> equilibrium_residual;
   };
 
+  /// True if the values of the end are those of the last output, and the run went on from there or should have.
+  bool ended_early() const { return status == Status::failed || status == Status::interrupted; }
+
   Status status = Status::completed;
   std::string message;  ///< omitted if empty
   std::string title, units, version;
@@ -97,6 +106,7 @@ struct Summary : RunCounters {
   std::string integrator;
   std::string method;  ///< integrator at work at the end, if `integrator` chose it; omitted if empty
   double time_reached = 0;
+  std::optional<double> last_output;  ///< time of the last output, whose values are those of the end
   std::map<std::string, Body> bodies;
   /// By body, if its material has them.
   std::map<std::string, Largest> damage, life_fraction, fatigue_fraction, creep_fatigue;
@@ -114,6 +124,11 @@ struct Summary : RunCounters {
   /// Time of each event by its name, nullopt if it has not happened; omitted if empty.
   std::map<std::string, std::optional<double>> events;
 };
+
+/// What a contact did beyond carrying a force, as the rest of a sentence that begins with its name: "is open from t = 3
+/// on", "opens in every cycle". Empty: nothing. @param time  how a time is written
+std::string opening_text(const Summary& summary, const Summary::Contact& contact,
+                         const std::function<std::string(double)>& time);
 
 /// Replaces the file atomically. Cost: small; may be called at every output time.
 /// @throws Error if the disk cannot take it

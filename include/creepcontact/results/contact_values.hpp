@@ -2,6 +2,7 @@
 /// Results at the multiplier nodes of a contact pair.
 
 #include "creepcontact/contact/geometry/pair.hpp"
+#include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
 
 namespace creepcontact::results {
@@ -22,5 +23,12 @@ ContactValues contact_values(const contact::Pair& pair, std::size_t node, const 
 /// Sum of pressure times nodal area over the pair; of a preloaded tied contact the tension across it. @param
 /// multipliers  of all pairs
 double normal_force(const contact::Pair& pair, const Eigen::VectorXd& multipliers);
+
+/// Young's modulus at the reference temperature of the material; 0 if it is not defined there.
+double scale_modulus(const mechanics::Body& body);
+/// Stress relative to Young's modulus that rounding alone may make.
+inline constexpr double round_off_strain = 1e-14;
+/// Normal force that rounding alone may make: that of such a stress of the softer body.
+double round_off_force(const creep::Assembly& assembly, const contact::Pair& pair);
 
 }  // namespace creepcontact::results

@@ -25,6 +25,10 @@ std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen
 std::optional<int> elements_across(const creep::Assembly& assembly, const contact::Pair& pair,
                                    const creep::Equilibrium& at);
 
+/// What to say of a contact whose zone is so many slave elements wide; empty: it is wide enough. @param when  "at the
+/// end"
+std::string narrow_contact_text(const contact::Pair& pair, int width, const std::string& when);
+
 /// One message per unilateral contact with a zone narrower than four slave elements. @param when  "at the end"
 std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at,
                                          const std::string& when);

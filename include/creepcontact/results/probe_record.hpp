@@ -1,5 +1,5 @@
 #pragma once
-/// The course of all probes over the output times of a run.
+/// The course of all probes over a run.
 
 #include <optional>
 #include <span>
@@ -17,6 +17,11 @@ class ProbeRecord {
 
   /// An output time; they come in increasing order. @param values  one per probe
   void output(double time, std::span<const double> values);
+
+  /// A state between two output times, which counts for the extremes. The values may have the error of a time step:
+  /// they count where they go beyond those known by more than the tolerance.
+  /// @param tolerance  relative to the largest magnitude so far @param values  one per probe, or none
+  void see(double time, std::span<const double> values, double tolerance);
 
   /// What the probes of the configuration are, and their courses so far.
   void fill(const config::Config& config, io::Summary& summary) const;

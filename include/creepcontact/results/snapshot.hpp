@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
@@ -31,17 +32,20 @@ struct PointState {
   std::vector<double> values;
 };
 
-/// Fields of one body at its integration points, and smoothed at its nodes.
+/// Fields of one body at its integration points, and smoothed at its nodes: these are computed at their first use. One
+/// thread at a time.
 class BodyFields {
  public:
   /// @param body, state  must outlive the object @param conditions, creep  of the same equilibrium; not used later
   /// @param variables  in the order of material::state_variables(); those that are missing are zero
   BodyFields(const mechanics::Body& body, const mechanics::BodyConditions& conditions, const creep::BodyState& state,
-             mechanics::CreepStrainView creep, const std::vector<PointState>& variables);
+             mechanics::CreepStrainView creep, std::vector<PointState> variables);
 
   std::size_t n_nodes() const { return body_.mesh().n_cell_nodes(); }
   std::size_t n_points() const { return body_.discretization().n_points(); }
   Sample at_node(std::size_t node) const;
+  /// Position and displacement alone; costs nothing else.
+  Sample moved_node(std::size_t node) const;
   /// The displacement is a nodal field and not available here: it is zero.
   Sample at_point(std::size_t point) const;
   const mechanics::Body& body() const { return body_; }
@@ -49,11 +53,19 @@ class BodyFields {
   const std::vector<double>& point_values(PointField field) const { return points_[static_cast<std::size_t>(field)]; }
 
  private:
+  /// Fields smoothed at the nodes.
+  struct Nodal {
+    std::vector<double> tensors, temperature;  // n_nodes x n_tensors x 6, n_nodes
+    std::vector<double> state;                 // one row as Sample::state each; empty: all zero
+  };
+  const Nodal& nodal() const;
+
   const mechanics::Body& body_;
   const creep::BodyState& state_;
-  std::array<std::vector<double>, n_tensors + 1> points_;        // indexed by PointField
-  std::vector<double> tensors_at_nodes_, temperature_at_nodes_;  // n_nodes x n_tensors x 6, n_nodes
-  std::vector<double> state_at_points_, state_at_nodes_;         // one row as Sample::state each; empty: all zero
+  std::array<std::vector<double>, n_tensors + 1> points_;  // indexed by PointField
+  std::vector<PointState> variables_;
+  std::vector<double> state_at_points_;  // one row as Sample::state each; empty: all zero
+  mutable std::optional<Nodal> nodal_;
 };
 
 /// State of the model at one output time. Smoothed fields are computed at their first use.

@@ -39,6 +39,8 @@ class SummaryFile {
   double number(const std::string& key) const;
   /// @throws std::exception if there is no such key, or no text
   std::string text(const std::string& key) const;
+  /// A list of texts; empty if there is no such key.
+  std::vector<std::string> texts(const std::string& key) const;
 
  private:
   std::shared_ptr<const nlohmann::json> json_;

@@ -105,8 +105,9 @@ TEST(KeySelection, OneTable) {
   EXPECT_EQ(selected("[output]"),
             (Lines{"output.directory", "output.fields", "output.frd", "output.revolve", "output.unit_names",
                    "output.separator", "output.decimal", "output.checkpoint_seconds"}));
-  EXPECT_EQ(selected("[bodies.shaft]"), (Lines{"bodies.<name>.region", "bodies.<name>.material",
-                                               "bodies.<name>.thickness", "bodies.<name>.material_axes"}));
+  EXPECT_EQ(selected("[bodies.shaft]"),
+            (Lines{"bodies.<name>.region", "bodies.<name>.material", "bodies.<name>.thickness",
+                   "bodies.<name>.axial_force", "bodies.<name>.material_axes"}));
   const Lines material = selected("[materials.<name>]");
   EXPECT_NE(std::find(material.begin(), material.end(), "materials.<name>.rupture"), material.end());
   EXPECT_EQ(std::find(material.begin(), material.end(), "materials.<name>.rupture.alpha"), material.end());

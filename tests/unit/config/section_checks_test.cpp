@@ -42,6 +42,20 @@ TEST(SectionChecks, KeysWithoutMeaning) {
               "generalized_plane_strain");
   expect_fact(with("generalized_plane_strain", "[generalized_plane_strain]\nforce = 1\nstrain = 0\n"),
               "generalized_plane_strain", "both 'strain' and 'force'");
+  expect_fact(with("generalized_plane_strain", "[generalized_plane_strain]\nforce = 1\nper_body = true\n"),
+              "generalized_plane_strain.force", "'force' on all bodies together");
+  expect_fact(with("generalized_plane_strain", "[generalized_plane_strain]\nstrain = 1\nper_body = true\n"),
+              "generalized_plane_strain.per_body", "which all bodies have");
+  const auto axial_force = [](const std::string& analysis, const std::string& more) {
+    std::string text = with(analysis, more);
+    text.insert(text.find("region"), "axial_force = 2\n");
+    return text;
+  };
+  EXPECT_TRUE(parse_text(axial_force("generalized_plane_strain", "[generalized_plane_strain]\nper_body = true\n"))
+                  .bodies[0]
+                  .axial_force);
+  expect_fact(axial_force("generalized_plane_strain", ""), "bodies.block.axial_force", "no axial strain of their own");
+  expect_fact(axial_force("plane_stress", ""), "bodies.block.axial_force", "per_body = true");
 }
 
 TEST(SectionChecks, OnlyRingsAreRevolved) {

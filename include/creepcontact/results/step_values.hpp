@@ -1,0 +1,16 @@
+#pragma once
+/// What is taken from a state for the extremes of a run.
+
+#include <vector>
+
+namespace creepcontact::results {
+
+/// A state in a few numbers.
+struct StepValues {
+  double time = 0;
+  std::vector<double> forces;     ///< normal force of every contact pair; 0 where it has none of interest
+  std::vector<double> von_mises;  ///< largest of every body, at its integration points
+  std::vector<double> probes;     ///< of every probe
+};
+
+}  // namespace creepcontact::results
