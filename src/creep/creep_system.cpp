@@ -128,7 +128,7 @@ const Evaluation& CreepSystem::evaluate_output(double t, std::span<const double>
   return output_;
 }
 
-double CreepSystem::rate_change(double t) {
+double CreepSystem::rate_change(double from, std::span<const double> y, double t) {
   const auto rate_of = [&](const Evaluation& at) {
     std::vector<double> rate(size(), 0.0);
     together(team(), [&] {
@@ -138,15 +138,16 @@ double CreepSystem::rate_change(double t) {
     });
     return rate;
   };
+  const Evaluation& accepted = evaluate_accepted(from, y);
+  const std::vector<double> here = rate_of(accepted), state = accepted.y;
   std::vector<double> there;
   try {
-    there = rate_of(evaluate_output(t, step_.y));
+    there = rate_of(evaluate_output(t, state));
   } catch (const RecoverableError&) {
     return std::numeric_limits<double>::infinity();
   } catch (const ModelError&) {  // loads that push a body away there, in the present state
     return std::numeric_limits<double>::infinity();
   }
-  const std::vector<double> here = rate_of(step_);
   double largest = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
     const double change = std::abs(there[i] - here[i]) / scale_.values()[i];

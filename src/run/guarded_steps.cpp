@@ -22,13 +22,13 @@ GuardedSteps::GuardedSteps(const config::Config& config, const model::Model& mod
       effects_(guard_.courses().size()),
       reported_(guard_.courses().size(), 0) {}
 
-std::optional<GuardedSteps::End> GuardedSteps::end_of_step(double t, double to, bool is_proposed,
-                                                           const model::StepGuard::Segment& segment) {
+std::optional<GuardedSteps::End> GuardedSteps::end_of_step(double t, std::span<const double> y, double to,
+                                                           bool is_proposed, const model::StepGuard::Segment& segment) {
   std::optional<End> end;
   for (std::size_t i = 0; i < guard_.courses().size(); ++i) {
     const auto found = guard_.examine(i, t, end ? end->time : to, segment);
     if (!found) continue;
-    const bool matters_here = found->is_jump || (is_proposed && matters(*found, to - t));
+    const bool matters_here = found->is_jump || (is_proposed && matters(*found, t, y, to - t));
     if (matters_here) report(*found, t, to);
     if (is_fixed_ ? !found->is_jump : is_proposed && !matters_here) continue;
     end = {.time = found->time, .is_jump = found->is_jump};
@@ -36,12 +36,14 @@ std::optional<GuardedSteps::End> GuardedSteps::end_of_step(double t, double to, 
   return end;
 }
 
-bool GuardedSteps::matters(const model::StepGuard::Finding& finding, double length) {
+bool GuardedSteps::matters(const model::StepGuard::Finding& finding, double t, std::span<const double> y,
+                           double length) {
   Effect& effect = effects_[finding.course];
   ++effect.age;
   if (effect.largest == 0 || effect.age > max_age || finding.relative > larger * effect.largest)
-    effect = {
-        .per_deviation = system_.rate_change(finding.at) / finding.relative, .largest = finding.relative, .age = 0};
+    effect = {.per_deviation = system_.rate_change(t, y, finding.at) / finding.relative,
+              .largest = finding.relative,
+              .age = 0};
   return effect.per_deviation * finding.relative * finding.share * length > allowed_effect;
 }
 

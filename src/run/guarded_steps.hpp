@@ -2,6 +2,7 @@
 /// Ends time steps before changes of the loads or of the laws that they would not see.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "creepcontact/config/config.hpp"
@@ -21,12 +22,13 @@ class GuardedSteps {
     double time = 0;
     bool is_jump = false;  ///< of a function: the integration starts anew there
   };
-  /// Where the next step from t, which may reach `to`, has to end. Collective.
+  /// Where the next step from the accepted state y at t, which may reach `to`, has to end. Collective.
   /// @param is_proposed  `to` is the length that the integrator proposes; else it is only a limit of it
   /// @param segment  between the breakpoints around t @returns nullopt: where it likes
   /// Cost: see StepGuard::examine(); one elastic solve where a course deviates
   /// and it is not known whether that matters
-  std::optional<End> end_of_step(double t, double to, bool is_proposed, const model::StepGuard::Segment& segment);
+  std::optional<End> end_of_step(double t, std::span<const double> y, double to, bool is_proposed,
+                                 const model::StepGuard::Segment& segment);
 
   /// Stores what later calls depend on, for a checkpoint.
   void save(creep::Memory& memory) const;
@@ -39,7 +41,7 @@ class GuardedSteps {
     double largest = 0;        ///< relative deviation for which it was found; 0: not known
     double age = 0;            ///< findings since then
   };
-  bool matters(const model::StepGuard::Finding& finding, double length);
+  bool matters(const model::StepGuard::Finding& finding, double t, std::span<const double> y, double length);
   void report(const model::StepGuard::Finding& finding, double t, double to);
 
   creep::CreepSystem& system_;

@@ -490,8 +490,8 @@ double TimeLoop::end_of_step() {
   const bool is_proposed = proposed > 0;
   const double reach = is_proposed ? std::min(limit, time_ + longest_stretch * proposed) : limit;
   const auto [begin, end] = segment();
-  const auto found =
-      guard_->end_of_step(time_, reach, is_proposed, {creep::just_after(begin), creep::just_before(end)});
+  const auto found = guard_->end_of_step(time_, integrator_->state(), reach, is_proposed,
+                                         {creep::just_after(begin), creep::just_before(end)});
   if (!found) return limit;
   if (found->is_jump) {
     add_breakpoint(found->time);

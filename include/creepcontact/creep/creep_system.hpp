@@ -97,10 +97,10 @@ class CreepSystem final : public ode::System,
   /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
   /// @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_step(double t, std::span<const double> y);
-  /// How much the rate would differ at another time in the state of the last evaluation made for a step: the largest
-  /// component over the error that a step may make in it [1/time]; infinity if there is no equilibrium. Collective.
+  /// How much the rate would differ at another time in the state y that was accepted at `from`: the largest component
+  /// over the error that a step may make in it [1/time]; infinity if there is no equilibrium. Collective.
   /// Cost: one elastic solve.
-  double rate_change(double t);
+  double rate_change(double from, std::span<const double> y, double t);
   /// The evaluation at the end of the last accepted step: the one that the step has made at t, on y or within the
   /// tolerance of it; solved only where the step has made none there, and then what the next step begins with.
   /// @throws RecoverableError if no equilibrium is found
