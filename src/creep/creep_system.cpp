@@ -354,10 +354,6 @@ double CreepSystem::longest_step(double t) const {
   return std::isfinite(segment_end_) ? std::min(for_yielding, longest_step_of_friction(t, segment_end_)) : for_yielding;
 }
 
-double CreepSystem::longest_step_of_friction(double t, double end) const {
-  return solver_.longest_for_friction(load_time(t), load_time(end));
-}
-
 void CreepSystem::apply_preloads(double t, std::span<const double> y) {
   if (!solver_.has_preload_due(t, history_)) return;
   forget_evaluations();
@@ -371,9 +367,8 @@ void CreepSystem::accept(double t, std::span<const double> y) {
     if (!is_near(load_time(t), y, step_)) evaluate_step(t, y);
     History before = history_;
     const double begin = std::max(0.0, segment_begin_);
-    const bool has_ends = std::isfinite(segment_end_);
-    std::vector<PathPoint> points =
-        solver_.accept(step_.equilibrium, history_, {tolerance_, has_ends ? segment_end_ - begin : 0.0});
+    std::vector<PathPoint> points = solver_.accept(
+        step_.equilibrium, history_, {tolerance_, std::isfinite(segment_end_) ? segment_end_ - begin : 0.0});
     rate_has_jumped_ = points.size() > 2 && jumps(step_.equilibrium.contact, history_.contact, tolerance_);
     path_ = {std::move(before), std::move(points)};
   } else {

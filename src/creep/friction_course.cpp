@@ -189,8 +189,11 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
   const double largest =
       std::max(begin.contact.multiplier.cwiseAbs().maxCoeff(), end.contact.multiplier.cwiseAbs().maxCoeff());
   LoadCourse course;
+  const bool passes = to - from > no_time_passes * std::abs(to);
+  // The interference of a preload was found for this very step.
+  if (!passes && history.preloaded_until > from) return points;
   FrictionPath::Limits limits;
-  if (to - from > no_time_passes * std::abs(to)) {
+  if (passes) {
     course = load_course(from, to, at, tolerance, largest);
     if (interface_.is_here())
       limits.ends =

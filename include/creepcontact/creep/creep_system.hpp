@@ -127,7 +127,9 @@ class CreepSystem final : public ode::System,
   /// little; infinity if nothing bounds it.
   double longest_step(double t) const;
   /// The part of that for friction. @param end  the farthest that is of interest
-  double longest_step_of_friction(double t, double end) const;
+  double longest_step_of_friction(double t, double end) const {
+    return solver_.longest_for_friction(load_time(t), load_time(end));
+  }
 
   const EquilibriumSolver& solver() const { return solver_; }
   const Assembly& assembly() const { return solver_.assembly(); }
