@@ -417,6 +417,9 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
   if (resumed_) {
     restore(*resumed_, config_, *integrator_);
     system_.resume(time_, integrator_->state(), resumed_->arrays);
+    // The uninterrupted run has looked at the state here, too, so that the next step costs the same.
+    if (std::ranges::binary_search(model_.breakpoints, time_)) see_extremes(integrator_->state());
+    extremes_->drop();
   } else {
     integrator_->initialize(time_, state_);
   }
