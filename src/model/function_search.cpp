@@ -85,9 +85,12 @@ class FunctionSearch {
     const bool from_points = courses.needs_point_temperatures();
     std::vector<std::size_t> chosen = spread(places, from_points ? point_temperature_places : spread_places);
     if (!of_place) chosen.resize(1);
-    std::size_t most = 0;  // turns of one course
-    for (const std::size_t i : chosen)
-      most = std::max(most, add(courses.at(places[i], courses.levels(places[i]).front()), effort, result));
+    std::vector<Turn> most;  // turns of the course that has most of them
+    const auto add_place = [&](std::size_t i) {
+      std::vector<Turn> turns = add(courses.at(places[i], courses.levels(places[i]).front()), effort, result);
+      if (turns.size() > most.size()) most = std::move(turns);
+    };
+    for (const std::size_t i : chosen) add_place(i);
     add_levels(courses, places[chosen.front()], effort, result);
     if (of_place && !from_points && !result.events.too_many && !result.events.vibrates) {
       const double evaluations = std::min(most_screening, all_screening / static_cast<double>(n_of_place_));
@@ -95,8 +98,7 @@ class FunctionSearch {
       for (std::size_t i = 0; i < further_places; ++i) {
         const std::optional<std::size_t> next = screening.next(known_times(result.events));
         if (!next) break;
-        const Place& place = places[*next];
-        most = std::max(most, add(courses.at(place, courses.levels(place).front()), effort, result));
+        add_place(*next);
       }
     }
     settle_turns(result.events, most);
@@ -110,13 +112,13 @@ class FunctionSearch {
     for (std::size_t i = 1; i < levels.size(); ++i) see(courses.at(place, levels[i]), effort, result);
   }
 
-  /// @returns number of turns
-  std::size_t add(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
+  /// @returns its turns
+  std::vector<Turn> add(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
     result.courses.push_back(course);
     return see(course, effort, result);
   }
 
-  std::size_t see(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
+  std::vector<Turn> see(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
     const CourseEvents more = find_events(course, config_.time.end, config_.time.cycle, effort);
     CourseEvents& all = result.events;
     all.jumps.insert(all.jumps.end(), more.jumps.begin(), more.jumps.end());
@@ -126,7 +128,7 @@ class FunctionSearch {
     all.n_turns = std::max(all.n_turns, more.n_turns);
     all.vibrates = all.vibrates || more.vibrates;
     all.too_many = all.too_many || more.too_many;
-    return more.turns.size();
+    return more.turns;
   }
 
   static std::vector<double> known_times(const CourseEvents& events) {
@@ -137,15 +139,17 @@ class FunctionSearch {
     return times;
   }
 
-  /// Stops at the turns of a pulse that moves would be too many: then steps are bounded instead.
-  static void settle_turns(CourseEvents& events, std::size_t of_one_course) {
+  /// Stops at the turns of a pulse that moves would be too many: then steps are bounded instead. With cycles the turns
+  /// of one place have to do.
+  static void settle_turns(CourseEvents& events, std::vector<Turn> of_one_course) {
     std::ranges::sort(events.turns, {}, &Turn::time);
     std::vector<Turn> distinct;
     for (const Turn& turn : events.turns)
       if (distinct.empty() || turn.time > distinct.back().time + turn.error) distinct.push_back(turn);
-    if (distinct.size() > of_one_course + most_turns) {
-      events.vibrates = true;
-      distinct.clear();
+    if (distinct.size() > 2 * of_one_course.size() + most_turns) {
+      const bool has_cycles = of_one_course.size() > most_turns;
+      events.vibrates = events.vibrates || !has_cycles;
+      distinct = has_cycles ? std::move(of_one_course) : std::vector<Turn>();
     }
     events.turns = std::move(distinct);
     if (!events.vibrates) events.limits.clear();
