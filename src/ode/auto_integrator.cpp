@@ -18,7 +18,8 @@ constexpr std::int64_t max_failures = 6;  // of the iterations in so many steps:
 constexpr std::int64_t max_mean_stages =
     40;  // of rkc2 in a step on average, some ten times the solves of an implicit one
 /// Of cvode_bdf in a step on average: where bodies relax a million times faster than others, GMRES needs many, and what
-/// it leaves keeps the steps short. The tangent stiffness then takes a third of the steps and a tenth of the solves.
+/// it leaves keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a tenth of the
+/// solves.
 constexpr std::int64_t max_mean_products = 8;
 constexpr double max_stable_steps = 300;  // in a step, for rkc2 to take over: 25 stages
 

@@ -61,7 +61,8 @@ void broadcast(const Team& team, std::string& text, int root);
 
 /// Collective. If local work has failed on any member, all members throw the same error. Fatal errors precede a
 /// RecoverableError; among equals, that of the lowest rank is thrown, with its message and type (those of
-/// base/error.hpp, Cancelled and std::bad_alloc; else std::runtime_error). @param own  the failure of this member, or null
+/// base/error.hpp, Cancelled and std::bad_alloc; else std::runtime_error). @param own  the failure of this member, or
+/// null
 void agree_on_failure(const Team& team, const std::exception_ptr& own);
 
 /// Runs local(), the work between two collective operations, such that a failure on one member makes all throw instead
