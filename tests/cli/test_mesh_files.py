@@ -241,7 +241,7 @@ class Surroundings(MeshTest):
         loaded = subprocess.run([PROGRAM, "--version"], env={**os.environ, "LD_TRACE_LOADED_OBJECTS": "1"},
                                 capture_output=True, text=True).stdout.split("\n\t")
         self.assertEqual([name for name in loaded if re.search("gmsh|libTK|fltk|vtk|libX11|libGL", name)], [])
-        self.assertLess(len(loaded), 40)  # Ceres brings seven
+        self.assertLess(len(loaded), 34)
 
 
 class Disappointments(MeshTest):
