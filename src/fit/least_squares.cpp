@@ -37,7 +37,8 @@ Minimize load_optimizer() {
   if (library == nullptr) throw SolverError(fmt::format("'{}' cannot be loaded: {}", file.string(), reason()));
   void* const function = ::dlsym(library, optimizer_function);
   if (function == nullptr)
-    throw SolverError(fmt::format("'{}' is of another version: {}; install creepcontact again", file.string(), reason()));
+    throw SolverError(
+        fmt::format("'{}' is of another version: {}; install creepcontact again", file.string(), reason()));
   return reinterpret_cast<Minimize>(function);
 }
 

@@ -31,7 +31,8 @@ bool contains(const std::string& file, std::string_view word) {
 std::string why_slow_blas(const std::string& file) {
   constexpr std::array fast{"openblas", "mkl", "blis", "flexiblas", "libsci", "nvpl", "armpl"};
   if (file.empty() || std::ranges::any_of(fast, [&](const char* name) { return contains(file, name); })) return {};
-  if (contains(file, "atlas") || contains(file, "f77blas")) return "ATLAS, which needs about twice the time of OpenBLAS";
+  if (contains(file, "atlas") || contains(file, "f77blas"))
+    return "ATLAS, which needs about twice the time of OpenBLAS";
   const std::string name = std::filesystem::path(file).filename().string();
   if (name.starts_with("libblas.so") || name.starts_with("liblapack.so"))
     return "the reference BLAS, which needs several times the time of OpenBLAS";
@@ -43,7 +44,8 @@ BlasLibrary blas_library() {
   for (const std::string& file : {found.blas, found.lapack})
     if (const std::string why = why_slow_blas(file); found.warning.empty() && !why.empty())
       found.warning = fmt::format(
-          "factorisations are slow: they use '{}', which is {}; install OpenBLAS (Debian package libopenblas0-pthread), "
+          "factorisations are slow: they use '{}', which is {}; install OpenBLAS (Debian package "
+          "libopenblas0-pthread), "
           "and choose it where several are installed (update-alternatives --config libblas.so.3-x86_64-linux-gnu)",
           file, why);
   return found;

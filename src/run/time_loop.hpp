@@ -150,7 +150,7 @@ class TimeLoop {
   std::optional<Cycles> cycles_;               // likewise
   std::optional<GuardedSteps> guard_;          // of integrators with a state
   std::optional<PreloadWatch> preloads_;
-  std::optional<StepExtremes> extremes_;       // likewise
+  std::optional<StepExtremes> extremes_;  // likewise
   std::optional<double> friction_kappa_;
   model::TableRangeMonitor table_ranges_;
   model::DataRangeMonitor data_ranges_;

@@ -1,6 +1,7 @@
 #pragma once
 /// What creepcontact-optimizer.so does: nonlinear least squares with bounds, by Ceres. Headers only: a program loads
-/// the library when it needs it (fit/least_squares.cpp), and need not be linked to Ceres and the BLAS that Ceres brings.
+/// the library when it needs it (fit/least_squares.cpp), and need not be linked to Ceres and the BLAS that Ceres
+/// brings.
 
 namespace creepcontact::fit {
 

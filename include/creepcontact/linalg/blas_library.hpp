@@ -6,8 +6,8 @@
 namespace creepcontact::linalg {
 
 struct BlasLibrary {
-  std::string blas;    ///< file that dgemm_ is taken from, without symbolic links; empty: not known
-  std::string lapack;  ///< the same of dpotrf_
+  std::string blas;          ///< file that dgemm_ is taken from, without symbolic links; empty: not known
+  std::string lapack;        ///< the same of dpotrf_
   std::string warning = {};  ///< if factorisations take several times as long as with OpenBLAS: why, and the remedy
 };
 

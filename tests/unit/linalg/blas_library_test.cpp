@@ -17,8 +17,9 @@ TEST(BlasLibrary, SlowOnesAreKnownByTheirFiles) {
     EXPECT_NE(why_slow_blas(file).find("ATLAS"), std::string::npos) << file;
   for (const char* file : {"/usr/lib/x86_64-linux-gnu/blas/libblas.so.3.11.0", "/usr/lib64/liblapack.so.3.11.0"})
     EXPECT_NE(why_slow_blas(file).find("reference"), std::string::npos) << file;
-  for (const char* file : {"/usr/lib/x86_64-linux-gnu/openblas-pthread/libblas.so.3", "/usr/lib64/libopenblasp-r0.3.21.so",
-                           "/opt/intel/mkl/lib/libmkl_rt.so.2", "/usr/lib/x86_64-linux-gnu/blis-openmp/libblis.so.4", ""})
+  for (const char* file :
+       {"/usr/lib/x86_64-linux-gnu/openblas-pthread/libblas.so.3", "/usr/lib64/libopenblasp-r0.3.21.so",
+        "/opt/intel/mkl/lib/libmkl_rt.so.2", "/usr/lib/x86_64-linux-gnu/blis-openmp/libblis.so.4", ""})
     EXPECT_EQ(why_slow_blas(file), "") << file;
 }
 

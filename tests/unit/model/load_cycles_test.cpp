@@ -87,7 +87,8 @@ TEST(LoadCycles, WhatDiffersIsNamed) {
 TEST(LoadCycles, OneCycleThatDiffers) {
   const Case blocks;
   const std::string factor = "(t > 2013 && t < 2013.5 ? 1.5 : 1)";
-  const std::vector<std::string> rate{"materials.soft.creep.0={ law = 'expression', rate = '1e-3*q^4*" + factor + "' }"};
+  const std::vector<std::string> rate{"materials.soft.creep.0={ law = 'expression', rate = '1e-3*q^4*" + factor +
+                                      "' }"};
   for (const Model& model : {build_model(with_pressure(blocks, "'0.1*" + factor + "'", {}, "10000")),
                              build_model(with_pressure(blocks, "0.1", rate, "10000"))}) {
     EXPECT_EQ(model.breakpoints.size(), 999U + 2);
