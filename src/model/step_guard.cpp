@@ -15,13 +15,13 @@ namespace {
 constexpr std::size_t n_nodes = 6;    // of the polynomial, of Chebyshev's second kind
 constexpr std::size_t n_trials = 13;  // times at which it is compared
 constexpr std::size_t places_per_step = 3;
-constexpr double deviating = 0.1;         // of the largest deviation
-constexpr double rounding = 1e-11;        // of the size of a course
-constexpr double negligible_size = 1e-3;  // of the largest values: what is smaller is not resolved to its own size
-constexpr double resolution = 1e-3;       // of the length found, at ends that are no jumps
-constexpr double min_length = 1e-9;       // of the step
-constexpr int halvings_of_jump = 6;       // through which a jump stays, and anything continuous shrinks
-constexpr double log_from = 1.1;          // ratio of the ends from which on log t is another variable than t
+constexpr double deviating = 0.1;          // of the largest deviation
+constexpr double least_deviation = 1e-11;  // of the size of a course
+constexpr double negligible_size = 1e-3;   // of the largest values: what is smaller is not resolved to its own size
+constexpr double resolution = 1e-3;        // of the length found, at ends that are no jumps
+constexpr double min_length = 1e-9;        // of the step
+constexpr int halvings_of_jump = 6;        // through which a jump stays, and anything continuous shrinks
+constexpr double log_from = 1.1;           // ratio of the ends from which on log t is another variable than t
 constexpr int samples_of_run = 64;
 
 /// In [0, 1): the fractional part of start + n golden ratios, a sequence of low discrepancy.
@@ -133,7 +133,7 @@ class Track {
 }  // namespace
 
 StepGuard::StepGuard(std::vector<CoursesInTime> courses, double end, double tolerance)
-    : courses_(std::move(courses)), tolerance_(std::max(tolerance, rounding)) {
+    : courses_(std::move(courses)), tolerance_(std::max(tolerance, least_deviation)) {
   for (const CoursesInTime& course : courses_) {
     double size = 0;
     for (int i = 0; i < samples_of_run; ++i) {
