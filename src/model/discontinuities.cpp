@@ -35,11 +35,6 @@ struct Grid {
   double strength(std::size_t j) const { return std::abs(change(j)) + std::abs(change(j + 1)); }
 };
 
-/// The neighbour with fewer digits: expressions are written with round numbers.
-double rounder(double a, double b) {
-  return fmt::format("{}", a).size() <= fmt::format("{}", b).size() ? a : b;
-}
-
 /// A smooth function, seen closely enough, has slope changes that vary smoothly from sample to sample; a kink has one
 /// that stands out however close one looks. Suspicious samples are looked at ever closer, up to rounding.
 class Search {
@@ -217,6 +212,10 @@ void tidy(std::vector<double>& times, double error, const std::vector<double>& o
 }
 
 }  // namespace
+
+double rounder(double a, double b) {
+  return fmt::format("{}", a).size() <= fmt::format("{}", b).size() ? a : b;
+}
 
 Discontinuities find_discontinuities(const Course& course, Interval over, int samples) {
   Discontinuities result = Search(course, over, samples).run();

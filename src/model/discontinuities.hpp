@@ -31,6 +31,9 @@ Discontinuities find_discontinuities(const Course& course, Interval over, int sa
 /// The jump between two times, as in Discontinuities::jumps, if one makes up most of the change between them.
 std::optional<double> jump_between(const Course& course, double low, double high);
 
+/// The number with fewer digits: expressions are written with round numbers.
+double rounder(double a, double b);
+
 /// The decimal number of the fewest digits within an error: expressions are written with round numbers.
 double rounded(double value, double error, int most_digits = 12);
 

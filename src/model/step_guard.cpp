@@ -1,13 +1,13 @@
 #include "creepcontact/model/step_guard.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "discontinuities.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -37,11 +37,6 @@ double scattered(double number) {
   bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
   bits ^= bits >> 31U;
   return static_cast<double>(bits >> 11U) * 0x1p-53;
-}
-
-/// The number with fewer digits: functions are written with round numbers.
-double rounder(double a, double b) {
-  return fmt::format("{}", a).size() <= fmt::format("{}", b).size() ? a : b;
 }
 
 /// A course at one place, from a time on.
