@@ -10,7 +10,7 @@
 namespace creepcontact::model {
 namespace {
 
-Discontinuities of(const std::string& expression, double end) {
+Discontinuities discontinuities_of(const std::string& expression, double end) {
   const Function f = Function::expression(expression, {"x", "y", "z", "t"});
   return find_discontinuities([&](double t) { return f({.x = 0.2, .y = 3.1, .z = 0.9, .t = t}); }, {0, end});
 }
@@ -50,7 +50,7 @@ TEST(Discontinuities, AreFoundToRounding) {
       {"mod(t, 1e5) < 7e4 ? min(mod(t, 1e5)/0.5, 1) : 0", 2e5, {0.5, 1e5, 100000.5}, {7e4, 1.7e5}},
       {"(t < 0.3 ? 0 : 1) + min(t/5, 1)", 10, {5}, {0.3}}};
   for (const Expected& expected : cases) {
-    const Discontinuities found = of(expected.expression, expected.end);
+    const Discontinuities found = discontinuities_of(expected.expression, expected.end);
     expect_times(expected.expression, found.kinks, expected.kinks, 1e-9);
     expect_times(expected.expression, found.jumps, expected.jumps, 1e-15);
     EXPECT_FALSE(found.too_many) << expected.expression;
@@ -61,7 +61,7 @@ TEST(Discontinuities, AreFoundToRounding) {
 TEST(Discontinuities, AJumpIsKnownToTheLastBit) {
   for (const char* expression : {"t < 1/3 ? 1 : 2", "t <= 1/3 ? 1 : 2", "floor(3*t)", "floor(t/0.1)"}) {
     const Function f = Function::expression(expression, {"t"});
-    const Discontinuities found = of(expression, 3);
+    const Discontinuities found = discontinuities_of(expression, 3);
     EXPECT_FALSE(found.jumps.empty()) << expression;
     for (const double t : found.jumps)
       EXPECT_NEAR(f({.t = std::nextafter(t, 9.0)}) - f({.t = std::nextafter(t, 0.0)}), 1, 1e-9) << expression << t;
@@ -74,18 +74,18 @@ TEST(Discontinuities, SmoothFunctionsHaveNone) {
         "sin(2000*t)", "1e5*sin(t/7)*exp(-t/20)", "tanh((t - 5)*1e4)", "1e6 + sin(t)", "cos(x*t)^2", "3*t + 1e4",
         "max(t - 2, 0)^2", "exp(-((t - 5)/0.01)^2)"})
     for (const double end : {10.0, 100.0}) {
-      const Discontinuities found = of(expression, end);
+      const Discontinuities found = discontinuities_of(expression, end);
       expect_times(expression, found.kinks, {}, 0);
       expect_times(expression, found.jumps, {}, 0);
       EXPECT_FALSE(found.too_many) << expression;
     }
-  expect_times("1/(1+t)", of("1/(1+t)", 1e6).kinks, {}, 0);
-  expect_times("sqrt(t)", of("sqrt(t)", 1e6).kinks, {}, 0);
+  expect_times("1/(1+t)", discontinuities_of("1/(1+t)", 1e6).kinks, {}, 0);
+  expect_times("sqrt(t)", discontinuities_of("sqrt(t)", 1e6).kinks, {}, 0);
 }
 
 TEST(Discontinuities, OfAHundredCycles) {
   const auto start = std::chrono::steady_clock::now();
-  const Discontinuities found = of("max(0, min(min(mod(t, 50), (25 - mod(t, 50))), 1))", 5000);
+  const Discontinuities found = discontinuities_of("max(0, min(min(mod(t, 50), (25 - mod(t, 50))), 1))", 5000);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_TRUE(found.jumps.empty());
   ASSERT_EQ(found.kinks.size(), 399u);
@@ -101,7 +101,7 @@ TEST(Discontinuities, OfAHundredCycles) {
 
 TEST(Discontinuities, OfAFastSawAreTooMany) {
   for (const char* expression : {"mod(t, 1e-2)", "abs(sin(1e4*t))"}) {
-    const Discontinuities found = of(expression, 1000);
+    const Discontinuities found = discontinuities_of(expression, 1000);
     EXPECT_TRUE(found.too_many) << expression;
     EXPECT_TRUE(found.kinks.empty() && found.jumps.empty());
   }
@@ -109,7 +109,7 @@ TEST(Discontinuities, OfAFastSawAreTooMany) {
 
 /// Where a root has no value it counts as 0; what comes later is found all the same.
 TEST(Discontinuities, OfAFunctionThatIsNoNumberForATime) {
-  const Discontinuities found = of("sqrt(t - 3) + (t > 7 ? 1 : 0) + abs(t - 8)", 10);
+  const Discontinuities found = discontinuities_of("sqrt(t - 3) + (t > 7 ? 1 : 0) + abs(t - 8)", 10);
   EXPECT_EQ(found.jumps, (std::vector<double>{3, 7}));
   expect_times("a root", found.kinks, {8}, 1e-9);
 }
