@@ -9,13 +9,13 @@
 namespace creepcontact::model {
 namespace {
 
-Extrema of(const char* expression, double end) {
+Extrema extrema_of(const char* expression, double end) {
   const Function f = Function::expression(expression, {"t"});
   return find_extrema([&](double t) { return f({.t = t}); }, {0, end});
 }
 
 void expect_turns(const char* expression, double end, const std::vector<double>& expected, double error) {
-  const Extrema found = of(expression, end);
+  const Extrema found = extrema_of(expression, end);
   ASSERT_EQ(found.turns.size(), expected.size()) << expression;
   EXPECT_EQ(found.count, static_cast<double>(expected.size()));
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found.turns[i].time, expected[i], error) << expression;
@@ -41,7 +41,7 @@ TEST(Extrema, MonotonousFunctionsHaveNone) {
 /// Periods that divide the distances of samples, of any number.
 TEST(Extrema, OfAVibrationBoundSteps) {
   for (const double n : {101., 777., 7777., 8192., 16381., 16384., 32000., 1e5, 131072., 1e6, 1e8}) {
-    const Extrema found = of(fmt::format("100 + 50*sin(2*pi*t*{}/1000)", n).c_str(), 1000);
+    const Extrema found = extrema_of(fmt::format("100 + 50*sin(2*pi*t*{}/1000)", n).c_str(), 1000);
     ASSERT_EQ(found.turns.size(), 2U) << n;  // the extremes of the load, for the scale of the stress
     EXPECT_NEAR(found.count / (2 * n), 1, n < 6e4 ? 1e-4 : 0.3) << n;
     const StepLimits limits(found.limits);
@@ -55,7 +55,7 @@ TEST(Extrema, OfAVibrationBoundSteps) {
 
 /// Bounds hold where the vibration is, and a step from before it ends there.
 TEST(Extrema, OfAVibrationForATime) {
-  const Extrema found = of("(t > 300 && t < 310) ? sin(100*t) : 0", 1000);
+  const Extrema found = extrema_of("(t > 300 && t < 310) ? sin(100*t) : 0", 1000);
   EXPECT_EQ(found.turns.size(), 2U);
   EXPECT_NEAR(found.count, 318, 3);
   const StepLimits limits(found.limits);
@@ -66,12 +66,12 @@ TEST(Extrema, OfAVibrationForATime) {
 
 /// Jumps among turns that are too close to look for kinks.
 TEST(Extrema, OfAVibrationThatJumps) {
-  const Extrema found = of("sin(2*pi*5*t) + (t > 123.4567 ? 10 : 0)", 1000);
+  const Extrema found = extrema_of("sin(2*pi*5*t) + (t > 123.4567 ? 10 : 0)", 1000);
   EXPECT_EQ(found.jumps, std::vector<double>{123.4567});
 }
 
 TEST(Extrema, WhatIsNoNumberForATime) {
-  const Extrema found = of("sqrt(t - 1)*cos(t)", 10.0);
+  const Extrema found = extrema_of("sqrt(t - 1)*cos(t)", 10.0);
   ASSERT_GE(found.turns.size(), 2U);
   EXPECT_NEAR(found.turns.back().time, 9.483, 0.01);
 }
