@@ -21,7 +21,7 @@ CondensedRows::CondensedRows(const RowMatrix& rows, std::span<const std::int64_t
     factor_.triangularView<Eigen::Lower>().solveInPlace(traces_);
   }
   flexibility_ = traces_.transpose() * traces_;
-  if (by_factor) {
+  if (by_factor && !trailing.empty()) {
     rows_.resize(traces_.rows(), traces_.cols());
     rows_.setFromTriplets(entries.begin(), entries.end());
     traces_.resize(0, 0);

@@ -21,7 +21,8 @@ constexpr std::int64_t max_mean_stages =
 /// it leaves keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a tenth of the
 /// solves.
 constexpr std::int64_t max_mean_products = 8;
-constexpr double max_stable_steps = 300;  // in a step, for rkc2 to take over: 25 stages
+constexpr std::int64_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
+constexpr double max_stable_steps = 300;                // in a step, for rkc2 to take over: 25 stages
 
 /// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
 constexpr double stabilized_share = 0.2;
@@ -149,7 +150,8 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   const std::int64_t products = (recent_.back().products - recent_.front().products) / std::int64_t{window};
   recent_.pop_front();
   trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
-  if (!trouble_ && method_ == Method::krylov && products > max_mean_products && !given_up_.contains(Method::tangent) &&
+  if (!trouble_ && method_ == Method::krylov && products > max_mean_products &&
+      steps_with_method_ >= min_steps_before_tangent && !given_up_.contains(Method::tangent) &&
       system_.newton_solver() != nullptr) {
     trouble_ = true;
     wanted_ = Method::tangent;

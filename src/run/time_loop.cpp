@@ -454,8 +454,10 @@ void TimeLoop::integrate(const platform::Interrupt& interrupt) {
     if (cycles_) cycles_->step(report, integrator_->state());
     if (cycles_ && cycles_->is_checking() && gone_back_for_event()) continue;
     if (ruptured(time_ - report.step) || stopped_in_step(time_ - report.step)) return;
-    see_extremes(integrator_->state());
     const bool breakpoint = time_ >= stop;
+    // An output of this very state follows, unless the loads jump in between.
+    const bool is_output = next_output_ != config_.time.output.end() && *next_output_ == time_;
+    if (!is_output || (breakpoint && time_ < end)) see_extremes(integrator_->state());
     if (breakpoint && next_break_ < breakpoints_.size()) ++next_break_;
     if (!outputs_of_step(breakpoint)) {
       settled_ = true;
