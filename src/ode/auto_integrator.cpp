@@ -21,7 +21,7 @@ constexpr std::int64_t max_mean_stages =
 /// it leaves keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a tenth of the
 /// solves.
 constexpr std::int64_t max_mean_products = 8;
-constexpr std::int64_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
+constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
 constexpr double max_stable_steps = 300;                // in a step, for rkc2 to take over: 25 stages
 
 /// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.

@@ -1,6 +1,8 @@
 /// States of contact over time: separation, closure, first contact from an open gap; blocks in series with two joints;
 /// ties against unilateral contact.
 
+#include <fmt/format.h>
+
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/contact_state.hpp"
@@ -171,6 +173,7 @@ struct Agreement {
   std::string name;
   std::vector<Box> boxes;
   std::string bottom, top;
+  int order = 2;
 };
 
 class TiedAndUnilateral : public testing::TestWithParam<Agreement> {};
@@ -178,8 +181,8 @@ class TiedAndUnilateral : public testing::TestWithParam<Agreement> {};
 TEST_P(TiedAndUnilateral, AgreeInCompressionWithoutShear) {
   const Agreement& tested = GetParam();
   const auto run = [&](const std::string& type) {
-    std::string toml = "[mesh]\nfile = \"case.geo\"\n" + test::support("lower_z0", "z", tested.bottom) +
-                       test::support("upper_z1", "z", tested.top) +
+    std::string toml = fmt::format("[mesh]\nfile = \"case.geo\"\norder = {}\n", tested.order) +
+                       test::support("lower_z0", "z", tested.bottom) + test::support("upper_z1", "z", tested.top) +
                        test::contact_table("lower_z1", "upper_z0", "type = \"" + type + "\"") + "[time]\nend = 1\n";
     for (const Box& box : tested.boxes)
       toml += test::body(box.name, 1e5, 0.3) + test::support(box.name + "_x0", "x") +
@@ -199,12 +202,14 @@ TEST_P(TiedAndUnilateral, AgreeInCompressionWithoutShear) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, TiedAndUnilateral,
                          testing::Values(Agreement{"uniform_on_other_meshes", two, "0", "-0.03"},
-                                         // The mirror image of one another, so that nothing slides.
+                                         // The mirror image of one another, so that nothing slides. Matching faces are
+                                         // tied at all nodes; of linear elements these are the multipliers' nodes.
                                          Agreement{"mirror_images",
                                                    {{"lower", {0, 0, 0}, {10, 10, 10}, {3, 2, 2}},
                                                     {"upper", {0, 0, 10}, {10, 10, 10}, {3, 2, 2}}},
                                                    "\"0.01*(1 + 0.03*x - 0.02*y)\"",
-                                                   "\"-0.01*(1 + 0.03*x - 0.02*y)\""}),
+                                                   "\"-0.01*(1 + 0.03*x - 0.02*y)\"",
+                                                   1}),
                          [](const auto& parameter) { return parameter.param.name; });
 
 }  // namespace

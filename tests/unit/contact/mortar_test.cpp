@@ -160,11 +160,11 @@ TEST(Mortar, RowsThatJoinOthers) {
   const test::Boxes assembly({.divisions = {3, 3, 1}}, {.divisions = {2, 2, 1}}, true, 0.0);
   contact::Surface slave = assembly.surface(assembly.bodies()[0], "z1");
   const contact::Surface master = assembly.surface(assembly.bodies()[1], "z0");
-  const auto all = contact::mortar_coupling(slave, master, ContactType::tied);
+  const auto all = contact::mortar_coupling(slave, master, ContactType::unilateral);
   const std::set<std::int64_t> border = mesh::border_nodes(slave.faces);
   EXPECT_EQ(border.size(), 12U);
   slave.joining = {border.begin(), border.end()};
-  const auto inner = contact::mortar_coupling(slave, master, ContactType::tied);
+  const auto inner = contact::mortar_coupling(slave, master, ContactType::unilateral);
   EXPECT_EQ(inner.nodes.size(), 4U);
   for (const contact::MultiplierNode& at : inner.nodes) EXPECT_FALSE(border.contains(at.node));
   const Eigen::VectorXd force = Eigen::VectorXd::Ones(all.n_rows());

@@ -83,7 +83,7 @@ TEST_P(TiedCoupling, CarriesUniformTension) {
   Vector3 force = Vector3::Zero();
   for (std::size_t i = 0; i < coupling.nodes.size(); ++i) {
     EXPECT_NEAR(coupling.pressure(i, state.result.state.multiplier), -2, 1e-9);
-    EXPECT_LT(coupling.shear(i, state.result.state.multiplier).norm(), 1e-9);
+    EXPECT_LT(coupling.shear(i, state.result.state.multiplier).norm(), 5e-9);
     force += coupling.nodal_force(i, state.result.state.multiplier);
   }
   EXPECT_NEAR(force.z(), 2, 1e-9);
