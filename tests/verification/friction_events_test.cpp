@@ -117,8 +117,12 @@ TEST(FrictionEvents, OutputsDoNotChangeARun) {
   const Pair pair{.is_solid = false, .A = 1e-14};
   const test::Outcome few = pair.run("integrator = \"cvode_bdf\"\n", {"time.output=[1000]"}),
                       many = pair.run("integrator = \"cvode_bdf\"\n");
-  for (const char* name : {"x", "normal", "largest", "mean"})
+  for (const char* name : {"x", "normal"})
     EXPECT_EQ(few.history.at(name, 1000), many.history.at(name, 1000)) << name;
+  EXPECT_EQ(few.summary.number("steps"), many.summary.number("steps"));
+  // Results do not fall below those of an output before, which lie on the path to within the tolerance.
+  for (const char* name : {"largest", "mean"})
+    EXPECT_NEAR(few.history.at(name, 1000) / many.history.at(name, 1000), 1, 1e-4) << name;
 }
 
 // Friction falls to almost nothing for a while; what has slipped then does not come back.
