@@ -46,15 +46,16 @@ FrictionNewton::Trial FrictionNewton::trial(const ContactLoad& load, bool mean, 
     if (!rows.is_movable(normal) || !(x_n > 0)) continue;  // open
     at.status = ContactStatus::stick;
     result.residual[normal] = multiplier[normal] - x_n;
+    const bool is_frozen = options.bound.size() > 0;
+    const double mu =
+        is_frozen || own.set != AdmissibleSet::cone ? 0.0 : load.friction.coefficient[static_cast<Index>(i)];
+    at.friction = mu;
     const FrictionRows::Tangents& tangential = rows.tangents(i);
-    if (tangential.n == 0) continue;
+    if (tangential.n == 0) continue;  // on two planes of symmetry: it sticks
     const double r = options.tangential_scale / tangential.flexibility;
     const Eigen::Vector2d tau = tangential.of(multiplier), v = tangential.of(gap),
                           before = direction_before(load, tangential);
-    const bool is_frozen = options.bound.size() > 0;
-    const double mu = is_frozen ? 0.0 : load.friction.coefficient[static_cast<Index>(i)];
     const double bound = is_frozen ? options.bound[static_cast<Index>(i)] : mu * x_n;
-    at.friction = mu;
     const Eigen::Vector2d x = tau - r * v;
     const double size = x.norm();
     Eigen::Vector2d residual = r * v;
