@@ -73,10 +73,10 @@ int dispatch(const Arguments& arguments) {
     return 0;
   }
   if (first == "--version") {
-    std::cout << Processes::program() << " " CREEPCONTACT_VERSION "\n";
     const bool is_verbose = arguments.size() == 2 && arguments.back() == "--verbose";
     if (arguments.size() > 1 && !is_verbose)
       throw ConfigError(fmt::format("--version takes no '{}'; allowed: --verbose", arguments[1]));
+    std::cout << Processes::program() << " " CREEPCONTACT_VERSION "\n";
     if (is_verbose) {
       const linalg::BlasLibrary library = linalg::blas_library();
       std::cout << "BLAS:   " << library.blas << "\nLAPACK: " << library.lapack << '\n';

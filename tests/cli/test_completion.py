@@ -92,7 +92,7 @@ class Completion(CompletionTest):
     def test_keys_know_the_names_in_the_configuration(self):
         self.assertEqual(self.complete("run case.toml --set bodies."),
                          [f"bodies.{body}.{key}=" for body in ("ring", "shaft")
-                          for key in ("material", "material_axes.cylindrical.axis", "material_axes.cylindrical.origin", "material_axes.cylindrical", "material_axes.first", "material_axes.second", "region", "thickness")])
+                          for key in ("axial_force", "material", "material_axes.cylindrical.axis", "material_axes.cylindrical.origin", "material_axes.cylindrical", "material_axes.first", "material_axes.second", "region", "thickness")])
         self.assertEqual(self.complete("run case.toml --set materials.steel.creep.1.flu"),
                          ["materials.steel.creep.1.fluidity="])
         self.assertEqual(self.complete("run case.toml --set contacts.0.ga"), ["contacts.0.gap="])

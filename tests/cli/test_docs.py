@@ -156,6 +156,8 @@ class Defaults(unittest.TestCase):
     def defaults(self):
         tables = re.split(r"(?m)^### `\[*(.*?)\]*`\n", call("list", "keys", "--markdown"))
         for table, rows in zip(tables[1::2], tables[2::2]):
+            if table == "generalized_plane_strain":  # an analysis of its own
+                continue
             place = table.replace("<name>", "steel")
             if re.search(rf"(?m)^\[\[{re.escape(place)}\]\]", EVERY_TABLE):
                 place += "[0]"
