@@ -9,6 +9,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr std::size_t n_blocks = 64, first_samples = 128;  // per block
+constexpr double rounding_of_constants = 1e-12;            // of the values
 constexpr double min_turn = 0.01;                          // of the range of the values
 constexpr std::size_t least_gap = 6, denser = 2;           // samples between turns; refinement
 constexpr int finest_window = 6;                           // each eight times as close as the one before
@@ -72,7 +73,8 @@ class TurnSearch {
       samples_.push_back(sampled(k));
     }
     for (Block& block : blocks_) look_closer(block);
-    if (!(high_ > low_)) return {};
+    // What is constant but for rounding, as an interpolated temperature, does not turn.
+    if (!(high_ - low_ > rounding_of_constants * std::max(std::abs(high_), std::abs(low_)))) return {};
     for (std::size_t k = 0; k < n_blocks; ++k) resolve(k);
     return found();
   }

@@ -21,6 +21,13 @@ void expect_turns(const char* expression, double end, const std::vector<double>&
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found.turns[i].time, expected[i], error) << expression;
 }
 
+TEST(Extrema, RoundingOfAConstantIsNoVibration) {
+  const Extrema found = extrema_of("300*(1 + 1e-15*sin(1e4*t))", 1000);
+  EXPECT_TRUE(found.turns.empty());
+  EXPECT_TRUE(found.limits.empty());
+  EXPECT_EQ(found.count, 0);
+}
+
 TEST(Extrema, OfAnOscillation) {
   expect_turns("-0.02*cos(3.14159265358979*t/250)", 1000, {250, 500, 750}, 1e-3);
   expect_turns("sin(t)", 9.0, {1.5708, 4.7124, 7.854}, 1e-3);
