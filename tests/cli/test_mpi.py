@@ -82,9 +82,9 @@ class MpiResults(MpiTest):
             self.expect_the_same(self.directory / "serial", self.directory / "spread")
             cycles = [(self.directory / output / "cycles.csv").read_text().splitlines() for output in ("serial", "spread")]
             self.assertEqual(*([line.split(",")[:4] for line in lines] for lines in cycles))
-            # Whether a change within a step matters is decided by a solve or without, by its last digits.
+            # Iterations end at a threshold, which rounding passes one earlier or later.
             for serial, spread in zip(*([int(line.split(",")[4]) for line in lines[1:]] for lines in cycles)):
-                self.assertAlmostEqual(spread, serial, delta=0.03 * serial)
+                self.assertAlmostEqual(spread, serial, delta=0.1 * serial)
             self.assertLess(len(cycles[0]), 0.6 * part)
 
     def expect_equal_cubes(self, *settings):
