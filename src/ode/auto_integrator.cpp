@@ -22,7 +22,7 @@ constexpr std::int64_t max_mean_stages =
 /// solves.
 constexpr std::int64_t max_mean_products = 8;
 constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
-constexpr double max_stable_steps = 300;                // in a step, for rkc2 to take over: 25 stages
+constexpr double max_stable_steps = 300;               // in a step, for rkc2 to take over: 25 stages
 
 /// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
 constexpr double stabilized_share = 0.2;

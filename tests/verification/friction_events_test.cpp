@@ -117,8 +117,7 @@ TEST(FrictionEvents, OutputsDoNotChangeARun) {
   const Pair pair{.is_solid = false, .A = 1e-14};
   const test::Outcome few = pair.run("integrator = \"cvode_bdf\"\n", {"time.output=[1000]"}),
                       many = pair.run("integrator = \"cvode_bdf\"\n");
-  for (const char* name : {"x", "normal"})
-    EXPECT_EQ(few.history.at(name, 1000), many.history.at(name, 1000)) << name;
+  for (const char* name : {"x", "normal"}) EXPECT_EQ(few.history.at(name, 1000), many.history.at(name, 1000)) << name;
   EXPECT_EQ(few.summary.number("steps"), many.summary.number("steps"));
   // Results do not fall below those of an output before, which lie on the path to within the tolerance.
   for (const char* name : {"largest", "mean"})

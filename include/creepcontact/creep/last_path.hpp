@@ -29,7 +29,7 @@ class LastPath {
 /// Accumulated slip and dissipated energy of the last result: those of later ones are not below.
 class ReportedSlip {
  public:
-  /// Raises what is below the last result, and takes this for the last one. A result of an earlier time begins anew.
+  /// Raises what is below the last result, and takes this for the last one. A result of an earlier time begins again.
   void raise(SlipHistory& friction);
 
  private:

@@ -76,7 +76,7 @@ class System {
   /// Announces that (t, y) is an accepted step; later warm starts are taken from it.
   virtual void accept(double t, std::span<const double> y) = 0;
   /// True if accept() has made the rate at the accepted point another one than evaluations before it gave, by more than
-  /// the tolerance. Methods that carry that rate on to the next step evaluate it anew.
+  /// the tolerance. Methods that carry that rate on to the next step evaluate it again.
   virtual bool rate_has_jumped() const { return false; }
   /// Discards evaluations made so far, so that later ones depend to the last bit only on what accept() has stored.
   /// Integrators call it at restart points.
