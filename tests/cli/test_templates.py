@@ -53,7 +53,10 @@ class TemplateTest(ProcessTest):
     def expect_quiet(self, *arguments):
         done = self.call(*arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertNotIn("warning", done.stderr + done.stdout)
+        # The expansion of one body alone, added by an alternative, does meet one axial strain for both.
+        said = [line for line in (done.stderr + done.stdout).splitlines()
+                if not line.startswith("warning: generalised plane strain: all bodies have one axial strain")]
+        self.assertNotIn("warning", "\n".join(said))
 
 
 class Templates(TemplateTest):
