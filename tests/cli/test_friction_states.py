@@ -130,9 +130,9 @@ class FrictionStates(ProcessTest):
                 self.assertLess(len(methods), 80)
         with open(self.output / "history.csv", encoding="utf-8") as file:
             end = {float(row["time"]): float(row["end"]) for row in csv.DictReader(file)}
-        # A bar alone slips over P / (mu p): P^2 / (2 E h mu p), and as much to the other side.
+        # A bar slips over P / (mu p): P^2 / (2 E h mu p), and as much to the other side; solids are within 1 % of it.
         for time, sign in ((1, 1), (2, -1), (3, 1)):
-            self.assertAlmostEqual(end[time], sign * 600**2 / (2 * 1e5 * 30), delta=3e-4)
+            self.assertAlmostEqual(end[time], sign * 600**2 / (2 * 1e5 * 30), delta=6e-4)
 
 
 if __name__ == "__main__":
