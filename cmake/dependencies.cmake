@@ -18,11 +18,12 @@ function(creepcontact_find_library target header library)
     return()
   endif()
   cmake_parse_arguments(arg "" "" "SUFFIXES" ${ARGN})
-  find_path(${target}_INCLUDE ${header} PATH_SUFFIXES ${arg_SUFFIXES} REQUIRED)
-  find_library(${target}_LIBRARY ${library} PATH_SUFFIXES ${arg_SUFFIXES} hdf5/serial REQUIRED)
+  # Names of our own: find modules of other packages write METIS_LIBRARY, MUMPS_LIBRARY, ... to the cache.
+  find_path(CREEPCONTACT_${target}_INCLUDE ${header} PATH_SUFFIXES ${arg_SUFFIXES} REQUIRED)
+  find_library(CREEPCONTACT_${target}_LIBRARY ${library} PATH_SUFFIXES ${arg_SUFFIXES} hdf5/serial REQUIRED)
   add_library(${target}::${target} UNKNOWN IMPORTED GLOBAL)
-  set_target_properties(${target}::${target} PROPERTIES IMPORTED_LOCATION ${${target}_LIBRARY}
-                        INTERFACE_INCLUDE_DIRECTORIES ${${target}_INCLUDE})
+  set_target_properties(${target}::${target} PROPERTIES IMPORTED_LOCATION ${CREEPCONTACT_${target}_LIBRARY}
+                        INTERFACE_INCLUDE_DIRECTORIES ${CREEPCONTACT_${target}_INCLUDE})
 endfunction()
 creepcontact_find_library(CHOLMOD cholmod.h cholmod SUFFIXES suitesparse)
 target_link_libraries(CHOLMOD::CHOLMOD INTERFACE ${BLAS_LIBRARIES})

@@ -1,9 +1,9 @@
 # Runs on several processes (creepcontact-mpi) need MPI, MUMPS, METIS and PETSc.
 find_package(MPI QUIET COMPONENTS C)
-find_path(MUMPS_INCLUDE dmumps_c.h)
-find_library(MUMPS_LIBRARY dmumps)
-find_path(METIS_INCLUDE metis.h)
-find_library(METIS_LIBRARY metis)
+find_path(CREEPCONTACT_MUMPS_INCLUDE dmumps_c.h)
+find_library(CREEPCONTACT_MUMPS_LIBRARY dmumps)
+find_path(CREEPCONTACT_METIS_INCLUDE metis.h)
+find_library(CREEPCONTACT_METIS_LIBRARY metis)
 # Of Open MPI; of MPICH: MUMPS sends by them, and src/mpi/counting.cpp counts what it sends.
 set(mpi_library ${MPI_C_LIBRARIES})
 list(POP_FRONT mpi_library mpi_library)
@@ -14,8 +14,8 @@ if(PkgConfig_FOUND)
   pkg_check_modules(PETSC QUIET PETSc)
 endif()
 set(creepcontact_mpi_found OFF)
-if(MPI_C_FOUND AND MPI_FORTRAN_LIBRARY AND MUMPS_INCLUDE AND MUMPS_LIBRARY AND METIS_INCLUDE AND METIS_LIBRARY
-   AND PETSC_FOUND)
+if(MPI_C_FOUND AND MPI_FORTRAN_LIBRARY AND CREEPCONTACT_MUMPS_INCLUDE AND CREEPCONTACT_MUMPS_LIBRARY
+   AND CREEPCONTACT_METIS_INCLUDE AND CREEPCONTACT_METIS_LIBRARY AND PETSC_FOUND)
   set(creepcontact_mpi_found ON)
 endif()
 option(CREEPCONTACT_MPI "Build creepcontact-mpi, which runs on several processes (MPI, MUMPS, METIS, PETSc)"
