@@ -27,13 +27,6 @@ double total(const std::vector<double>& energies) {
   return sum;
 }
 
-double energy_error(const PathPoint& once, const PathPoint& twice) {
-  double sum = 0;
-  for (std::size_t p = 0; p < once.friction.dissipated.size(); ++p)
-    sum += std::abs(once.friction.dissipated[p] - twice.friction.dissipated[p]);
-  return sum;
-}
-
 }  // namespace
 
 /// What the loads of the friction are measured by.
@@ -47,6 +40,12 @@ struct FrictionPath::Change {
   double turning = 0;  ///< relative error of the slip whose direction turns
   bool of_statuses = false;
   bool is_event = false;  ///< what a substep may hide: its slip would not be missed at the end
+};
+
+/// Nodes that begin to slip, or turn back, within a substep.
+struct FrictionPath::Onsets {
+  std::vector<double> energy;  ///< per pair: what the limits at which they do add to that of the end's limit
+  double doubt = 0;            ///< of these energies, in which the time of the onset is estimated
 };
 
 FrictionPath::FrictionPath(const contact::ContactProblem& problem, const SlipAdvance& slip, const Limits& limits,
@@ -72,6 +71,7 @@ std::optional<PathPoint> FrictionPath::attempt(const PathPoint& from, double end
     contact::ContactResult found = solve_(load, from.contact, end);
     PathPoint to{std::move(found.state), {}};
     to.friction = slip_.advanced(from, time(end), reference, to.contact, found.gap);
+    add_onsets(from, to);
     return to;
   } catch (const SolverError&) {
   } catch (const contact::UnbalancedLoad& unbalanced) {
@@ -198,7 +198,47 @@ double FrictionPath::error(const PathPoint& once, const PathPoint& twice) const 
 PathPoint FrictionPath::again(const PathPoint& from, const PathPoint& to) const {
   const Eigen::VectorXd reference = slip_.reference(from, to.friction.time);
   const Eigen::VectorXd gaps = to.friction.gap - reference;
-  return {to.contact, slip_.advanced(from, to.friction.time, reference, to.contact, gaps)};
+  PathPoint result{to.contact, slip_.advanced(from, to.friction.time, reference, to.contact, gaps)};
+  add_onsets(from, result);
+  return result;
+}
+
+FrictionPath::Onsets FrictionPath::onsets(const PathPoint& from, const PathPoint& to) const {
+  Onsets result;
+  result.energy.resize(to.friction.dissipated.size());
+  if (from.contact.nodes.empty()) return result;
+  for (const SlipNode& node : slip_.nodes()) {
+    const contact::NodeLinearization &before = node.at(from.contact), &now = node.at(to.contact);
+    if (now.status != ContactStatus::slip || before.status == ContactStatus::open) continue;
+    const Eigen::VectorXd traction = node.tangential(to.contact.multiplier);
+    const double limit = traction.norm();
+    if (!(limit > 0) || node.tangential(from.friction.direction).dot(traction) > 0) continue;
+    const double slip = (node.tangential(to.friction.slip) - node.tangential(from.friction.slip)).norm();
+    const double old_limit = before.friction * from.contact.multiplier[node.normal_row];
+    // The traction passes its limit where the distance from it, linear in time, is zero; where the node stuck until
+    // the end, it would exceed the limit by what its slip takes away.
+    const double below = std::max(0.0, old_limit - node.tangential(from.contact.multiplier).dot(traction) / limit);
+    const double above = slip / node.tangential(flexibility_).maxCoeff();
+    if (!(below + above > 0)) continue;
+    const double onset = below / (below + above);
+    const double change = (limit - old_limit) / 2 * slip;
+    result.energy[node.pair] -= (1 - onset) * change;
+    result.doubt += onset * (1 - onset) * std::abs(change);
+  }
+  return result;
+}
+
+void FrictionPath::add_onsets(const PathPoint& from, PathPoint& to) const {
+  const Onsets found = onsets(from, to);
+  for (std::size_t p = 0; p < found.energy.size(); ++p) to.friction.dissipated[p] += found.energy[p];
+}
+
+double FrictionPath::energy_error(const PathPoint& from, const PathPoint& middle, const PathPoint& once,
+                                  const PathPoint& twice) const {
+  double sum = onsets(from, middle).doubt + onsets(middle, twice).doubt;
+  for (std::size_t p = 0; p < once.friction.dissipated.size(); ++p)
+    sum += std::abs(once.friction.dissipated[p] - twice.friction.dissipated[p]);
+  return sum;
 }
 
 double FrictionPath::end_of(double at, double size) const {
@@ -250,7 +290,8 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
       }
     }
     const double length = to - at;
-    const double energy = std::max(total(from.friction.dissipated), total(end.friction.dissipated));
+    const double energy =
+        std::max({total(from.friction.dissipated), total(trial->friction.dissipated), total(end.friction.dissipated)});
     const bool is_shortest = !(length > limits_.shortest);
     const Change changed = change(from, *trial);
     const double extent = std::max(length * part, changed.size);
@@ -274,7 +315,7 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
     if (residual(*middle, *trial) <= residual_share * limits_.tolerance) {
       // The same state, with what the way through the middle has dissipated.
       PathPoint through = again(*middle, *trial);
-      if (energy_error(*trial, through) > energy_tolerance * energy && !is_shortest) {
+      if (energy_error(from, *middle, *trial, through) > energy_tolerance * energy && !is_shortest) {
         trial = std::move(middle);
         to = middle_at;
         continue;
@@ -288,7 +329,8 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
     const std::optional<PathPoint> twice = attempt(*middle, to);
     if (!twice && is_shortest) return std::nullopt;
     const double found = twice ? error(*trial, *twice) : HUGE_VAL;
-    if (found <= limits_.tolerance || is_shortest) {
+    const bool loses_energy = twice && energy_error(from, *middle, *trial, *twice) > energy_tolerance * energy;
+    if ((found <= limits_.tolerance && !loses_energy) || is_shortest) {
       if (found > limits_.tolerance) unresolved_ = std::max(unresolved_, found);
       accept(*middle, middle_at);
       accept(*twice, to);

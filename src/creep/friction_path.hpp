@@ -54,12 +54,18 @@ class FrictionPath {
  private:
   struct Change;
   struct Sizes;
+  struct Onsets;
   std::optional<PathPoint> attempt(const PathPoint& from, double end);
   bool nothing_moves(const PathPoint& begin, const PathPoint& end) const;
   Sizes sizes(const PathPoint& a, const PathPoint& b) const;
   Change change(const PathPoint& from, const PathPoint& to) const;
   double residual(const PathPoint& middle, const PathPoint& end) const;
   double error(const PathPoint& once, const PathPoint& twice) const;
+  Onsets onsets(const PathPoint& from, const PathPoint& to) const;
+  void add_onsets(const PathPoint& from, PathPoint& to) const;
+  /// Of the dissipated energy, of a substep that was halved.
+  double energy_error(const PathPoint& from, const PathPoint& middle, const PathPoint& once,
+                      const PathPoint& twice) const;
   /// A state with the history that a substep from there leads to.
   PathPoint again(const PathPoint& from, const PathPoint& to) const;
   /// The end of a substep of this size.

@@ -160,6 +160,33 @@ TEST(FrictionPath, CostsNothingWhereNothingMoves) {
   EXPECT_EQ(points->size(), 2);
 }
 
+// Slip that sets on within a substep does so at the limit there, and not at that of the end.
+TEST(FrictionPath, EnergyWhereThePressureFallsWhileNodesBeginToSlip) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Joint joint(3, 1, seed);
+    const SlipAdvance slip(joint.problem, joint.pairs);
+    Loads loads(joint, seed);
+    for (const SlipNode& node : slip.nodes()) {
+      loads.first[node.normal_row] = -1;
+      loads.last[node.normal_row] = -0.3;
+      node.tangential(loads.first).setZero();
+      node.tangential(loads.last) *= 0.3;
+    }
+    const auto solve = [&](const contact::ContactLoad& load, const contact::ContactState& from, double) {
+      return joint.solver->solve(load, from);
+    };
+    const PathPoint begin = joint.at_rest(loads.first), once = joint.next(slip, begin, loads.last, 1);
+    FrictionPath path(joint.problem, slip, {}, [&](double part) { return joint.load(loads.at(part)); }, solve);
+    const auto points = path.follow(begin, once);
+    ASSERT_TRUE(points);
+    PathPoint exact = begin;
+    constexpr int many = 4000;
+    for (int k = 1; k <= many; ++k) exact = joint.next(slip, exact, loads.at(double(k) / many), double(k) / many);
+    const double energy = exact.friction.dissipated[0];
+    EXPECT_NEAR(points->back().friction.dissipated[0], energy, 1.5e-3 * energy) << seed;
+  }
+}
+
 // The coefficient of friction falls for a while, and the loads do not change: what has slipped does not come back.
 TEST(FrictionPath, SeesFrictionThatFallsForAWhile) {
   Joint joint(8, 1, 5);
