@@ -12,6 +12,7 @@
 #include "function_courses.hpp"
 #include "screening.hpp"
 #include "temperature_passages.hpp"
+#include "vibration_turns.hpp"
 
 namespace creepcontact::model {
 namespace {
@@ -59,8 +60,11 @@ class FunctionSearch {
       add_places_of_table(courses, *places, result);
     else
       search(courses, *places, result);
-    if (function.value.depends_on_temperature() && temperature_ && temperature_->depends_on_time())
-      result.passages = temperature_passages(courses, *places, pieces_);
+    if (function.value.depends_on_temperature() && temperature_ && temperature_->depends_on_time()) {
+      TemperaturePassages found = temperature_passages(courses, *places, pieces_);
+      warn_of_missing(function, found);
+      result.passages = std::move(found.times);
+    }
     tell(function, result);
     found_.push_back(std::move(result));
   }
@@ -171,13 +175,34 @@ class FunctionSearch {
   void find_pieces() {
     const double end = config_.time.end;
     pieces_ = {0, end};
-    for (const SearchedFunction& temperature : found_)
+    for (const SearchedFunction& temperature : found_) {
       for (const double t : known_times(temperature.events)) pieces_.push_back(t);
+      const CourseEvents& events = temperature.events;
+      if (!events.vibrates || temperature.courses.empty()) continue;
+      const std::vector<double> turns = turns_of_vibration(temperature.courses.front(), {0, end}, events.n_turns);
+      pieces_.insert(pieces_.end(), turns.begin(), turns.end());
+      has_all_pieces_ = has_all_pieces_ && !turns.empty();
+    }
     if (temperature_)
       for (const double t : temperature_->breakpoints(end)) pieces_.push_back(t);
     std::erase_if(pieces_, [end](double t) { return t < 0 || t > end; });
     std::ranges::sort(pieces_);
     pieces_.erase(std::ranges::unique(pieces_).begin(), pieces_.end());
+  }
+
+  void warn_of_missing(const config::ConfiguredFunction& function, const TemperaturePassages& passages) const {
+    if (has_all_pieces_ && passages.missing == 0) return;
+    if (!has_all_pieces_ && passages.times.empty()) return;
+    log::warning(
+        "'{}' ({}): the temperature passes its points, kinks or jumps so often that steps do not end at all of them, "
+        "and "
+        "creep there may be missed{}; integrate fewer cycles (time.cycle with time.jump_cycles), or smooth the "
+        "function "
+        "of T",
+        function.key, function.value.text(),
+        passages.missing > 0 && std::isfinite(passages.missing)
+            ? fmt::format(" (each changes the value by up to {:.2g} %)", 100 * passages.missing)
+            : "");
   }
 
   void tell(const config::ConfiguredFunction& function, SearchedFunction& result) const {
@@ -213,6 +238,7 @@ class FunctionSearch {
   int n_of_place_ = 0;
   std::set<std::tuple<std::string, const Places*, bool>> searched_;
   std::vector<double> pieces_;
+  bool has_all_pieces_ = true;
   std::vector<SearchedFunction> found_;
 };
 

@@ -11,7 +11,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr std::size_t spread_places = 8, few_pieces = 2000, many_pieces = 40000;
-constexpr std::size_t few_passages = 300, most_passages = 20000;
+constexpr std::size_t few_passages = 300, most_passages = 100000;
 constexpr double weak = 0.02;    // change of the value without the point, of the value
 constexpr double margin = 0.05;  // of the range of temperatures
 constexpr int samples_per_piece = 4;
@@ -44,19 +44,20 @@ class Passages {
       }
   }
 
-  std::vector<double> times() const {
+  TemperaturePassages all() const {
     if (!(high_ > low_)) return {};
     std::vector<Point> points = points_in_T();
-    std::vector<double> result = at(points);
-    if (result.size() > few_passages) {
+    TemperaturePassages result{at(points)};
+    if (result.times.size() > few_passages) {
       std::erase_if(points, [](const Point& point) { return point.strength < weak; });
-      result = at(points);
+      result.times = at(points);
     }
-    if (result.size() > most_passages) {
+    if (result.times.size() > most_passages) {
       std::ranges::sort(points, std::greater(), &Point::strength);
-      while (!points.empty() && result.size() > most_passages) {
+      while (!points.empty() && result.times.size() > most_passages) {
+        result.missing = points.back().strength;
         points.pop_back();
-        result = at(points);
+        result.times = at(points);
       }
     }
     return result;
@@ -144,9 +145,9 @@ class Passages {
 
 }  // namespace
 
-std::vector<double> temperature_passages(const FunctionCourses& function, const Places& places,
+TemperaturePassages temperature_passages(const FunctionCourses& function, const Places& places,
                                          const std::vector<double>& pieces) {
-  return Passages(function, places, pieces).times();
+  return Passages(function, places, pieces).all();
 }
 
 }  // namespace creepcontact::model

@@ -34,8 +34,9 @@ constexpr double first_power = 0, power_step = 0.25, smallest_power = 0, largest
 constexpr double better_power = 0.9;  // its error, relative to that of the present one
 /// Smaller errors are rounding where the rate is constant, which power 0 integrates exactly.
 constexpr double worth_a_change = 1e-3;
-/// A step cut by a limit to less than this part of the last one adds nothing to the history but rounding errors.
-constexpr double adams_sliver = 1e-3;
+/// A step cut by a limit to less than this part of the last one adds nothing to the history but rounding errors, if
+/// the rate at its end is the one that the polynomial predicts.
+constexpr double adams_sliver = 1e-3, sliver_error = 0.1;
 }  // namespace
 
 LogAdams::LogAdams(System& system, const IntegratorOptions& options)
@@ -81,10 +82,16 @@ StepReport LogAdams::step(double t_limit) {
   attempts.begin(h);
   for (;; attempts.again(h)) {
     const StepClock::Target target = clock_.target(h, t_limit, StepClock::stretch);
-    if (attempts.count() == 1 && target.step < h &&
-        target.step < adams_sliver * std::max(last_step_, adams_smallest_step * std::abs(time()))) {
-      slide(target);
-      return {.time = time(), .step = target.step, .order = order_, .error_estimate = 0};
+    const double no_time_passes = adams_smallest_step * std::abs(time());
+    if (attempts.count() == 1 && target.step < h && target.step < adams_sliver * std::max(last_step_, no_time_passes)) {
+      const double error = target.step > no_time_passes && last_step_ > 0 ? error_of(target) : 0;
+      if (error <= sliver_error) {
+        slide(target);
+        return {.time = time(), .step = target.step, .order = order_, .error_estimate = error};
+      }
+      // The rate changes suddenly: what is known of it does not help.
+      initialize(time(), std::vector<double>(state_), target.step);
+      return step(t_limit);
     }
     const double s = history_.clock.at(target.time);
     try {
@@ -114,7 +121,17 @@ StepReport LogAdams::step(double t_limit) {
   }
 }
 
-/// The polynomial is exact enough for a step that short; its nodes must not come that close.
+double LogAdams::error_of(const StepClock::Target& target) {
+  try {
+    predict(history_.clock.at(target.time));
+    correct(target, history_.clock.at(target.time));
+    return errors().own;
+  } catch (const RecoverableError&) {
+    return HUGE_VAL;
+  }
+}
+
+/// The nodes must not come that close.
 void LogAdams::slide(const StepClock::Target& target) {
   const double s = history_.clock.at(target.time);
   add_integral(history_.dense_integrals(s), next_state_);

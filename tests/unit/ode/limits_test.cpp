@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "every_integrator.hpp"
 
@@ -70,6 +71,34 @@ TEST_P(Limits, MayMoveAndVanish) {
   EXPECT_NE(integrator->time(), 5);
   run_to(*integrator, 7);
   EXPECT_NEAR(integrator->state()[0], std::exp(-7), 2e-3);
+}
+
+/// y' = 1, and a pulse that is short compared with the steps outside it.
+class Pulse : public TestSystem {
+ public:
+  static constexpr double middle = 502, width = 0.3, height = 1e4;
+  Pulse() : TestSystem(1, 1) {}
+
+ protected:
+  void f(double t, std::span<const double>, std::span<double> rate) const override {
+    rate[0] = 1 + height * std::exp(-std::pow((t - middle) / width, 2));
+  }
+  void df(double, std::span<const double>, std::span<const double>, std::span<double> product) const override {
+    product[0] = 0;
+  }
+  void local(double, std::span<const double>, std::span<double> diagonal) const override { diagonal[0] = 0; }
+};
+
+// As of one who knows of the pulse: each step is as short as the pulse needs it, and none says why.
+TEST_P(Limits, ThatFollowAPulseAreNotSteppedOver) {
+  Pulse system;
+  auto integrator = make(system, 1e-4);
+  integrator->initialize(0, Values{0});
+  run_to(*integrator, Pulse::middle - 5 * Pulse::width);
+  for (int k = -49; k <= 50; ++k) run_to(*integrator, Pulse::middle + 0.1 * k * Pulse::width);
+  run_to(*integrator, 1000);
+  const double exact = 1000 + Pulse::height * Pulse::width * std::sqrt(std::numbers::pi);
+  EXPECT_NEAR(integrator->state()[0] / exact, 1, 1e-2);
 }
 
 TEST_P(Limits, StartFarFromZero) {
