@@ -178,6 +178,9 @@ std::optional<StepGuard::Finding> StepGuard::examine(std::size_t index, double f
     finding.is_jump = before > 0 && change() > 0.5 * before;
     while (finding.is_jump && halve()) {
     }
+    // Between two neighbouring times a continuous function, however steep, hardly changes.
+    constexpr double of_deviation = 1e-2;
+    finding.is_jump = finding.is_jump && change() > of_deviation * found.deviation;
     if (finding.is_jump && bad >= to) continue;  // at the end of the step, where it is seen
     finding.time = finding.is_jump ? rounder(good, bad) : std::max(good, from + min_length * length);
     if (finding.is_jump && !(finding.time > from)) finding.time = bad;

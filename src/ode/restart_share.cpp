@@ -14,9 +14,9 @@ struct Loss {
   double few, power;
 };
 
-// Errors fall about as the square root of the tolerance with the first two, nearly as the tolerance with the others.
+// Errors fall about as the square root of the tolerance with the first three, nearly as the tolerance with the others.
 const std::map<std::string, Loss> losses{
-    {"cvode_bdf", {20, 2}}, {"rkc2", {20, 2}}, {"cvode_adams", {50, 1}}, {"log_adams", {100, 1}}, {"auto", {100, 1}}};
+    {"cvode_bdf", {12, 2}}, {"rkc2", {12, 2}}, {"cvode_adams", {12, 2}}, {"log_adams", {40, 1}}, {"auto", {40, 1}}};
 
 }  // namespace
 

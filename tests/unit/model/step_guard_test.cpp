@@ -119,6 +119,18 @@ TEST(StepGuard, ARootAtTheStartDoesNotStopTheRun) {
   EXPECT_LT(n_steps, 60);
 }
 
+// A breakpoint may be a little later than the kink that it stands for.
+TEST(StepGuard, AKinkRightBeforeTheEndOfASegmentIsNoJump) {
+  constexpr double begin = 0.0526680142793, kink = 0.12246378256459;
+  for (const double late : {1e-14, 1e-13, 1e-12, 7e-12, 1e-11, 1e-10}) {
+    const auto course = [=](double t) { return 1e-8 + std::clamp(1e-2 * (t - kink), 0.0, 1.4e-5); };
+    const StepGuard guard = guard_of(course, 0.5, 1e-6);
+    const double end = kink + late;
+    const auto found = guard.examine(0, begin, end, {begin, end * (1 - 4e-16)});
+    if (found) EXPECT_FALSE(found->is_jump) << late;
+  }
+}
+
 TEST(StepGuard, PlacesChangeFromStepToStep) {
   std::vector<std::function<double(double)>> places;
   for (int i = 0; i < 100; ++i)  // it acts at one place in twenty

@@ -7,7 +7,7 @@ namespace {
 
 TEST(RestartShare, IsAllWithFewRestarts) {
   for (const char* name : {"auto", "log_adams", "cvode_bdf", "cvode_adams", "rkc2", "arkode_dirk", "beta_euler"})
-    EXPECT_EQ(restart_share(name, 19), 1) << name;
+    EXPECT_EQ(restart_share(name, 12), 1) << name;
 }
 
 TEST(RestartShare, FallsWithTheirNumber) {
