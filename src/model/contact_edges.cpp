@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -73,8 +75,10 @@ bool continues(const Border& border, const mechanics::Constraints& constraints,
                const std::set<std::int64_t>& of_sector) {
   return std::ranges::all_of(border.nodes, [&](std::int64_t node) {
     if (of_sector.contains(node)) return true;
-    return (constraints.frame(node).leftCols(constraints.n_held(node)).transpose() * border.outward).squaredNorm() >
-           along;
+    const Matrix3 frame = constraints.frame(node);
+    double held = 0;
+    for (int k = 0; k < constraints.n_held(node); ++k) held += std::pow(frame.col(k).dot(border.outward), 2);
+    return held > along;
   });
 }
 
