@@ -108,7 +108,7 @@ SlipHistory SlipAdvance::advanced(const PathPoint& from, double t, const Eigen::
       mean = traction / 2;
     else if (before.size() > 0 && old.dot(traction) > 0)
       mean = (traction + node.tangential(before)) / 2;
-    next.dissipated[node.pair] -= mean.dot(slip);
+    next.dissipated[node.pair] += std::max(0.0, -mean.dot(slip));  // below zero only by the solver's tolerance
     if (traction.norm() > 0) direction = traction.normalized();
   }
   add_rates(from, duration, to, next);
