@@ -29,7 +29,7 @@ class FrictionPath {
     double part_of_interval = 1;  ///< that the step is of the time between two breakpoints
     double largest = 1.0 / 8;     ///< size of a substep: its part of the interval, or change of tractions
     double with_event = 1.0 / 32;
-    double shortest = 1.0 / 4096;  ///< part of the step
+    double shortest = 1.0 / 65536;  ///< part of the step
     std::vector<double> ends =
         {};  ///< parts, ascending, in (0, 1): substeps end there, and their first are not trusted
   };

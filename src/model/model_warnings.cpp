@@ -41,6 +41,19 @@ double free_axial_strain(const mechanics::Body& body, double t) {
   return sum / std::reduce(weights.begin(), weights.end());
 }
 
+/// For each body the first of those that it is tied to, directly or through others.
+std::vector<std::size_t> tied_groups(const Model& model) {
+  std::vector<std::size_t> group(model.bodies().size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  for (const contact::Pair& pair : model.pairs()) {
+    const bool is_equation = pair.ties_nodes() && pair.coupling.ties.empty();  // such as that of the axial strains
+    if (is_equation || pair.coupling.type != contact::ContactType::tied || !pair.acts_always()) continue;
+    const auto [low, high] = std::minmax({group[pair.slave_body], group[pair.master_body]});
+    std::ranges::replace(group, high, low);
+  }
+  return group;
+}
+
 void warn_of_unlike_expansion(const config::Config& config, const Model& model, Texts& warnings) {
   const config::GeneralizedPlaneStrain& axial = config.generalized_plane_strain;
   if (config.analysis != settings::Analysis::generalized_plane_strain || axial.strain || axial.per_body) return;
@@ -49,18 +62,16 @@ void warn_of_unlike_expansion(const config::Config& config, const Model& model, 
     double difference = 0, time = 0, low = 0, high = 0;
     std::size_t low_body = 0, high_body = 0;
   } worst;
+  const std::vector<std::size_t> groups = tied_groups(model);
   for (const double t : sample_times(config, model)) {
     std::vector<double> strains;
     for (const mechanics::Body& body : model.bodies()) strains.push_back(free_axial_strain(body, t));
-    const auto [low, high] = std::ranges::minmax_element(strains);
-    const double difference = *high - *low, size = std::max(std::abs(*low), std::abs(*high));
-    if (difference > nothing && difference > unlike * size && difference > worst.difference)
-      worst = {difference,
-               t,
-               *low,
-               *high,
-               static_cast<std::size_t>(low - strains.begin()),
-               static_cast<std::size_t>(high - strains.begin())};
+    for (std::size_t a = 0; a < strains.size(); ++a)
+      for (std::size_t b = 0; b < strains.size(); ++b) {
+        const double difference = strains[b] - strains[a], size = std::max(std::abs(strains[a]), std::abs(strains[b]));
+        if (groups[a] != groups[b] && difference > std::max({nothing, unlike * size, worst.difference}))
+          worst = {difference, t, strains[a], strains[b], a, b};
+      }
   }
   if (worst.difference == 0) return;
   warnings.push_back(fmt::format(
@@ -68,7 +79,7 @@ void warn_of_unlike_expansion(const config::Config& config, const Model& model, 
       "{:.6g} {:.4g} in body '{}' and {:.4g} in body '{}'. They pull each other along z, and this changes contact "
       "forces "
       "in the plane. If they slide on each other along z, set generalized_plane_strain.per_body = true; if they are "
-      "fixed to each other, ignore this",
+      "fixed to each other, ignore this, or tie them",
       worst.time, worst.high, model.bodies()[worst.high_body].name(), worst.low,
       model.bodies()[worst.low_body].name()));
 }

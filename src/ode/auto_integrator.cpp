@@ -20,7 +20,7 @@ constexpr std::int64_t max_mean_stages =
 /// Of cvode_bdf in a step on average: where bodies relax a million times faster than others, GMRES needs many, and what
 /// it leaves keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a tenth of the
 /// solves.
-constexpr std::int64_t max_mean_products = 8;
+constexpr double max_mean_products = 5;
 constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
 constexpr double max_stable_steps = 300;               // in a step, for rkc2 to take over: 25 stages
 
@@ -147,7 +147,7 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   if (recent_.size() <= window) return;
   const std::int64_t failures = recent_.back().failures - recent_.front().failures;
   const std::int64_t stages = (recent_.back().evaluations - recent_.front().evaluations) / std::int64_t{window};
-  const std::int64_t products = (recent_.back().products - recent_.front().products) / std::int64_t{window};
+  const double products = static_cast<double>(recent_.back().products - recent_.front().products) / window;
   recent_.pop_front();
   trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
   if (!trouble_ && method_ == Method::krylov && products > max_mean_products &&
@@ -155,7 +155,7 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
       system_.newton_solver() != nullptr) {
     trouble_ = true;
     wanted_ = Method::tangent;
-    reason_ = fmt::format("{} Jacobian products per step at t = {:.6g}", products, report.time);
+    reason_ = fmt::format("{:.2g} Jacobian products per step at t = {:.6g}", products, report.time);
     return;
   }
   if (!trouble_) return;

@@ -8,6 +8,7 @@ namespace creepcontact::ode {
 namespace {
 
 constexpr double least_share = 1e-5;  // beyond, rounding would decide
+constexpr double many = 400;          // restarts, from which on the share falls more slowly
 
 /// The share is (few / restarts)^power.
 struct Loss {
@@ -23,7 +24,10 @@ const std::map<std::string, Loss> losses{
 double restart_share(const std::string& integrator, double restarts) {
   const auto found = losses.find(integrator);
   if (found == losses.end() || restarts <= found->second.few) return 1;
-  return std::max(least_share, std::pow(found->second.few / restarts, found->second.power));
+  const auto& [few, power] = found->second;
+  // Beyond, what creeps grows with the number of pieces, and so does the error that a probe may have.
+  const double counted = restarts <= many ? restarts : std::sqrt(many * restarts);
+  return std::max(least_share, std::pow(few / counted, power));
 }
 
 double vibration_share(const std::string& integrator, double turns) {

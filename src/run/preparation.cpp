@@ -117,9 +117,11 @@ std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
   constexpr double steps_per_turn = 6;
-  options.tolerance *=
-      std::min(ode::restart_share(time.integrator, static_cast<double>(model.distinct_breakpoints().size())),
-               ode::vibration_share(time.integrator, model.step_limits.n_steps() / steps_per_turn));
+  // Jumps over cycles leave errors of their own, in which those of the restarts that they pass over do not matter.
+  const auto restarts =
+      static_cast<double>(time.jump_cycles ? model.distinct_breakpoints().size() : model.breakpoints.size());
+  options.tolerance *= std::min(ode::restart_share(time.integrator, restarts),
+                                ode::vibration_share(time.integrator, model.step_limits.n_steps() / steps_per_turn));
   return ode::make_integrator(time.integrator, system, options);
 }
 

@@ -65,6 +65,10 @@ TEST(AxialStrainPerBody, TogetherTheyPullEachOtherAndTheRunSaysSo) {
   EXPECT_TRUE(has_remark(outcome));
 }
 
+TEST(AxialStrainPerBody, TiedBodiesHaveOneStrainWithoutARemark) {
+  EXPECT_FALSE(has_remark(run_plates("[time]\nend = 1\n", "", {"contacts.0.type=tied"})));
+}
+
 TEST(AxialStrainPerBody, ForcesAreThoseOfEachBody) {
   const std::string creep = "creep = [{ law = \"norton\", A = 1e-6, n = 1 }]\n";
   const Outcome outcome =

@@ -154,6 +154,13 @@ TEST(EventsInTime, AreSeenInCycles) {
   }
 }
 
+/// Each cycle leaves an error, mostly of one sign.
+TEST(EventsInTime, ErrorsOfManyCyclesDoNotAddUp) {
+  const std::string rate = creep_law_table("expression", "rate = \"1e-8*q*(1 + 0.2*sin(2*pi*t/5))\"");
+  const Outcome outcome = run_cube(rate, pulled("100"), time_keys("cycle = 5\n"));
+  EXPECT_RELATIVE(outcome.history.at("cxx", end), 1e-8 * 100 * end, 2 * tolerance);
+}
+
 /// The temperature passes the points of a table: a peak over 2 of 100 degrees.
 TEST(EventsInTime, PointsOfTablesInTheTemperature) {
   const std::string table = "{ T = [500, 549, 550, 551, 600], values = [1e-15, 1e-15, 1e-12, 1e-15, 1e-15] }";

@@ -124,22 +124,34 @@ TEST(FrictionEvents, OutputsDoNotChangeARun) {
     EXPECT_NEAR(few.history.at(name, 1000) / many.history.at(name, 1000), 1, 1e-4) << name;
 }
 
-// Friction falls to almost nothing for a while; what has slipped then does not come back.
-TEST(FrictionEvents, CoefficientThatFallsForAWhile) {
+/// Two blocks pressed on each other and sheared, whose friction depends on time.
+test::Outcome run_with_friction(const std::string& mu, const std::string& breakpoints) {
   std::string toml =
       test::section_of("plane_strain", 1) + test::body("low", 2.1e5, 0.3) + test::body("high", 2.1e5, 0.3);
   toml += test::support("low_y0", "x") + test::support("low_y0", "y") + test::support("high_y1", "y", "-0.01") +
           test::support("high_y1", "x", "\"1e-3*min(t, 10)/10\"") +
-          "[[contacts]]\nname = \"c\"\nbetween = [\"low_y1\", \"high_y0\"]\nfriction = \"t > 40 && t < 45 ? 0.001 : "
-          "0.5\"\n" +
-          "[time]\nend = 100\noutput = [10, 49, 51, 100]\nbreakpoints = [10, 40, 45]\n" +
+          "[[contacts]]\nname = \"c\"\nbetween = [\"low_y1\", \"high_y0\"]\nfriction = \"" + mu + "\"\n" +
+          "[time]\nend = 100\noutput = [10, 49, 51, 100]\nbreakpoints = [" + breakpoints + "]\n" +
           test::probe("x", "contact_force_x", "on = \"high_y0\"") +
           test::probe("y", "contact_force_y", "on = \"high_y0\"");
-  const test::Outcome outcome =
-      test::run_case(toml, test::regions_geo({{"low", {0, 2, 4}, {0, 1, 2}}, {"high", {0, 2, 4}, {1, 2, 2}}}));
+  return test::run_case(toml, test::regions_geo({{"low", {0, 2, 4}, {0, 1, 2}}, {"high", {0, 2, 4}, {1, 2, 2}}}));
+}
+
+// Friction falls to almost nothing for a while; what has slipped then does not come back.
+TEST(FrictionEvents, CoefficientThatFallsForAWhile) {
+  const test::Outcome outcome = run_with_friction("t > 40 && t < 45 ? 0.001 : 0.5", "10, 40, 45");
   EXPECT_GT(std::abs(outcome.history.at("x", 10)), 10 * std::abs(outcome.history.at("x", 49)));
   for (const double t : {49.0, 51.0, 100.0})
     EXPECT_RELATIVE(outcome.history.at("x", t), -0.001 * outcome.history.at("y", t), 1e-6);
+}
+
+// Slip within a thousandth of the step, against substeps that are told where.
+TEST(FrictionEvents, EnergyOfACoefficientThatDipsShortly) {
+  const std::string mu = "0.5 - 0.499*exp(-((t - 50)/0.05)^2)", key = "contacts/c/dissipated_energy";
+  std::string times = "10";
+  for (int k = -40; k <= 40; ++k) times += fmt::format(", {:.6g}", 50 + 0.005 * k);
+  const double exact = run_with_friction(mu, times).summary.number(key);
+  EXPECT_RELATIVE(run_with_friction(mu, "10").summary.number(key), exact, 4e-3);
 }
 
 // Loads that are not linear in time, and turn back where no breakpoint is.
