@@ -61,7 +61,8 @@ std::string card_of(const std::string& message, const std::vector<std::string>& 
     const auto [number, end] = digits(message, open + 1);
     if (end == open + 1 || end >= message.size() || message[end] != ']') continue;
     std::size_t begin = open;
-    while (begin > 0 && ((message[begin - 1] >= 'a' && message[begin - 1] <= 'z') || message[begin - 1] == '_')) --begin;
+    while (begin > 0 && ((message[begin - 1] >= 'a' && message[begin - 1] <= 'z') || message[begin - 1] == '_'))
+      --begin;
     if (const std::string card = card_of(toml, message.substr(begin, open - begin), number); !card.empty()) return card;
   }
   return "";
@@ -81,7 +82,10 @@ std::string with_cards(const std::string& message, const std::string& toml, cons
   std::string result;
   for (const std::string& line : lines_of(message)) {
     const std::string card = card_of(line, lines, file);
-    result += (result.empty() ? "" : "\n") + line + (card.empty() ? "" : fmt::format(" (made of {})", card));
+    const bool has_place = line.starts_with(file);  // in a file that will be gone
+    result += (result.empty() ? "" : "\n") +
+              (has_place ? std::filesystem::path(file).filename().string() + line.substr(file.size()) : line) +
+              (card.empty() ? "" : fmt::format(" (made of {})", card));
   }
   return result;
 }

@@ -25,7 +25,8 @@ class Workplace {
       new_.push_back(made);
     std::filesystem::create_directories(directory);
     path_ = directory / fmt::format(".import_{}", getpid());
-    if (!std::filesystem::create_directory(path_)) throw ConfigError(fmt::format("{} exists already; remove it", path_.string()));
+    if (!std::filesystem::create_directory(path_))
+      throw ConfigError(fmt::format("{} exists already; remove it", path_.string()));
   }
   ~Workplace() {
     std::error_code unused;

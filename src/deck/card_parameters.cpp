@@ -58,7 +58,8 @@ List of_loads() {
   return taken({"AMPLITUDE"}) + one_of("OP", {"NEW", "MOD"}) + only("LOAD CASE", {"1"}) + ignored({"REAL"}) +
          refused({"TIME DELAY"}, "amplitudes that begin later are not known; give their table shifted in time") +
          refused({"USER"}, of_users) + refused({"SUBMODEL", "STEP", "DATA SET", "FILE"}, of_results) +
-         refused({"IMAGINARY", "SECTOR", "CYCLIC MODE", "REGION TYPE"}, "it has no meaning in *STATIC and *VISCO steps");
+         refused({"IMAGINARY", "SECTOR", "CYCLIC MODE", "REGION TYPE"},
+                 "it has no meaning in *STATIC and *VISCO steps");
 }
 List of_following_loads() {
   return left_out({"FOLLOWER"}, "directions of loads are those of the undeformed bodies");
@@ -112,7 +113,8 @@ std::map<std::string, List> lists() {
   of["STEP"] = taken({"NLGEOM"}) + one_of("AMPLITUDE", {"RAMP", "STEP"}) +
                ignored({"INC", "INCF", "NAME", "EXTRAPOLATION", "UNSYMM", "SOLVER", "CONVERT SDI"}) +
                refused({"PERTURBATION"}, "linear perturbation is not known");
-  of["STATIC"] = of_procedure() + refused({"RIKS", "ADIABATIC", "FULLY PLASTIC", "LONG TERM"}, "this procedure is not known");
+  of["STATIC"] =
+      of_procedure() + refused({"RIKS", "ADIABATIC", "FULLY PLASTIC", "LONG TERM"}, "this procedure is not known");
   of["NO ANALYSIS"] = {};
   of["VISCO"] = of_procedure() + ignored({"CETOL"}) + one_of("CREEP", {"EXPLICIT"});
   of["RESTART"] = ignored({"WRITE", "FREQUENCY", "OVERLAY", "NUMBER INTERVAL", "TIME MARKS", "STEP", "INC"}) +
@@ -123,42 +125,42 @@ std::map<std::string, List> lists() {
   of["CLOAD"] = of_loads() + of_following_loads();
   of["DLOAD"] = of_loads() + of_following_loads() + only("CONSTANT RESULTANT", {"NO"});
   of["DSLOAD"] = of_loads() + of_following_loads() + only("CONSTANT RESULTANT", {"NO"});
-  of["TEMPERATURE"] =
-      of_loads() + refused({"BSTEP", "BINC", "ESTEP", "EINC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
-      refused({"INPUT"}, of_files);
+  of["TEMPERATURE"] = of_loads() +
+                      refused({"BSTEP", "BINC", "ESTEP", "EINC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
+                      refused({"INPUT"}, of_files);
   of["INITIAL CONDITIONS"] = taken({"TYPE"}) + refused({"USER"}, of_users) +
                              refused({"FILE", "STEP", "INC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
                              refused({"INPUT"}, of_files);
   // Contact
-  of["CONTACT PAIR"] =
-      taken({"INTERACTION", "ADJUST", "TIED"}) +
-      one_of("TYPE", {"SURFACE TO SURFACE", "NODE TO SURFACE", "MORTAR", "LINMORTAR", "PGLINMORTAR"}) +
-      ignored({"SMALL SLIDING", "HCRIT", "SMOOTH", "TRACKING", "SUPPLEMENTARY CONSTRAINTS", "MECHANICAL CONSTRAINT",
-               "NO THICKNESS", "GEOMETRIC CORRECTION"}) +
-      left_out({"EXTENSION ZONE"}, "surfaces end where they end") +
-      refused({"CPSET"}, "properties in sets are not known; INTERACTION is");
+  of["CONTACT PAIR"] = taken({"INTERACTION", "ADJUST", "TIED"}) +
+                       one_of("TYPE", {"SURFACE TO SURFACE", "NODE TO SURFACE", "MORTAR", "LINMORTAR", "PGLINMORTAR"}) +
+                       ignored({"SMALL SLIDING", "HCRIT", "SMOOTH", "TRACKING", "SUPPLEMENTARY CONSTRAINTS",
+                                "MECHANICAL CONSTRAINT", "NO THICKNESS", "GEOMETRIC CORRECTION"}) +
+                       left_out({"EXTENSION ZONE"}, "surfaces end where they end") +
+                       refused({"CPSET"}, "properties in sets are not known; INTERACTION is");
   of["SURFACE INTERACTION"] = taken({"NAME"}) + ignored({"UNSYMM"}) + refused({"USER"}, of_users);
   of["SURFACE BEHAVIOR"] =
       one_of("PRESSURE-OVERCLOSURE", {"HARD", "LINEAR", "EXPONENTIAL", "TABULAR", "TIED"}) +
       ignored({"AUGMENTED LAGRANGE", "DIRECT", "LAGRANGE", "PENALTY"}) +
       refused({"NO SEPARATION"}, "surfaces that hold each other once they touch, and slide, are not known");
-  of["FRICTION"] = ignored({"ELASTIC SLIP", "SLIP TOLERANCE", "SHEAR TRACTION SLOPE", "LAGRANGE"}) + of_table() +
-                   refused({"ROUGH"},
-                           "friction without a limit is not known; give a coefficient, or TIED if the surfaces neither "
-                           "slide nor open") +
-                   refused({"TAUMAX"}, "friction with a largest traction is not known") +
-                   refused({"ANISOTROPIC"}, "friction that depends on the direction is not known") +
-                   refused({"EXPONENTIAL DECAY", "TEST DATA"}, "friction that depends on the rate of slip is not known");
-  of["CHANGE FRICTION"] = taken({"INTERACTION"}) +
-                          refused({"RESET", "AMPLITUDE"}, "friction that changes by itself is not known; a *FRICTION "
-                                                          "below gives its new value");
+  of["FRICTION"] =
+      ignored({"ELASTIC SLIP", "SLIP TOLERANCE", "SHEAR TRACTION SLOPE", "LAGRANGE"}) + of_table() +
+      refused({"ROUGH"},
+              "friction without a limit is not known; give a coefficient, or TIED if the surfaces neither "
+              "slide nor open") +
+      refused({"TAUMAX"}, "friction with a largest traction is not known") +
+      refused({"ANISOTROPIC"}, "friction that depends on the direction is not known") +
+      refused({"EXPONENTIAL DECAY", "TEST DATA"}, "friction that depends on the rate of slip is not known");
+  of["CHANGE FRICTION"] = taken({"INTERACTION"}) + refused({"RESET", "AMPLITUDE"},
+                                                           "friction that changes by itself is not known; a *FRICTION "
+                                                           "below gives its new value");
   of["CLEARANCE"] = taken({"MASTER", "SLAVE", "VALUE"}) +
                     refused({"CPSET", "TABULAR", "BOLT"}, "only one clearance of two surfaces, VALUE, is known");
-  of["TIE"] = taken({"NAME", "POSITION TOLERANCE", "CYCLIC SYMMETRY"}) +
-              ignored({"ADJUST", "NO ROTATION", "NO THICKNESS", "TYPE"}) +
-              refused({"FLUID PERIODIC", "FLUID CYCLIC", "MULTISTAGE"},
-                      "only ties of surfaces and cyclic symmetry are known") +
-              refused({"TIED NSET", "CONSTRAINT RATIO"}, "ties of a part of a surface are not known");
+  of["TIE"] =
+      taken({"NAME", "POSITION TOLERANCE", "CYCLIC SYMMETRY"}) +
+      ignored({"ADJUST", "NO ROTATION", "NO THICKNESS", "TYPE"}) +
+      refused({"FLUID PERIODIC", "FLUID CYCLIC", "MULTISTAGE"}, "only ties of surfaces and cyclic symmetry are known") +
+      refused({"TIED NSET", "CONSTRAINT RATIO"}, "ties of a part of a surface are not known");
   of["CONTACT"] = only("OP", {"NEW"});
   of["CONTACT INCLUSIONS"] =
       refused({"ALL EXTERIOR"},

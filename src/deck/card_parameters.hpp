@@ -1,5 +1,6 @@
 #pragma once
-/// The parameters of cards that are read, and what becomes of each. One that is not in the table may change the results.
+/// The parameters of cards that are read, and what becomes of each. One that is not in the table may change the
+/// results.
 
 #include <map>
 #include <string>

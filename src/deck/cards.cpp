@@ -123,8 +123,8 @@ class Reader {
     if (place.line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
     if (line.starts_with("**")) return true;  // a comment, in whatever encoding
     if (const std::size_t end = line.find(end_of_dos_files); end != std::string::npos) line.erase(end);
-    const auto control =
-        std::ranges::find_if(line, [](char c) { return (static_cast<unsigned char>(c) < ' ' && !is_blank(c)) || c == '\x7F'; });
+    const auto control = std::ranges::find_if(
+        line, [](char c) { return (static_cast<unsigned char>(c) < ' ' && !is_blank(c)) || c == '\x7F'; });
     if (control != line.end())
       throw ConfigError(fmt::format("{}: a control character (0x{:02X}), which no name and no number has; remove it",
                                     place.text(), static_cast<unsigned char>(*control)));
@@ -159,6 +159,7 @@ class Reader {
       return;
     }
     has_card_ = true;
+    card.goes_on = text.ends_with(',');
     sink_.card(card);
   }
 

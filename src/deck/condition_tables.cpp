@@ -41,10 +41,11 @@ std::vector<SupportText> support_texts(Draft& draft, std::int64_t node, const st
   };
   const bool is_held_across = holds(1) && holds(2);
   if (is_on_axis && !is_held_across && (directions.contains(1) || directions.contains(2))) {
-    draft.impossible.push_back({transform->place, "TRANSFORM",
-                                fmt::format("a radial or tangential support of node {}, which is on the axis; hold it in "
-                                            "both directions with 0, or in none",
-                                            node)});
+    draft.impossible.push_back(
+        {transform->place, "TRANSFORM",
+         fmt::format("a radial or tangential support of node {}, which is on the axis; hold it in "
+                     "both directions with 0, or in none",
+                     node)});
     return {};
   }
   std::vector<SupportText> result;
@@ -123,7 +124,8 @@ void write_pressures(Draft& draft) {
 
 /// Whether a node gives its rotation to a rigid body.
 bool turns(const Draft& draft, std::int64_t node) {
-  return std::ranges::any_of(draft.rigid, [&](const RigidGroup& group) { return !group.rotation && group.reference == node; });
+  return std::ranges::any_of(draft.rigid,
+                             [&](const RigidGroup& group) { return !group.rotation && group.reference == node; });
 }
 
 void refuse_rotation(Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
@@ -176,15 +178,16 @@ void write_supports(Draft& draft) {
 void write_loads(Draft& draft) {
   for (const auto& [node, directions] : draft.loading.forces) {
     if (!draft.is_used(node)) {
-      draft.impossible.push_back({draft.first("CLOAD"), "CLOAD", fmt::format("a force at node {}, which no element has", node)});
+      draft.impossible.push_back(
+          {draft.first("CLOAD"), "CLOAD", fmt::format("a force at node {}, which no element has", node)});
       continue;
     }
     std::array<std::string, 3> force{"0", "0", "0"};
     bool acts = false;
     for (const auto& [direction, course] : directions)
       if (direction > 3 && !course.is_zero() && !turns(draft, node))
-        draft.impossible.push_back(
-            {draft.first("CLOAD"), "CLOAD", fmt::format("a moment at node {}: nodes of solids have no rotation", node)});
+        draft.impossible.push_back({draft.first("CLOAD"), "CLOAD",
+                                    fmt::format("a moment at node {}: nodes of solids have no rotation", node)});
       else if (direction <= 3 && !course.is_zero()) {
         force[static_cast<std::size_t>(direction) - 1] = course.toml();
         acts = true;

@@ -72,9 +72,11 @@ class ContactWriter {
     std::optional<double> coefficient;
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const auto given = raw.data[line].empty() ? std::nullopt : number(raw.data[line][0]);
-      if (!given) return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[line].empty() ? "" : raw.data[line][0]));
+      if (!given)
+        return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[line].empty() ? "" : raw.data[line][0]));
       if (coefficient && *coefficient != *given)
-        return draft_.refuse(raw, "coefficients that depend on the slip, the pressure or the temperature are not known");
+        return draft_.refuse(raw,
+                             "coefficients that depend on the slip, the pressure or the temperature are not known");
       coefficient = given;
     }
     if (time > 0) own_->friction.add(time, own_->friction.last());  // a jump
@@ -123,10 +125,11 @@ class ContactWriter {
     const auto known = pairs_.try_emplace(std::minmax({upper_case(slave), upper_case(master)}), kind);
     if (known.second) return true;
     if (known.first->second == kind)
-      draft_.left_out.push_back({raw.card.place, raw.card.name,
-                                 fmt::format("the pair of '{}' and '{}' is there already", slave, master)});
+      draft_.left_out.push_back(
+          {raw.card.place, raw.card.name, fmt::format("the pair of '{}' and '{}' is there already", slave, master)});
     else
-      draft_.refuse(raw, fmt::format("the pair of '{}' and '{}' is there already, with another contact", slave, master));
+      draft_.refuse(raw,
+                    fmt::format("the pair of '{}' and '{}' is there already, with another contact", slave, master));
     return false;
   }
 
@@ -160,13 +163,15 @@ class ContactWriter {
     const auto inclusions = draft_.cards("CONTACT INCLUSIONS");
     if (inclusions.empty())
       for (const RawCard* raw : draft_.cards("CONTACT"))
-        draft_.refuse(*raw, "contact of all surfaces with each other is not known; name the surfaces that may touch "
-                            "with *CONTACT PAIR, or in pairs below *CONTACT INCLUSIONS");
+        draft_.refuse(*raw,
+                      "contact of all surfaces with each other is not known; name the surfaces that may touch "
+                      "with *CONTACT PAIR, or in pairs below *CONTACT INCLUSIONS");
     for (const RawCard* raw : inclusions)
       for (const std::vector<std::string>& line : raw->data) {
         if (line.size() < 2 || line[0].empty() || line[1].empty() || upper_case(line[0]) == upper_case(line[1])) {
-          draft_.refuse(*raw, "contact of a surface with itself or with all others is not known; expected the names of "
-                              "two surfaces");
+          draft_.refuse(*raw,
+                        "contact of a surface with itself or with all others is not known; expected the names of "
+                        "two surfaces");
           continue;
         }
         const std::string property = property_of(line[0], line[1]);
@@ -223,7 +228,14 @@ class ContactWriter {
   void require_near(const RawCard& raw, const std::string& slave, const std::string& master) {
     if (!raw.card.has("ADJUST")) return;
     if (const auto adjusted = reach(raw, slave, master); adjusted && adjusted->near.empty())
-      draft_.refuse(raw, fmt::format("no node of '{}' is within ADJUST={} of '{}'", slave, raw.card.value("ADJUST"), master));
+      draft_.refuse(
+          raw, fmt::format("no node of '{}' is within ADJUST={} of '{}'", slave, raw.card.value("ADJUST"), master));
+  }
+
+  bool are_apart(const std::vector<ElementFace>& slave, const std::vector<ElementFace>& master,
+                 double tolerance) const {
+    const auto all = nearest_points(draft_.deck, slave, master);
+    return std::ranges::none_of(all, [&](const auto& one) { return one.second.distance <= tolerance; });
   }
 
   void tie(const RawCard& raw) {
@@ -239,6 +251,12 @@ class ContactWriter {
       }
       const std::vector<ElementFace> slave = faces(raw, line[0]), master = faces(raw, line[1]);
       if (slave.empty() || master.empty()) continue;
+      if (const auto tolerance = number(raw.card.value("POSITIONTOLERANCE"));
+          tolerance && are_apart(slave, master, *tolerance)) {
+        draft_.refuse(raw, fmt::format("no node of '{}' is within POSITION TOLERANCE={} of '{}'", line[0],
+                                       raw.card.value("POSITIONTOLERANCE"), line[1]));
+        continue;
+      }
       if (face_alike(draft_.deck, slave, master)) {
         auto equations = tie_nodes_to_faces(draft_.deck, slave, master, number(raw.card.value("POSITIONTOLERANCE")),
                                             draft_.is_section() ? 2 : 3, raw.card.place);

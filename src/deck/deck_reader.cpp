@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "card_parameters.hpp"
 #include "creepcontact/base/error.hpp"
@@ -36,10 +37,9 @@ void DeckReader::card(const Card& given) {
   current_ = given;
   const auto* found = rule_or_null(given.name);
   if (found == nullptr) {
-    deck_.impossible.push_back(
-        {given.place, given.name,
-         fmt::format("an unknown card, which may change the results{}; remove it if it does not",
-                     did_you_mean(given.name, names(rules())))});
+    deck_.impossible.push_back({given.place, given.name,
+                                fmt::format("an unknown card, which may change the results{}; remove it if it does not",
+                                            did_you_mean(given.name, names(rules())))});
     return;
   }
   current_.name = found->first;
@@ -78,12 +78,14 @@ bool DeckReader::is_in_place(const Card& card, const Rule& rule) {
     deck_.impossible.push_back({card.place, card.name, why});
     return false;
   };
-  if (rule.where == Where::model && in_step()) return refuse("it belongs before the first *STEP; within a step it is not known");
+  if (rule.where == Where::model && in_step())
+    return refuse("it belongs before the first *STEP; within a step it is not known");
   if (rule.where == Where::step && !in_step()) return refuse("it belongs between *STEP and *END STEP");
   if (rule.kind != Rule::Kind::kept) return true;
   if (into_ != &deck_)
     return refuse("within a part or an instance it is not known; write it after the instances, with their names");
-  if (!in_step() && !deck_.steps.empty()) return refuse("it stands between two steps; it belongs into one, or before all");
+  if (!in_step() && !deck_.steps.empty())
+    return refuse("it stands between two steps; it belongs into one, or before all");
   return true;
 }
 
@@ -117,13 +119,21 @@ void DeckReader::keep(const Card& card, const Rule& rule) {
   cards.push_back({card, {}, {}});
   on_data_ = [this, &cards, most = rule.most_fields](const DataLine& line) {
     if (most > 0 && line.fields.size() > most)
-      mistake(line.place, fmt::format("{} fields; only the first {} have a meaning that is known", line.fields.size(), most));
+      mistake(line.place,
+              fmt::format("{} fields; only the first {} have a meaning that is known", line.fields.size(), most));
     cards.back().data.emplace_back(line.fields.begin(), line.fields.end());
     cards.back().places.push_back(line.place);
   };
 }
 
 void DeckReader::data(const DataLine& line) {
+  if (std::exchange(current_.goes_on, false))
+    if (const auto* known = parameters_of(current_.name);
+        known != nullptr && !line.fields.empty() && std::ranges::all_of(line.fields, [&](std::string_view field) {
+          return known->contains(letters_of(std::string(field)));
+        }))
+      return mistake(line.place,
+                     fmt::format("'{}' is a parameter of the card; write it into the card's line", line.field(0)));
   if (on_data_) on_data_(line);
 }
 

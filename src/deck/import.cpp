@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "contact_adjustment.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/io/msh_writer.hpp"
 #include "creepcontact/settings/enum_names.hpp"
-#include "contact_adjustment.hpp"
 #include "draft.hpp"
 #include "matching_ties.hpp"
 

@@ -20,10 +20,9 @@ bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t
   };
   for (std::size_t i = 1; i < table.rows.size(); ++i)
     if (!(temperature(table.rows[i]) > temperature(table.rows[i - 1]))) {
-      draft.impossible.push_back(
-          {table.place, card,
-           fmt::format("the temperatures must increase from line to line; {:g} follows {:g}", temperature(table.rows[i]),
-                       temperature(table.rows[i - 1]))});
+      draft.impossible.push_back({table.place, card,
+                                  fmt::format("the temperatures must increase from line to line; {:g} follows {:g}",
+                                              temperature(table.rows[i]), temperature(table.rows[i - 1]))});
       return false;
     }
   return true;
@@ -215,8 +214,8 @@ void write_bodies_and_materials(Draft& draft) {
   const auto& materials = draft.deck.materials;
   for (const DeckBody& body : draft.bodies.bodies) {
     const auto material = materials.find(body.material);
-    draft.add(fmt::format("\n[bodies.{}]\nregion = {}\nmaterial = {}\n", toml_key(body.name),
-                          toml_string(draft.mesh.add_body(body)),
+    draft.add(fmt::format("\n[bodies.{}]    # {}\nregion = {}\nmaterial = {}\n", toml_key(body.name),
+                          body.section.text(), toml_string(draft.mesh.add_body(body)),
                           toml_string(material == materials.end() ? body.material : material->second.name)));
     if (!body.orientation.empty()) write_axes(draft, body);
   }

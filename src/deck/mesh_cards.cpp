@@ -143,12 +143,14 @@ void DeckReader::add_members(Set& set, const DataLine& line, bool generate, cons
   for (const std::string_view field : line.fields) {
     if (field.empty()) continue;
     if (whole_number(field)) {
-      if (const auto own = label(line, field, "the number of a node or an element")) set.members.push_back(offset + *own);
+      if (const auto own = label(line, field, "the number of a node or an element"))
+        set.members.push_back(offset + *own);
       continue;
     }
     const auto other = (into_->*sets).find(scope + upper_case(field));
     if (other == (into_->*sets).end()) {
-      late_members_.push_back({into_, sets, upper_case(set.name), scope + upper_case(field), current_.name, line.place});
+      late_members_.push_back(
+          {into_, sets, upper_case(set.name), scope + upper_case(field), current_.name, line.place});
       continue;
     }
     if (&other->second == &set) continue;

@@ -135,7 +135,9 @@ std::vector<DeckEquation> tie_nodes_to_faces(const Deck& deck, const std::vector
   std::vector<DeckEquation> equations;
   for (const std::int64_t node : nodes_of(deck, slave)) {
     const NearestFace::Found best = nearest(node);
-    if (best.projection.shape.size() == 0 || best.projection.distance > tolerance.value_or(default_tolerance * best.size)) continue;
+    if (best.projection.shape.size() == 0 ||
+        best.projection.distance > tolerance.value_or(default_tolerance * best.size))
+      continue;
     const Numbers nodes = face_nodes(deck, master[best.face]);
     for (int k = 0; k < n_components; ++k) {
       DeckEquation equation{{{{node, k}, 1.0}}, {}, place, "TIE"};

@@ -49,7 +49,8 @@ std::string utf8_of_latin1(std::string_view text) {
 
 std::string printable(std::string text) {
   if (!is_utf8(text)) text = utf8_of_latin1(text);
-  std::ranges::replace_if(text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7F'; }, '?');
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7F'; }, '?');
   return text;
 }
 

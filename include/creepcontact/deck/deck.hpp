@@ -100,8 +100,8 @@ struct RawCard {
 struct Step {
   Place place;
   bool has_procedure = false;
-  bool is_creep = false;    ///< *VISCO
-  std::string ramps = {};   ///< AMPLITUDE: RAMP, STEP or empty, the default of the procedure
+  bool is_creep = false;   ///< *VISCO
+  std::string ramps = {};  ///< AMPLITUDE: RAMP, STEP or empty, the default of the procedure
   bool nonlinear_geometry = false;
   double period = 1;
   std::vector<RawCard> cards;  ///< supports, loads, temperatures, output

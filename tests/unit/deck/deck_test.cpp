@@ -175,9 +175,9 @@ TEST(Deck, EveryMistakeIsNamedWithItsPlace) {
           square +
           "*NSET, NSET=A\nnone\n*NSET\n1\n*NODE\nx, 1\n5, 1, a\n*ELEMENT, TYPE=CPE4\n7, 1, 2, 3, 4\n8, 1, 2, 3, 99\n"
           "*ELASTIC\n1, 0\n*AMPLITUDE, NAME=T\n1, 0, 0, 1\n*SURFACE, NAME=S\nEall, S9\n*STEP\n*STATIC\n1, -1\n"),
-      {"deck.inp:10: *NSET: NSET is missing",
-       "deck.inp:13: *NODE: 'x' is not a node number", "deck.inp:14: *NODE: 'a' is not a number",
-       "deck.inp:16: *ELEMENT: element 7 exists already", "deck.inp:18: *ELASTIC: it belongs to a material",
+      {"deck.inp:10: *NSET: NSET is missing", "deck.inp:13: *NODE: 'x' is not a node number",
+       "deck.inp:14: *NODE: 'a' is not a number", "deck.inp:16: *ELEMENT: element 7 exists already",
+       "deck.inp:18: *ELASTIC: it belongs to a material",
        "deck.inp:21: *AMPLITUDE: the times of an amplitude must increase",
        "deck.inp:23: *SURFACE: 'S9' is not a face of an element", "deck.inp:26: *STATIC: the step lasts -1",
        "deck.inp:9: *NSET: there is no set 'NONE'", "the step has no *END STEP; the deck may be cut off",
