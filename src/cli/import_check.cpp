@@ -100,8 +100,8 @@ void check_import(const std::filesystem::path& configuration, const std::filesys
     run::check(config, report, options);
   } catch (const std::exception& error) {
     throw ConfigError(
-        fmt::format("{}: what it makes is refused:\n{}\nChange the deck, or let --no-check write the configuration all "
-                    "the same and change that",
+        fmt::format("{}: what it makes is refused:\n{}\nChange the deck, or write the configuration with --no-check "
+                    "and change that",
                     deck.string(), with_cards(error.what(), text_of(configuration), configuration.string())));
   }
 }

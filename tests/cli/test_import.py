@@ -191,7 +191,7 @@ class Import(ImportTest):
         done = self.import_deck("contradiction", CUBE + "*NODE\n100, 0, 0, 5\n*EQUATION\n2\n1, 3, 1., 100, 3, -1.\n*STEP\n*STATIC\n"
                          "*BOUNDARY\n100, 3, 3, 0.1\n*DLOAD\nCube, P2, 1.\n*END STEP\n", 2)
         self.assertRegex(done.stderr, r"equations\[0\]: it contradicts supports or other equations: from these the sum is 0 at "
-                                      r"t = 1, and not -?0\.1.*\(made of .*contradiction.inp:27: \*EQUATION\)")
+                                      r"t = 1, and not -?0\.1.*\(made of .*contradiction.inp:28: \*EQUATION\)")
 
     def test_turned_directions(self):
         """Twisting by tangential forces about the diagonal; the inclined support of a corner."""
@@ -486,7 +486,7 @@ class Import(ImportTest):
             self.assertIn(says, done.stderr)
             self.assertIn("--no-check", done.stderr)
             self.assertFalse((self.directory / "imported").exists())
-        self.assertIn("(made of " + str(self.directory / "soft.inp") + ":23", self.import_deck("soft", CUBE.replace("1e5, 0.", "-1e5, 0.") + step, 2).stderr)
+        self.assertIn("(made of " + str(self.directory / "soft.inp") + ":22", self.import_deck("soft", CUBE.replace("1e5, 0.", "-1e5, 0.") + step, 2).stderr)
         done = subprocess.run([PROGRAM, "import", "loose.inp", "--no-check"], cwd=self.directory, capture_output=True, text=True, timeout=50)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("not checked", done.stdout)

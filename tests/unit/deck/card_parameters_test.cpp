@@ -17,11 +17,11 @@ using creepcontact::test::message_of;
 using creepcontact::test::says;
 using Kind = DeckReader::Rule::Kind;
 
-const std::string square =
+const std::string plate =
     "*NODE, NSET=Nall\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*ELEMENT, TYPE=CPE4, ELSET=Eall\n7, 1, 2, 3, 4\n";
 
-Deck read(const std::string& text) {
-  std::istringstream stream(square + text);
+Deck deck_of(const std::string& text) {
+  std::istringstream stream(plate + text);
   return read_deck(stream, "deck.inp");
 }
 
@@ -33,9 +33,15 @@ std::string consequences(const std::vector<Note>& notes) {
 
 TEST(CardParameters, EveryCardThatIsReadHasAList) {
   for (const auto& [name, rule] : DeckReader::rules()) {
-    if (rule.kind == Kind::read || rule.kind == Kind::kept) EXPECT_NE(parameters_of(name), nullptr) << name;
-    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out) EXPECT_FALSE(rule.text.empty()) << name;
-    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out) EXPECT_EQ(parameters_of(name), nullptr) << name;
+    if (rule.kind == Kind::read || rule.kind == Kind::kept) {
+      EXPECT_NE(parameters_of(name), nullptr) << name;
+    }
+    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out) {
+      EXPECT_FALSE(rule.text.empty()) << name;
+    }
+    if (rule.kind == Kind::impossible || rule.kind == Kind::left_out) {
+      EXPECT_EQ(parameters_of(name), nullptr) << name;
+    }
   }
   for (const auto& [name, rule] : DeckReader::rules()) {
     const auto* parameters = parameters_of(name);
@@ -60,7 +66,7 @@ TEST(CardParameters, UnknownOnesAreRefusedForEveryCard) {
                                             : parameter.values[0]);
     const bool in_step = rule.where == DeckReader::Where::step || name == "STATIC" || name == "VISCO";
     const std::string end = in_step || name == "STEP" ? "\n*END STEP" : name == "PART" ? "\n*END PART" : "";
-    const Deck deck = read("*MATERIAL, NAME=M\n" + std::string(in_step ? "*STEP\n" : "") + card + end + "\n");
+    const Deck deck = deck_of("*MATERIAL, NAME=M\n" + std::string(in_step ? "*STEP\n" : "") + card + end + "\n");
     EXPECT_TRUE(says(consequences(deck.impossible), {"NOVELTY: an unknown parameter, which may change the results"}))
         << name;
   }
@@ -94,11 +100,11 @@ TEST(CardParameters, WhatChangesTheResultsIsRefused) {
            {"*STEP\n*END STEP", "it has no procedure"},
            {"*STEP\n*STATIC\n*END STEP\n*BOUNDARY\n1, 1", "it stands between two steps"},
            {"*PART, NAME=P\n*EQUATION\n1\n1, 1, 1.\n*END PART", "within a part or an instance it is not known"}})
-    EXPECT_TRUE(says(consequences(read(std::string(card) + "\n").impossible), {reason})) << card;
+    EXPECT_TRUE(says(consequences(deck_of(std::string(card) + "\n").impossible), {reason})) << card;
 }
 
 TEST(CardParameters, WhatIsLeftOutHasALine) {
-  const Deck deck = read(
+  const Deck deck = deck_of(
       "*HEADING\n*NODE FILE\nU\n*NSET, NSET=A, FREQUENCY=3\n1\n*CONTACT CONTROLS, STABILIZE\n*HEADING\n*STEP, INC=9\n"
       "*STATIC, STABILIZE\n*CLOAD, FOLLOWER\n1, 1, 2.\n*END STEP\n");
   EXPECT_TRUE(deck.impossible.empty()) << consequences(deck.impossible);
@@ -109,19 +115,20 @@ TEST(CardParameters, WhatIsLeftOutHasALine) {
 }
 
 TEST(CardParameters, AmplitudesAreShifted) {
-  const Deck deck = read("*AMPLITUDE, NAME=A, SHIFTX=0.5, SHIFTY=1.\n0, 0, 1, 1\n");
+  const Deck deck = deck_of("*AMPLITUDE, NAME=A, SHIFTX=0.5, SHIFTY=1.\n0, 0, 1, 1\n");
   EXPECT_EQ(deck.amplitudes.at("A").points, (std::vector<std::pair<double, double>>{{0.5, 1}, {1.5, 2}}));
-  EXPECT_TRUE(says(message_of<ConfigError>([] { read("*AMPLITUDE, NAME=A, SHIFTX=x\n0, 0\n"); }),
+  EXPECT_TRUE(says(message_of<ConfigError>([] { deck_of("*AMPLITUDE, NAME=A, SHIFTX=x\n0, 0\n"); }),
                    {"SHIFTX: 'x' is not a number"}));
-  EXPECT_TRUE(says(message_of<ConfigError>([] { read("*AMPLITUDE, NAME=A\n0, 0\n*AMPLITUDE, NAME=a\n0, 0\n"); }),
+  EXPECT_TRUE(says(message_of<ConfigError>([] { deck_of("*AMPLITUDE, NAME=A\n0, 0\n*AMPLITUDE, NAME=a\n0, 0\n"); }),
                    {"the amplitude 'a' exists already"}));
 }
 
 /// Sections and sets may come before the sets that they name.
 TEST(CardParameters, OrderOfSetsDoesNotCount) {
-  const Deck deck = read("*SOLID SECTION, ELSET=Later, MATERIAL=M\n*ELSET, ELSET=Later\nOwn\n*ELSET, ELSET=Own\n7\n");
+  const Deck deck =
+      deck_of("*SOLID SECTION, ELSET=Later, MATERIAL=M\n*ELSET, ELSET=Later\nOwn\n*ELSET, ELSET=Own\n7\n");
   EXPECT_EQ(deck.element_sets.at("LATER").members, Numbers{7});
-  const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { read(text); }); };
+  const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { deck_of(text); }); };
   EXPECT_TRUE(says(refusal("*SOLID SECTION, ELSET=None, MATERIAL=M\n"),
                    {"deck.inp:8: *SOLID SECTION: there is no element set 'NONE'"}));
   EXPECT_TRUE(says(refusal("*NSET, NSET=A\nB\n*NSET, NSET=B\nC\n*NSET, NSET=C\n1\n"),
@@ -129,7 +136,7 @@ TEST(CardParameters, OrderOfSetsDoesNotCount) {
 }
 
 TEST(CardParameters, NumbersThatAreNone) {
-  const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { read(text); }); };
+  const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { deck_of(text); }); };
   EXPECT_TRUE(says(refusal("*NODE\n9, nan, 0\n8, inf, 0\n"), {"'nan' is not a number", "'inf' is not a number"}));
   for (const char* number : {"-9", "0", "1000000000", "9223372036854775807", "99999999999999999999"}) {
     EXPECT_TRUE(says(refusal(std::string("*NODE\n") + number + ", 0, 0\n"), {"is not a node number"})) << number;
@@ -143,17 +150,17 @@ TEST(CardParameters, NumbersThatAreNone) {
 
 /// A comma at the end of a card may stand before parameters without values, which are not data.
 TEST(CardParameters, ParametersInTheNextLine) {
-  const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { read(text); }); };
+  const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { deck_of(text); }); };
   EXPECT_TRUE(says(refusal("*STEP, INC=9,\nNLGEOM\n*STATIC\n*END STEP\n"),
                    {"deck.inp:9: *STEP: 'NLGEOM' is a parameter of the card"}));
   EXPECT_TRUE(says(refusal("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR,\nno separation\n"),
                    {"deck.inp:10: *SURFACE BEHAVIOR: 'no separation' is a parameter of the card"}));
-  EXPECT_TRUE(read("*STEP,\nA title\n*STATIC\n*END STEP\n").impossible.empty());
+  EXPECT_TRUE(deck_of("*STEP,\nA title\n*STATIC\n*END STEP\n").impossible.empty());
 }
 
 /// Names are UTF-8, whatever the encoding of the deck.
 TEST(CardParameters, NamesInLatin1) {
-  const Deck deck = read(
+  const Deck deck = deck_of(
       "*NSET, NSET=Fl\xE4"
       "che\n1\n*NSET, NSET=Fl\xC3\xA4ge\n1\n");
   EXPECT_TRUE(
@@ -161,12 +168,12 @@ TEST(CardParameters, NamesInLatin1) {
                               "CHE"));
   EXPECT_TRUE(deck.node_sets.contains("FL\xC3\xA4GE"));
   EXPECT_TRUE(says(message_of<ConfigError>([] {
-                     read(
+                     deck_of(
                          "*NSET, NSET=a\x01"
                          "b\n1\n");
                    }),
                    {"deck.inp:8: a control character (0x01)"}));
-  EXPECT_TRUE(read("** a comment with \x01\n*NSET, NSET=last\n1\n\x1A").node_sets.contains("LAST"));
+  EXPECT_TRUE(deck_of("** a comment with \x01\n*NSET, NSET=last\n1\n\x1A").node_sets.contains("LAST"));
 }
 
 }  // namespace
