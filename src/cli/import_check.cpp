@@ -63,7 +63,7 @@ std::string card_of(const std::string& message, const std::vector<std::string>& 
     std::size_t begin = open;
     while (begin > 0 && ((message[begin - 1] >= 'a' && message[begin - 1] <= 'z') || message[begin - 1] == '_'))
       --begin;
-    if (const std::string card = card_of(toml, message.substr(begin, open - begin), number); !card.empty()) return card;
+    if (std::string card = card_of(toml, message.substr(begin, open - begin), number); !card.empty()) return card;
   }
   return "";
 }

@@ -44,7 +44,6 @@ List operator+(List a, const List& b) {
   return a;
 }
 
-const char* const of_fields = "values that depend on field variables are not known";
 const char* const of_users = "subroutines of users are not known";
 const char* const of_files = "data in files of their own are not known; *INCLUDE is";
 const char* const of_results = "values from the results of another run are not known";

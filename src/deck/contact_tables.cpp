@@ -208,7 +208,7 @@ class ContactWriter {
       return fmt::format("gap = {:.15g}                # {}: *CLEARANCE\n", value.value_or(0),
                          clearance->card.place.text());
     }
-    const std::string of_mesh = "gap = \"geometric\"            # that of the mesh\n";
+    std::string of_mesh = "gap = \"geometric\"            # that of the mesh\n";
     if (!raw.card.has("ADJUST")) return of_mesh;
     const auto adjusted = reach(raw, slave, master);
     if (!adjusted) return of_mesh;
