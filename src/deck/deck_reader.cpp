@@ -102,9 +102,9 @@ void DeckReader::check_parameters(const Card& card) {
       continue;
     }
     const Parameter& parameter = found->second;
+    const std::string given = letters_of(value);
     if (!parameter.values.empty() && !value.empty() &&
-        std::ranges::none_of(parameter.values,
-                             [&](const std::string& one) { return letters_of(one) == letters_of(value); }))
+        std::ranges::none_of(parameter.values, [&](const std::string& one) { return letters_of(one) == given; }))
       refuse(fmt::format("{}={} is not known; {} {}", parameter.name, value, fmt::join(parameter.values, ", "),
                          parameter.values.size() > 1 ? "are" : "is"));
     else if (parameter.use == Parameter::Use::impossible)
