@@ -96,6 +96,7 @@ void DeckReader::check_parameters(const Card& card) {
     const auto found = known.find(name);
     if (found == known.end()) {
       std::vector<std::string> all;
+      all.reserve(known.size());
       for (const auto& [letters, parameter] : known) all.push_back(parameter.name);
       refuse(fmt::format("{}: an unknown parameter, which may change the results{}; remove it if it does not", name,
                          did_you_mean(name, all)));
