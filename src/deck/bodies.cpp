@@ -96,8 +96,9 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
     for (std::size_t e = 0; e < block.numbers.size(); ++e) {
       const std::uint32_t* own = section_of.find_or_null(block.numbers[e]);
       if (own == nullptr) {
-        impossible.push_back(
-            {Place(), "ELEMENT", fmt::format("element {} belongs to no *SOLID SECTION", block.numbers[e])});
+        impossible.push_back({block.place(e), "ELEMENT",
+                              fmt::format("element {} belongs to no *SOLID SECTION; give one an element set with it",
+                                          block.numbers[e])});
         return result;
       }
       const auto index = static_cast<std::uint32_t>(elements.size());

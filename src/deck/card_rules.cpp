@@ -1,32 +1,21 @@
 /// The cards of decks, and what becomes of each.
 
-#include <algorithm>
 #include <initializer_list>
-#include <iterator>
 #include <utility>
 
+#include "card_parameters.hpp"
 #include "deck_reader.hpp"
 
 namespace creepcontact::deck {
-namespace {
-
-std::string without_blanks(const std::string& name) {
-  std::string result;
-  std::ranges::copy_if(name, std::back_inserter(result), [](char c) { return c != ' '; });
-  return result;
-}
-
-}  // namespace
-
 const std::pair<const std::string, DeckReader::Rule>* DeckReader::rule_or_null(const std::string& name) {
   // Blanks in names count for nothing: *ENDSTEP is *END STEP.
   using Named = std::pair<const std::string, Rule>;
   static const std::map<std::string, const Named*> by_letters = [] {
     std::map<std::string, const Named*> all;
-    for (const Named& rule : rules()) all[without_blanks(rule.first)] = &rule;
+    for (const Named& rule : rules()) all[letters_of(rule.first)] = &rule;
     return all;
   }();
-  const auto found = by_letters.find(without_blanks(name));
+  const auto found = by_letters.find(letters_of(name));
   return found == by_letters.end() ? nullptr : found->second;
 }
 
@@ -39,6 +28,10 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     };
     const auto add = [&](Kind kind, const std::string& text, std::initializer_list<const char*> names) {
       for (const char* name : names) result[name] = {kind, text, nullptr};
+    };
+
+    const auto keep = [&](Where where, std::size_t most_fields, std::initializer_list<const char*> names) {
+      for (const char* name : names) result[name] = {Kind::kept, {}, nullptr, where, most_fields};
     };
 
     read("NODE", &DeckReader::node);
@@ -60,43 +53,80 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
     read("END STEP", &DeckReader::end_step);
     read("STATIC", &DeckReader::statics);
     read("VISCO", &DeckReader::visco);
-    read("RESTART", &DeckReader::restart);
+    read("NO ANALYSIS", &DeckReader::no_analysis);
     read("PART", &DeckReader::part);
     read("END PART", &DeckReader::end_part);
     read("INSTANCE", &DeckReader::instance);
     read("END INSTANCE", &DeckReader::end_instance);
 
-    add(Kind::kept, "",
-        {"BOUNDARY",
-         "CLOAD",
-         "DLOAD",
-         "DSLOAD",
-         "TEMPERATURE",
-         "INITIAL CONDITIONS",
-         "CONTACT PAIR",
-         "SURFACE INTERACTION",
-         "SURFACE BEHAVIOR",
-         "FRICTION",
-         "CHANGE FRICTION",
-         "CLEARANCE",
-         "TIE",
-         "CYCLIC SYMMETRY MODEL",
-         "EQUATION",
-         "MPC",
-         "TRANSFORM",
-         "PRE-TENSION SECTION",
-         "RIGID BODY",
-         "NODE PRINT",
-         "EL PRINT",
-         "MODEL CHANGE"});
-    add(Kind::silent, "",
-        {"HEADING",          "PREPRINT",         "NODE FILE",    "EL FILE",         "NODE OUTPUT", "ELEMENT OUTPUT",
-         "CONTACT OUTPUT",   "ENERGY OUTPUT",    "CONTACT FILE", "CONTACT PRINT",   "FACE PRINT",  "OUTPUT",
-         "SECTION PRINT",    "NORMAL",           "CONTROLS",     "TIME POINTS",     "MONITOR",     "PRINT",
-         "FILE FORMAT",      "ASSEMBLY",         "END ASSEMBLY", "DIAGNOSTICS",     "NO ANALYSIS", "NODE RESPONSE",
-         "ELEMENT RESPONSE", "CONTACT RESPONSE", "OBJECTIVE",    "DESIGN VARIABLES"});
+    keep(Where::anywhere, 4, {"BOUNDARY"});
+    keep(Where::step, 3, {"CLOAD", "DSLOAD"});
+    keep(Where::step, 9, {"DLOAD"});
+    keep(Where::step, 2, {"TEMPERATURE"});
+    keep(Where::step, 0, {"CHANGE FRICTION"});
+    keep(Where::anywhere, 0, {"FRICTION", "NODE PRINT", "EL PRINT", "EQUATION", "MPC"});
+    keep(Where::anywhere, 6, {"TRANSFORM"});
+    keep(Where::model, 2, {"CONTACT PAIR", "TIE", "CONTACT INCLUSIONS"});
+    keep(Where::model, 3, {"CONTACT PROPERTY ASSIGNMENT", "PRE-TENSION SECTION"});
+    keep(Where::model, 6, {"CYCLIC SYMMETRY MODEL"});
+    keep(Where::model, 0,
+         {"INITIAL CONDITIONS", "SURFACE INTERACTION", "SURFACE BEHAVIOR", "CLEARANCE", "RIGID BODY", "CONTACT"});
+    add(Kind::impossible, "contacts and elements that come and go are not known", {"MODEL CHANGE"});
+    add(Kind::impossible, "contact that changes from step to step is not known", {"CHANGE SURFACE BEHAVIOR"});
+    const std::string general =
+        "a setting of general *CONTACT that is not known; *CONTACT PAIR with the surfaces that may touch is";
+    add(Kind::impossible, general,
+        {"CONTACT EXCLUSIONS", "CONTACT INITIALIZATION DATA", "CONTACT INITIALIZATION ASSIGNMENT",
+         "SURFACE PROPERTY ASSIGNMENT", "CONTACT STABILIZATION", "CONTACT CLEARANCE", "CONTACT CLEARANCE ASSIGNMENT",
+         "CONTACT INTERFERENCE"});
+    add(Kind::silent, "", {"ASSEMBLY", "END ASSEMBLY", "RESTART"});
+    add(Kind::without_influence, "",
+        {"HEADING",
+         "PREPRINT",
+         "NODE FILE",
+         "EL FILE",
+         "NODE OUTPUT",
+         "ELEMENT OUTPUT",
+         "CONTACT OUTPUT",
+         "ENERGY OUTPUT",
+         "CONTACT FILE",
+         "CONTACT PRINT",
+         "FACE PRINT",
+         "OUTPUT",
+         "SECTION PRINT",
+         "SECTION FILE",
+         "ENERGY FILE",
+         "ENERGY PRINT",
+         "SURFACE OUTPUT",
+         "INTEGRATED OUTPUT",
+         "INTEGRATED OUTPUT SECTION",
+         "INCREMENTATION OUTPUT",
+         "FILE OUTPUT",
+         "FILTER",
+         "NORMAL",
+         "CONTROLS",
+         "SOLUTION TECHNIQUE",
+         "SOLVER CONTROLS",
+         "TIME POINTS",
+         "MONITOR",
+         "PRINT",
+         "FILE FORMAT",
+         "DIAGNOSTICS",
+         "NODE RESPONSE",
+         "ELEMENT RESPONSE",
+         "CONTACT RESPONSE",
+         "OBJECTIVE",
+         "DESIGN VARIABLES",
+         "SECTION CONTROLS",
+         "HOURGLASS STIFFNESS",
+         "ELECTRICAL CONDUCTIVITY",
+         "MAGNETIC PERMEABILITY",
+         "VIEWFACTOR"});
     add(Kind::left_out, "damping does not act in static and creep steps",
         {"DAMPING", "MODAL DAMPING", "CONTACT DAMPING"});
+    add(Kind::left_out, "contact is solved without tolerances and stabilisation of its own",
+        {"CONTACT CONTROLS", "CONTACT CONTROLS ASSIGNMENT"});
+    add(Kind::left_out, "the first surface of a pair is the slave", {"CONTACT FORMULATION"});
     add(Kind::impossible, "couplings are not known; *RIGID BODY, *EQUATION and loads on surfaces are",
         {"COUPLING", "KINEMATIC", "DISTRIBUTING", "KINEMATIC COUPLING", "DISTRIBUTING COUPLING", "EMBEDDED ELEMENT",
          "SHELL TO SOLID COUPLING"});
@@ -106,12 +136,12 @@ const std::map<std::string, DeckReader::Rule>& DeckReader::rules() {
         {"CHANGE SOLID SECTION", "CHANGE MATERIAL", "CHANGE PLASTIC"});
     add(Kind::left_out, "heat conduction is not computed; give the temperature as a field",
         {"CONDUCTIVITY", "SPECIFIC HEAT", "FILM", "RADIATE", "DFLUX", "CFLUX", "FILM PROPERTY", "GAP CONDUCTANCE",
-         "GAP HEAT GENERATION"});
+         "GAP HEAT GENERATION", "GAP RADIATION", "LATENT HEAT", "INELASTIC HEAT FRACTION", "JOULE HEAT FRACTION",
+         "EMISSIVITY", "DSFLUX", "SFILM", "SRADIATE", "CFILM", "CRADIATE"});
 
     add(Kind::impossible, "shells and membranes are not known",
         {"SHELL SECTION", "MEMBRANE SECTION", "MEMBRANE", "SHELL GENERAL SECTION", "NODAL THICKNESS"});
     add(Kind::impossible, "beams and trusses are not known", {"BEAM SECTION", "BEAM GENERAL SECTION", "TRUSS SECTION"});
-    add(Kind::kept, "", {"CHANGE SURFACE BEHAVIOR"});
     add(Kind::impossible, "springs, dashpots, masses and gap elements are not known",
         {"SPRING", "DASHPOT", "DASHPOTA", "MASS", "GAP", "ROTARY INERTIA", "CONNECTOR SECTION"});
     add(Kind::impossible,

@@ -5,17 +5,21 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <istream>
 #include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
+#include "text_encoding.hpp"
 
 namespace creepcontact::deck {
 namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
+constexpr char end_of_dos_files = '\x1A';
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
@@ -81,7 +85,7 @@ class Reader {
   }
 
   void read(std::istream& file, const std::filesystem::path& path) {
-    Place place{path.string(), 0};
+    Place place{printable(path.string()), 0};
     std::string line;
     while (next_line(file, line, place)) {
       if (line.starts_with("**")) continue;
@@ -117,6 +121,14 @@ class Reader {
       throw ConfigError(
           fmt::format("{}: this is not text; a deck is a text file of cards such as *NODE", place.text()));
     if (place.line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+    if (line.starts_with("**")) return true;  // a comment, in whatever encoding
+    if (const std::size_t end = line.find(end_of_dos_files); end != std::string::npos) line.erase(end);
+    const auto control = std::ranges::find_if(
+        line, [](char c) { return (static_cast<unsigned char>(c) < ' ' && !is_blank(c)) || c == '\x7F'; });
+    if (control != line.end())
+      throw ConfigError(fmt::format("{}: a control character (0x{:02X}), which no name and no number has; remove it",
+                                    place.text(), static_cast<unsigned char>(*control)));
+    if (!is_utf8(line)) line = utf8_of_latin1(line);
     return true;
   }
 
@@ -147,6 +159,7 @@ class Reader {
       return;
     }
     has_card_ = true;
+    card.goes_on = text.ends_with(',');
     sink_.card(card);
   }
 
@@ -209,7 +222,9 @@ std::optional<double> number(std::string_view field) {
   if (const std::size_t plus = text.find("E+"); plus != std::string::npos) text.erase(plus + 1, 1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (end != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) value = std::strtod(text.c_str(), nullptr);  // small ones are 0
+  if ((error != std::errc() && error != std::errc::result_out_of_range) || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 

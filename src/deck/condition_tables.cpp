@@ -26,13 +26,28 @@ struct SupportText {
 };
 
 /// What holds a node: one table, or along turned directions one per direction.
-std::vector<SupportText> support_texts(const Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
+std::vector<SupportText> support_texts(Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
   const int n = draft.is_section() ? 2 : 3;
   const Transform* transform = draft.frames.of(node);
   if (transform == nullptr) return {{components(directions, {"x", "y", "z"}, n), ""}};
-  if (transform->is_cylindrical)
+  const bool is_on_axis = transform->is_on_axis(draft.position(node));
+  if (transform->is_cylindrical && !is_on_axis)
     return {{components(directions, {"radial", "tangential", "axial"}, n),
              fmt::format("axis = {}\norigin = {}\n", toml_vector(transform->axis()), toml_vector(transform->a))}};
+  // On the axis any two directions across it are as good, if the node is held in both.
+  const auto holds = [&](int direction) {
+    const auto found = directions.find(direction);
+    return found != directions.end() && found->second.is_zero();
+  };
+  const bool is_held_across = holds(1) && holds(2);
+  if (is_on_axis && !is_held_across && (directions.contains(1) || directions.contains(2))) {
+    draft.impossible.push_back(
+        {transform->place, "TRANSFORM",
+         fmt::format("a radial or tangential support of node {}, which is on the axis; hold it in "
+                     "both directions with 0, or in none",
+                     node)});
+    return {};
+  }
   std::vector<SupportText> result;
   const Matrix3 axes = transform->directions(draft.position(node));
   for (const auto& [direction, course] : directions)
@@ -51,7 +66,7 @@ void write(Draft& draft, const Loading::Body& load) {
       draft.impossible.push_back({at, card, why});
     };
     if (common.size() != body.elements.size()) {
-      refuse({}, "DLOAD", fmt::format("a body force on a part of body '{}' only", body.name));
+      refuse(draft.first("DLOAD"), "DLOAD", fmt::format("a body force on a part of body '{}' only", body.name));
       continue;
     }
     const Material& material = draft.deck.materials.at(body.material);
@@ -60,13 +75,17 @@ void write(Draft& draft, const Loading::Body& load) {
       continue;
     }
     const double density = material.density->rows.front().front();
+    if (std::ranges::any_of(material.density->rows, [&](const auto& row) { return row.front() != density; })) {
+      refuse(material.density->place, "DENSITY", "a density that depends on the temperature is not known");
+      continue;
+    }
     const std::vector<double>& g = load.load.geometry;
     if (load.load.kind == BodyLoad::Kind::centrifugal) {
       const bool is_axisymmetric = draft.analysis == settings::Analysis::axisymmetric;
       const bool is_about_axis = g[3] == 0 && g[5] == 0 && g[4] != 0 && g[0] == 0;
       const bool is_in_plane = g[3] == 0 && g[4] == 0 && g[5] != 0;
       if (draft.is_section() && !(is_axisymmetric ? is_about_axis : is_in_plane)) {
-        refuse({}, "DLOAD",
+        refuse(draft.first("DLOAD"), "DLOAD",
                is_axisymmetric
                    ? "CENTRIF about another axis than y, the axis of the model"
                    : "CENTRIF of a plane section about an axis in its plane: the force would change along z");
@@ -92,7 +111,7 @@ void write_pressures(Draft& draft) {
   for (const auto& [face, course] : draft.loading.pressures) {
     if (deck::face(element_cell(draft.deck, face.element), face.face) == nullptr) {
       draft.impossible.push_back(
-          {Place(), "DLOAD", fmt::format("element {} has no face P{}", face.element, face.face)});
+          {draft.first("DLOAD"), "DLOAD", fmt::format("element {} has no face P{}", face.element, face.face)});
       return;
     }
     pressures[course.toml()].push_back(face);
@@ -101,6 +120,19 @@ void write_pressures(Draft& draft) {
   for (const auto& [pressure, faces] : pressures)
     draft.add(fmt::format("\n[[loads]]                    # *DLOAD\non = {}\npressure = {}\n",
                           toml_string(draft.mesh.add_faces(fmt::format("pressure_{}", ++number), faces)), pressure));
+}
+
+/// Whether a node gives its rotation to a rigid body.
+bool turns(const Draft& draft, std::int64_t node) {
+  return std::ranges::any_of(draft.rigid,
+                             [&](const RigidGroup& group) { return !group.rotation && group.reference == node; });
+}
+
+void refuse_rotation(Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
+  for (const auto& [direction, course] : directions)
+    if (direction > 3 && !course.is_zero() && !turns(draft, node))
+      draft.impossible.push_back(
+          {draft.first("BOUNDARY"), "BOUNDARY", fmt::format("a rotation of node {}: nodes of solids have none", node)});
 }
 
 }  // namespace
@@ -116,6 +148,7 @@ void write_supports(Draft& draft) {
   };
   for (const auto& [node, directions] : draft.loading.supports) {
     if (!draft.is_used(node)) continue;
+    refuse_rotation(draft, node, directions);
     std::map<int, Course> always = directions;
     std::map<std::string, std::map<int, Course>> for_a_time;
     for (const auto& [direction, course] : directions) {
@@ -145,13 +178,17 @@ void write_supports(Draft& draft) {
 void write_loads(Draft& draft) {
   for (const auto& [node, directions] : draft.loading.forces) {
     if (!draft.is_used(node)) {
-      draft.impossible.push_back({Place(), "CLOAD", fmt::format("a force at node {}, which no element has", node)});
+      draft.impossible.push_back(
+          {draft.first("CLOAD"), "CLOAD", fmt::format("a force at node {}, which no element has", node)});
       continue;
     }
     std::array<std::string, 3> force{"0", "0", "0"};
     bool acts = false;
     for (const auto& [direction, course] : directions)
-      if (direction <= 3 && !course.is_zero()) {
+      if (direction > 3 && !course.is_zero() && !turns(draft, node))
+        draft.impossible.push_back({draft.first("CLOAD"), "CLOAD",
+                                    fmt::format("a moment at node {}: nodes of solids have no rotation", node)});
+      else if (direction <= 3 && !course.is_zero()) {
         force[static_cast<std::size_t>(direction) - 1] = course.toml();
         acts = true;
       }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <utility>
 
+#include "contact_adjustment.hpp"
 #include "draft.hpp"
 #include "element_faces.hpp"
 #include "node_to_face_ties.hpp"
@@ -22,34 +25,62 @@ class ContactWriter {
   void write() {
     read_interactions();
     for (const RawCard* raw : draft_.cards("CONTACT PAIR")) contact_pair(*raw);
+    general_contact();
     for (const RawCard* raw : draft_.cards("TIE")) tie(*raw);
     for (const PretensionSection& section : draft_.sections) bolt(section);
   }
 
  private:
   void read_interactions() {
-    Interaction* own = nullptr;
-    const auto read = [&](const RawCard& raw, double time) {
-      if (raw.card.name == "SURFACE INTERACTION") own = &interactions_[upper_case(raw.card.value("NAME"))];
-      if (raw.card.name == "CHANGE FRICTION") own = &interactions_[upper_case(raw.card.value("INTERACTION"))];
-      if (own == nullptr) return;
-      if (raw.card.name == "SURFACE BEHAVIOR") {
-        const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
-        own->tied = kind == "TIED";
-        if (kind != "HARD" && kind != "TIED")
-          draft_.left_out.push_back({raw.card.place, raw.card.name,
-                                     fmt::format("{}: contact is hard here, without penetration",
-                                                 kind.empty() ? "pressure over overclosure" : kind)});
-      }
-      if (raw.card.name != "FRICTION" || raw.data.empty() || raw.data[0].empty()) return;
-      const auto coefficient = number(raw.data[0][0]);
-      if (!coefficient) return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[0][0]));
-      if (time > 0) own->friction.add(time, own->friction.last());  // a jump
-      own->friction.add(time, *coefficient);
-    };
-    for (const RawCard& raw : draft_.deck.cards) read(raw, 0);
-    for (std::size_t s = 0; s < draft_.deck.steps.size(); ++s)
-      for (const RawCard& raw : draft_.deck.steps[s].cards) read(raw, s == 0 ? 0 : draft_.loading.step_ends[s - 1]);
+    for (const RawCard& raw : draft_.deck.cards) read_interaction(raw, 0);
+    for (std::size_t s = 0; s < draft_.deck.steps.size(); ++s) {
+      own_ = nullptr;
+      for (const RawCard& raw : draft_.deck.steps[s].cards)
+        read_interaction(raw, s == 0 ? 0 : draft_.loading.step_ends[s - 1]);
+    }
+  }
+
+  void read_interaction(const RawCard& raw, double time) {
+    if (raw.card.name == "SURFACE INTERACTION") {
+      const auto [made, is_new] = interactions_.try_emplace(upper_case(raw.card.value("NAME")));
+      if (!is_new) draft_.refuse(raw, fmt::format("'{}' exists already", raw.card.value("NAME")));
+      own_ = &made->second;
+    }
+    if (raw.card.name == "CHANGE FRICTION") {
+      const auto found = interactions_.find(upper_case(raw.card.value("INTERACTION")));
+      own_ = found == interactions_.end() ? nullptr : &found->second;
+      if (own_ == nullptr)
+        draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", raw.card.value("INTERACTION")));
+    }
+    const bool is_friction = raw.card.name == "FRICTION";
+    if (!is_friction && raw.card.name != "SURFACE BEHAVIOR") return;
+    if (own_ == nullptr)
+      return draft_.refuse(raw, is_friction
+                                    ? "it belongs below *SURFACE INTERACTION, or in a step below *CHANGE FRICTION"
+                                    : "it belongs below *SURFACE INTERACTION");
+    if (is_friction) return friction(raw, time);
+    const std::string kind = upper_case(raw.card.value("PRESSURE-OVERCLOSURE"));
+    own_->tied = kind == "TIED";
+    if (kind != "HARD" && kind != "TIED")
+      draft_.left_out.push_back({raw.card.place, raw.card.name,
+                                 fmt::format("{}: contact is hard here, without penetration",
+                                             kind.empty() ? "pressure over overclosure" : kind)});
+  }
+
+  /// Rows of a coefficient and what it depends on; in CalculiX the stiffness of sticking, which is infinite here.
+  void friction(const RawCard& raw, double time) {
+    std::optional<double> coefficient;
+    for (std::size_t line = 0; line < raw.data.size(); ++line) {
+      const auto given = raw.data[line].empty() ? std::nullopt : number(raw.data[line][0]);
+      if (!given)
+        return draft_.refuse(raw, fmt::format("'{}' is not a number", raw.data[line].empty() ? "" : raw.data[line][0]));
+      if (coefficient && *coefficient != *given)
+        return draft_.refuse(raw,
+                             "coefficients that depend on the slip, the pressure or the temperature are not known");
+      coefficient = given;
+    }
+    if (time > 0) own_->friction.add(time, own_->friction.last());  // a jump
+    own_->friction.add(time, coefficient.value_or(0));
   }
 
   /// Of a surface, or of a set of nodes; empty if it cannot be.
@@ -89,26 +120,82 @@ class ContactWriter {
                     place.text(), card, ++count_, toml_string(slave), toml_string(master), toml_string(slave)));
   }
 
-  void contact_pair(const RawCard& raw) {
-    Interaction interaction;
-    const auto found = interactions_.find(upper_case(raw.card.value("INTERACTION")));
-    if (found == interactions_.end())
-      draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", raw.card.value("INTERACTION")));
+  /// Whether a pair is new. One that repeats another, or turns it round, says nothing more.
+  bool is_new_pair(const RawCard& raw, const std::string& slave, const std::string& master, const std::string& kind) {
+    const auto known = pairs_.try_emplace(std::minmax({upper_case(slave), upper_case(master)}), kind);
+    if (known.second) return true;
+    if (known.first->second == kind)
+      draft_.left_out.push_back(
+          {raw.card.place, raw.card.name, fmt::format("the pair of '{}' and '{}' is there already", slave, master)});
     else
-      interaction = found->second;
-    for (const std::vector<std::string>& line : raw.data) {
-      if (line.size() < 2) {
-        draft_.refuse(raw, "expected the slave and the master surface");
-        continue;
-      }
-      head(raw.card.place, raw.card.name, surface(raw, line[0]), surface(raw, line[1]));
-      if (interaction.tied) {
-        draft_.add("type = \"tied\"\n");
-        continue;
-      }
-      draft_.add(gap(raw, line[0], line[1]));
-      if (!interaction.friction.is_zero()) draft_.add(fmt::format("friction = {}\n", interaction.friction.toml()));
+      draft_.refuse(raw,
+                    fmt::format("the pair of '{}' and '{}' is there already, with another contact", slave, master));
+    return false;
+  }
+
+  void pair(const RawCard& raw, const std::string& slave, const std::string& master, const Interaction& interaction,
+            const std::string& kind) {
+    if (!is_new_pair(raw, slave, master, kind)) return;
+    head(raw.card.place, raw.card.name, surface(raw, slave), surface(raw, master));
+    if (interaction.tied || raw.card.has("TIED")) {
+      require_near(raw, slave, master);
+      draft_.add("type = \"tied\"\n");
+      return;
     }
+    draft_.add(gap(raw, slave, master));
+    if (!interaction.friction.is_zero()) draft_.add(fmt::format("friction = {}\n", interaction.friction.toml()));
+  }
+
+  void contact_pair(const RawCard& raw) {
+    const std::string& name = raw.card.value("INTERACTION");
+    const auto found = interactions_.find(upper_case(name));
+    if (found == interactions_.end()) draft_.refuse(raw, fmt::format("there is no *SURFACE INTERACTION '{}'", name));
+    for (const std::vector<std::string>& line : raw.data) {
+      if (line.size() < 2)
+        draft_.refuse(raw, "expected the slave and the master surface");
+      else if (found != interactions_.end())
+        pair(raw, line[0], line[1], found->second, upper_case(name) + (raw.card.has("TIED") ? ", TIED" : ""));
+    }
+  }
+
+  /// General *CONTACT whose surfaces are named in pairs.
+  void general_contact() {
+    const auto inclusions = draft_.cards("CONTACT INCLUSIONS");
+    if (inclusions.empty())
+      for (const RawCard* raw : draft_.cards("CONTACT"))
+        draft_.refuse(*raw,
+                      "contact of all surfaces with each other is not known; name the surfaces that may touch "
+                      "with *CONTACT PAIR, or in pairs below *CONTACT INCLUSIONS");
+    for (const RawCard* raw : inclusions)
+      for (const std::vector<std::string>& line : raw->data) {
+        if (line.size() < 2 || line[0].empty() || line[1].empty() || upper_case(line[0]) == upper_case(line[1])) {
+          draft_.refuse(*raw,
+                        "contact of a surface with itself or with all others is not known; expected the names of "
+                        "two surfaces");
+          continue;
+        }
+        const std::string property = property_of(line[0], line[1]);
+        const auto found = interactions_.find(upper_case(property));
+        if (!property.empty() && found == interactions_.end())
+          draft_.refuse(*raw, fmt::format("there is no *SURFACE INTERACTION '{}'", property));
+        else
+          pair(*raw, line[0], line[1], property.empty() ? Interaction{} : found->second, upper_case(property));
+      }
+  }
+
+  /// The last assignment to a pair, or to all; empty: none.
+  std::string property_of(const std::string& a, const std::string& b) const {
+    std::string property;
+    for (const RawCard* raw : draft_.cards("CONTACT PROPERTY ASSIGNMENT"))
+      for (const std::vector<std::string>& line : raw->data) {
+        const auto name = [&](std::size_t i) { return i < line.size() ? upper_case(line[i]) : std::string(); };
+        const auto is_one = [&](const std::string& given, const std::string& own) {
+          return given.empty() || given == upper_case(own);
+        };
+        if ((is_one(name(0), a) && is_one(name(1), b)) || (is_one(name(0), b) && is_one(name(1), a)))
+          property = line.size() > 2 ? line[2] : "";
+      }
+    return property;
   }
 
   std::string gap(const RawCard& raw, const std::string& slave, const std::string& master) {
@@ -121,8 +208,34 @@ class ContactWriter {
       return fmt::format("gap = {:.15g}                # {}: *CLEARANCE\n", value.value_or(0),
                          clearance->card.place.text());
     }
-    return raw.card.has("ADJUST") ? "gap = 0                      # ADJUST: the surfaces touch\n"
-                                  : "gap = \"geometric\"            # that of the mesh\n";
+    std::string of_mesh = "gap = \"geometric\"            # that of the mesh\n";
+    if (!raw.card.has("ADJUST")) return of_mesh;
+    const auto adjusted = reach(raw, slave, master);
+    if (!adjusted) return of_mesh;
+    if (adjusted->all_near()) return "gap = 0                      # ADJUST: the surfaces touch\n";
+    return fmt::format("gap = \"geometric\"            # ADJUST has moved {} of {} nodes onto the surface\n",
+                       adjusted->near.size(), adjusted->n_nodes);
+  }
+
+  std::optional<Reach> reach(const RawCard& raw, const std::string& slave, const std::string& master) {
+    std::string problem;
+    auto found = adjust_reach(draft_.deck, raw.card.value("ADJUST"), faces(raw, slave), faces(raw, master), problem);
+    if (!problem.empty()) draft_.refuse(raw, problem);
+    return found;
+  }
+
+  /// TIED with ADJUST holds what is within its distance.
+  void require_near(const RawCard& raw, const std::string& slave, const std::string& master) {
+    if (!raw.card.has("ADJUST")) return;
+    if (const auto adjusted = reach(raw, slave, master); adjusted && adjusted->near.empty())
+      draft_.refuse(
+          raw, fmt::format("no node of '{}' is within ADJUST={} of '{}'", slave, raw.card.value("ADJUST"), master));
+  }
+
+  bool are_apart(const std::vector<ElementFace>& slave, const std::vector<ElementFace>& master,
+                 double tolerance) const {
+    const auto all = nearest_points(draft_.deck, slave, master);
+    return std::ranges::none_of(all, [&](const auto& one) { return one.second.distance <= tolerance; });
   }
 
   void tie(const RawCard& raw) {
@@ -131,8 +244,6 @@ class ContactWriter {
         draft_.refuse(raw, "CYCLIC SYMMETRY without a *CYCLIC SYMMETRY MODEL, which gives the number of sectors");
       return;
     }
-    if (raw.card.has("FLUIDPERIODIC") || raw.card.has("MULTISTAGE"))
-      draft_.refuse(raw, "only ties of surfaces and cyclic symmetry are known");
     for (const std::vector<std::string>& line : raw.data) {
       if (line.size() < 2) {
         draft_.refuse(raw, "expected the slave and the master surface");
@@ -140,12 +251,19 @@ class ContactWriter {
       }
       const std::vector<ElementFace> slave = faces(raw, line[0]), master = faces(raw, line[1]);
       if (slave.empty() || master.empty()) continue;
+      if (const auto tolerance = number(raw.card.value("POSITIONTOLERANCE"));
+          tolerance && are_apart(slave, master, *tolerance)) {
+        draft_.refuse(raw, fmt::format("no node of '{}' is within POSITION TOLERANCE={} of '{}'", line[0],
+                                       raw.card.value("POSITIONTOLERANCE"), line[1]));
+        continue;
+      }
       if (face_alike(draft_.deck, slave, master)) {
         auto equations = tie_nodes_to_faces(draft_.deck, slave, master, number(raw.card.value("POSITIONTOLERANCE")),
                                             draft_.is_section() ? 2 : 3, raw.card.place);
         std::ranges::move(equations, std::back_inserter(draft_.equations));
         continue;
       }
+      if (!is_new_pair(raw, line[0], line[1], "TIE")) continue;
       head(raw.card.place, raw.card.name, surface(raw, line[0]), surface(raw, line[1]));
       draft_.add("type = \"tied\"\n");
     }
@@ -158,17 +276,8 @@ class ContactWriter {
     const auto refuse = [&](const std::string& why) {
       draft_.impossible.push_back({section.place, "PRE-TENSION SECTION", why});
     };
-    const auto forces = draft_.loading.forces.find(section.reference);
-    const Course* force = nullptr;
-    if (forces != draft_.loading.forces.end())
-      if (const auto found = forces->second.find(1); found != forces->second.end()) force = &found->second;
-    const double value = force != nullptr ? force->before(locked->second) : 0;
-    if (locked->second == 0 && force != nullptr && force->at(0) > 0)
-      write_preload(section, force->at(0), 0);
-    else if (value > 0)
-      write_preload(section, value, locked->second);
-    else
-      return refuse("a bolt that is held before a tension is applied");
+    if (!(locked->second.force > 0)) return refuse("a bolt that is held before a tension is applied");
+    write_preload(section, locked->second.force, locked->second.time);
     draft_.loading.forces.erase(section.reference);
   }
 
@@ -182,6 +291,8 @@ class ContactWriter {
   Draft& draft_;
   std::map<std::string, Interaction> interactions_;
   std::map<std::string, std::string> surfaces_;  // written, by name in upper case: name of the group
+  std::map<std::pair<std::string, std::string>, std::string> pairs_;  // of surfaces, in upper case: their contact
+  Interaction* own_ = nullptr;                                        // to which *FRICTION belongs
   int count_ = 0;
 };
 

@@ -1,10 +1,13 @@
 #include "deck_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
+#include "card_parameters.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
 
@@ -22,6 +25,11 @@ std::vector<std::string> names(const std::map<std::string, DeckReader::Rule>& ru
 
 }  // namespace
 
+Place ElementBlock::place(std::size_t element) const {
+  const auto after = std::ranges::upper_bound(cards, element, {}, [](const auto& card) { return card.first; });
+  return after == cards.begin() ? Place() : (after - 1)->second;
+}
+
 DeckReader::DeckReader() = default;
 
 void DeckReader::card(const Card& given) {
@@ -29,9 +37,9 @@ void DeckReader::card(const Card& given) {
   current_ = given;
   const auto* found = rule_or_null(given.name);
   if (found == nullptr) {
-    deck_.left_out.push_back(
-        {given.place, given.name,
-         fmt::format("an unknown card{}; it is not taken into account", did_you_mean(given.name, names(rules())))});
+    deck_.impossible.push_back({given.place, given.name,
+                                fmt::format("an unknown card, which may change the results{}; remove it if it does not",
+                                            did_you_mean(given.name, names(rules())))});
     return;
   }
   current_.name = found->first;
@@ -39,9 +47,22 @@ void DeckReader::card(const Card& given) {
   const Rule& rule = found->second;
   switch (rule.kind) {
     case Rule::Kind::read:
+      if (!is_in_place(card, rule)) return;
+      check_parameters(card);
       (this->*rule.handler)(card);
       return;
+    case Rule::Kind::kept:
+      if (!is_in_place(card, rule)) return;
+      check_parameters(card);
+      keep(card, rule);
+      return;
     case Rule::Kind::silent:
+      if (parameters_of(card.name) != nullptr) check_parameters(card);
+      return;
+    case Rule::Kind::without_influence:
+      if (without_influence_.empty()) first_without_influence_ = card.place;
+      if (std::ranges::find(without_influence_, card.name) == without_influence_.end())
+        without_influence_.push_back(card.name);
       return;
     case Rule::Kind::left_out:
       deck_.left_out.push_back({card.place, card.name, rule.text});
@@ -49,19 +70,71 @@ void DeckReader::card(const Card& given) {
     case Rule::Kind::impossible:
       deck_.impossible.push_back({card.place, card.name, rule.text});
       return;
-    case Rule::Kind::kept: {
-      std::vector<RawCard>& cards = in_step() ? deck_.steps.back().cards : deck_.cards;
-      cards.push_back({card, {}, {}});
-      on_data_ = [&cards](const DataLine& line) {
-        cards.back().data.emplace_back(line.fields.begin(), line.fields.end());
-        cards.back().places.push_back(line.place);
-      };
-      return;
-    }
   }
 }
 
+bool DeckReader::is_in_place(const Card& card, const Rule& rule) {
+  const auto refuse = [&](const char* why) {
+    deck_.impossible.push_back({card.place, card.name, why});
+    return false;
+  };
+  if (rule.where == Where::model && in_step())
+    return refuse("it belongs before the first *STEP; within a step it is not known");
+  if (rule.where == Where::step && !in_step()) return refuse("it belongs between *STEP and *END STEP");
+  if (rule.kind != Rule::Kind::kept) return true;
+  if (into_ != &deck_)
+    return refuse("within a part or an instance it is not known; write it after the instances, with their names");
+  if (!in_step() && !deck_.steps.empty())
+    return refuse("it stands between two steps; it belongs into one, or before all");
+  return true;
+}
+
+void DeckReader::check_parameters(const Card& card) {
+  const std::map<std::string, Parameter>& known = *parameters_of(card.name);
+  for (const auto& [name, value] : card.parameters) {
+    const auto refuse = [&](const std::string& why) { deck_.impossible.push_back({card.place, card.name, why}); };
+    const auto found = known.find(name);
+    if (found == known.end()) {
+      std::vector<std::string> all;
+      all.reserve(known.size());
+      for (const auto& [letters, parameter] : known) all.push_back(parameter.name);
+      refuse(fmt::format("{}: an unknown parameter, which may change the results{}; remove it if it does not", name,
+                         did_you_mean(name, all)));
+      continue;
+    }
+    const Parameter& parameter = found->second;
+    const std::string given = letters_of(value);
+    if (!parameter.values.empty() && !value.empty() &&
+        std::ranges::none_of(parameter.values, [&](const std::string& one) { return letters_of(one) == given; }))
+      refuse(fmt::format("{}={} is not known; {} {}", parameter.name, value, fmt::join(parameter.values, ", "),
+                         parameter.values.size() > 1 ? "are" : "is"));
+    else if (parameter.use == Parameter::Use::impossible)
+      refuse(fmt::format("{}: {}", parameter.name, parameter.text));
+    else if (parameter.use == Parameter::Use::left_out)
+      deck_.left_out.push_back({card.place, card.name, fmt::format("{}: {}", parameter.name, parameter.text)});
+  }
+}
+
+void DeckReader::keep(const Card& card, const Rule& rule) {
+  std::vector<RawCard>& cards = in_step() ? deck_.steps.back().cards : deck_.cards;
+  cards.push_back({card, {}, {}});
+  on_data_ = [this, &cards, most = rule.most_fields](const DataLine& line) {
+    if (most > 0 && line.fields.size() > most)
+      mistake(line.place,
+              fmt::format("{} fields; only the first {} have a meaning that is known", line.fields.size(), most));
+    cards.back().data.emplace_back(line.fields.begin(), line.fields.end());
+    cards.back().places.push_back(line.place);
+  };
+}
+
 void DeckReader::data(const DataLine& line) {
+  if (std::exchange(current_.goes_on, false))
+    if (const auto* known = parameters_of(current_.name);
+        known != nullptr && !line.fields.empty() && std::ranges::all_of(line.fields, [&](std::string_view field) {
+          return known->contains(letters_of(std::string(field)));
+        }))
+      return mistake(line.place,
+                     fmt::format("'{}' is a parameter of the card; write it into the card's line", line.field(0)));
   if (on_data_) on_data_(line);
 }
 
@@ -76,15 +149,22 @@ void DeckReader::finish_card() {
 
 Deck DeckReader::finish() {
   finish_card();
+  add_late_members();
+  if (!without_influence_.empty())
+    deck_.left_out.push_back({first_without_influence_, fmt::format("{}", fmt::join(without_influence_, ", *")),
+                              "without influence on the results"});
   if (step_open_) mistake(deck_.steps.back().place, "the step has no *END STEP; the deck may be cut off");
   if (into_ != &deck_) mistake(current_.place, "the part or instance does not end; the deck may be cut off");
+  for (const Section& section : deck_.sections)
+    if (!deck_.element_sets.contains(section.elements))
+      mistake(fmt::format("{}: *SOLID SECTION: there is no element set '{}'", section.place.text(), section.elements));
   std::set<std::int64_t> missing;
   for (const ElementBlock& block : deck_.elements) {
     const auto n = static_cast<std::size_t>(mesh::n_nodes(block.type.cell));
     for (std::size_t i = 0; i < block.nodes.size(); ++i)
       if (!deck_.node_of_number.contains(block.nodes[i]) && missing.insert(block.nodes[i]).second)
-        mistake(
-            fmt::format("element {} has the node {}, which no *NODE defines", block.numbers[i / n], block.nodes[i]));
+        mistake(Card{"ELEMENT", {}, block.place(i / n)}.message(
+            fmt::format("element {} has the node {}, which no *NODE defines", block.numbers[i / n], block.nodes[i])));
   }
   if (deck_.elements.empty() && deck_.impossible.empty() && mistakes_.empty())
     mistake(current_.place, "the deck has no elements");
@@ -119,6 +199,15 @@ void DeckReader::mistake(const Place& place, const std::string& what) {
 std::string DeckReader::required(const Card& card, const std::string& parameter) {
   if (card.value(parameter).empty()) mistake(card.place, fmt::format("{} is missing", parameter));
   return card.value(parameter);
+}
+
+std::optional<std::int64_t> DeckReader::label(const DataLine& line, std::string_view field, const char* what) {
+  constexpr std::int64_t most = 999'999'999;  // as in Abaqus; those of many instances together have a place in 64 bits
+  const std::optional<std::int64_t> found = whole_number(field);
+  if (found && *found >= 1 && *found <= most) return found;
+  mistake(line.place, found ? fmt::format("'{}' is not {}: 1 to {}", field, what, most)
+                            : fmt::format("'{}' is not {}", field, what));
+  return std::nullopt;
 }
 
 std::optional<double> DeckReader::real(const DataLine& line, std::size_t field) {

@@ -19,18 +19,24 @@ class DeckReader {
   /// What was read. @throws ConfigError with all mistakes
   Deck finish();
 
+  /// Where a card may stand.
+  enum class Where { anywhere, model, step };
+
   /// What becomes of a card.
   struct Rule {
     enum class Kind {
-      read,        ///< by `handler`
-      kept,        ///< with its data, for what makes the model
-      silent,      ///< it changes no result
-      left_out,    ///< with a consequence
-      impossible,  ///< with a reason
+      read,               ///< by `handler`
+      kept,               ///< with its data, for what makes the model
+      silent,             ///< a frame of other cards
+      without_influence,  ///< it changes no result; a line names it
+      left_out,           ///< with a consequence
+      impossible,         ///< with a reason
     };
     Kind kind = Kind::kept;
     std::string text = {};  ///< consequence or reason
     void (DeckReader::*handler)(const Card&) = nullptr;
+    Where where = Where::anywhere;
+    std::size_t most_fields = 0;  ///< in a line of data that is kept; 0: any number
   };
   static const std::map<std::string, Rule>& rules();
   /// With its name as it is usually written.
@@ -63,7 +69,7 @@ class DeckReader {
   void end_step(const Card& card);
   void statics(const Card& card);
   void visco(const Card& card);
-  void restart(const Card& card);
+  void no_analysis(const Card& card);
   // Parts
   void part(const Card& card);
   void end_part(const Card& card);
@@ -71,20 +77,31 @@ class DeckReader {
   void end_instance(const Card& card);
 
   void procedure(const Card& card, bool is_creep);
+  /// Whether a card that is read or kept may stand where it does.
+  bool is_in_place(const Card& card, const Rule& rule);
+  /// What each parameter of a card means; those that are not known may change the results.
+  void check_parameters(const Card& card);
+  void keep(const Card& card, const Rule& rule);
   /// The model is impossible with a property of this type.
   void refuse_type(const Card& card, const std::string& property, const std::string& known);
-  void table(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
+  bool is_short_enough(const DataLine& line, std::size_t most);
+  /// @param columns  without the temperature: those that are missing are 0; @param most  with it
+  void table(std::optional<Table> Material::*property, const Card& card, std::size_t columns, std::size_t most);
   /// A table whose rows are longer than a line.
   void table_of_long_rows(std::optional<Table> Material::*property, const Card& card, std::size_t columns);
   void read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets);
   void add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
-                   const std::map<std::string, Set>& sets, std::int64_t offset);
+                   std::map<std::string, Set> Deck::*sets, std::int64_t offset);
   void add_node(const DataLine& line, Set* set);
   void add_to_element(const DataLine& line);
   void finish_card();
+  /// Of sets in `into_`.
+  void add_late_members();
   void merge_instance();
   std::string required(const Card& card, const std::string& parameter);
   std::optional<double> real(const DataLine& line, std::size_t field);
+  /// Number of a node or an element; nullopt, with a mistake, if it is none.
+  std::optional<std::int64_t> label(const DataLine& line, std::string_view field, const char* what);
   void mistake(const std::string& message);
   void mistake(const Place& place, const std::string& what);
   bool in_step() const { return step_open_; }
@@ -97,6 +114,18 @@ class DeckReader {
   std::vector<std::vector<double>> instance_moves_;
   std::map<std::string, Instance> instances_;
   std::int64_t assembly_offset_ = 0;  // of the numbers of nodes that the assembly itself defines
+
+  /// A set that another one names before there is a card of it.
+  struct LateMembers {
+    const Deck* of;
+    std::map<std::string, Set> Deck::*sets;
+    std::string into, from;  // names in upper case
+    std::string card;
+    Place place;
+  };
+  std::vector<LateMembers> late_members_;
+  std::vector<std::string> without_influence_;
+  Place first_without_influence_;
 
   Card current_;
   std::function<void(const DataLine&)> on_data_;

@@ -38,6 +38,11 @@ std::string Draft::name_for(const Numbers& nodes, const std::string& general) co
   return general;
 }
 
+Place Draft::first(const std::string& card) const {
+  const auto all = cards(card);
+  return all.empty() ? Place() : all.front()->card.place;
+}
+
 std::vector<const RawCard*> Draft::cards(const std::string& card) const {
   std::vector<const RawCard*> result;
   for (const RawCard& raw : deck.cards)

@@ -47,6 +47,8 @@ struct Draft {
   bool is_section() const { return analysis != settings::Analysis::solid; }
   bool is_used(std::int64_t node) const { return std::ranges::binary_search(used, node); }
   const Vector3& position(std::int64_t node) const { return deck.positions[deck.node_of_number.at(node)]; }
+  /// Of the first card with a name; none: of nothing.
+  Place first(const std::string& card) const;
   /// Bodies that have a node; by the names in the configuration.
   const std::vector<std::string>& bodies_at(std::int64_t node);
   /// The name of a set with these members alone, or a general one.

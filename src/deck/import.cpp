@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact_adjustment.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/io/msh_writer.hpp"
@@ -28,11 +29,6 @@ void raise(Draft& draft) {
 }
 
 void refuse_what_changes_the_model(Draft& draft) {
-  const std::map<std::string, std::string> refused{
-      {"MODEL CHANGE", "contacts and elements that come and go are not known"},
-      {"CHANGE SURFACE BEHAVIOR", "contact that changes from step to step is not known"}};
-  for (const auto& [name, why] : refused)
-    for (const RawCard* raw : draft.cards(name)) draft.refuse(*raw, why);
   for (const Step& step : draft.deck.steps)
     for (const RawCard& raw : step.cards)
       if (raw.card.name == "EQUATION" || raw.card.name == "MPC" || raw.card.name == "TRANSFORM")
@@ -46,9 +42,8 @@ void refuse_what_changes_the_model(Draft& draft) {
   if (!analyses.empty()) draft.analysis = *analyses.begin();
 }
 
-/// Bodies, loads over the time of the run, and what joins nodes.
+/// Loads over the time of the run, and what joins nodes.
 void understand(Draft& draft) {
-  draft.bodies = find_bodies(draft.deck, draft.impossible);
   std::set<std::int64_t> references;
   for (const PretensionSection& section : draft.sections) references.insert(section.reference);
   draft.loading = join_steps(draft.deck, references, draft.impossible, draft.left_out);
@@ -56,7 +51,7 @@ void understand(Draft& draft) {
     for (const auto& [own, opposite] : section.nodes)
       if (const auto found = draft.loading.temperatures.find(opposite); found != draft.loading.temperatures.end())
         draft.loading.temperatures[own] = found->second;
-  draft.frames.turn_forces(draft.loading);
+  draft.frames.turn_forces(draft.loading, draft.impossible);
   draft.rigid = find_rigid_groups(draft.deck, draft.resolver, draft.impossible);
   std::set<std::int64_t> of_rigid;
   for (const RigidGroup& group : draft.rigid)
@@ -111,7 +106,8 @@ void write_head(Draft& draft) {
 /// Without the mesh.
 Import make(Draft& draft) {
   refuse_what_changes_the_model(draft);
-  raise(draft);
+  draft.bodies = find_bodies(draft.deck, draft.impossible);
+  raise(draft);  // without bodies the rest has no meaning
   understand(draft);
   write_head(draft);
   write_bodies_and_materials(draft);
@@ -139,6 +135,7 @@ Import make(Draft& draft) {
 
 Import import_deck(Deck deck, const std::string& name) {
   merge_matching_ties(deck);
+  adjust_contacts(deck);
   std::vector<Note> impossible;
   std::vector<PretensionSection> sections = cut_sections(deck, impossible);
   Import result;

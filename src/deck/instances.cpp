@@ -37,7 +37,9 @@ void DeckReader::part(const Card& card) {
   into_ = &parts_[upper_case(required(card, "NAME"))];
 }
 
-void DeckReader::end_part(const Card& /*card*/) {
+void DeckReader::end_part(const Card& card) {
+  if (into_ == &deck_ || into_ == &instance_deck_) return mistake(card.place, "there is no *PART before it");
+  add_late_members();
   into_ = &deck_;
 }
 
@@ -59,6 +61,7 @@ void DeckReader::instance(const Card& card) {
 
 void DeckReader::end_instance(const Card& card) {
   if (into_ != &instance_deck_) return mistake(card.place, "there is no *INSTANCE before it");
+  add_late_members();
   into_ = &deck_;
   merge_instance();
 }
@@ -82,6 +85,7 @@ void DeckReader::merge_instance() {
     auto into =
         std::ranges::find_if(deck_.elements, [&](const ElementBlock& one) { return one.type.name == block.type.name; });
     if (into == deck_.elements.end()) into = deck_.elements.insert(into, {block.type, {}, {}});
+    for (const auto& [first, place] : block.cards) into->cards.emplace_back(into->numbers.size() + first, place);
     for (const std::int64_t number : block.numbers) {
       deck_.element_of_number.insert(number + offsets.element_offset,
                                      {static_cast<std::uint32_t>(into - deck_.elements.begin()),

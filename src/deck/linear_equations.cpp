@@ -83,6 +83,9 @@ class EquationReader {
         std::vector<Term> own;
         for (const SetTerm& term : terms) {
           const std::int64_t node = term.nodes[term.nodes.size() == 1 ? 0 : k];
+          if (!frames_.has_direction(node, term.direction))
+            return refuse(
+                raw, fmt::format("node {} is on the axis of its *TRANSFORM, where no direction is radial", node), line);
           own.push_back({node, term.coefficient * frames_.directions(node).col(term.direction - 1)});
         }
         add(raw, own);

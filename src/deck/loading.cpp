@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "card_parameters.hpp"
 #include "element_faces.hpp"
 
 namespace creepcontact::deck {
@@ -51,6 +52,8 @@ class Joiner {
         left_out_.push_back({step.place, "STEP", "NLGEOM: displacements are taken as small"});
         warned_of_geometry_ = true;
       }
+      frees_bolts_ = nullptr;
+      held_bolts_.clear();
       for (const RawCard& raw : step.cards) {
         if (raw.card.name == "BOUNDARY") boundary(raw);
         if (raw.card.name == "CLOAD") concentrated(raw);
@@ -58,6 +61,9 @@ class Joiner {
         if (raw.card.name == "DSLOAD") on_surfaces(raw);
         if (raw.card.name == "TEMPERATURE") temperature(raw);
       }
+      if (frees_bolts_ != nullptr && held_bolts_.size() < loading_.locked.size())
+        impossible(*frees_bolts_, frees_bolts_->places.size(),
+                   "OP=NEW frees a bolt whose length was held; FIXED holds it again");
       const double duration = creeps_ && !step.is_creep ? 0 : step.period;
       for (auto& [key, entry] : entries_) advance(entry, step, time, duration, total);
       time += duration;
@@ -87,7 +93,6 @@ class Joiner {
   const Amplitude* amplitude(const RawCard& raw) {
     const std::string name = raw.card.value("AMPLITUDE");
     if (name.empty()) return nullptr;
-    if (raw.card.has("TIMEDELAY")) impossible(raw, raw.places.size(), "TIME DELAY is not known");
     const auto found = deck_.amplitudes.find(upper_case(name));
     if (found == deck_.amplitudes.end() || found->second.points.empty()) {
       impossible(raw, raw.places.size(), fmt::format("there is no amplitude '{}'", name));
@@ -101,9 +106,15 @@ class Joiner {
     for (auto& [key, entry] : entries_)
       if (key.kind == kind && !entry.is_new) entry.is_dropped = true;
   }
-  void give(const Key& key, double target, const Amplitude* amplitude) {
+  void give(const RawCard& raw, std::size_t line, const Key& key, double target, const Amplitude* amplitude) {
     const auto [found, is_first] = entries_.try_emplace(key);
     Entry& entry = found->second;
+    // Loads that one step gives twice add up; supports and temperatures are replaced, as are those of earlier steps.
+    if (entry.is_new && (key.kind == 'c' || key.kind == 'p' || key.kind == 'l')) {
+      if (entry.amplitude != amplitude)
+        return impossible(raw, line, "two loads of one step at one place with different amplitudes; join these to one");
+      target += entry.target;
+    }
     if (is_first && key.kind == 't') entry.rest = initial_temperature(key.of);
     if (is_first) entry.course.add(0, entry.rest);
     if (is_first && !loading_.step_ends.empty()) entry.course.add(loading_.step_ends.back(), entry.rest);
@@ -118,9 +129,10 @@ class Joiner {
   }
 
   void boundary(const RawCard& raw) {
-    if (const std::string type = upper_case(raw.card.value("TYPE")); !type.empty() && type != "DISPLACEMENT")
-      impossible(raw, raw.places.size(), fmt::format("TYPE={} is not known", type));
-    if (replaces(raw)) drop('b');
+    if (replaces(raw)) {
+      drop('b');
+      if (!loading_.step_ends.empty()) frees_bolts_ = &raw;
+    }
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
@@ -151,15 +163,19 @@ class Joiner {
         continue;
       }
       for (const std::int64_t node : nodes)
-        for (const int direction : directions) give({'b', node, direction}, value(raw, line, 3), factors);
+        for (const int direction : directions) give(raw, line, {'b', node, direction}, value(raw, line, 3), factors);
     }
   }
 
   /// FIXED: the displacement reached at the end of the step before.
   void hold(const RawCard& raw, std::size_t line, std::int64_t node, const std::vector<int>& directions) {
     const double time = loading_.step_ends.empty() ? 0.0 : loading_.step_ends.back();
-    if (lockable_.contains(node)) {
-      loading_.locked.try_emplace(node, time);
+    const auto by_length = entries_.find({'b', node, 1});
+    if (lockable_.contains(node) && by_length == entries_.end()) {
+      const auto force = entries_.find({'c', node, 1});
+      const double reached = force != entries_.end() ? force->second.course.last() : 0.0;
+      loading_.locked.try_emplace(node, Loading::Lock{time, reached});
+      held_bolts_.insert(node);
       return;
     }
     if (time == 0)
@@ -171,7 +187,7 @@ class Joiner {
       const double reached = is_held ? known->second.course.last() : 0.0;
       if (known != entries_.end() && !is_held && !known->second.windows.back().until)
         known->second.windows.back().until = time;  // dropped in this step
-      give(key, reached, nullptr);
+      give(raw, line, key, reached, nullptr);
       if (is_held) continue;
       Entry& entry = entries_.at(key);
       entry.windows.back() = {time, std::nullopt, true};
@@ -192,7 +208,7 @@ class Joiner {
         continue;
       }
       for (const std::int64_t node : nodes)
-        give({'c', node, static_cast<int>(*direction)}, value(raw, line, 2), factors);
+        give(raw, line, {'c', node, static_cast<int>(*direction)}, value(raw, line, 2), factors);
     }
   }
 
@@ -212,14 +228,14 @@ class Joiner {
       const auto face = label.size() == 2 && label[0] == 'P' ? whole_number(label.substr(1)) : std::nullopt;
       if (face && *face >= 1 && *face <= 6) {
         for (const std::int64_t element : elements)
-          give({'p', element, static_cast<int>(*face)}, value(raw, line, 2), factors);
+          give(raw, line, {'p', element, static_cast<int>(*face)}, value(raw, line, 2), factors);
       } else if (label == "CENTRIF" || label == "GRAV") {
         BodyLoad load{label == "GRAV" ? BodyLoad::Kind::gravity : BodyLoad::Kind::centrifugal, {}};
         for (std::size_t i = 3; i < (label == "GRAV" ? 6U : 9U); ++i) load.geometry.push_back(value(raw, line, i));
         auto found = std::ranges::find_if(
             loading_.bodies, [&](const Loading::Body& one) { return one.load == load && one.elements == elements; });
         if (found == loading_.bodies.end()) found = loading_.bodies.insert(found, {load, elements, {}});
-        give({'l', found - loading_.bodies.begin(), 0}, value(raw, line, 2), factors);
+        give(raw, line, {'l', found - loading_.bodies.begin(), 0}, value(raw, line, 2), factors);
       } else {
         impossible(raw, line, fmt::format("loads of type {} are not known", label));
       }
@@ -247,23 +263,30 @@ class Joiner {
         continue;
       }
       for (const ElementFace& face : faces_of(deck_, surface->second, impossible_))
-        give({'p', face.element, face.face}, value(raw, line, 2), factors);
+        give(raw, line, {'p', face.element, face.face}, value(raw, line, 2), factors);
     }
   }
 
   void initial(const RawCard& raw) {
-    if (const std::string type = upper_case(raw.card.value("TYPE")); type != "TEMPERATURE") {
-      const bool acts_in_statics = type.find("STRESS") != std::string::npos || type.find("STRAIN") != std::string::npos;
+    if (const std::string type = letters_of(raw.card.value("TYPE")); type != "TEMPERATURE") {
+      static const std::set<std::string> of_motions{"VELOCITY",      "ROTATINGVELOCITY", "ACCELERATION",
+                                                    "DISPLACEMENT",  "FLUIDVELOCITY",    "PRESSURE",
+                                                    "TOTALPRESSURE", "MASSFLOW"};
+      const bool acts_in_statics = !of_motions.contains(type);
+      const bool is_strained = type.find("STRESS") != std::string::npos || type.find("STRAIN") != std::string::npos;
       (acts_in_statics ? impossible_ : left_out_)
           .push_back({raw.card.place, raw.card.name,
                       acts_in_statics
-                          ? fmt::format("TYPE={}: a body with stresses or strains at the start is not known", type)
-                          : fmt::format("TYPE={} does not act in static and creep steps", type)});
+                          ? fmt::format("TYPE={}: {}", raw.card.value("TYPE"),
+                                        is_strained ? "a body with stresses or strains at the start is not known"
+                                                    : "only temperatures at the start are known")
+                          : fmt::format("TYPE={} does not act in static and creep steps", raw.card.value("TYPE"))});
       return;
     }
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
       if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
+      if (raw.data[line].size() > 2) impossible(raw, line, "temperatures at several points of a shell are not known");
       for (const std::int64_t node : nodes) loading_.initial_temperatures[node] = value(raw, line, 1);
     }
   }
@@ -288,26 +311,30 @@ class Joiner {
   }
 
   void temperature(const RawCard& raw) {
-    if (raw.card.has("FILE"))
-      impossible(raw, raw.places.size(), "FILE: temperatures of other results; see [temperature]");
     if (replaces(raw)) drop('t');
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
       if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
-      for (const std::int64_t node : nodes) give({'t', node, 0}, value(raw, line, 1), factors);
+      for (const std::int64_t node : nodes) give(raw, line, {'t', node, 0}, value(raw, line, 1), factors);
     }
   }
 
+  /// At a jump, of two points at one time, the value after it.
   static double factor(const Amplitude& amplitude, double time) {
     const auto& points = amplitude.points;
-    if (time <= points.front().first) return points.front().second;
+    if (time < points.front().first) return points.front().second;
     for (std::size_t i = 1; i < points.size(); ++i)
       if (time < points[i].first) {
         const double part = (time - points[i - 1].first) / (points[i].first - points[i - 1].first);
         return points[i - 1].second + part * (points[i].second - points[i - 1].second);
       }
     return points.back().second;
+  }
+
+  static double factor_before(const Amplitude& amplitude, double time) {
+    const auto first = std::ranges::find_if(amplitude.points, [&](const auto& point) { return point.first == time; });
+    return first != amplitude.points.end() ? first->second : factor(amplitude, time);
   }
 
   /// @param total  of the deck at the begin of the step
@@ -325,12 +352,15 @@ class Joiner {
       std::set<double> times{0, step.period};
       for (const auto& [point, unused] : amplitude.points)
         if (point > begin && point < begin + step.period) times.insert(point - begin);
-      for (const double within : times)
-        entry.course.add(time + within / step.period * duration, entry.target * factor(amplitude, begin + within));
+      for (const double within : times) {
+        const double at = time + within / step.period * duration;
+        if (within > 0) entry.course.add(at, entry.target * factor_before(amplitude, begin + within));
+        entry.course.add(at, entry.target * factor(amplitude, begin + within));
+      }
     } else if (!entry.is_new) {
       entry.course.add(time, old);
       entry.course.add(end, old);
-    } else if (step.is_creep) {
+    } else if (step.ramps == "STEP" || (step.is_creep && step.ramps != "RAMP")) {
       entry.course.add(time, old);
       entry.course.add(time, entry.target);
       entry.course.add(end, entry.target);
@@ -378,34 +408,11 @@ class Joiner {
   std::map<Key, Entry> entries_;
   Loading loading_;
   bool creeps_ = false, warned_of_geometry_ = false;
+  const RawCard* frees_bolts_ = nullptr;  // OP=NEW in the present step
+  std::set<std::int64_t> held_bolts_;     // in the present step
 };
 
-Numbers resolved(const std::string& target, const std::map<std::string, Set>& sets) {
-  if (const auto own = whole_number(target)) return {*own};
-  const auto found = sets.find(upper_case(target));
-  if (found == sets.end()) return {};
-  Numbers unique = found->second.members;
-  std::ranges::sort(unique);
-  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
-  return unique;
-}
-
 }  // namespace
-
-Numbers Resolver::nodes(const std::string& target) const {
-  Numbers found = resolved(target, deck_.node_sets);
-  if (found.size() == 1)
-    if (const auto other = deck_.same_as.find(found.front()); other != deck_.same_as.end())
-      found.front() = other->second;
-  std::erase_if(found, [&](std::int64_t node) { return !deck_.node_of_number.contains(node); });
-  return found;
-}
-
-Numbers Resolver::elements(const std::string& target) const {
-  Numbers found = resolved(target, deck_.element_sets);
-  std::erase_if(found, [&](std::int64_t element) { return !deck_.element_of_number.contains(element); });
-  return found;
-}
 
 Loading join_steps(const Deck& deck, const std::set<std::int64_t>& lockable, std::vector<Note>& impossible,
                    std::vector<Note>& left_out) {

@@ -55,7 +55,11 @@ struct Loading {
   std::map<std::int64_t, std::map<int, Course>> forces;
   /// Of supports by node and direction that act in some steps only.
   std::map<std::pair<std::int64_t, int>, std::vector<Window>> windows;
-  std::map<std::int64_t, double> locked;  ///< nodes that stay where they are from this time on
+  struct Lock {
+    double time = 0;   ///< from which on the node stays where it is
+    double force = 0;  ///< on it until then
+  };
+  std::map<std::int64_t, Lock> locked;  ///< reference nodes of bolts
   std::map<ElementFace, Course> pressures;
   struct Body {
     BodyLoad load;

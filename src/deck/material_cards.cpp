@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "card_parameters.hpp"
 #include "deck_reader.hpp"
 
 namespace creepcontact::deck {
@@ -15,12 +16,21 @@ void DeckReader::material(const Card& card) {
   material_->place = card.place;
 }
 
-void DeckReader::table(std::optional<Table> Material::*property, const Card& card, std::size_t columns) {
+bool DeckReader::is_short_enough(const DataLine& line, std::size_t most) {
+  if (line.fields.size() <= most) return true;
+  mistake(line.place, fmt::format("{} values; at most {} are known", line.fields.size(), most));
+  return false;
+}
+
+void DeckReader::table(std::optional<Table> Material::*property, const Card& card, std::size_t columns,
+                       std::size_t most) {
   if (material_ == nullptr) return mistake(card.place, "it belongs to a material; there is no *MATERIAL before it");
   std::optional<Table>& table = material_->*property;
+  if (table) return mistake(card.place, fmt::format("the material '{}' has one already", material_->name));
   table = Table{card.place, {}};
-  on_data_ = [this, &table, columns](const DataLine& line) {
+  on_data_ = [this, &table, columns, most](const DataLine& line) {
     std::vector<double> row;
+    if (!is_short_enough(line, most)) return;
     for (std::size_t i = 0; i < std::max(line.fields.size(), columns); ++i) {
       const std::optional<double> value = real(line, i);
       if (!value) return;
@@ -33,12 +43,14 @@ void DeckReader::table(std::optional<Table> Material::*property, const Card& car
 void DeckReader::table_of_long_rows(std::optional<Table> Material::*property, const Card& card, std::size_t columns) {
   if (material_ == nullptr) return mistake(card.place, "it belongs to a material; there is no *MATERIAL before it");
   std::optional<Table>& table = material_->*property;
+  if (table) return mistake(card.place, fmt::format("the material '{}' has one already", material_->name));
   table = Table{card.place, {}};
   constexpr std::size_t of_line = 8;
   on_data_ = [this, &table, columns](const DataLine& line) {
     if (table->rows.empty() || table->rows.back().size() >= columns) table->rows.emplace_back();
     std::vector<double>& row = table->rows.back();
     // A row begins with a full line; in the last line of it the temperature may follow.
+    if (!is_short_enough(line, row.empty() ? of_line : columns - row.size() + 1)) return;
     const std::size_t n = std::max(row.empty() ? of_line : columns - row.size(), line.fields.size());
     for (std::size_t i = 0; i < n; ++i) {
       const std::optional<double> value = real(line, i);
@@ -71,7 +83,7 @@ void DeckReader::refuse_type(const Card& card, const std::string& property, cons
 
 void DeckReader::elastic(const Card& card) {
   const std::string type = type_of(card);
-  if (is_isotropic(type)) return table(&Material::elastic, card, 2);
+  if (is_isotropic(type)) return table(&Material::elastic, card, 2, 3);
   const bool by_matrix = is_orthotropic(type);
   if (!by_matrix && type != "ENGINEERINGCONSTANTS")
     return refuse_type(card, "elasticity", "ISO, ORTHO and ENGINEERING CONSTANTS");
@@ -85,7 +97,7 @@ void DeckReader::expansion(const Card& card) {
   const std::string type = type_of(card);
   const bool along_axes = is_orthotropic(type);
   if (!along_axes && !is_isotropic(type)) return refuse_type(card, "thermal expansion", "ISO and ORTHO");
-  table(&Material::expansion, card, along_axes ? 3 : 1);
+  table(&Material::expansion, card, along_axes ? 3 : 1, along_axes ? 4 : 2);
   if (material_ != nullptr) material_->expands_along_axes = along_axes;
   if (material_ != nullptr && !card.value("ZERO").empty()) {
     const std::optional<double> zero = number(card.value("ZERO"));
@@ -95,7 +107,7 @@ void DeckReader::expansion(const Card& card) {
 }
 
 void DeckReader::potential(const Card& card) {
-  table(&Material::potential, card, 6);
+  table(&Material::potential, card, 6, 7);
 }
 
 void DeckReader::orientation(const Card& card) {
@@ -137,12 +149,15 @@ void DeckReader::orientation(const Card& card) {
 }
 
 void DeckReader::density(const Card& card) {
-  table(&Material::density, card, 1);
+  table(&Material::density, card, 1, 2);
 }
 
 void DeckReader::creep(const Card& card) {
-  if (material_ != nullptr && !card.value("LAW").empty()) material_->creep_law = upper_case(card.value("LAW"));
-  table(&Material::creep, card, 2);
+  if (material_ != nullptr) {
+    if (!card.value("LAW").empty()) material_->creep_law = upper_case(card.value("LAW"));
+    material_->creep_time_only = upper_case(card.value("TIME")) == "CREEP";
+  }
+  table(&Material::creep, card, 2, 6);
 }
 
 void DeckReader::physical_constants(const Card& card) {
@@ -156,21 +171,27 @@ void DeckReader::physical_constants(const Card& card) {
 void DeckReader::amplitude(const Card& card) {
   const std::string name = required(card, "NAME");
   if (name.empty()) return;
-  for (const char* unknown : {"DEFINITION", "VALUE"})
-    if (const std::string given = upper_case(card.value(unknown));
-        !given.empty() && given != "TABULAR" && given != "RELATIVE")
-      deck_.impossible.push_back(
-          {card.place, card.name, fmt::format("{}={}; only tables of factors are known", unknown, given)});
-  Amplitude& amplitude = deck_.amplitudes[upper_case(name)];
-  amplitude = {name, upper_case(card.value("TIME")) == "TOTAL TIME", {}};
+  const auto [made, is_new] = deck_.amplitudes.try_emplace(upper_case(name));
+  if (!is_new) return mistake(card.place, fmt::format("the amplitude '{}' exists already", name));
+  Amplitude& amplitude = made->second;
+  amplitude.name = name;
+  amplitude.total_time = letters_of(card.value("TIME")) == "TOTALTIME";
+  const auto shift = [&](const char* parameter) {
+    const std::optional<double> given = card.has(parameter) ? number(card.value(parameter)) : 0.0;
+    if (!given) mistake(card.place, fmt::format("{}: '{}' is not a number", parameter, card.value(parameter)));
+    return given.value_or(0);
+  };
+  amplitude.shift_time = shift("SHIFTX");
+  amplitude.shift_factor = shift("SHIFTY");
   on_data_ = [this, &amplitude](const DataLine& line) {
     if (line.fields.size() % 2 != 0) return mistake(line.place, "expected pairs of a time and a factor");
     for (std::size_t i = 0; i < line.fields.size(); i += 2) {
       const auto time = real(line, i), factor = real(line, i + 1);
       if (!time || !factor) return;
-      if (!amplitude.points.empty() && *time < amplitude.points.back().first)
+      const double shifted = *time + amplitude.shift_time;
+      if (!amplitude.points.empty() && shifted < amplitude.points.back().first)
         return mistake(line.place, "the times of an amplitude must increase");
-      amplitude.points.emplace_back(*time, *factor);
+      amplitude.points.emplace_back(shifted, *factor + amplitude.shift_factor);
     }
   };
 }

@@ -9,6 +9,25 @@
 namespace creepcontact::deck {
 namespace {
 
+bool has_creep_steps(const Draft& draft) {
+  return std::ranges::any_of(draft.deck.steps, &Step::is_creep);
+}
+
+/// Temperatures of a table must increase. @returns whether they do
+bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t of_temperature) {
+  const auto temperature = [&](const std::vector<double>& row) {
+    return row.size() > of_temperature ? row[of_temperature] : 0.0;
+  };
+  for (std::size_t i = 1; i < table.rows.size(); ++i)
+    if (!(temperature(table.rows[i]) > temperature(table.rows[i - 1]))) {
+      draft.impossible.push_back({table.place, card,
+                                  fmt::format("the temperatures must increase from line to line; {:g} follows {:g}",
+                                              temperature(table.rows[i]), temperature(table.rows[i - 1]))});
+      return false;
+    }
+  return true;
+}
+
 /// Of the *STATIC steps before the first *VISCO step, which take no time here.
 double time_before_creep(Draft& draft) {
   double time = 0;
@@ -90,6 +109,8 @@ class CreepWriter {
     draft_.varies = draft_.varies || table_.rows.size() > 1;
     draft_.add(fmt::format("\n[[materials.{}.creep]]    # {}\n", toml_key(material_.name), table_.place.text()));
     if (is_sinh) return sinh_law();
+    if (std::ranges::any_of(table_.rows, [](const auto& row) { return row.size() > 4; }))
+      return refuse("more values than A, n, m and the temperature");
     for (auto& row : table_.rows) row.resize(std::max<std::size_t>(row.size(), 3));
     const auto exponent = [](const std::vector<double>& row) { return row[2]; };
     if (std::ranges::all_of(table_.rows, [&](const auto& row) { return exponent(row) == 0; }))
@@ -100,7 +121,7 @@ class CreepWriter {
     std::vector<double> inverse;
     for (const auto& row : table_.rows) inverse.push_back(1 / (1 + exponent(row)));
     if (is_strain) return strain_law(inverse);
-    const double before = time_before_creep(draft_);
+    const double before = material_.creep_time_only ? 0 : time_before_creep(draft_);
     if (before > 0) return shifted_time_law(before);
     Table exponents = table_;
     for (auto& row : exponents.rows) row[2] += 1;
@@ -155,7 +176,13 @@ void write(Draft& draft, const Material& material) {
     draft.impossible.push_back({material.place, "MATERIAL", fmt::format("'{}' has no *ELASTIC", material.name)});
     return;
   }
-  if (material.elasticity == Elasticity::isotropic)
+  const bool is_isotropic = material.elasticity == Elasticity::isotropic;
+  const std::size_t of_expansion = material.expands_along_axes ? 3 : 1;
+  bool in_order = is_in_order(draft, "ELASTIC", *material.elastic, is_isotropic ? 2 : 9);
+  if (material.expansion) in_order &= is_in_order(draft, "EXPANSION", *material.expansion, of_expansion);
+  if (material.creep && material.creep_law != "HYPERB") in_order &= is_in_order(draft, "CREEP", *material.creep, 3);
+  if (!in_order) return;
+  if (is_isotropic)
     draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_temperature(*material.elastic, 0, 2),
                           function_of_temperature(*material.elastic, 1, 2)));
   else
@@ -172,7 +199,13 @@ void write(Draft& draft, const Material& material) {
                      material.name)});
   write_expansion(draft, material);
   if (material.potential) write_hill(draft, material);
-  if (material.creep) CreepWriter(draft, material).write();
+  if (!material.creep) return;
+  if (has_creep_steps(draft))
+    CreepWriter(draft, material).write();
+  else
+    draft.left_out.push_back({material.creep->place, "CREEP",
+                              "creep does not act in *STATIC steps, and the deck has no *VISCO step; the material is "
+                              "elastic"});
 }
 
 }  // namespace
@@ -181,8 +214,8 @@ void write_bodies_and_materials(Draft& draft) {
   const auto& materials = draft.deck.materials;
   for (const DeckBody& body : draft.bodies.bodies) {
     const auto material = materials.find(body.material);
-    draft.add(fmt::format("\n[bodies.{}]\nregion = {}\nmaterial = {}\n", toml_key(body.name),
-                          toml_string(draft.mesh.add_body(body)),
+    draft.add(fmt::format("\n[bodies.{}]    # {}\nregion = {}\nmaterial = {}\n", toml_key(body.name),
+                          body.section.text(), toml_string(draft.mesh.add_body(body)),
                           toml_string(material == materials.end() ? body.material : material->second.name)));
     if (!body.orientation.empty()) write_axes(draft, body);
   }

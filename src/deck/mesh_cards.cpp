@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_set>
 
 #include "deck_reader.hpp"
@@ -26,14 +27,14 @@ void DeckReader::node(const Card& card) {
 }
 
 void DeckReader::add_node(const DataLine& line, Set* set) {
-  std::optional<std::int64_t> own = whole_number(line.field(0));
+  std::optional<std::int64_t> own = label(line, line.field(0), "a node number");
   // Reference points of an assembly are numbered from 1 again, as the nodes of its instances are.
   if (own && into_ == &deck_ && !instances_.empty()) {
     if (assembly_offset_ == 0 && !deck_.node_numbers.empty())
       assembly_offset_ = *std::ranges::max_element(deck_.node_numbers);
     own = *own + assembly_offset_;
   }
-  if (!own) return mistake(line.place, fmt::format("'{}' is not a node number", line.field(0)));
+  if (!own) return;
   if (line.fields.size() > 7)
     return mistake(line.place, fmt::format("{} fields; a node has a number and coordinates", line.fields.size()));
   Vector3 position = Vector3::Zero();
@@ -68,6 +69,7 @@ void DeckReader::element(const Card& card) {
   });
   if (block == into_->elements.end()) block = into_->elements.insert(block, {*type, {}, {}});
   block_ = &*block;
+  block_->cards.emplace_back(block_->numbers.size(), card.place);
   on_data_ = [this](const DataLine& line) { add_to_element(line); };
 }
 
@@ -75,10 +77,10 @@ void DeckReader::add_to_element(const DataLine& line) {
   if (pending_.empty()) pending_place_ = line.place;
   const auto n_nodes = static_cast<std::size_t>(mesh::n_nodes(block_->type.cell));
   for (const std::string_view field : line.fields) {
-    const std::optional<std::int64_t> own = whole_number(field);
+    const std::optional<std::int64_t> own = label(line, field, "the number of an element or a node");
     if (!own) {
       pending_.clear();
-      return mistake(line.place, fmt::format("'{}' is not the number of an element or a node", field));
+      return;
     }
     if (pending_.size() > n_nodes) break;
     pending_.push_back(*own);
@@ -109,8 +111,7 @@ void DeckReader::element_set(const Card& card) {
 void DeckReader::read_set(const Card& card, const std::string& key, std::map<std::string, Set> Deck::*sets) {
   const std::string name = required(card, key);
   if (name.empty()) return;
-  std::map<std::string, Set>& all = into_->*sets;
-  Set& set = named(all, name);
+  Set& set = named(into_->*sets, name);
   const bool generate = card.has("GENERATE");
   std::string scope;
   std::int64_t offset = into_ == &deck_ && sets == &Deck::node_sets ? assembly_offset_ : 0;
@@ -121,18 +122,18 @@ void DeckReader::read_set(const Card& card, const std::string& key, std::map<std
     scope = instance + ".";
     offset = sets == &Deck::node_sets ? found->second.node_offset : found->second.element_offset;
   }
-  on_data_ = [this, &set, generate, scope, &all, offset](const DataLine& line) {
-    add_members(set, line, generate, scope, all, offset);
+  on_data_ = [this, &set, generate, scope, sets, offset](const DataLine& line) {
+    add_members(set, line, generate, scope, sets, offset);
   };
 }
 
 void DeckReader::add_members(Set& set, const DataLine& line, bool generate, const std::string& scope,
-                             const std::map<std::string, Set>& sets, std::int64_t offset) {
+                             std::map<std::string, Set> Deck::*sets, std::int64_t offset) {
   if (generate) {
     const auto first = whole_number(line.field(0));
     const auto last = line.fields.size() > 1 ? whole_number(line.field(1)) : first;
     const auto step = line.fields.size() > 2 ? whole_number(line.field(2)) : 1;
-    if (!first || !last || !step || *first < 0 || *step < 1 || *last < *first)
+    if (!first || !last || !step || *first < 1 || *step < 1 || *last < *first)
       return mistake(line.place, "expected the first number, the last one and the step");
     constexpr std::int64_t most = 10'000'000;
     if ((*last - *first) / *step > most) return mistake(line.place, fmt::format("more than {} members", most));
@@ -141,13 +142,15 @@ void DeckReader::add_members(Set& set, const DataLine& line, bool generate, cons
   }
   for (const std::string_view field : line.fields) {
     if (field.empty()) continue;
-    if (const auto own = whole_number(field)) {
-      set.members.push_back(offset + *own);
+    if (whole_number(field)) {
+      if (const auto own = label(line, field, "the number of a node or an element"))
+        set.members.push_back(offset + *own);
       continue;
     }
-    const auto other = sets.find(scope + upper_case(field));
-    if (other == sets.end()) {
-      mistake(line.place, fmt::format("there is no set '{}' before this line", field));
+    const auto other = (into_->*sets).find(scope + upper_case(field));
+    if (other == (into_->*sets).end()) {
+      late_members_.push_back(
+          {into_, sets, upper_case(set.name), scope + upper_case(field), current_.name, line.place});
       continue;
     }
     if (&other->second == &set) continue;
@@ -157,14 +160,37 @@ void DeckReader::add_members(Set& set, const DataLine& line, bool generate, cons
   }
 }
 
+void DeckReader::add_late_members() {
+  using Name = std::pair<bool, std::string>;  // of a set of nodes
+  std::vector<LateMembers> own;
+  std::set<Name> incomplete;
+  std::erase_if(late_members_, [&](LateMembers& late) {
+    if (late.of != into_) return false;
+    incomplete.emplace(late.sets == &Deck::node_sets, late.into);
+    own.push_back(std::move(late));
+    return true;
+  });
+  for (const LateMembers& late : own) {
+    std::map<std::string, Set>& sets = into_->*late.sets;
+    const auto from = sets.find(late.from);
+    const auto refuse = [&](const std::string& why) { mistake(Card{late.card, {}, late.place}.message(why)); };
+    if (from == sets.end()) {
+      refuse(fmt::format("there is no set '{}'", late.from));
+    } else if (incomplete.contains({late.sets == &Deck::node_sets, late.from})) {
+      refuse(fmt::format("the set '{}' comes later and names such sets itself; put it before this line", late.from));
+    } else {
+      Set& set = sets.at(late.into);
+      std::unordered_set<std::int64_t> known(set.members.begin(), set.members.end());
+      for (const std::int64_t member : from->second.members)
+        if (known.insert(member).second) set.members.push_back(member);
+    }
+  }
+}
+
 void DeckReader::surface(const Card& card) {
   const std::string name = required(card, "NAME");
   if (name.empty()) return;
   const std::string type = upper_case(card.value("TYPE"));
-  if (!type.empty() && type != "ELEMENT" && type != "NODE") {
-    into_->left_out.push_back({card.place, card.name, fmt::format("surfaces of type {} are not known", type)});
-    return;
-  }
   Surface& surface = named(into_->surfaces, name);
   surface.of_nodes = type == "NODE";
   on_data_ = [this, &surface](const DataLine& line) {
@@ -190,8 +216,6 @@ void DeckReader::solid_section(const Card& card) {
   Section section{upper_case(required(card, "ELSET")), upper_case(required(card, "MATERIAL")), 1, card.place,
                   upper_case(card.value("ORIENTATION"))};
   if (section.elements.empty() || section.material.empty()) return;
-  if (!into_->element_sets.contains(section.elements))
-    return mistake(card.place, fmt::format("there is no element set '{}'", card.value("ELSET")));
   into_->sections.push_back(std::move(section));
   on_data_ = [this](const DataLine& line) {
     if (const auto thickness = line.field(0).empty() ? std::nullopt : real(line, 0))

@@ -36,9 +36,10 @@ MeshOutput::MeshOutput(const Deck& deck) : deck_(deck) {
 }
 
 std::string MeshOutput::free_name(const std::string& wanted) {
-  std::string name = wanted;
-  std::ranges::replace(name, '"', '_');
-  for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}_{}", wanted, i);
+  std::string base = wanted;
+  std::ranges::replace(base, '"', '_');
+  std::string name = base;
+  for (int i = 2; names_.contains(name); ++i) name = fmt::format("{}_{}", base, i);
   names_[name] = 1;
   return name;
 }

@@ -14,6 +14,8 @@ struct Transform {
   Place place;
   /// Unit vectors 1, 2, 3 at a position, as columns.
   Matrix3 directions(const Vector3& position) const;
+  /// A node on the axis of cylindrical directions has no radial and no tangential one.
+  bool is_on_axis(const Vector3& position) const;
   Vector3 axis() const { return (b - a).normalized(); }
 };
 
@@ -26,8 +28,10 @@ class NodeFrames {
   const Transform* of(std::int64_t node) const;
   /// Unit vectors 1, 2, 3 of a node that exists.
   Matrix3 directions(std::int64_t node) const;
-  /// Forces at turned nodes along x, y and z.
-  void turn_forces(Loading& loading) const;
+  /// False for a radial or tangential direction (1, 2) on the axis.
+  bool has_direction(std::int64_t node, int direction) const;
+  /// Forces at turned nodes along x, y and z. @param impossible  gets forces without a direction
+  void turn_forces(Loading& loading, std::vector<Note>& impossible) const;
 
  private:
   const Deck& deck_;

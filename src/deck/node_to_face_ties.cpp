@@ -3,6 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/mesh/point_tree.hpp"
@@ -46,6 +49,60 @@ Projection project(const Vector3& position, const Eigen::Matrix3Xd& nodes, mesh:
   return {(position - nodes * shape).norm(), shape};
 }
 
+/// The nearest points of a surface.
+class NearestFace {
+ public:
+  NearestFace(const Deck& deck, const std::vector<ElementFace>& faces) : deck_(deck), faces_(faces) {
+    std::vector<Vector3> centres;
+    for (const ElementFace& face : faces) {
+      const Numbers nodes = face_nodes(deck, face);
+      Eigen::Matrix3Xd x(3, std::ssize(nodes));
+      for (std::size_t i = 0; i < nodes.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = position(nodes[i]);
+      centres.emplace_back(x.rowwise().mean());
+      positions_.push_back(std::move(x));
+    }
+    tree_.emplace(centres);
+  }
+
+  /// Of the nodes of a face, as columns.
+  const Eigen::Matrix3Xd& positions(std::size_t face) const { return positions_[face]; }
+
+  struct Found {
+    std::size_t face = 0;
+    Projection projection;
+    double size = 0;  // of the face
+  };
+  Found operator()(std::int64_t node) const {
+    constexpr std::size_t candidates = 9;
+    Found best;
+    for (const mesh::Neighbour& near : tree_->nearest(position(node), candidates)) {
+      const mesh::CellType cell =
+          face_cell(element_cell(deck_, faces_[near.point].element), positions_[near.point].cols());
+      if (Projection found = project(position(node), positions_[near.point], cell);
+          found.distance < best.projection.distance)
+        best = {near.point, std::move(found), 0};
+    }
+    const Eigen::Matrix3Xd& x = positions_[best.face];
+    best.size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+    return best;
+  }
+
+ private:
+  const Vector3& position(std::int64_t node) const { return deck_.positions[deck_.node_of_number.at(node)]; }
+
+  const Deck& deck_;
+  const std::vector<ElementFace>& faces_;
+  std::vector<Eigen::Matrix3Xd> positions_;
+  std::optional<mesh::PointTree> tree_;
+};
+
+std::set<std::int64_t> nodes_of(const Deck& deck, const std::vector<ElementFace>& faces) {
+  std::set<std::int64_t> nodes;
+  for (const ElementFace& face : faces)
+    for (const std::int64_t node : face_nodes(deck, face)) nodes.insert(node);
+  return nodes;
+}
+
 Vector3 total_normal(const Deck& deck, const std::vector<ElementFace>& faces) {
   Vector3 sum = Vector3::Zero();
   for (const ElementFace& face : faces) sum += outward_area(deck, face);
@@ -58,45 +115,34 @@ bool face_alike(const Deck& deck, const std::vector<ElementFace>& slave, const s
   return total_normal(deck, slave).dot(total_normal(deck, master)) > 0;
 }
 
+std::map<std::int64_t, NearestPoint> nearest_points(const Deck& deck, const std::vector<ElementFace>& slave,
+                                                    const std::vector<ElementFace>& master) {
+  const NearestFace nearest(deck, master);
+  std::map<std::int64_t, NearestPoint> result;
+  for (const std::int64_t node : nodes_of(deck, slave)) {
+    const NearestFace::Found best = nearest(node);
+    if (best.projection.shape.size() > 0)
+      result[node] = {best.projection.distance, nearest.positions(best.face) * best.projection.shape};
+  }
+  return result;
+}
+
 std::vector<DeckEquation> tie_nodes_to_faces(const Deck& deck, const std::vector<ElementFace>& slave,
                                              const std::vector<ElementFace>& master, std::optional<double> tolerance,
                                              int n_components, const Place& place) {
-  constexpr std::size_t candidates = 9;
   constexpr double default_tolerance = 0.025;  // of the size of a face
-  const auto position = [&](std::int64_t node) { return deck.positions[deck.node_of_number.at(node)]; };
-  std::vector<Vector3> centres;
-  std::vector<Eigen::Matrix3Xd> positions;
-  for (const ElementFace& face : master) {
-    const Numbers nodes = face_nodes(deck, face);
-    Eigen::Matrix3Xd x(3, std::ssize(nodes));
-    for (std::size_t i = 0; i < nodes.size(); ++i) x.col(static_cast<Eigen::Index>(i)) = position(nodes[i]);
-    centres.emplace_back(x.rowwise().mean());
-    positions.push_back(std::move(x));
-  }
-  const mesh::PointTree tree(centres);
-  std::set<std::int64_t> slaves;
-  for (const ElementFace& face : slave)
-    for (const std::int64_t node : face_nodes(deck, face)) slaves.insert(node);
+  const NearestFace nearest(deck, master);
   std::vector<DeckEquation> equations;
-  for (const std::int64_t node : slaves) {
-    Projection best;
-    std::size_t best_face = 0;
-    for (const mesh::Neighbour& near : tree.nearest(position(node), candidates)) {
-      const mesh::CellType cell =
-          face_cell(element_cell(deck, master[near.point].element), positions[near.point].cols());
-      if (Projection found = project(position(node), positions[near.point], cell); found.distance < best.distance) {
-        best = std::move(found);
-        best_face = near.point;
-      }
-    }
-    const Eigen::Matrix3Xd& x = positions[best_face];
-    const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
-    if (best.distance > tolerance.value_or(default_tolerance * size)) continue;
-    const Numbers nodes = face_nodes(deck, master[best_face]);
+  for (const std::int64_t node : nodes_of(deck, slave)) {
+    const NearestFace::Found best = nearest(node);
+    if (best.projection.shape.size() == 0 ||
+        best.projection.distance > tolerance.value_or(default_tolerance * best.size))
+      continue;
+    const Numbers nodes = face_nodes(deck, master[best.face]);
     for (int k = 0; k < n_components; ++k) {
       DeckEquation equation{{{{node, k}, 1.0}}, {}, place, "TIE"};
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (const double part = best.shape[static_cast<Eigen::Index>(i)]; std::abs(part) > 1e-12)
+        if (const double part = best.projection.shape[static_cast<Eigen::Index>(i)]; std::abs(part) > 1e-12)
           equation.terms[{nodes[i], k}] -= part;
       equations.push_back(std::move(equation));
     }

@@ -12,20 +12,24 @@ void DeckReader::step(const Card& card) {
   Step step;
   step.place = card.place;
   step.nonlinear_geometry = card.has("NLGEOM") && upper_case(card.value("NLGEOM")) != "NO";
-  if (card.has("PERTURBATION"))
-    deck_.impossible.push_back({card.place, card.name, "PERTURBATION: linear perturbation is not known"});
+  step.ramps = upper_case(card.value("AMPLITUDE"));
   deck_.steps.push_back(std::move(step));
   step_open_ = true;
 }
 
 void DeckReader::end_step(const Card& card) {
-  if (!step_open_) mistake(card.place, "there is no *STEP before it");
+  if (!step_open_) return mistake(card.place, "there is no *STEP before it");
+  if (const Step& step = deck_.steps.back(); !step.has_procedure && deck_.impossible.empty())
+    deck_.impossible.push_back({step.place, "STEP", "it has no procedure; *STATIC and *VISCO are known"});
   step_open_ = false;
 }
 
 void DeckReader::procedure(const Card& card, bool is_creep) {
   if (!step_open_) return mistake(card.place, "it belongs between *STEP and *END STEP");
-  deck_.steps.back().is_creep = is_creep;
+  Step& step = deck_.steps.back();
+  if (step.has_procedure) return mistake(card.place, "the step has a procedure already");
+  step.has_procedure = true;
+  step.is_creep = is_creep;
   on_data_ = [this](const DataLine& line) {
     const auto period = line.field(1).empty() ? std::nullopt : real(line, 1);
     if (period && !(*period > 0))
@@ -39,13 +43,13 @@ void DeckReader::statics(const Card& card) {
   procedure(card, false);
 }
 
-void DeckReader::visco(const Card& card) {
-  procedure(card, true);
+void DeckReader::no_analysis(const Card& card) {
+  deck_.left_out.push_back({card.place, card.name, "the step is computed as a *STATIC one"});
+  procedure(card, false);
 }
 
-void DeckReader::restart(const Card& card) {
-  if (card.has("READ"))
-    deck_.impossible.push_back({card.place, card.name, "READ: the deck goes on from the results of another one"});
+void DeckReader::visco(const Card& card) {
+  procedure(card, true);
 }
 
 }  // namespace creepcontact::deck

@@ -14,7 +14,9 @@ void write_temperature(Draft& draft) {
     const auto found = draft.loading.temperatures.find(node);
     return found == draft.loading.temperatures.end() ? at_rest : found->second;
   };
-  const auto refuse = [&](const std::string& why) { draft.impossible.push_back({Place(), "TEMPERATURE", why}); };
+  const auto refuse = [&](const std::string& why) {
+    draft.impossible.push_back({draft.first("TEMPERATURE"), "TEMPERATURE", why});
+  };
   const std::string first = temperature_of(draft.used.front()).toml();
   bool same = true;
   std::set<double> times, jumps;
@@ -87,7 +89,8 @@ void write_time(Draft& draft) {
     const bool is_sudden = time != draft.loading.end && sudden.contains(time);
     text += fmt::format("{}{:.15g}", text.empty() ? "" : ", ", is_sudden ? time * (1 - just_before) : time);
   }
-  if (!(draft.loading.end > 0)) draft.impossible.push_back({Place(), "STEP", "the steps take no time"});
+  if (!(draft.loading.end > 0))
+    draft.impossible.push_back({draft.deck.steps.back().place, "STEP", "the steps take no time"});
   draft.add(fmt::format(
       "\n[time]\nend = {:.15g}\noutput = [{}]             # the ends of the steps; more: {{ count = 20 }}\n",
       draft.loading.end, text));

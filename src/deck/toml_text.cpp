@@ -10,6 +10,10 @@ namespace creepcontact::deck {
 std::string toml_string(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') {
+      result += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
+      continue;
+    }
     if (c == '"' || c == '\\') result += '\\';
     result += c;
   }

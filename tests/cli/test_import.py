@@ -188,13 +188,10 @@ class Import(ImportTest):
         self.assertGreater(row["uz_node_7"], 2 * abs(row["uz_node_6"]))
 
     def test_contradicting_equations(self):
-        self.import_deck("contradiction", CUBE + "*NODE\n100, 0, 0, 5\n*EQUATION\n2\n1, 3, 1., 100, 3, -1.\n*STEP\n*STATIC\n"
-                         "*BOUNDARY\n100, 3, 3, 0.1\n*DLOAD\nCube, P2, 1.\n*END STEP\n")
-        done = subprocess.run([PROGRAM, "check", str(self.directory / "imported/contradiction.toml")], capture_output=True,
-                              text=True, timeout=50)
-        self.assertEqual(done.returncode, 3)
+        done = self.import_deck("contradiction", CUBE + "*NODE\n100, 0, 0, 5\n*EQUATION\n2\n1, 3, 1., 100, 3, -1.\n*STEP\n*STATIC\n"
+                         "*BOUNDARY\n100, 3, 3, 0.1\n*DLOAD\nCube, P2, 1.\n*END STEP\n", 2)
         self.assertRegex(done.stderr, r"equations\[0\]: it contradicts supports or other equations: from these the sum is 0 at "
-                                      r"t = 1, and not -?0\.1")
+                                      r"t = 1, and not -?0\.1.*\(made of .*contradiction.inp:28: \*EQUATION\)")
 
     def test_turned_directions(self):
         """Twisting by tangential forces about the diagonal; the inclined support of a corner."""
@@ -401,7 +398,7 @@ class Import(ImportTest):
                             for e, (i, j, k) in enumerate(grid(n), 1))
             deck.write(CUBE[CUBE.index("*MATERIAL"):].replace("ELSET=Cube", "ELSET=Block") +
                        "*BOUNDARY\n1, 1, 3\n*STEP\n*STATIC\n*CLOAD\n9, 1, 1.\n*END STEP\n")
-        started = subprocess.Popen([PROGRAM, "import", "large.inp"], cwd=self.directory, stdout=subprocess.DEVNULL)
+        started = subprocess.Popen([PROGRAM, "import", "large.inp", "--no-check"], cwd=self.directory, stdout=subprocess.DEVNULL)
         _, status, used = os.wait4(started.pid, 0)
         started.returncode = status
         self.assertEqual(status, 0)

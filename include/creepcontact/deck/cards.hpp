@@ -27,6 +27,7 @@ struct Card {
   /// parameter without one.
   std::map<std::string, std::string> parameters = {};
   Place place = {};
+  bool goes_on = false;  ///< it ends with a comma, and the next line has no "=": data, or parameters without values
 
   bool has(const std::string& parameter) const { return parameters.contains(parameter); }
   /// Empty if it is missing.

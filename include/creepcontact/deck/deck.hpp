@@ -22,6 +22,10 @@ using Numbers = std::vector<std::int64_t>;
 struct ElementBlock {
   ElementType type;
   Numbers numbers, nodes;
+  std::vector<std::pair<std::size_t, Place>> cards = {};  ///< *ELEMENT: where each begins in `numbers`
+
+  /// Of the card of an element. @param element  index in `numbers`
+  Place place(std::size_t element) const;
 };
 
 struct Set {
@@ -56,6 +60,7 @@ struct Material {
   bool expands_along_axes = false;
   double expansion_zero = 0;
   std::string creep_law = "NORTON";
+  bool creep_time_only = false;  ///< the time of the law does not run in *STATIC steps
 
   bool has_axes() const { return elasticity != Elasticity::isotropic || expands_along_axes || potential; }
 };
@@ -80,6 +85,7 @@ struct Section {
 struct Amplitude {
   std::string name;
   bool total_time = false;
+  double shift_time = 0, shift_factor = 0;
   std::vector<std::pair<double, double>> points;  ///< time, factor
 };
 
@@ -93,7 +99,9 @@ struct RawCard {
 /// *STEP to *END STEP.
 struct Step {
   Place place;
-  bool is_creep = false;  ///< *VISCO
+  bool has_procedure = false;
+  bool is_creep = false;   ///< *VISCO
+  std::string ramps = {};  ///< AMPLITUDE: RAMP, STEP or empty, the default of the procedure
   bool nonlinear_geometry = false;
   double period = 1;
   std::vector<RawCard> cards;  ///< supports, loads, temperatures, output

@@ -160,13 +160,13 @@ TEST(Deck, WhatIsLeftOutAndWhatIsImpossible) {
   const Deck deck = read(square +
                          "*PLASTIC\n200, 0\n*ELEMENT, TYPE=S8R, ELSET=SHELL\n8, 1, 2, 3, 4, 1, 2, 3, 4\n"
                          "*CONDUCTIVITY\n50\n*BOUNDRY\n1, 1\n*STEP\n*FREQUENCY\n10\n*END STEP\n");
-  ASSERT_EQ(deck.impossible.size(), 3U);
+  ASSERT_EQ(deck.impossible.size(), 4U);
   EXPECT_EQ(deck.impossible[0].card, "PLASTIC");
   EXPECT_EQ(deck.impossible[0].place.line, 8U);
   EXPECT_TRUE(says(deck.impossible[1].consequence, {"elements of type S8R"}));
-  EXPECT_TRUE(says(deck.impossible[2].consequence, {"only *STATIC and *VISCO steps"}));
-  ASSERT_EQ(deck.left_out.size(), 2U);
-  EXPECT_TRUE(says(deck.left_out[1].consequence, {"an unknown card", "did you mean 'BOUNDARY'?"}));
+  EXPECT_TRUE(says(deck.impossible[2].consequence, {"an unknown card", "did you mean 'BOUNDARY'?"}));
+  EXPECT_TRUE(says(deck.impossible[3].consequence, {"only *STATIC and *VISCO steps"}));
+  ASSERT_EQ(deck.left_out.size(), 1U);
 }
 
 TEST(Deck, EveryMistakeIsNamedWithItsPlace) {
@@ -175,12 +175,13 @@ TEST(Deck, EveryMistakeIsNamedWithItsPlace) {
           square +
           "*NSET, NSET=A\nnone\n*NSET\n1\n*NODE\nx, 1\n5, 1, a\n*ELEMENT, TYPE=CPE4\n7, 1, 2, 3, 4\n8, 1, 2, 3, 99\n"
           "*ELASTIC\n1, 0\n*AMPLITUDE, NAME=T\n1, 0, 0, 1\n*SURFACE, NAME=S\nEall, S9\n*STEP\n*STATIC\n1, -1\n"),
-      {"deck.inp:9: *NSET: there is no set 'none' before this line", "deck.inp:10: *NSET: NSET is missing",
-       "deck.inp:13: *NODE: 'x' is not a node number", "deck.inp:14: *NODE: 'a' is not a number",
-       "deck.inp:16: *ELEMENT: element 7 exists already", "deck.inp:18: *ELASTIC: it belongs to a material",
+      {"deck.inp:10: *NSET: NSET is missing", "deck.inp:13: *NODE: 'x' is not a node number",
+       "deck.inp:14: *NODE: 'a' is not a number", "deck.inp:16: *ELEMENT: element 7 exists already",
+       "deck.inp:18: *ELASTIC: it belongs to a material",
        "deck.inp:21: *AMPLITUDE: the times of an amplitude must increase",
        "deck.inp:23: *SURFACE: 'S9' is not a face of an element", "deck.inp:26: *STATIC: the step lasts -1",
-       "the step has no *END STEP; the deck may be cut off", "element 8 has the node 99, which no *NODE defines"}));
+       "deck.inp:9: *NSET: there is no set 'NONE'", "the step has no *END STEP; the deck may be cut off",
+       "deck.inp:15: *ELEMENT: element 8 has the node 99, which no *NODE defines"}));
   EXPECT_TRUE(says(refusal("*NODE\n1, 0\n*ELEMENT, TYPE=CPE8\n3, 1, 1, 1,\n*STEP\n*END STEP\n"),
                    {"deck.inp:4", "element 3 of type CPE8 has 3 of its 8 nodes"}));
   EXPECT_TRUE(says(refusal("*NODE\n1, 0\n"), {"the deck has no elements"}));

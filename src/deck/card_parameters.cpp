@@ -1,0 +1,207 @@
+#include "card_parameters.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <utility>
+
+#include "creepcontact/deck/cards.hpp"
+
+namespace creepcontact::deck {
+namespace {
+
+using Use = Parameter::Use;
+using Names = std::initializer_list<const char*>;
+using List = std::vector<Parameter>;
+
+List with(Use use, Names names, const std::string& text = {}) {
+  List list;
+  for (const char* name : names) list.push_back({name, use, {}, text});
+  return list;
+}
+List taken(Names names) {
+  return with(Use::taken, names);
+}
+List one_of(const char* name, Names values) {
+  return {{name, Use::taken, {values.begin(), values.end()}, {}}};
+}
+/// Values that are the default, and so change nothing.
+List only(const char* name, Names values) {
+  return {{name, Use::ignored, {values.begin(), values.end()}, {}}};
+}
+List ignored(Names names) {
+  return with(Use::ignored, names);
+}
+List left_out(Names names, const std::string& text) {
+  return with(Use::left_out, names, text);
+}
+List refused(Names names, const std::string& text) {
+  return with(Use::impossible, names, text);
+}
+
+List operator+(List a, const List& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+const char* const of_users = "subroutines of users are not known";
+const char* const of_files = "data in files of their own are not known; *INCLUDE is";
+const char* const of_results = "values from the results of another run are not known";
+const char* const of_shifted_time = "a total time that is set anew is not known";
+
+List of_table() {
+  return only("DEPENDENCIES", {"0"}) + refused({"USER"}, of_users);
+}
+/// Of loads and supports, which an amplitude multiplies.
+List of_loads() {
+  return taken({"AMPLITUDE"}) + one_of("OP", {"NEW", "MOD"}) + only("LOAD CASE", {"1"}) + ignored({"REAL"}) +
+         refused({"TIME DELAY"}, "amplitudes that begin later are not known; give their table shifted in time") +
+         refused({"USER"}, of_users) + refused({"SUBMODEL", "STEP", "DATA SET", "FILE"}, of_results) +
+         refused({"IMAGINARY", "SECTOR", "CYCLIC MODE", "REGION TYPE"},
+                 "it has no meaning in *STATIC and *VISCO steps");
+}
+List of_following_loads() {
+  return left_out({"FOLLOWER"}, "directions of loads are those of the undeformed bodies");
+}
+List of_procedure() {
+  return ignored({"DIRECT", "SOLVER", "ALLSDTOL", "CONTINUE", "FACTOR", "INITIAL"}) +
+         left_out({"STABILIZE"}, "there is no artificial damping") +
+         refused({"TIME RESET", "TOTAL TIME AT START"}, of_shifted_time);
+}
+List of_prints() {
+  return taken({"NSET", "ELSET"}) + ignored({"FREQUENCY", "FREQUENCYF", "TIME POINTS", "TOTALS", "GLOBAL", "OUTPUT",
+                                             "POSITION", "SUMMARY", "AVERAGE", "MODE", "LAST MODE", "FORMAT"});
+}
+
+std::map<std::string, List> lists() {
+  std::map<std::string, List> of;
+  // Geometry
+  of["NODE"] = taken({"NSET"}) + only("SYSTEM", {"R"}) + refused({"INPUT"}, of_files);
+  of["ELEMENT"] = taken({"TYPE", "ELSET"}) + refused({"INPUT", "FILE"}, of_files);
+  of["NSET"] = taken({"NSET", "GENERATE", "INSTANCE"}) + ignored({"UNSORTED", "INTERNAL"}) +
+               left_out({"FREQUENCY"}, "it counts for output only") +
+               refused({"ELSET"}, "sets of the nodes of elements are not known; list the nodes");
+  of["ELSET"] = taken({"ELSET", "GENERATE", "INSTANCE"}) + ignored({"UNSORTED", "INTERNAL"}) +
+                left_out({"FREQUENCY"}, "it counts for output only");
+  of["SURFACE"] = taken({"NAME"}) + one_of("TYPE", {"ELEMENT", "NODE"}) + ignored({"INTERNAL"}) +
+                  left_out({"NO OFFSET", "NO THICK"}, "shells are not known");
+  of["SOLID SECTION"] = taken({"ELSET", "MATERIAL", "ORIENTATION"}) +
+                        ignored({"CONTROLS", "SYMMETRIC", "STACK DIRECTION", "ORDER"}) +
+                        left_out({"OFFSET"}, "an offset counts for shells only") +
+                        refused({"REF NODE"},
+                                "loads and supports of generalised plane strain are not taken from a reference node; "
+                                "remove it if there are none") +
+                        refused({"COMPOSITE"}, "layers are not known; a section for each of them is");
+  // Materials
+  of["MATERIAL"] = taken({"NAME"}) + ignored({"RTOL", "SRATE FACTOR", "STRAIN RATE REGULARIZATION"});
+  of["ELASTIC"] = taken({"TYPE"}) + of_table() + only("MODULI", {"INSTANTANEOUS", "LONG TERM"});
+  of["EXPANSION"] = taken({"TYPE", "ZERO"}) + of_table();
+  of["POTENTIAL"] = of_table();
+  of["DENSITY"] = of_table();
+  of["CREEP"] = taken({"LAW"}) + of_table() + one_of("TIME", {"TOTAL", "CREEP"});
+  of["PHYSICAL CONSTANTS"] =
+      taken({"ABSOLUTE ZERO"}) + ignored({"STEFAN BOLTZMANN", "NEWTON GRAVITY", "UNIVERSAL GAS CONSTANT"});
+  of["ORIENTATION"] = taken({"NAME", "SYSTEM", "DEFINITION"}) + ignored({"LOCAL DIRECTIONS"});
+  of["AMPLITUDE"] = taken({"NAME", "SHIFTX", "SHIFTY"}) + one_of("TIME", {"STEP TIME", "TOTAL TIME"}) +
+                    one_of("DEFINITION", {"TABULAR"}) + one_of("VALUE", {"RELATIVE"}) + only("SMOOTH", {"0", "0."}) +
+                    refused({"USER"}, of_users) + refused({"INPUT"}, of_files);
+  // Parts
+  of["PART"] = taken({"NAME"});
+  of["INSTANCE"] = taken({"NAME", "PART"}) + refused({"INSTANCE", "LIBRARY"}, of_results);
+  // Steps
+  of["STEP"] = taken({"NLGEOM"}) + one_of("AMPLITUDE", {"RAMP", "STEP"}) +
+               ignored({"INC", "INCF", "NAME", "EXTRAPOLATION", "UNSYMM", "SOLVER", "CONVERT SDI"}) +
+               refused({"PERTURBATION"}, "linear perturbation is not known");
+  of["STATIC"] =
+      of_procedure() + refused({"RIKS", "ADIABATIC", "FULLY PLASTIC", "LONG TERM"}, "this procedure is not known");
+  of["NO ANALYSIS"] = {};
+  of["VISCO"] = of_procedure() + ignored({"CETOL"}) + one_of("CREEP", {"EXPLICIT"});
+  of["RESTART"] = ignored({"WRITE", "FREQUENCY", "OVERLAY", "NUMBER INTERVAL", "TIME MARKS", "STEP", "INC"}) +
+                  refused({"READ"}, "the deck goes on from the results of another one");
+  // Supports and loads
+  of["BOUNDARY"] = of_loads() + one_of("TYPE", {"DISPLACEMENT"}) + taken({"FIXED"}) +
+                   refused({"MASS FLOW", "PRESSURE", "TEMPERATURE"}, "only displacements are prescribed");
+  of["CLOAD"] = of_loads() + of_following_loads();
+  of["DLOAD"] = of_loads() + of_following_loads() + only("CONSTANT RESULTANT", {"NO"});
+  of["DSLOAD"] = of_loads() + of_following_loads() + only("CONSTANT RESULTANT", {"NO"});
+  of["TEMPERATURE"] = of_loads() +
+                      refused({"BSTEP", "BINC", "ESTEP", "EINC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
+                      refused({"INPUT"}, of_files);
+  of["INITIAL CONDITIONS"] = taken({"TYPE"}) + refused({"USER"}, of_users) +
+                             refused({"FILE", "STEP", "INC", "INTERPOLATE", "DRIVING ELSETS"}, of_results) +
+                             refused({"INPUT"}, of_files);
+  // Contact
+  of["CONTACT PAIR"] = taken({"INTERACTION", "ADJUST", "TIED"}) +
+                       one_of("TYPE", {"SURFACE TO SURFACE", "NODE TO SURFACE", "MORTAR", "LINMORTAR", "PGLINMORTAR"}) +
+                       ignored({"SMALL SLIDING", "HCRIT", "SMOOTH", "TRACKING", "SUPPLEMENTARY CONSTRAINTS",
+                                "MECHANICAL CONSTRAINT", "NO THICKNESS", "GEOMETRIC CORRECTION"}) +
+                       left_out({"EXTENSION ZONE"}, "surfaces end where they end") +
+                       refused({"CPSET"}, "properties in sets are not known; INTERACTION is");
+  of["SURFACE INTERACTION"] = taken({"NAME"}) + ignored({"UNSYMM"}) + refused({"USER"}, of_users);
+  of["SURFACE BEHAVIOR"] =
+      one_of("PRESSURE-OVERCLOSURE", {"HARD", "LINEAR", "EXPONENTIAL", "TABULAR", "TIED"}) +
+      ignored({"AUGMENTED LAGRANGE", "DIRECT", "LAGRANGE", "PENALTY"}) +
+      refused({"NO SEPARATION"}, "surfaces that hold each other once they touch, and slide, are not known");
+  of["FRICTION"] =
+      ignored({"ELASTIC SLIP", "SLIP TOLERANCE", "SHEAR TRACTION SLOPE", "LAGRANGE"}) + of_table() +
+      refused({"ROUGH"},
+              "friction without a limit is not known; give a coefficient, or TIED if the surfaces neither "
+              "slide nor open") +
+      refused({"TAUMAX"}, "friction with a largest traction is not known") +
+      refused({"ANISOTROPIC"}, "friction that depends on the direction is not known") +
+      refused({"EXPONENTIAL DECAY", "TEST DATA"}, "friction that depends on the rate of slip is not known");
+  of["CHANGE FRICTION"] = taken({"INTERACTION"}) + refused({"RESET", "AMPLITUDE"},
+                                                           "friction that changes by itself is not known; a *FRICTION "
+                                                           "below gives its new value");
+  of["CLEARANCE"] = taken({"MASTER", "SLAVE", "VALUE"}) +
+                    refused({"CPSET", "TABULAR", "BOLT"}, "only one clearance of two surfaces, VALUE, is known");
+  of["TIE"] =
+      taken({"NAME", "POSITION TOLERANCE", "CYCLIC SYMMETRY"}) +
+      ignored({"ADJUST", "NO ROTATION", "NO THICKNESS", "TYPE"}) +
+      refused({"FLUID PERIODIC", "FLUID CYCLIC", "MULTISTAGE"}, "only ties of surfaces and cyclic symmetry are known") +
+      refused({"TIED NSET", "CONSTRAINT RATIO"}, "ties of a part of a surface are not known");
+  of["CONTACT"] = only("OP", {"NEW"});
+  of["CONTACT INCLUSIONS"] =
+      refused({"ALL EXTERIOR"},
+              "contact of all surfaces with each other is not known; name the surfaces that may touch with *CONTACT "
+              "PAIR, or in pairs below *CONTACT INCLUSIONS");
+  of["CONTACT PROPERTY ASSIGNMENT"] = {};
+  // Constraints
+  of["CYCLIC SYMMETRY MODEL"] = taken({"N", "TIE"}) + ignored({"NGRAPH", "ELSET", "CHECK"});
+  of["EQUATION"] = refused({"REMOVE", "REMOVE ALL"}, "constraints that change from step to step are not known") +
+                   refused({"INPUT"}, of_files);
+  of["MPC"] = refused({"USER", "MODE"}, of_users) + refused({"INPUT"}, of_files);
+  of["TRANSFORM"] = taken({"NSET"}) + one_of("TYPE", {"R", "C"});
+  of["PRE-TENSION SECTION"] =
+      taken({"SURFACE", "NODE"}) + refused({"ELEMENT"}, "only sections that are a SURFACE of solid elements are known");
+  of["RIGID BODY"] = taken({"NSET", "ELSET", "REF NODE", "ROT NODE", "TIE NSET", "PIN NSET"}) +
+                     only("POSITION", {"INPUT"}) + ignored({"ISOTHERMAL"}) +
+                     refused({"ANALYTICAL SURFACE"}, "analytical surfaces are not known");
+  of["NODE PRINT"] = of_prints();
+  of["EL PRINT"] = of_prints();
+  for (const char* card : {"END STEP", "END PART", "END INSTANCE"}) of[card] = {};
+  return of;
+}
+
+}  // namespace
+
+std::string letters_of(const std::string& text) {
+  std::string result;
+  std::ranges::copy_if(upper_case(text), std::back_inserter(result), [](char c) { return c != ' ' && c != '\t'; });
+  return result;
+}
+
+const std::map<std::string, Parameter>* parameters_of(const std::string& card) {
+  static const std::map<std::string, std::map<std::string, Parameter>> all = [] {
+    std::map<std::string, std::map<std::string, Parameter>> result;
+    for (const auto& [name, list] : lists()) {
+      result[name];
+      for (const Parameter& parameter : list) result[name].emplace(letters_of(parameter.name), parameter);
+    }
+    return result;
+  }();
+  const auto found = all.find(card);
+  return found == all.end() ? nullptr : &found->second;
+}
+
+}  // namespace creepcontact::deck
