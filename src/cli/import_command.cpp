@@ -39,7 +39,13 @@ int import(const Command& self, const Arguments& arguments) {
     if (path_exists(file))
       throw ConfigError(
           fmt::format("{} exists already; remove it, or choose another directory with --output", file.string()));
-  for (const auto& [file, content] : files) platform::replace_file(file, *content);
+  try {
+    for (const auto& [file, content] : files) platform::replace_file(file, *content);
+  } catch (const Error&) {  // on a full disk: what there is of it would hinder the next import
+    std::error_code ignored;
+    for (const auto& [file, content] : files) std::filesystem::remove(file, ignored);
+    throw;
+  }
   for (const std::string& left_out : made.left_out) std::cout << "left out: " << left_out << '\n';
   std::ranges::reverse(files);  // the configuration first
   for (const auto& [file, content] : files) std::cout << file.string() << '\n';
