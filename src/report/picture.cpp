@@ -61,24 +61,25 @@ class Run {
     drawn.title = is_mesh ? "Mesh" : capitalized(field.label);
     if (!is_mesh || picture.warp != 0) drawn.title += fmt::format(" at t = {:.6g}{}", entry.time, time_unit());
     if (picture.warp != 0) drawn.title += fmt::format(", deformation x {:.6g}", picture.warp);
-    job = {
-        {"file", entry.file.string()},
-        {"contact_file", field.is_on_contact && !contact_.empty() ? nearest(contact_, entry.time).file.string() : ""},
-        {"width", picture.width},
-        {"height", picture.height},
-        {"title", picture.titled ? drawn.title : ""},
-        {"unit", field.unit},
-        {"array", field.array},
-        {"component", field.component},
-        {"low", picture.range ? Json(picture.range->first) : Json()},
-        {"high", picture.range ? Json(picture.range->second) : Json()},
-        {"displacement", displacement_},
-        {"warp", picture.warp},
-        {"bodies", Json::array()},
-        {"colours", Json::parse(colours())},
-        {"mesh", is_mesh},
-        {"flat", flat_},
-        {"view", picture.view}};
+    job = {{"file", std::filesystem::absolute(entry.file).string()},
+           {"contact_file", field.is_on_contact && !contact_.empty()
+                                ? std::filesystem::absolute(nearest(contact_, entry.time).file).string()
+                                : ""},
+           {"width", picture.width},
+           {"height", picture.height},
+           {"title", picture.titled ? drawn.title : ""},
+           {"unit", field.unit},
+           {"array", field.array},
+           {"component", field.component},
+           {"low", picture.range ? Json(picture.range->first) : Json()},
+           {"high", picture.range ? Json(picture.range->second) : Json()},
+           {"displacement", displacement_},
+           {"warp", picture.warp},
+           {"bodies", Json::array()},
+           {"colours", Json::parse(colours())},
+           {"mesh", is_mesh},
+           {"flat", flat_},
+           {"view", picture.view}};
     for (const std::string& name : picture.bodies) {
       const auto found = std::ranges::find(bodies_, name);
       if (found == bodies_.end())
@@ -152,7 +153,7 @@ const std::vector<std::string>& views() {
 }
 
 std::vector<DrawnPicture> draw_pictures(const std::filesystem::path& directory, const std::vector<Picture>& pictures) {
-  const Run run(std::filesystem::absolute(directory));
+  const Run run(directory);
   const platform::PrivateDirectory place;
   std::vector<DrawnPicture> drawn;
   Json jobs = Json::array();
