@@ -45,7 +45,7 @@ int fit(const Command& self, const Arguments& arguments) {
   fit::LawWishes wishes;
   fit::ReadOptions reading;
   fit::BlockOptions block;
-  std::string output, modulus;
+  std::string output, modulus, thousands;
   double temperature = 0;
   CommandLine line(self);
   auto add = line.add_options();
@@ -60,10 +60,18 @@ int fit(const Command& self, const Arguments& arguments) {
       "strain; needed for relaxation tests");
   add("poisson-ratio", po::value(&block.poisson_ratio)->value_name("NU"), "for the material block (default: 0.3)");
   add("temperature", po::value(&temperature)->value_name("T"), "only the tests within 2 degrees of this temperature");
+  add("thousands", po::value(&thousands)->value_name("SIGN"),
+      "what separates thousands in the numbers of the data: '.', ',', ' ' or an apostrophe; the decimal sign is then "
+      "the comma or the point that is left (default: nothing does)");
   add("material", po::value(&block.material)->value_name("NAME"), "name in the material block (default: fitted)");
   if (!line.parse(arguments, "DATA.csv")) return 0;
   if (wishes.law.empty()) throw ConfigError("fit needs --law NAME; see `creepcontact list laws`");
   if (line.has("young-modulus")) reading.young_modulus = block.young_modulus = modulus_in(modulus);
+  if (line.has("thousands")) {
+    const auto found = io::thousands_named(thousands);
+    if (!found) throw ConfigError(fmt::format("--thousands: '{}'; allowed: '.', ',', ' ' or an apostrophe", thousands));
+    reading.thousands = *found;
+  }
   if (line.has("temperature")) reading.temperature = temperature;
   if (block.material.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-") !=
           std::string::npos ||
@@ -90,6 +98,7 @@ int fit(const Command& self, const Arguments& arguments) {
   platform::replace_file(file, text);
   std::cout << '\n' << file.string() << '\n';
   const std::filesystem::path pictures = file.parent_path() / (file.stem().string() + "_plots");
+  platform::make_inner_directory(pictures);
   for (std::filesystem::path picture : fit::draw_fit(data, result, reading.young_modulus, pictures)) {
     std::cout << picture.string() << '\n';
     std::cout << picture.replace_extension(".png").string() << '\n';

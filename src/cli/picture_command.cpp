@@ -7,6 +7,7 @@
 
 #include "command.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/report/picture.hpp"
 
 namespace creepcontact::cli {
@@ -82,6 +83,9 @@ int picture(const Command& self, const Arguments& arguments) {
   wanted.output = output.empty() ? directory / "plots" / (wanted.field + ".png") : std::filesystem::path(output);
   if (wanted.output.extension() != ".png")
     throw ConfigError(fmt::format("--output: '{}': pictures are PNG files; give a name that ends in .png", output));
+  // Nothing is made before it is known that there is a run; a link is refused.
+  if (output.empty() && std::filesystem::is_symlink(directory / "plots"))
+    platform::make_inner_directory(directory / "plots");
   const report::DrawnPicture drawn = report::draw_pictures(directory, {wanted}).front();
   std::cout << drawn.file.string() << '\n';
   if (line.has("time") && std::abs(drawn.time - time) > 1e-6 * std::abs(time))

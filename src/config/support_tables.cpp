@@ -14,7 +14,16 @@ struct Displacement {
 };
 
 /// What is not given, which Temperature cannot tell.
+enum class ThousandsSign { point, comma, blank, apostrophe };
+constexpr auto names_of(ThousandsSign) {
+  return std::to_array<settings::EnumName<ThousandsSign>>({{".", ThousandsSign::point},
+                                                           {",", ThousandsSign::comma},
+                                                           {" ", ThousandsSign::blank},
+                                                           {"'", ThousandsSign::apostrophe}});
+}
+
 struct TemperatureKeys : Temperature {
+  std::optional<ThousandsSign> separator;
   std::optional<Function> given;
   std::map<std::string, std::optional<std::string>> names;
 };
@@ -54,7 +63,7 @@ void check_files(const TemperatureKeys& keys, const Item& item, Context& context
   const auto report = [&](const char* key, const std::string& what, const std::string& allowed) {
     context.errors.add(item.child(key).location, what, allowed);
   };
-  for (const std::string& key : given_keys(item, {"times", "columns", "period", "axis", "origin"}))
+  for (const std::string& key : given_keys(item, {"times", "columns", "thousands", "period", "axis", "origin"}))
     if (!item.has("file"))
       report(key.c_str(), "has no meaning without 'file'", "with temperatures at points: 'file' = \"...\"");
   if (item.has("file") && keys.files.empty() && item.child("file").node->is_array())
@@ -208,6 +217,11 @@ Value<Temperature> temperature_table() {
       field<TemperatureKeys>("columns", &TemperatureKeys::names, column_names(),
                              "names of columns, where the reader does not find them itself")
           .changeable(),
+      field<TemperatureKeys>("thousands", &TemperatureKeys::separator, choice<ThousandsSign>("separator of thousands"),
+                             "what separates thousands in CSV files; the decimal sign is then the comma or the point "
+                             "that is left")
+          .changeable()
+          .otherwise("nothing"),
       field<TemperatureKeys>("period", &TemperatureKeys::period, number(greater(0)),
                              "the files repeat in time: they begin at t = 0 and end at this time or before")
           .in("time")
@@ -234,6 +248,7 @@ Value<Temperature> temperature_table() {
           context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
                              "exactly one of value, file");
         check_files(found, item, context);
+        if (found.separator) found.thousands = settings::name_of(*found.separator);
         found.value = found.given.value_or(Function());
         for (auto& [key, name] : found.names)
           if (name) found.columns[key] = std::move(*name);

@@ -40,8 +40,8 @@ const std::vector<std::string>& kind_names() {
 /// Reads the cells of one row.
 class RowReader {
  public:
-  RowReader(const io::CsvCells& table, const DataColumns& columns, RowMistakes& mistakes)
-      : table_(table), columns_(columns), mistakes_(mistakes) {}
+  RowReader(const io::CsvCells& table, const DataColumns& columns, io::Thousands thousands, RowMistakes& mistakes)
+      : columns_(columns), numbers_(table.format, thousands, "--thousands"), mistakes_(mistakes) {}
 
   /// @returns false if the row has a mistake
   bool read(const io::CsvCells::Row& row, bool strain_is_total, DataRow& into) {
@@ -75,9 +75,10 @@ class RowReader {
   std::optional<double> number(ColumnRole role, std::optional<double> least = {}) {
     const std::string cell = text(role);
     if (cell.empty()) return std::nullopt;
-    const auto value = io::csv_number(cell, table_.format);
+    const auto [value, reason] = numbers_.read(cell, static_cast<std::size_t>(row_->line));
     if (!value || !std::isfinite(*value)) {
-      mistake(fmt::format("column '{}': '{}' is not a number", columns_[role]->name, cell));
+      mistake(fmt::format("column '{}': {}", columns_[role]->name,
+                          value ? fmt::format("'{}' is not a number", cell) : reason));
       return std::nullopt;
     }
     if (least && *value < *least) {
@@ -141,8 +142,8 @@ class RowReader {
                           *row.strain));
   }
 
-  const io::CsvCells& table_;
   const DataColumns& columns_;
+  io::CsvNumbers numbers_;
   RowMistakes& mistakes_;
   const io::CsvCells::Row* row_ = nullptr;
   bool right_ = true;
@@ -200,10 +201,10 @@ const std::string& value_of(TestKind kind) {
 }
 
 std::vector<DataRow> read_rows(const io::CsvCells& table, const DataColumns& columns, bool strain_is_total,
-                               RowMistakes& mistakes) {
+                               io::Thousands thousands, RowMistakes& mistakes) {
   for (const io::CsvCells::UnevenRow& row : table.uneven)
     mistakes.add(row.line, fmt::format("{} cells under {} columns", row.cells, table.names.size()));
-  RowReader reader(table, columns, mistakes);
+  RowReader reader(table, columns, thousands, mistakes);
   std::vector<DataRow> rows;
   for (const io::CsvCells::Row& cells : table.rows)
     if (DataRow row; reader.read(cells, strain_is_total, row)) rows.push_back(row);

@@ -39,6 +39,6 @@ struct DataRow {
 
 /// @returns the rows without mistakes; empty ones and those with a wrong number of cells are left out
 std::vector<DataRow> read_rows(const io::CsvCells& table, const DataColumns& columns, bool strain_is_total,
-                               RowMistakes& mistakes);
+                               io::Thousands thousands, RowMistakes& mistakes);
 
 }  // namespace creepcontact::fit

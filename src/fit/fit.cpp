@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "law_response.hpp"
 #include "least_squares.hpp"
 #include "parameter_space.hpp"
@@ -23,13 +25,40 @@ constexpr int most_iterations = 60;
 constexpr int enough_agreeing = 2;
 constexpr double same_minimum = 1e-3;  // of the sum of squares
 constexpr int weighted_rounds = 3;
-constexpr int fewest_to_weight = 4;  // readings of a kind whose scatter is estimated
+constexpr int many_readings = 20000;  // too many for all searches
+constexpr int likely_iterations = 6;  // near the minimum, with what follows it
+constexpr int fewest_to_weight = 4;   // readings of a kind whose scatter is estimated
+
+/// About `n` of the readings: every so many-th of those of each test, or of the tests where there are more tests.
+TestData thinned(const TestData& data, int n) {
+  TestData some = data;
+  const auto wanted = static_cast<std::size_t>(n);
+  if (some.tests.size() > wanted) {
+    const std::size_t stride = some.tests.size() / wanted + 1;
+    std::vector<Test> kept;
+    for (std::size_t i = 0; i < some.tests.size(); i += stride) kept.push_back(std::move(some.tests[i]));
+    some.tests = std::move(kept);
+  }
+  const std::size_t stride = static_cast<std::size_t>(some.n_readings()) / wanted + 1;
+  for (Test& test : some.tests) {
+    std::vector<Reading> kept;
+    const std::size_t last = test.readings.size() - 1;
+    for (std::size_t i = 0; i < last; i += stride) kept.push_back(test.readings[i]);
+    kept.push_back(test.readings[last]);
+    test.readings = std::move(kept);
+  }
+  return some;
+}
 
 /// A fit while it is made.
 class Search {
  public:
   Search(const TestData& data, const LawChoice& choice, const std::optional<Function>& young_modulus)
-      : data_(data), choice_(choice), space_(choice, data), response_(data, young_modulus) {
+      : data_(data),
+        choice_(choice),
+        young_modulus_(young_modulus),
+        space_(choice, data),
+        response_(data, young_modulus) {
     for (const Test& test : data.tests) kinds_.insert(kinds_.end(), test.readings.size(), test.kind);
     weights_.fill(1);
     problem_ = {[this](const Eigen::VectorXd& x) { return weighted(x); }, space_.lower(), space_.upper()};
@@ -40,7 +69,7 @@ class Search {
       throw ConfigError(fmt::format("{}: {} readings for {} parameters; allowed: more readings than parameters",
                                     data_.file, data_.n_readings(), space_.size()));
     FitResult result;
-    Minimum minimum = best_minimum(result);
+    Minimum minimum = first_minimum(result);
     result.law = space_.law(minimum.x);
     if (const std::string reason = response_.why_impossible(result.law); !reason.empty())
       throw ConfigError(fmt::format("{}: law '{}': {}", data_.file, choice_.info->name, reason));
@@ -72,12 +101,40 @@ class Search {
     return largest > 0 ? largest : 0.01;
   }
 
-  Minimum best_minimum(FitResult& result) const {
+  /// Of many readings some are enough to search for the neighbourhood of the minimum, which is then found with all.
+  Minimum first_minimum(FitResult& result) const {
+    if (data_.n_readings() <= many_readings) return best_minimum(problem_, result);
+    const TestData some = thinned(data_, many_readings / 4);
+    log::info("fit: {} readings; the search for the minimum begins with {} of them", data_.n_readings(),
+              some.n_readings());
+    const LawResponse of_some(some, young_modulus_);
+    const LeastSquares problem{[&](const Eigen::VectorXd& x) -> std::optional<std::vector<double>> {
+                                 try {
+                                   return of_some.residuals(space_.law(x));
+                                 } catch (const material::ParameterError&) {
+                                   return std::nullopt;
+                                 }
+                               },
+                               problem_.lower, problem_.upper};
+    const Minimum near = best_minimum(problem, result);
+    const auto begin = std::chrono::steady_clock::now();
+    static_cast<void>(problem_.residuals(near.x));
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double evaluations = likely_iterations * (2.0 * static_cast<double>(space_.size()) + 1);
+    log::info("fit: {} searches have ended; the last one takes all readings, some {:.0f} s ({:.0f} x {:.2f} s)",
+              result.n_starts, evaluations * seconds, evaluations, seconds);
+    if (auto found = minimize(problem_, near.x, most_iterations)) return std::move(*found);
+    log::info("fit: the law is not defined there for all readings; the search begins again with all of them");
+    result.n_starts = result.n_agreeing = 0;
+    return best_minimum(problem_, result);
+  }
+
+  Minimum best_minimum(const LeastSquares& problem, FitResult& result) const {
     std::optional<Minimum> best;
-    const auto starts = best_starts(problem_, most_starts, space_.lowest_guess(typical_strain()),
-                                    space_.highest_guess(), space_.amplitude());
+    const auto starts = best_starts(problem, most_starts, space_.lowest_guess(typical_strain()), space_.highest_guess(),
+                                    space_.amplitude());
     for (const Eigen::VectorXd& start : starts) {
-      auto found = minimize(problem_, start, most_iterations);
+      auto found = minimize(problem, start, most_iterations);
       if (!found) continue;
       ++result.n_starts;
       const double old = best ? best->sum_of_squares() : std::numeric_limits<double>::infinity();
@@ -148,6 +205,7 @@ class Search {
 
   const TestData& data_;
   const LawChoice& choice_;
+  const std::optional<Function>& young_modulus_;
   ParameterSpace space_;
   LawResponse response_;
   std::vector<TestKind> kinds_;  // per residual

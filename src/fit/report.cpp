@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "creepcontact/base/one_line.hpp"
+
 namespace creepcontact::fit {
 namespace {
 
@@ -59,7 +61,7 @@ std::string units_line(const TestUnits& units) {
 
 std::string report(const TestData& data, const LawChoice& choice, const FitResult& result) {
   std::string text = fmt::format("law {}: {} ({})\ndata {}: {}\nunits: {}\n\n", choice.info->name, choice.info->formula,
-                                 choice.info->source, data.file, basis(data, result), units_line(data.units));
+                                 choice.info->source, one_line(data.file), basis(data, result), units_line(data.units));
   text += fmt::format("{:<20}{:>14}   {:<30}unit\n", "parameter", "value", "95 % confidence interval");
   for (const FittedParameter& parameter : result.parameters)
     text += fmt::format(
@@ -109,8 +111,8 @@ std::string why_useless(const LawChoice& choice, const FitResult& result) {
 std::string material_block(const TestData& data, const LawChoice& choice, const FitResult& result,
                            const BlockOptions& options) {
   const std::string& name = options.material;
-  std::string text = fmt::format("{} to {}: {}.\n# Units: {}.\n", block_heading, data.file, basis(data, result),
-                                 units_line(data.units));
+  std::string text = fmt::format("{} to {}: {}.\n# Units: {}.\n", block_heading, one_line(data.file),
+                                 basis(data, result), units_line(data.units));
   const bool elastic = options.young_modulus.has_value();
   if (!elastic)
     text +=

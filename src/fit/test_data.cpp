@@ -4,8 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
@@ -44,8 +49,7 @@ class TestCollector {
       case TestKind::rupture:
         return add_rupture(row, *row.time);
       case TestKind::rate:
-        data_.tests.push_back(started(row, TestKind::rate));
-        data_.tests.back().readings.push_back({row.time.value_or(no_time), *row.rate, row.line});
+        add(started(row, TestKind::rate)).readings.push_back({row.time.value_or(no_time), *row.rate, row.line});
     }
   }
 
@@ -77,26 +81,33 @@ class TestCollector {
   Test started(const DataRow& row, TestKind kind) {
     Test test{.name = label(row), .kind = kind, .stress = row.stress, .temperature = row.temperature};
     test.is_named = !row.test.empty();
-    test.same_specimen = test.is_named && std::ranges::any_of(data_.tests, [&](const Test& other) {
-                           return other.name == row.test && !other.same_specimen;
-                         });
-    if (row.test.empty() && (kind == TestKind::creep || kind == TestKind::relaxation)) {
-      int same = 1;
-      for (const Test& other : data_.tests)
-        same += other.kind == kind && (other.name == test.name || other.name.starts_with(test.name + " ("));
-      if (same > 1) test.name += fmt::format(" ({})", same);
-    }
+    test.same_specimen = test.is_named && specimens_.contains(row.test);
+    if (row.test.empty() && (kind == TestKind::creep || kind == TestKind::relaxation))
+      if (const int same = like_named_[index(kind)][test.name]; same > 0) test.name += fmt::format(" ({})", same + 1);
     return test;
+  }
+
+  static std::size_t index(TestKind kind) { return static_cast<std::size_t>(kind); }
+
+  /// Adds a test to the data, and to what finds it among many.
+  Test& add(Test test) {
+    if (!test.same_specimen) specimens_.insert(test.name);
+    const std::size_t kind = index(test.kind);
+    last_named_[kind][test.name] = data_.tests.size();
+    ++like_named_[kind][test.name];
+    for (std::size_t at = test.name.find(" ("); at != std::string::npos; at = test.name.find(" (", at + 1))
+      ++like_named_[kind][test.name.substr(0, at)];
+    return data_.tests.emplace_back(std::move(test));
   }
 
   /// The test that a row goes on with; nullptr: a new one begins.
   Test* continued(const DataRow& row, TestKind kind) {
+    if (!row.test.empty()) {
+      const auto found = last_named_[index(kind)].find(row.test);
+      return found == last_named_[index(kind)].end() ? nullptr : &data_.tests[found->second];
+    }
     for (auto test = data_.tests.rbegin(); test != data_.tests.rend(); ++test) {
       if (test->kind != kind) continue;
-      if (!row.test.empty()) {
-        if (test->name == row.test) return &*test;
-        continue;
-      }
       const bool same_load = kind == TestKind::relaxation ? test->readings.empty() || &*test == &data_.tests.back()
                                                           : near_stress(test->stress, row.stress);
       if (!same_load || !near_temperature(test->temperature, row.temperature)) continue;
@@ -138,8 +149,7 @@ class TestCollector {
     }
     Test* test = continued(row, TestKind::creep);
     if (test == nullptr) {
-      data_.tests.push_back(started(row, TestKind::creep));
-      test = &data_.tests.back();
+      test = &add(started(row, TestKind::creep));
     } else {
       if (!near_stress(test->stress, row.stress) || !near_temperature(test->temperature, row.temperature))
         return mistakes_.add(
@@ -170,8 +180,7 @@ class TestCollector {
         next.stress = modulus * *row.strain;
       }
       next.young_modulus_used = true;
-      data_.tests.push_back(next);
-      test = &data_.tests.back();
+      test = &add(std::move(next));
     } else if (!require_order(row, *test)) {
       return;
     }
@@ -181,18 +190,21 @@ class TestCollector {
   /// A time in the rows of a creep test is one rupture, however often it is repeated.
   void add_rupture(const DataRow& row, double time) {
     const bool in_column = row.rupture && row.kind;
-    if (in_column)
-      for (const Test& test : data_.tests)
-        if (test.kind == TestKind::rupture && test.readings.front().value == time && test.name == label(row)) return;
-    data_.tests.push_back(started(row, TestKind::rupture));
-    data_.tests.back().same_specimen |= in_column;
-    data_.tests.back().readings.push_back({0, time, row.line});
+    Test test = started(row, TestKind::rupture);
+    if (!ruptures_.emplace(test.name, time).second && in_column) return;
+    test.same_specimen |= in_column;
+    test.readings.push_back({0, time, row.line});
+    add(std::move(test));
   }
 
   TestData& data_;
   const ReadOptions& options_;
   RowMistakes& mistakes_;
   std::vector<int> not_positive_;
+  std::unordered_set<std::string> specimens_;  // names of tests that are not of another's specimen
+  std::array<std::unordered_map<std::string, std::size_t>, n_test_kinds> last_named_;  // the last test of a name
+  std::array<std::unordered_map<std::string, int>, n_test_kinds> like_named_;          // tests "name" and "name (...)"
+  std::set<std::pair<std::string, double>> ruptures_;
 };
 
 /// A strain at time 0 that creep cannot have.
@@ -339,7 +351,7 @@ TestData parse_test_data(std::string_view text, const std::string& name, const R
   if (!columns.unused().empty())
     data.notes.push_back(fmt::format("columns that are not used: {}", fmt::join(columns.unused(), ", ")));
   RowMistakes mistakes(name);
-  std::vector<DataRow> rows = read_rows(table, columns, options.young_modulus.has_value(), mistakes);
+  std::vector<DataRow> rows = read_rows(table, columns, options.young_modulus.has_value(), options.thousands, mistakes);
   if (options.temperature) {
     if (!data.has_temperature) throw ConfigError(fmt::format("{}: --temperature: no column 'temperature'", name));
     std::erase_if(rows, [&](const DataRow& row) { return !near_temperature(row.temperature, *options.temperature); });

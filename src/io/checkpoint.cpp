@@ -66,6 +66,12 @@ void keep_previous(const std::filesystem::path& path) {
   if (error) throw Error(fmt::format("cannot write the checkpoint '{}': {}", previous.string(), error.message()), 4);
 }
 
+/// On a full disk it would take what is left.
+void drop(const std::filesystem::path& part) {
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+}
+
 }  // namespace
 
 std::filesystem::path previous_checkpoint(const std::filesystem::path& path) {
@@ -82,12 +88,18 @@ void prepare_checkpoints() noexcept {
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const std::filesystem::path part = platform::aside(path);
+  errno = 0;
   try {
     write_content(part, checkpoint);
+    write_seal(part);
   } catch (const Hdf5Error& error) {
-    throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), error.what()), 4);
+    const std::string reason = errno == 0 ? "" : fmt::format(": {}", platform::write_failure(errno));
+    drop(part);
+    throw Error(fmt::format("cannot write the checkpoint '{}': {}{}", path.string(), error.what(), reason), 4);
+  } catch (const Error&) {
+    drop(part);
+    throw;
   }
-  write_seal(part);
   keep_previous(path);
   platform::move_into_place(path);
 }

@@ -9,6 +9,7 @@
 
 #include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -41,10 +42,12 @@ std::string computed_seal(std::istream& stream) {
 void write_seal(const std::filesystem::path& path) {
   std::fstream stream(path, std::ios::binary | std::ios::in | std::ios::out);
   const std::string text = computed_seal(stream);
+  errno = 0;
   stream.seekp(0);
   stream.write(text.data(), static_cast<std::streamsize>(text.size()));
   stream.close();
-  if (!stream) throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), std::strerror(errno)), 4);
+  if (!stream)
+    throw Error(fmt::format("cannot write the checkpoint '{}': {}", path.string(), platform::write_failure(errno)), 4);
 }
 
 void check_seal(const std::filesystem::path& path) {

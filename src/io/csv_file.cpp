@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -86,8 +85,8 @@ CsvFile::CsvFile(const std::filesystem::path& path, const std::vector<std::strin
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
   const std::string header = header_line(columns, format_);
   const bool append = continuation.resume && cut(path, header, continuation.last_time, format_);
-  file_.reset(std::fopen(path.c_str(), append ? "ab" : "wb"));
-  if (!file_) throw ConfigError(fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno)));
+  file_.reset(append ? platform::reopen_stream(path, true) : platform::create_stream(path));
+  if (!file_) throw ConfigError(fmt::format("cannot write '{}': {}", path.string(), platform::write_failure(errno)));
   if (!append) write_line(header);
 }
 
@@ -104,7 +103,7 @@ void CsvFile::write(std::span<const CsvCell> row) {
 void CsvFile::write_line(std::string_view line) {
   const bool written =
       std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size() && std::fflush(file_.get()) == 0;
-  if (!written) throw Error(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)), 4);
+  if (!written) throw Error(fmt::format("cannot write '{}': {}", path_.string(), platform::write_failure(errno)), 4);
 }
 
 }  // namespace creepcontact::io

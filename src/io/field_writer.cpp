@@ -96,11 +96,7 @@ FieldWriter::FieldWriter(std::filesystem::path directory, std::string name, cons
       points_(encode_points(mesh.points)),
       cells_(encode_cells(mesh)) {
   if (!units.empty()) texts_.insert(texts_.begin(), {"units", words(units)});
-  std::error_code error;
-  std::filesystem::create_directories(directory_ / name_, error);
-  if (error)
-    throw ConfigError(
-        fmt::format("cannot make the directory '{}': {}", (directory_ / name_).string(), error.message()));
+  platform::make_inner_directory(directory_ / name_);
   if (continuation.resume) read_collection(continuation.last_time);
 }
 

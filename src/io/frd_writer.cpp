@@ -6,7 +6,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -114,8 +113,8 @@ FrdWriter::FrdWriter(std::filesystem::path path, const std::vector<const mesh::M
 }
 
 void FrdWriter::open() {
-  file_.reset(std::fopen(path_.c_str(), "r+b"));
-  if (!file_) throw ConfigError(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)));
+  file_.reset(platform::reopen_stream(path_, false));
+  if (!file_) throw ConfigError(fmt::format("cannot write '{}': {}", path_.string(), platform::write_failure(errno)));
 }
 
 void FrdWriter::number_nodes(const std::vector<const mesh::Mesh*>& bodies) {
@@ -219,7 +218,7 @@ void FrdWriter::put(const std::string& text) {
   const bool written = std::fseek(file_.get(), -static_cast<long>(end_of_file.size()), SEEK_END) == 0 &&
                        std::fwrite(all.data(), 1, all.size(), file_.get()) == all.size() &&
                        std::fflush(file_.get()) == 0;
-  if (!written) throw Error(fmt::format("cannot write '{}': {}", path_.string(), std::strerror(errno)), 4);
+  if (!written) throw Error(fmt::format("cannot write '{}': {}", path_.string(), platform::write_failure(errno)), 4);
 }
 
 }  // namespace creepcontact::io

@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/settings/mesh_formats.hpp"
@@ -22,6 +24,13 @@ void check_options(const std::filesystem::path& file, const GmshOptions& options
 
 void check_parameters(const std::filesystem::path& file, const GmshOptions& options, const GeoScan& scan) {
   for (const auto& [name, value] : options.parameters) {
+    if (!is_identifier(name))
+      throw ConfigError(
+          fmt::format("mesh.parameters: '{}' is not the name of a constant; a name consists of letters, digits and "
+                      "underscores, and does not begin with a digit",
+                      name));
+    if (!std::isfinite(value))
+      throw ConfigError(fmt::format("mesh.parameters.{} is {}; allowed: finite numbers", name, value));
     if (scan.constants.count(name) > 0) continue;
     throw ConfigError(
         fmt::format("{}: DefineConstant defines no number '{}'; it defines: {}", file.string(), name,
@@ -60,7 +69,7 @@ mesh::Mesh mesh_geo(const std::filesystem::path& file, const GmshOptions& option
                               .parameters = options.parameters,
                               .memory_limit_mb = options.memory_limit_mb,
                               .trusted = options.trusted,
-                              .needs_confinement = !scan.computed_files.empty()};
+                              .needs_confinement = !scan.unclear.empty()};
   return read_msh(run_mesher(request, options.time_limit), file.string(), options.section);
 }
 

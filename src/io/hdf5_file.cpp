@@ -1,6 +1,10 @@
 #include "hdf5_file.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 
 namespace creepcontact::io {
 namespace {
@@ -40,7 +44,10 @@ void write_values(hid_t parent, const std::string& name, std::span<const T> valu
 Hdf5Handle create_hdf5(const std::filesystem::path& path, hsize_t user_block) {
   const Hdf5Handle properties(hdf5().H5Pcreate(hdf5().file_create_class), hdf5().H5Pclose, "create the file");
   hdf5().H5Pset_userblock(properties, user_block);
-  return {hdf5().H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, H5P_DEFAULT), hdf5().H5Fclose, "create the file"};
+  // A link is removed, not followed.
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT)
+    throw Hdf5Error(fmt::format("cannot replace '{}': {}", path.string(), std::strerror(errno)));
+  return {hdf5().H5Fcreate(path.c_str(), H5F_ACC_EXCL, properties, H5P_DEFAULT), hdf5().H5Fclose, "create the file"};
 }
 
 Hdf5Handle open_hdf5(const std::filesystem::path& path) {

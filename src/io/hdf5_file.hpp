@@ -36,22 +36,10 @@ class Hdf5Handle {
   Close close_;
 };
 
-/// Keeps the library from printing its error stack while it lives.
+/// Keeps the library from printing its error stack in this thread, from here on.
 class Hdf5Silence {
  public:
-  Hdf5Silence() {
-    // A file that a full disk has kept from being closed would crash the library's own clean-up at exit.
-    hdf5().H5dont_atexit();
-    hdf5().H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    hdf5().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Hdf5Silence() { hdf5().H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  Hdf5Silence(const Hdf5Silence&) = delete;
-  Hdf5Silence& operator=(const Hdf5Silence&) = delete;
-
- private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
+  Hdf5Silence() { hdf5().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 };
 
 /// A new file with `user_block` bytes in front that HDF5 leaves alone (a power of two from 512).

@@ -51,17 +51,17 @@ class Loader {
 Hdf5Library load() {
   require_memory();
   const Loader loader;
+  // Before the library starts: its clean-up at exit prints of, and may crash at, a file that a full disk has kept open.
+  loader.function<decltype(::H5dont_atexit)>("H5dont_atexit")();
   if (loader.function<decltype(::H5open)>("H5open")() < 0) throw Hdf5Error("cannot start the HDF5 library");
   Hdf5Library all{};
 #define CREEPCONTACT_LOAD(name) all.name = loader.function<decltype(::name)>(#name)
-  CREEPCONTACT_LOAD(H5dont_atexit);
   CREEPCONTACT_LOAD(H5Dclose);
   CREEPCONTACT_LOAD(H5Dcreate2);
   CREEPCONTACT_LOAD(H5Dget_space);
   CREEPCONTACT_LOAD(H5Dopen2);
   CREEPCONTACT_LOAD(H5Dread);
   CREEPCONTACT_LOAD(H5Dwrite);
-  CREEPCONTACT_LOAD(H5Eget_auto2);
   CREEPCONTACT_LOAD(H5Eset_auto2);
   CREEPCONTACT_LOAD(H5Fclose);
   CREEPCONTACT_LOAD(H5Fcreate);

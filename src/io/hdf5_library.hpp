@@ -21,14 +21,12 @@ struct Hdf5Error : std::runtime_error {
 
 /// The functions and values used, by their own names.
 struct Hdf5Library {
-  decltype(&::H5dont_atexit) H5dont_atexit;
   decltype(&::H5Dclose) H5Dclose;
   decltype(&::H5Dcreate2) H5Dcreate2;
   decltype(&::H5Dget_space) H5Dget_space;
   decltype(&::H5Dopen2) H5Dopen2;
   decltype(&::H5Dread) H5Dread;
   decltype(&::H5Dwrite) H5Dwrite;
-  decltype(&::H5Eget_auto2) H5Eget_auto2;
   decltype(&::H5Eset_auto2) H5Eset_auto2;
   decltype(&::H5Fclose) H5Fclose;
   decltype(&::H5Fcreate) H5Fcreate;

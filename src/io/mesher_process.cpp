@@ -122,8 +122,10 @@ class Mesher {
     }
     if (status == mesher::not_confined) {
       refuse(
-          "this system has no seccomp, so the file cannot be prevented from running programs, and it reads files whose "
-          "names it computes; if you trust the file, add --trust-geometry. {}",
+          "this system has no seccomp, so the file cannot be prevented from running programs, and it has statements "
+          "that may do so unseen: names that it computes, plugins, files or texts that are too long to look into, or "
+          "words such as 'SystemCall' or 'Include' in comments and texts; remove them or, if you trust the file, add "
+          "--trust-geometry. {}",
           remedy_by_hand);
     }
     if (!log_.errors().empty()) refuse("Gmsh failed:{}", log_.errors());

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "creepcontact/base/error.hpp"
+#include "geo_scan.hpp"
 
 namespace creepcontact::io {
 namespace {
@@ -42,8 +43,11 @@ MesherRequest MesherRequest::from(const std::vector<std::string>& arguments) {
   request.memory_limit_mb = number<int>(arguments[3]);
   request.trusted = number<int>(arguments[4]) != 0;
   request.needs_confinement = number<int>(arguments[5]) != 0;
-  for (std::size_t i = fixed; i < arguments.size(); i += 2)
+  for (std::size_t i = fixed; i < arguments.size(); i += 2) {
+    if (!is_identifier(arguments[i]))
+      throw ConfigError(fmt::format("'{}' is not the name of a constant", arguments[i]));
     request.parameters[arguments[i]] = number<double>(arguments[i + 1]);
+  }
   return request;
 }
 

@@ -67,7 +67,7 @@ PointTemperatures read_hdf5(const std::filesystem::path& path) {
   }
 }
 
-PointTemperatures read_one(const std::filesystem::path& file, const ColumnNames& columns) {
+PointTemperatures read_one(const std::filesystem::path& file, const ColumnNames& columns, Thousands thousands) {
   const std::filesystem::path kind = file.extension();
   if (kind == ".h5" || kind == ".hdf5") {
     if (const std::string reason = why_unreadable(file); !reason.empty())
@@ -76,14 +76,15 @@ PointTemperatures read_one(const std::filesystem::path& file, const ColumnNames&
   }
   const std::string text = file_text<ModelError>(file);
   if (kind == ".frd") return parse_frd(text, file.string());
-  if (kind != ".vtu") return parse_temperatures(text, file.string(), columns);
+  if (kind != ".vtu") return parse_temperatures(text, file.string(), columns, thousands);
   const auto array = columns.find("T");
   return parse_vtu(text, file.string(), array == columns.end() ? "" : array->second);
 }
 
 }  // namespace
 
-PointTemperatures parse_temperatures(std::string_view text, const std::string& name, const ColumnNames& given) {
+PointTemperatures parse_temperatures(std::string_view text, const std::string& name, const ColumnNames& given,
+                                     Thousands thousands) {
   CsvLines lines(text);
   std::string_view line;
   lines.next(line);
@@ -92,6 +93,7 @@ PointTemperatures parse_temperatures(std::string_view text, const std::string& n
   const PointTemperatures::Coordinates coordinates = columns.coordinates();
   const bool by_radius = coordinates == PointTemperatures::Coordinates::rz;
   TemperatureRows rows(name, [](std::size_t row) { return fmt::format("line {}", row); });
+  CsvNumbers numbers(format, thousands, "temperature.thousands =");
   for (std::size_t number = 2; lines.next(line); ++number) {
     const std::vector<std::string> row = csv_cells(line, format.separator);
     if (row.size() == 1 && row[0].empty()) continue;
@@ -99,11 +101,10 @@ PointTemperatures parse_temperatures(std::string_view text, const std::string& n
       if (!column) return 0.0;
       if (*column >= row.size())
         throw ModelError(fmt::format("'{}', line {}: {} cells, none in the column '{}'", name, number, row.size(), of));
-      const auto result = csv_number(row[*column], format);
-      if (!result)
-        throw ModelError(
-            fmt::format("'{}', line {}: '{}' in the column '{}' is not a number", name, number, row[*column], of));
-      return *result;
+      const CsvNumbers::Reading result = numbers.read(row[*column], number);
+      if (!result.value)
+        throw ModelError(fmt::format("'{}', line {}: in the column '{}' {}", name, number, of, result.mistake));
+      return *result.value;
     };
     const Vector3 place = by_radius ? Vector3(value(columns.r, "r"), value(columns.z, "z"), 0)
                                     : Vector3(value(columns.x, "x"), value(columns.y, "y"), value(columns.z, "z"));
@@ -125,7 +126,7 @@ PointTemperatures read_temperatures(const TemperatureSource& source) {
   const std::vector<TimedFile> files = timed_files(source);
   std::vector<PointTemperatures> read;
   read.reserve(files.size());
-  for (const TimedFile& file : files) read.push_back(read_one(file.path, source.columns));
+  for (const TimedFile& file : files) read.push_back(read_one(file.path, source.columns, source.thousands));
   return joined(files, std::move(read));
 }
 

@@ -42,7 +42,7 @@ struct Body::Impl {
 
   /// What depends on the places of the points.
   void prepare_points() {
-    if (temperature) temperature_at_points = temperature->at(discretization.point_coordinates());
+    if (temperature) temperature_at_points = temperature->at_points(discretization, mesh);
     if (axes_of_place && material.has_axes())
       axes = axes_of_place->at_points(discretization.point_coordinates(), mesh.section);
   }

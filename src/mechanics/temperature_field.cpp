@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "creepcontact/base/checksum.hpp"
+#include "creepcontact/mechanics/discretization.hpp"
+#include "nodal_temperatures.hpp"
 #include "scattered_interpolation.hpp"
 
 namespace creepcontact::mechanics {
@@ -17,6 +19,11 @@ struct TemperatureField::Definition {
   virtual double value(const Arguments& at) const = 0;
   virtual std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const = 0;
   bool position = true, time = true;  // whether it depends on them
+  virtual std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh,
+                                                                  const mesh::Mesh& /*mesh*/) const {
+    return at(of_mesh.point_coordinates());
+  }
+  virtual NodeCover cover(const mesh::Mesh& /*mesh*/) const { return {}; }
   virtual std::vector<double> breakpoints(double end) const = 0;
   virtual PlaceOutside outside(const Vector3& /*place*/) const { return {}; }
   std::string text;
@@ -105,6 +112,9 @@ class ScatteredAtPositions final : public TemperatureAtPositions {
     for (std::ptrdiff_t p = 0; p < n; ++p) weights_[p] = field_->interpolation.weights(field_->place(positions[p]));
   }
 
+  ScatteredAtPositions(std::shared_ptr<const Scattered> field, std::vector<PointWeights> weights)
+      : field_(std::move(field)), weights_(std::move(weights)) {}
+
   void evaluate(double t, std::span<double> values, TemperatureMemo& memo) const override {
     const Moment at = field_->at(t);
     interpolate(at.before, memo.before);
@@ -124,7 +134,7 @@ class ScatteredAtPositions final : public TemperatureAtPositions {
   }
 
   std::shared_ptr<const Scattered> field_;
-  std::vector<std::vector<PointWeight>> weights_;
+  std::vector<PointWeights> weights_;
 };
 
 struct OfPoints final : TemperatureField::Definition {
@@ -137,6 +147,7 @@ struct OfPoints final : TemperatureField::Definition {
     for (const std::vector<double>& values : kept.values) sum.add(values.data(), values.size());
     text = fmt::format("{} points at {} times, checksum {:016x}", kept.points.size(), kept.times.size(), sum.value());
     if (kept.period) text += fmt::format(", period {}", *kept.period);
+    if (kept.node_tolerance) text += ", those of nodes interpolated by elements";
     if (kept.axis)
       text += fmt::format(", revolved about [{}] through [{}]", fmt::join(kept.axis->direction, ", "),
                           fmt::join(kept.axis->origin, ", "));
@@ -150,6 +161,21 @@ struct OfPoints final : TemperatureField::Definition {
   }
   std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const override {
     return std::make_unique<ScatteredAtPositions>(field, positions);
+  }
+  std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh,
+                                                          const mesh::Mesh& mesh) const override {
+    if (field->given.node_tolerance) {
+      const NodesAmongPoints nodes = nodes_of(mesh);
+      if (nodes.cover.is_nodal)
+        return std::make_unique<ScatteredAtPositions>(field, by_shape_functions(of_mesh, mesh.section, nodes.at_nodes));
+    }
+    return at(of_mesh.point_coordinates());
+  }
+  NodeCover cover(const mesh::Mesh& mesh) const override {
+    return field->given.node_tolerance ? nodes_of(mesh).cover : NodeCover{};
+  }
+  NodesAmongPoints nodes_of(const mesh::Mesh& mesh) const {
+    return nodes_among_points(mesh::PointTree(field->given.points), mesh, *field->given.node_tolerance);
   }
   std::vector<double> breakpoints(double end) const override {
     std::vector<double> result;
@@ -185,6 +211,13 @@ double TemperatureField::operator()(const Arguments& at) const {
 }
 std::unique_ptr<const TemperatureAtPositions> TemperatureField::at(std::span<const Vector3> positions) const {
   return definition_->at(positions);
+}
+std::unique_ptr<const TemperatureAtPositions> TemperatureField::at_points(const Discretization& of_mesh,
+                                                                          const mesh::Mesh& mesh) const {
+  return definition_->at_points(of_mesh, mesh);
+}
+NodeCover TemperatureField::cover(const mesh::Mesh& mesh) const {
+  return definition_->cover(mesh);
 }
 bool TemperatureField::depends_on_position() const {
   return definition_->position;

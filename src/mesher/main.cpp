@@ -7,6 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -40,7 +41,7 @@ void start_gmsh() {
 void set_variables(const std::map<std::string, double>& values) {
   if (values.empty()) return;
   std::string text;
-  for (const auto& [name, value] : values) text += fmt::format("{} = {};\n", name, value);
+  for (const auto& [name, value] : values) text += fmt::format("{} = {};\n", name, value);  // names are identifiers
   const int file = ::memfd_create("parameters", 0);
   if (file < 0 || ::write(file, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
     throw ModelError("cannot pass the parameters to Gmsh: the system provides no memory file");
@@ -88,10 +89,11 @@ void send(const std::string& bytes) {
 
 int mesh(const MesherRequest& request) {
   be_expendable();
-  start_gmsh();
-  set_variables(request.parameters);
+  start_gmsh();  // it looks for places to write to, and reads no file
   limit_memory(request.memory_limit_mb);
+  // Before Gmsh interprets anything.
   if (!request.trusted && !confine() && request.needs_confinement) return status::not_confined;
+  set_variables(request.parameters);
 
   set_order(request.order);
   watch();
@@ -134,6 +136,7 @@ int main(int argc, char** argv) {
   using namespace creepcontact;
   try {
     const auto request = io::MesherRequest::from(std::vector<std::string>(argv + 1, argv + argc));
+    std::signal(SIGXFSZ, SIG_IGN);  // Gmsh tries whether it can write
     if (::fcntl(io::mesher::mesh_descriptor, F_SETFD, FD_CLOEXEC) != 0) return 2;
     const int status = mesher::guarded(request);
     std::fflush(nullptr);

@@ -1,12 +1,17 @@
 #include "unv_groups.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace creepcontact::mesher {
 namespace {
@@ -47,6 +52,11 @@ void read_dataset(std::istream& stream, std::vector<UnvGroup>& groups) {
     }
     groups.push_back(std::move(group));
   }
+}
+
+/// In the form of Gmsh, which the program passes on.
+void warn(const std::string& text) {
+  std::cerr << "Warning : " << text << std::endl;
 }
 
 }  // namespace
@@ -102,10 +112,24 @@ void set_groups(const std::vector<UnvGroup>& groups, io::MshContent& content) {
     }
   }
   for (auto& [key, block] : blocks) content.elements.push_back(std::move(block));
+  std::set<std::string> names_of_elements;
+  for (const auto& [group, name] : content.physical_names) names_of_elements.insert(name);
+  const std::unordered_set<std::uint64_t> known(content.node_tags.begin(), content.node_tags.end());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (groups[g].nodes.empty()) continue;
+    if (names_of_elements.contains(groups[g].name)) {
+      warn(fmt::format("of the groups called '{}' that of elements is taken, that of {} nodes is left out",
+                       groups[g].name, groups[g].nodes.size()));
+      continue;
+    }
+    std::vector<std::uint64_t> nodes = groups[g].nodes;
+    // Gmsh does not keep them.
+    if (const std::size_t n = std::erase_if(nodes, [&](std::uint64_t node) { return !known.contains(node); }); n > 0)
+      warn(fmt::format("{} of {} nodes of the group '{}' belong to no element and are left out", n,
+                       groups[g].nodes.size(), groups[g].name));
+    if (nodes.empty()) continue;
     const int number = static_cast<int>(g) + 1, entity = static_cast<int>(entity_of.size() + g) + 1;
-    Elements points{{0, entity}, point_type, {}, groups[g].nodes};
+    Elements points{{0, entity}, point_type, {}, std::move(nodes)};
     for (std::size_t i = 0; i < points.nodes.size(); ++i) points.tags.push_back(++last);
     content.physicals[{0, entity}] = {number};
     content.physical_names[{0, number}] = groups[g].name;

@@ -113,8 +113,7 @@ Model build_model(const config::Config& config) {
 
   std::optional<mechanics::TemperatureField> temperature;
   if (config.temperature)
-    errors.collect(config.temperature->location,
-                   [&] { temperature = temperature_field(*config.temperature, whole.section); });
+    errors.collect(config.temperature->location, [&] { temperature = temperature_field(*config.temperature, whole); });
   const ModelLinks links = make_links(config, whole, meshes, errors);
   errors.raise();
   std::map<std::string, material::Material> materials;
@@ -129,6 +128,7 @@ Model build_model(const config::Config& config) {
                           temperature, links.of_body[b], material_axes(config.bodies[b]));
     });
   errors.raise();
+  if (temperature) tell_interpolation(config, bodies, *temperature);
 
   require_one_theory(config, bodies);
 

@@ -10,6 +10,8 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/io/temperature_reader.hpp"
+#include "creepcontact/mesh/cell_faces.hpp"
+#include "creepcontact/mesh/point_tree.hpp"
 
 namespace creepcontact::model {
 
@@ -49,6 +51,50 @@ std::optional<mechanics::RevolutionAxis> revolution(const config::Temperature& t
   return axis;
 }
 
+/// The distance within which a point is a node, if that is to be looked at: a ten-thousandth of the size of the
+/// smallest element, or what the six digits of files leave open.
+std::optional<double> tolerance_of_nodes(const std::vector<Vector3>& points, const mesh::Mesh& mesh,
+                                         const std::string& file) {
+  constexpr double of_edge = 1e-4, of_digits = 1e-5, most_of_edge = 0.05;
+  constexpr double finer = 8;  // points per node: more than a mesh of second order has
+  double shortest = std::numeric_limits<double>::infinity(), largest = 0;
+  Eigen::AlignedBox3d box;
+  std::vector<char> is_corner(mesh.nodes.size(), 0);
+  for (const mesh::CellBlock& block : mesh.blocks) {
+    if (!mesh.is_bulk(block.type)) continue;
+    for (std::size_t c = 0; c < block.size(); ++c) {
+      const auto cell = block.cell(c);
+      for (const auto& [a, b] : mesh::cell_edges(block.type))
+        if (const double length = (mesh.nodes[cell[a]] - mesh.nodes[cell[b]]).norm(); length > 0)
+          shortest = std::min(shortest, length);
+      for (int i = 0; i < mesh::n_corners(block.type); ++i) is_corner[cell[i]] = 1;
+      for (const std::int64_t node : cell) box.extend(mesh.nodes[node]);
+    }
+  }
+  if (box.isEmpty()) return std::nullopt;
+  largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double tolerance = std::max(of_edge * shortest, std::min(of_digits * largest, most_of_edge * shortest));
+  const mesh::PointTree tree(points);
+  std::vector<char> is_node(points.size(), 0);
+  std::size_t n_given = 0;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    const std::vector<mesh::Neighbour> nearest = tree.nearest(mesh.nodes[i], 1);
+    if (nearest.empty() || nearest[0].distance > tolerance) continue;
+    is_node[nearest[0].point] = 1;
+    n_given += static_cast<std::size_t>(is_corner[i]);
+  }
+  if (n_given == 0) return std::nullopt;
+  std::size_t n_others = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (is_node[p] == 0 && box.exteriorDistance(points[p]) <= tolerance) ++n_others;
+  if (static_cast<double>(n_others) > finer * static_cast<double>(n_given)) return std::nullopt;
+  const auto n_corners = static_cast<std::size_t>(std::ranges::count(is_corner, 1));
+  if (n_others > 0 && 2 * n_given > n_corners)
+    log::info("temperature: {} points of '{}' are not nodes of the mesh; where nodes have values, they are left out",
+              n_others, file);
+  return tolerance;
+}
+
 std::string named(const std::vector<std::filesystem::path>& files) {
   return files.size() == 1 ? files[0].string()
                            : fmt::format("{} ... {}", files.front().string(), files.back().string());
@@ -56,9 +102,12 @@ std::string named(const std::vector<std::filesystem::path>& files) {
 
 }  // namespace
 
-mechanics::TemperatureField temperature_field(const config::Temperature& temperature, const mesh::Section& section) {
+mechanics::TemperatureField temperature_field(const config::Temperature& temperature, const mesh::Mesh& mesh) {
+  const mesh::Section& section = mesh.section;
   if (temperature.files.empty()) return temperature.value;
-  io::PointTemperatures read = io::read_temperatures({temperature.files, temperature.times, temperature.columns});
+  io::PointTemperatures read =
+      io::read_temperatures({temperature.files, temperature.times, temperature.columns,
+                             io::thousands_named(temperature.thousands).value_or(io::Thousands::none)});
   const std::string file = named(temperature.files);
   mechanics::ScatteredTemperatures field;
   if (section.dimension() == 2) {
@@ -78,7 +127,30 @@ mechanics::TemperatureField temperature_field(const config::Temperature& tempera
   field.times = std::move(read.times);
   field.values = std::move(read.values);
   field.period = temperature.period;
+  if (!field.axis) field.node_tolerance = tolerance_of_nodes(field.points, mesh, file);
   return mechanics::TemperatureField(std::move(field));
+}
+
+void tell_interpolation(const config::Config& config, const std::vector<mechanics::Body>& bodies,
+                        const mechanics::TemperatureField& temperature) {
+  if (!config.temperature || config.temperature->files.empty()) return;
+  const std::string file = named(config.temperature->files);
+  for (const mechanics::Body& body : bodies) {
+    const mechanics::NodeCover cover = temperature.cover(body.mesh());
+    if (cover.is_nodal && cover.mid_sides_given == cover.mid_sides)
+      log::info("temperature: '{}' has values at all nodes of '{}'; its elements interpolate between them", file,
+                body.name());
+    else if (cover.is_nodal)
+      log::info(
+          "temperature: '{}' has values at all corner nodes of '{}' and at {} of {} mid-side nodes; its elements "
+          "interpolate between them, linearly along edges without a value",
+          file, body.name(), cover.mid_sides_given, cover.mid_sides);
+    else if (2 * cover.corners_given > cover.corners)
+      log::warning(
+          "temperature: '{}' has values at {} of {} corner nodes of '{}', not at all of them; so it is interpolated "
+          "there as from scattered points, less accurately. Give values at all nodes",
+          file, cover.corners_given, cover.corners, body.name());
+  }
 }
 
 void warn_of_positions_outside(const config::Config& config, const std::vector<mechanics::Body>& bodies,

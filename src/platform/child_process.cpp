@@ -14,7 +14,9 @@
 #include <boost/process/exe.hpp>
 #include <boost/process/extend.hpp>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/platform/interrupt.hpp"
@@ -72,6 +74,8 @@ class Setup : public boost::process::extend::handler {
     ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, setup_.signal_at_death);
     if (::getppid() != parent_) ::_exit(0);  // it died before it could be watched
+    if (!setup_.directory.empty() && ::chdir(setup_.directory.c_str()) != 0) ::_exit(127);
+    ::signal(SIGXFSZ, SIG_DFL);  // it is ignored here alone
     copies_.hand_over();
     // What this process blocks just now must end the child all the same.
     if (!setup_.lets_signals_through) ::sigprocmask(SIG_SETMASK, &no_signals_, nullptr);
@@ -132,6 +136,18 @@ std::string read_to_end(const Pipe& pipe) {
     if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
     if (count == 0 || (count < 0 && errno != EINTR)) return text;
   }
+}
+
+std::filesystem::path find_on_path(const std::string& name) {
+  const char* all = std::getenv("PATH");
+  std::istringstream places(all == nullptr ? "/usr/local/bin:/usr/bin:/bin" : all);
+  for (std::string place; std::getline(places, place, ':');) {
+    if (!place.starts_with('/')) continue;
+    std::filesystem::path program = std::filesystem::path(place) / name;
+    std::error_code failure;
+    if (std::filesystem::is_regular_file(program, failure) && ::access(program.c_str(), X_OK) == 0) return program;
+  }
+  return {};
 }
 
 ChildProcess::ChildProcess(const ChildSetup& setup) {

@@ -82,6 +82,8 @@ sigset_t signal_set() {
 void end_at_signals() {
   install(nullptr);
   std::signal(SIGCHLD, SIG_DFL);  // ignored, as a program that starts this one may leave it, it hides how processes end
+  // A file that may not grow any more (ulimit -f) is then told like a full disk, by what writes to it.
+  std::signal(SIGXFSZ, SIG_IGN);
   const sigset_t set = signal_set();
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }

@@ -11,7 +11,6 @@
 #include "axis_range.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
-#include "creepcontact/platform/replace_file.hpp"
 #include "gnuplot_process.hpp"
 #include "gnuplot_text.hpp"
 
@@ -224,25 +223,23 @@ std::string gnuplot_data(const Figure& figure) {
 
 namespace {
 
-/// Writes the files of gnuplot and draws the SVG.
-void draw_svg(const Figure& figure, const std::filesystem::path& directory, const std::string& stem) {
+GnuplotDrawing drawing_of(const Figure& figure, const std::filesystem::path& directory, const std::string& stem) {
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("directory for pictures '{}': {}", directory.string(), failure.message()));
-  platform::replace_file(directory / (stem + ".dat"), gnuplot_data(figure));
-  platform::replace_file(directory / (stem + ".gp"), gnuplot_script(figure, stem));
-  run_gnuplot(directory, {stem + ".gp"});
+  return {{stem, gnuplot_script(figure, stem), gnuplot_data(figure)}, directory};
 }
 
 }  // namespace
 
 void draw(const Figure& figure, const std::filesystem::path& directory, const std::string& stem) {
-  draw_svg(figure, directory, stem);
-  run_gnuplot(directory, {"-e", "format='png'", stem + ".gp"});
+  const GnuplotDrawing drawing = drawing_of(figure, directory, stem);
+  drawing.draw(PictureFormat::svg);
+  drawing.draw(PictureFormat::png);
 }
 
 std::string svg(const Figure& figure, const std::filesystem::path& directory) {
-  draw_svg(figure, directory, "figure");
+  drawing_of(figure, directory, "figure").draw(PictureFormat::svg);
   return read_file(directory / "figure.svg").bytes;
 }
 

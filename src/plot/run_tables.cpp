@@ -5,6 +5,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/plot/run_plots.hpp"
 
 namespace creepcontact::plot {
@@ -48,6 +49,7 @@ RunTables read_run_tables(const std::filesystem::path& run, io::SummaryHeading h
 std::vector<std::filesystem::path> plot_run(const std::filesystem::path& run, const PlotOptions& options) {
   const std::vector<NamedFigure> figures = run_figures(read_run_tables(run), options);
   const std::filesystem::path directory = options.directory.empty() ? run / "plots" : options.directory;
+  if (options.directory.empty()) platform::make_inner_directory(directory);
   std::vector<std::filesystem::path> pictures;
   for (const NamedFigure& one : figures) {
     draw(one.figure, directory, one.name);

@@ -11,7 +11,6 @@
 #include <span>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/platform/replace_file.hpp"
 #include "gnuplot_process.hpp"
 #include "gnuplot_text.hpp"
 
@@ -320,9 +319,9 @@ void draw(const SolidPicture& picture, const std::filesystem::path& directory, c
   std::error_code failure;
   std::filesystem::create_directories(directory, failure);
   if (failure) throw ConfigError(fmt::format("directory for pictures '{}': {}", directory.string(), failure.message()));
-  platform::replace_file(directory / (stem + ".gp"), gnuplot_script(picture, stem));
-  run_gnuplot(directory, {stem + ".gp"});
-  run_gnuplot(directory, {"-e", "format='png'", stem + ".gp"});
+  const GnuplotDrawing drawing({stem, gnuplot_script(picture, stem), ""}, directory);
+  drawing.draw(PictureFormat::svg);
+  drawing.draw(PictureFormat::png);
 }
 
 }  // namespace creepcontact::plot

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "base64.hpp"
 #include "creepcontact/base/error.hpp"
@@ -16,21 +15,7 @@ namespace {
 
 constexpr std::size_t most_bodies = 8;  // with a mesh figure of their own
 
-std::filesystem::path make_directory() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "creepcontact_report_XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr)
-    throw Error(fmt::format("cannot make a directory for the drawings of the report: {}", pattern), 4);
-  return pattern;
-}
-
 }  // namespace
-
-Drawings::Drawings() : directory_(make_directory()) {}
-
-Drawings::~Drawings() {
-  std::error_code ignored;
-  std::filesystem::remove_all(directory_, ignored);
-}
 
 void Drawings::note(const std::string& sentence) {
   if (std::ranges::find(notes_, sentence) == notes_.end()) notes_.push_back(sentence);
@@ -38,7 +23,7 @@ void Drawings::note(const std::string& sentence) {
 
 void Drawings::add(const plot::Figure& figure, const std::string& alternative, Html& page) {
   try {
-    page.image(data_url("image/svg+xml", plot::svg(figure, directory_)), alternative);
+    page.image(data_url("image/svg+xml", plot::svg(figure, directory_.path())), alternative);
   } catch (const ConfigError& error) {
     note(fmt::format("There are no plots: {}.", error.what()));
   }
@@ -81,7 +66,7 @@ std::vector<Drawings::Still> Drawings::meshes(const RunData& run) {
                         .titled = false,
                         .width = 800,
                         .height = 600,
-                        .output = directory_ / fmt::format("mesh_{}.png", ++n_drawn_)});
+                        .output = directory_.path() / fmt::format("mesh_{}.png", ++n_drawn_)});
     names.push_back(name);
   };
   if (run.scene->bodies.size() != 1) add({}, "Mesh of all bodies");
@@ -107,7 +92,7 @@ std::vector<Drawings::Still> Drawings::fields(const RunData& run) {
                         .titled = false,
                         .width = 1000,
                         .height = 700,
-                        .output = directory_ / fmt::format("field_{}.png", ++n_drawn_)});
+                        .output = directory_.path() / fmt::format("field_{}.png", ++n_drawn_)});
   };
   const std::string main = known("von_mises") ? "von_mises" : scene.fields.front().name;
   const double warp = suggested_warp(scene);

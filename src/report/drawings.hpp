@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/platform/private_directory.hpp"
 #include "creepcontact/plot/figure.hpp"
 #include "html.hpp"
 #include "run_data.hpp"
@@ -13,11 +14,6 @@ namespace creepcontact::report {
 /// Draws for one report in a directory of its own. What is missing on the machine is noted once.
 class Drawings {
  public:
-  Drawings();
-  ~Drawings();
-  Drawings(const Drawings&) = delete;
-  Drawings& operator=(const Drawings&) = delete;
-
   /// Adds a figure, or nothing if there is no gnuplot.
   void add(const plot::Figure& figure, const std::string& alternative, Html& page);
   void add(const io::RecordedPlot& plot, Html& page);
@@ -38,7 +34,7 @@ class Drawings {
   std::vector<Still> stills(const RunData& run, const std::vector<struct Picture>& pictures);
   void note(const std::string& sentence);
 
-  std::filesystem::path directory_;
+  platform::PrivateDirectory directory_;
   std::size_t n_drawn_ = 0;
   std::vector<std::string> notes_;
 };

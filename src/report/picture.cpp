@@ -14,6 +14,8 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/io/summary.hpp"
 #include "creepcontact/platform/child_process.hpp"
+#include "creepcontact/platform/private_directory.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "fields.hpp"
 #include "run_directory.hpp"
 #include "surfaces.hpp"
@@ -59,25 +61,25 @@ class Run {
     drawn.title = is_mesh ? "Mesh" : capitalized(field.label);
     if (!is_mesh || picture.warp != 0) drawn.title += fmt::format(" at t = {:.6g}{}", entry.time, time_unit());
     if (picture.warp != 0) drawn.title += fmt::format(", deformation x {:.6g}", picture.warp);
-    job = {
-        {"file", entry.file.string()},
-        {"contact_file", field.is_on_contact && !contact_.empty() ? nearest(contact_, entry.time).file.string() : ""},
-        {"output", picture.output.string()},
-        {"width", picture.width},
-        {"height", picture.height},
-        {"title", picture.titled ? drawn.title : ""},
-        {"unit", field.unit},
-        {"array", field.array},
-        {"component", field.component},
-        {"low", picture.range ? Json(picture.range->first) : Json()},
-        {"high", picture.range ? Json(picture.range->second) : Json()},
-        {"displacement", displacement_},
-        {"warp", picture.warp},
-        {"bodies", Json::array()},
-        {"colours", Json::parse(colours())},
-        {"mesh", is_mesh},
-        {"flat", flat_},
-        {"view", picture.view}};
+    job = {{"file", std::filesystem::absolute(entry.file).string()},
+           {"contact_file", field.is_on_contact && !contact_.empty()
+                                ? std::filesystem::absolute(nearest(contact_, entry.time).file).string()
+                                : ""},
+           {"width", picture.width},
+           {"height", picture.height},
+           {"title", picture.titled ? drawn.title : ""},
+           {"unit", field.unit},
+           {"array", field.array},
+           {"component", field.component},
+           {"low", picture.range ? Json(picture.range->first) : Json()},
+           {"high", picture.range ? Json(picture.range->second) : Json()},
+           {"displacement", displacement_},
+           {"warp", picture.warp},
+           {"bodies", Json::array()},
+           {"colours", Json::parse(colours())},
+           {"mesh", is_mesh},
+           {"flat", flat_},
+           {"view", picture.view}};
     for (const std::string& name : picture.bodies) {
       const auto found = std::ranges::find(bodies_, name);
       if (found == bodies_.end())
@@ -125,11 +127,15 @@ std::filesystem::path python() {
       "python3-vtk9 xvfb)");
 }
 
-void run_python(const std::string& jobs) {
+/// Isolated (-I), and in a directory of its own: neither modules that lie in the working directory or in a directory of
+/// results nor those of the user's settings and environment are imported.
+void run_python(const std::string& jobs, const std::filesystem::path& place) {
   platform::Pipe pipe;
-  platform::ChildProcess process({python(),
-                                  {"-c", std::string(picture_script()), jobs},
-                                  {{pipe.writing_end(), STDOUT_FILENO}, {pipe.writing_end(), STDERR_FILENO}}});
+  platform::ChildProcess process(
+      {.program = python(),
+       .arguments = {"-I", "-c", std::string(picture_script()), jobs},
+       .descriptors = {{pipe.writing_end(), STDOUT_FILENO}, {pipe.writing_end(), STDERR_FILENO}},
+       .directory = place});
   pipe.close_writing_end();
   std::string messages = platform::read_to_end(pipe);
   if (process.wait() == 0) return;
@@ -148,18 +154,24 @@ const std::vector<std::string>& views() {
 
 std::vector<DrawnPicture> draw_pictures(const std::filesystem::path& directory, const std::vector<Picture>& pictures) {
   const Run run(directory);
+  const platform::PrivateDirectory place;
   std::vector<DrawnPicture> drawn;
   Json jobs = Json::array();
-  for (const Picture& picture : pictures) {
+  const auto drawn_at = [&](std::size_t i) { return place.path() / fmt::format("{}.png", i); };
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
     Json job;
-    drawn.push_back(run.describe(picture, job));
+    drawn.push_back(run.describe(pictures[i], job));
+    job["output"] = drawn_at(i).string();
     jobs.push_back(std::move(job));
-    const std::filesystem::path parent = picture.output.parent_path();
+    const std::filesystem::path parent = pictures[i].output.parent_path();
     std::error_code failure;
     if (!parent.empty()) std::filesystem::create_directories(parent, failure);
     if (failure) throw ConfigError(fmt::format("directory {}: {}", parent.string(), failure.message()));
   }
-  if (!pictures.empty()) run_python(jobs.dump());
+  if (!pictures.empty()) run_python(jobs.dump(), place.path());
+  // Not by the process itself, which would follow a link.
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    platform::replace_file(pictures[i].output, read_file(drawn_at(i)).bytes);
   return drawn;
 }
 

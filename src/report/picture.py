@@ -1,6 +1,6 @@
 """Draws fields of a run as PNG pictures by VTK, off-screen.
 
-usage: python3 picture.py JOBS
+usage: python3 -I picture.py JOBS
 
 JOBS is, as JSON, a list of pictures: {"file": .vtu, "contact_file": .vtu of the contact surfaces if the field is theirs, else
 "", "output": .png, "width", "height", "title", "unit", "array", "component" (-1: magnitude), "low", "high" (range of the
@@ -14,6 +14,7 @@ Without a display a virtual one is started (Xvfb).
 import json
 import math
 import os
+import shutil
 import subprocess
 import sys
 import types
@@ -29,9 +30,13 @@ def start_display():
     """A virtual screen for VTK, which draws through X. Returns what must live until the end."""
     if os.environ.get("DISPLAY"):
         return None
+    # Not from the working directory, which PATH may name.
+    program = shutil.which("Xvfb", path=os.pathsep.join(place for place in os.get_exec_path() if os.path.isabs(place)))
+    if program is None:
+        sys.exit("there is no display, and Xvfb is not installed (Debian: apt-get install xvfb)")
     reading, writing = os.pipe()
     try:
-        server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
+        server = subprocess.Popen([program, "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
                                   pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     except FileNotFoundError:
         sys.exit("there is no display, and Xvfb is not installed (Debian: apt-get install xvfb)")

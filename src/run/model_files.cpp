@@ -12,6 +12,7 @@
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/io/field_writer.hpp"
 #include "creepcontact/mesh/outer_faces.hpp"
+#include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/plot/solid_picture.hpp"
 #include "model_view.hpp"
 
@@ -229,6 +230,7 @@ std::vector<fs::path> write_model_view(const config::Config& config, const model
   }
   std::vector<fs::path> files{directory / "model.pvd", directory / "groups.pvd"};
   try {
+    platform::make_inner_directory(directory / "plots");
     plot::draw(picture_of(config, model, all), directory / "plots", "model");
     files.insert(files.end(), {directory / "plots/model.svg", directory / "plots/model.png"});
   } catch (const Error& error) {

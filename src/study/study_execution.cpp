@@ -1,13 +1,10 @@
 #include "study_execution.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <list>
@@ -112,9 +109,7 @@ platform::ChildProcess start_logged(const fs::path& program, const std::vector<s
     int descriptor;
     ~File() { ::close(descriptor); }
   };
-  const File file{::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
-  if (file.descriptor < 0)
-    throw SolverError(fmt::format("cannot write the log '{}' of a run: {}", log.string(), std::strerror(errno)));
+  const File file{platform::create_file(log)};
   return platform::ChildProcess({program,
                                  arguments,
                                  {{file.descriptor, STDOUT_FILENO}, {file.descriptor, STDERR_FILENO}},
@@ -122,10 +117,11 @@ platform::ChildProcess start_logged(const fs::path& program, const std::vector<s
                                  /*lets_signals_through=*/true});
 }
 
+/// The directory is that of a run, in "runs", in that of the study.
 void make_empty(const fs::path& directory) {
   std::error_code error;
   fs::remove_all(directory, error);
-  if (!error) fs::create_directories(directory, error);
+  if (!error) platform::make_inner_directory(directory);
   if (error) throw ConfigError(fmt::format("directory of a run '{}': {}", directory.string(), error.message()));
 }
 
@@ -173,6 +169,8 @@ std::vector<StudyRow> StudyExecution::run(const std::vector<config::PlannedRun>&
 
   const auto start = [&](std::size_t i) {
     const fs::path directory = directory_of(runs[i]);
+    platform::make_inner_directory(directory.parent_path());
+    platform::make_inner_directory(directory);
     const std::string record = record_of(runs[i]);
     const bool same = text_of(directory / "settings.txt") == record;
     if (StudyRow row = same ? finished_row(directory) : StudyRow{}; row.succeeded()) {

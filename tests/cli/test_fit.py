@@ -6,6 +6,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import tomllib
 import unittest
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
@@ -65,6 +66,45 @@ class Fit(unittest.TestCase):
             self.assertTrue(low / 1.3 < truth < high * 1.3, done.stdout)
             self.assertLess(low, float(rows[key][1]))
         self.assertIn("[[materials.fitted.creep]]\nlaw = \"kachanov_rabotnov\"", done.stdout)
+
+    def test_thousands_of_the_office(self):
+        rows = [f"{t:,.0f}".replace(",", ".") + f";{s};" + f"{1e-12 * s ** 4 * t:.6f}".replace(".", ",")
+                for s in (60, 80, 100) for t in (500, 1000, 2000)]
+        data = "time [h];stress [MPa];strain\n" + "\n".join(rows) + "\n"
+        self.assertIn("1.000;", data)
+        message = self.refused(data, "--law", "norton")
+        for part in ("'1.000' has a point", "in line 2 has a comma", 'give --thousands "."'):
+            self.assertIn(part, message)
+        done = self.fit(data, "--law", "norton", "--thousands", ".")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        constants = dict(line.split("#")[0].split(" = ") for line in done.stdout.splitlines() if line.startswith(("A = ", "n = ")))
+        self.assertAlmostEqual(float(constants["A"]) / 1e-12, 1, delta=0.01)
+        self.assertAlmostEqual(float(constants["n"]), 4, delta=0.01)
+        self.assertIn("--thousands: ';'", self.refused(data, "--law", "norton", "--thousands", ";"))
+
+    def test_names_of_files_end_no_comment(self):
+        for name in ("a\nlaw = 3\n.csv", "\x1b[31m\r.csv", os.fsdecode(b"Pr\xfcfung.csv")):
+            path = self.directory / name
+            path.write_text("stress,rate\n" + "".join(f"{s},{1e-12 * s ** 4}\n" for s in (50, 60, 70, 80)))
+            done = self.fit(path, "--law", "norton", "--output", "block.toml")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            block = (self.directory / "block.toml").read_text(encoding="utf-8")
+            tomllib.loads(block)
+            self.assertNotIn("\x1b", block)
+            self.assertNotIn("\nlaw = 3", block)
+
+    def test_many_readings(self):
+        """Those of the search are some, those of the minimum all."""
+        with open(self.directory / "many.csv", "w", encoding="utf-8") as file:
+            file.write("test,time [h],stress [MPa],strain\n")
+            for test, s in enumerate((60, 80, 100)):
+                for i in range(1, 8001):
+                    file.write(f"t{test},{i},{s},{1e-12 * s ** 4 * i * (1 + 0.01 * (-1) ** i):.9g}\n")
+        done = self.fit(self.directory / "many.csv", "--law", "norton")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("24000 readings; the search for the minimum begins with", done.stderr)
+        self.assertIn("24000 readings of 3 tests", done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^n = (4|3\.9999|4\.0000)")
 
     def test_the_block_runs_and_its_range_is_watched(self):
         done = self.fit(CONFIGS / "creep_tests.csv", "--law", "norton", "--material", "steel", "--young-modulus", "1.5e5",

@@ -1,5 +1,6 @@
 """Mesh files that attack, break or disappoint: whatever they hold, the program ends with a sentence and status 3."""
 
+import json
 import os
 import pathlib
 import re
@@ -123,6 +124,99 @@ class Attacks(MeshTest):
         self.write("cube.geo", GEOMETRY + 'Include "part.geo";\n')
         self.expect_error(self.check(preexec_fn=forbid_seccomp), "part.geo:1: 'SystemCall' runs a program")
         self.assertFalse(self.made())
+
+    def with_parameters(self, line):
+        self.write("cube.toml", BASE.replace("order = 1\n", "order = 1\n[mesh.parameters]\n" + line + "\n"))
+
+    def test_names_of_parameters_run_no_program(self):
+        run = 'SystemCall "touch made"; x'
+        for name, text in (("a", f"DefineConstant[ '{run}' = 1 ];\n"), ("b", f"DefineConstant[ {{1, '{run}'}}, n = 2 ];\n"),
+                           ("c", f"DefineConstant[ n = {{2, Name '{run}', '{run}' = 3}}, '{run}' ];\n"),
+                           ("d", 'DefineConstant[ n = 2 ];\n')):
+            self.write("cube.geo", text + GEOMETRY)
+            self.with_parameters(f"{json.dumps(run)} = 1")
+            for options in ({}, {"preexec_fn": forbid_seccomp}):
+                done = self.check(**options)
+                self.assertEqual(done.returncode, 2, name + done.stderr)
+                self.assertIn("mesh.parameters", done.stderr)
+                self.assertIn("letters, digits and underscores", done.stderr)
+            self.check("--trust-geometry")
+            self.assertFalse(self.made())
+        for name in ('x = 1; y', 'System "touch made"; y', "x\ny", "1x", "x.y", "\u00e9", "", " x"):
+            self.with_parameters(f"{json.dumps(name)} = 1")
+            self.assertEqual(self.check("--trust-geometry").returncode, 2, name)
+        for value in ("inf", "nan"):
+            self.write("cube.geo", "DefineConstant[ n = 2 ];\n" + GEOMETRY)
+            self.with_parameters(f"n = {value}")
+            self.assertEqual(self.check().returncode, 2)
+        self.assertFalse(self.made())
+
+    def test_the_mesher_takes_no_other_names(self):
+        mesher = pathlib.Path(os.environ.get("CREEPCONTACT_MESHER") or pathlib.Path(PROGRAM).with_name("creepcontact-mesher"))
+        if not mesher.exists():
+            self.skipTest("creepcontact-mesher is elsewhere")
+        done = subprocess.run([mesher, self.directory / "cube.geo", "3", "1", "0", "1", "0", 'System "touch made"; x', "1"],
+                              cwd=self.directory, capture_output=True, text=True, timeout=60,
+                              preexec_fn=lambda: os.dup2(2, 3))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertFalse(self.made())
+
+    def hostile(self):
+        """Geometries that a look for statements may miss."""
+        self.write("part.geo", 'SystemCall "touch made";\n')
+        self.write("part.stp", 'SystemCall "touch made";\n')
+        self.write("part.BREP", 'SystemCall "touch made";\n')
+        self.write("large.geo", 'SystemCall "touch made";\n' + "//\n" * 6_000_000)
+        (self.directory / "C:").mkdir(exist_ok=True)
+        self.write("C:/part.geo", 'SystemCall "touch made";\n')
+        self.write("$(touch made).gz", "x\n")
+        self.write("a;touch made;.gz", "x\n")
+        long = "x" * 1023
+        return {
+            "macro": 'Macro run /*\nSystemCall "touch made";\nReturn\n*/\nReturn\nCall run;\n',
+            "macro_line": "Macro run // '\nSystemCall 'touch made';\nReturn\nCall run;\n",
+            "long": f'a = "{long}; SystemCall "touch made"; b = "";\n',
+            "long_include": f'a = "{long}; Include "part.geo"; b = "";\n',
+            "nul": '// \0 SystemCall "touch made";\n',
+            "nul_include": '// \0 Include "part.geo";\n',
+            "name": 'StringToName["SystemCall"] "touch made";\n',
+            "s2n": 'S2N[StrCat("System", "Call")] "touch made";\n',
+            "named_include": 'S2N["Include"] "part.geo";\n',
+            "box": 'MergeWithBoundingBox "part.geo";\n',
+            "cad": 'Include "part.stp";\n',
+            "cad_case": 'Merge "part.BREP";\n',
+            "large": 'Include "large.geo";\n',
+            "drive": 'Include "C:/part.geo";\n',
+            "gz": 'Merge "$(touch made).gz";\n',
+            "gz_semicolon": 'Merge "a;touch made;.gz";\n',
+            "gz_computed": 'Merge StrCat("a;touch made;.", "gz");\n',
+            "field": GEOMETRY + 'Field[1] = ExternalProcess;\nField[1].CommandLine = "touch made";\nBackground Field = 1;\n',
+            "field_text": GEOMETRY + 'Field[1] = ExternalProcess;\nField[1].CommandLine = StrCat("touch ", "made");\nBackground Field = 1;\n',
+            "onelab": 'OnelabRun("a", "touch made");\n',
+            "condition": 'If(0)\n"\nEndIf\nSystemCall "touch made";\nElse " EndIf\n',
+            "printf": 'Printf("a") > "made";\n',
+            "printf_computed": 'Printf("a") >> StrCat("ma", "de");\n',
+            "view": 'View "a" { SP(0,0,0){1}; };\nSave View[0] "made";\n',
+            "syntax": 'Point(1) = ; SystemCall "touch made";\n',
+        }
+
+    def test_no_hostile_geometry_runs_a_program(self):
+        for name, text in self.hostile().items():
+            self.write("cube.geo", text if text.startswith("Point(1) = {0") else text + GEOMETRY)
+            for options in ({}, {"preexec_fn": forbid_seccomp}):
+                done = self.check(**options)
+                self.assertFalse(self.made(), f"{name} {options}: {done.stderr}")
+                self.assertIn(done.returncode, (0, 2, 3), name + done.stderr)
+
+    def test_meshes_of_other_programs_run_no_program(self):
+        for extension in ("unv", "bdf", "nas"):
+            for head in ("", "$MeshFormat\n", "-1\n", "$PostFormat\n", "View \"a\" {\n", "    -1\n  2411\n"):
+                self.write("cube." + extension, head + 'SystemCall "touch made";\n')
+                self.write("cube." + extension + ".opt", 'SystemCall "touch made";\n')
+                self.write("cube.toml", BASE.replace("cube.geo", "cube." + extension).replace("order = 1\n", ""))
+                for options in ({}, {"preexec_fn": forbid_seccomp}):
+                    self.assertNotEqual(self.check(**options).returncode, 0)
+                    self.assertFalse(self.made())
 
     def test_trust_reaches_the_runs_of_a_study(self):
         self.write("cube.geo", 'SystemCall "touch made";\n' + GEOMETRY)
@@ -302,6 +396,22 @@ on = "{probe}"
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertAlmostEqual(float((self.directory / "results/history.csv").read_text().split(",")[-1]), 0.002, delta=1e-9)
         self.assertRegex((self.directory / "results/fields.frd").read_text(), r"(?m)^ -1 +3 +1 +0 +1$")  # its number
+        return done.stdout + done.stderr
+
+    def test_unv_groups_of_other_programs(self):
+        """A node of a group that no element has is left out; of groups with one name that of the elements is taken."""
+        orphan = unv().replace("    -1\n    -1\n  2412", f"{99:10}{1:10}{1:10}{11:10}\n" + "   5.0000000000000000D-01" * 3 + "\n    -1\n    -1\n  2412", 1)
+        self.assertIn("        99", orphan)
+        group = f"{9:10}" + f"{0:10}" * 6 + f"{{n:10}}\n{{name}}\n" + "{members}\n    -1\n"
+
+        def with_group(text, name, nodes):
+            members = "".join(f"{field:10}" for node in nodes for field in (7, node, 0, 0))
+            return text[:text.rindex("    -1\n")] + group.format(n=len(nodes), name=name, members=members)
+        said = self.run_mesh("bar.unv", with_group(orphan, "all", [1, 99]), bar="bar", left="left", right="right")
+        self.assertIn("1 of 2 nodes of the group 'all' belong to no element", said)
+        said = self.run_mesh("bar.unv", with_group(unv(), "left", [1, 2]), bar="bar", left="left", right="right")
+        self.assertIn("that of elements is taken", said)
+        self.run_mesh("bar.unv", with_group(orphan, "none", [99]), bar="bar", left="left", right="right")
 
     def test_unv_with_groups(self):
         self.run_mesh("bar.unv", unv(), bar="bar", left="left", right="right")

@@ -30,6 +30,9 @@ MODULE_DECLARATION = re.compile(r"\bcreepcontact_(?:module|program|plugin)\(\s*(
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 # Put together here so that this file keeps the rule itself.
 # A path that goes on from a name, as in docs/work/, is relative.
+# A line that runs it: in a first line, before an option, a script or a text from a pipe.
+STARTED_PYTHON = re.compile(r"^#!.*\bpython3?\b|(?:^|[|;&(]\s*)python3? +[-\w/]")
+ISOLATED_PYTHON = re.compile(r"\bpython3? +-I\b")
 MACHINE_PATHS = re.compile(r"(?<![\w.})])/(?:" + "|".join(["work/", "tmp/b_", "home/[a-z]", "root/"]) + ")")
 BUILD_DIRECTORIES = {".git", "build", "results", "__pycache__"}
 
@@ -184,8 +187,23 @@ def machine_paths(root):
                 yield f"{path.relative_to(root)}:{number}: '{match.group()}' is a path of somebody's machine"
 
 
+def isolated_interpreters(root):
+    """Python, where the program and its scripts start it, imports nothing from the working directory or the environment."""
+    for path in tracked_files(root):
+        inside = path.relative_to(root)
+        if inside.parts[0] not in ("scripts", "src"):
+            continue
+        try:
+            text = path.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            if STARTED_PYTHON.search(line) and not ISOLATED_PYTHON.search(line):
+                yield f"{inside}:{number}: Python is started without -I: '{line.strip()}'"
+
+
 RULES = {rule.__name__: rule for rule in (module_includes, public_headers, module_table, library_includes, formatting,
-                                         file_length, machine_paths)}
+                                         file_length, machine_paths, isolated_interpreters)}
 WARNINGS = {"file_length"}  # printed, and kept all the same
 
 

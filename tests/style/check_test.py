@@ -128,6 +128,11 @@ class Rules(unittest.TestCase):
         self.write("README.md", "see docs/work/flow.md\nsee /" + "work/flow.md\n")
         self.assertEqual(self.broken("machine_paths"), ["README.md:2: '/" + "work/' is a path of somebody's machine"])
 
+    def test_isolated_interpreters(self):
+        self.write("scripts/a", "#!/usr/bin/env python3\necho | python3 -c 'x'\npython3 -I - <<END\n# python3 is needed\n")
+        self.write("scripts/b", "#!/usr/bin/env -S python3 -I\n")
+        self.assertEqual([line.split(": ")[0] for line in self.broken("isolated_interpreters")], ["scripts/a:1", "scripts/a:2"])
+
 
 if __name__ == "__main__":
     unittest.main()

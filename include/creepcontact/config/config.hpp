@@ -209,7 +209,8 @@ struct Temperature {
   std::vector<std::filesystem::path> files;
   std::vector<double> times;                   ///< of the files, one each; empty: the files say themselves
   std::map<std::string, std::string> columns;  ///< names of the columns of x, y, z, r, t, T, as far as given
-  std::optional<double> period;                ///< of the repetition in time
+  std::string thousands;         ///< what separates them in CSV tables: ".", ",", " ", "'"; empty: nothing
+  std::optional<double> period;  ///< of the repetition in time
   /// Axis about which the points of a section (radius, position along the axis) are revolved ...
   std::optional<std::array<double, 3>> axis;
   std::array<double, 3> origin{};  ///< ... and the point on it from which positions count

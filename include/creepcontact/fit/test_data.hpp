@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
+#include "creepcontact/io/thousands.hpp"
 
 namespace creepcontact::fit {
 
@@ -74,7 +75,8 @@ struct TestData {
 struct ReadOptions {
   /// Function of T, in the unit of the stress: the column `strain` is the total strain then.
   std::optional<Function> young_modulus = {};
-  std::optional<double> temperature = {};  ///< tests within 2 degrees of it alone
+  std::optional<double> temperature = {};         ///< tests within 2 degrees of it alone
+  io::Thousands thousands = io::Thousands::none;  ///< what separates them in numbers
 };
 
 /// Format: docs/fit.md. @throws ConfigError with a line for each bad row (file, line, column, what was found and what

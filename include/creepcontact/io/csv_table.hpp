@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/base/csv_format.hpp"
+#include "creepcontact/io/thousands.hpp"
 
 namespace creepcontact::io {
 
@@ -25,6 +27,36 @@ struct CsvTable {
 /// Treatment of a last row without end of line: other programs write such rows, and a run in progress leaves incomplete
 /// ones.
 enum class UnendedRow { counts, is_left_out };
+
+/// The numbers of one file. Its decimal sign is a point or a comma; a file with both is refused, since one of them may
+/// separate thousands: 1.000 in a file with 0,010 is a thousand. What separates thousands may be given; then the other
+/// one is the decimal sign.
+class CsvNumbers {
+ public:
+  /// @param way_out  how thousands are given, for messages: "--thousands"; empty: they cannot be
+  CsvNumbers(CsvFormat format, Thousands thousands, std::string way_out)
+      : format_(format), thousands_(thousands), way_out_(std::move(way_out)) {}
+
+  /// A number, or why the cell is none in this file: with the cause and the way out.
+  struct Reading {
+    std::optional<double> value;
+    std::string mistake;  ///< empty with a value
+  };
+  /// @param line  of the cell, for messages
+  Reading read(const std::string& cell, std::size_t line);
+
+ private:
+  struct Sight {
+    std::string cell;
+    std::size_t line = 0;  // 0: none yet
+  };
+  std::string way_out(char thousands) const;
+
+  CsvFormat format_;
+  Thousands thousands_;
+  std::string way_out_;
+  Sight with_point_, with_comma_;  // the first of each kind
+};
 
 /// Cells are separated by what follows the first name: a comma, a semicolon or a tab; with the latter two, numbers may
 /// have a decimal comma. Names may be quoted (RFC 4180); blanks around cells and empty lines are ignored.
@@ -55,7 +87,8 @@ struct CsvCells {
 /// @param name  of the file, for messages @throws ConfigError if there is no header
 CsvCells parse_csv_cells(std::string_view text, const std::string& name);
 
-/// The number that is the whole of `cell`; a point is understood as decimal in every format.
+/// The number that is the whole of `cell`; a point is understood as decimal in every format. Tables are read by
+/// CsvNumbers, which notices where formats are mixed.
 std::optional<double> csv_number(std::string_view cell, const CsvFormat& format);
 
 /// Text as a CSV cell: quoted if it contains characters with a meaning in the format (RFC 4180).

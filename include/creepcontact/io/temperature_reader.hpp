@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "creepcontact/io/thousands.hpp"
 #include "creepcontact/mesh/mesh.hpp"
 
 namespace creepcontact::io {
@@ -31,8 +32,9 @@ using ColumnNames = std::map<std::string, std::string>;
 struct TemperatureSource {
   /// At least one. The name of a single one may have a '*': all files of that form; the number there is the time.
   std::vector<std::filesystem::path> files;
-  std::vector<double> times = {};  ///< of the files, one each, increasing; empty: those that the files say
-  ColumnNames columns = {};        ///< of CSV tables; "T" also names the array of a .vtu
+  std::vector<double> times = {};         ///< of the files, one each, increasing; empty: those that the files say
+  ColumnNames columns = {};               ///< of CSV tables; "T" also names the array of a .vtu
+  Thousands thousands = Thousands::none;  ///< what separates them in CSV tables
 };
 
 /// The extension of a file decides: .h5 and .hdf5 are HDF5, .vtu and .frd what they say, all others CSV. Columns,
@@ -46,6 +48,7 @@ PointTemperatures read_temperatures(const TemperatureSource& source);
 std::vector<std::filesystem::path> temperature_files(const TemperatureSource& source);
 
 /// Like read_temperatures(), from the text of a CSV table. @param name  name of the file, for messages
-PointTemperatures parse_temperatures(std::string_view text, const std::string& name, const ColumnNames& columns = {});
+PointTemperatures parse_temperatures(std::string_view text, const std::string& name, const ColumnNames& columns = {},
+                                     Thousands thousands = Thousands::none);
 
 }  // namespace creepcontact::io

@@ -12,6 +12,8 @@
 
 namespace creepcontact::mechanics {
 
+class Discretization;
+
 /// The axis about which a section is revolved: at a place the field is that of the section at (r, z, 0), the distance
 /// from the axis and the position along it.
 struct RevolutionAxis {
@@ -29,6 +31,15 @@ struct ScatteredTemperatures {
   /// (Function::period_error); where the values at both ends differ, there is a jump at each period.
   std::optional<double> period = {};
   std::optional<RevolutionAxis> axis = {};  ///< given: the points are those of a section, (r, z, 0)
+  /// Given: a point within this distance of a node is that node. Where all corners of a mesh are points, its elements
+  /// interpolate between their nodes. Precondition: no axis
+  std::optional<double> node_tolerance = {};
+};
+
+/// How many nodes of the bulk elements of a mesh are points of a field.
+struct NodeCover {
+  std::size_t corners = 0, corners_given = 0, mid_sides = 0, mid_sides_given = 0;
+  bool is_nodal = false;  ///< the shape functions of the elements interpolate the field
 };
 
 /// A place beyond the points of a field.
@@ -67,6 +78,11 @@ class TemperatureField {
   double operator()(const Arguments& at) const;
   /// For repeated evaluation at these positions; does not refer to the argument.
   std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const;
+  /// For repeated evaluation at the integration points of a body, whose elements interpolate the field if it is nodal
+  /// on the mesh. @param of_mesh  the body, or the part of it that a process has; its nodes are those of the mesh
+  std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh, const mesh::Mesh& mesh) const;
+  /// Of a function, and where nodes are not looked for: none.
+  NodeCover cover(const mesh::Mesh& mesh) const;
 
   bool depends_on_position() const;
   bool depends_on_time() const;

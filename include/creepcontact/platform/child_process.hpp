@@ -34,6 +34,10 @@ class Pipe {
 /// All that is written into the pipe until its writers have ended.
 std::string read_to_end(const Pipe& pipe);
 
+/// The program of this name in the directories of PATH that are given by absolute paths: not in the working directory,
+/// whose files may be a stranger's; empty if there is none.
+std::filesystem::path find_on_path(const std::string& name);
+
 /// What to start, and how.
 struct ChildSetup {
   std::filesystem::path program;  ///< a path; PATH is not searched
@@ -43,6 +47,7 @@ struct ChildSetup {
   int signal_at_death = SIGTERM;  ///< sent to it if the thread that started it ends first
   /// True if the program calls end_at_signals(). It is then started with the signals blocked, so that it misses none.
   bool lets_signals_through = false;
+  std::filesystem::path directory = {};  ///< where it is started; empty: that of this process
 };
 
 /// A running or finished child process.

@@ -11,7 +11,8 @@ constexpr int interrupted_status = 130;
 
 /// To be called first in main. From then on such a signal ends the process with a message on standard error and status
 /// 130. An ignored SIGHUP (nohup) stays ignored; signals blocked before the program was started are unblocked, and an
-/// ignored SIGCHLD is reset to its default.
+/// ignored SIGCHLD is reset to its default. SIGXFSZ is ignored: a write beyond the limit of the size of files (ulimit
+/// -f) fails, as on a full disk.
 void end_at_signals();
 
 /// Blocks the signals while it lives, in this thread and in processes started meanwhile. A program started in this way

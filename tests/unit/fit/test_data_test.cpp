@@ -44,6 +44,50 @@ TEST(TestData, TestsAreToldApartByStressTemperatureAndStart) {
   EXPECT_EQ(data.range().time.high, 2);
 }
 
+// 1.000 in a file with 0,010 is a thousand, or the file has two decimal signs: which, only its author knows.
+TEST(TestData, PointsInAFileWithDecimalCommasAreRefused) {
+  const std::string office = "time [h];stress [MPa];strain [-]\n100;100;0,001\n1.000;100;0,010\n10.000;100;0,1\n";
+  const std::string message = refusal(office);
+  EXPECT_TRUE(has(message, "'1.000' has a point, but '0,001' in line 2 has a comma")) << message;
+  EXPECT_TRUE(has(message, "--thousands \".\"") && has(message, "--thousands \",\"")) << message;
+  EXPECT_TRUE(has(message, "data.csv:3") || has(message, "lines 3")) << message;
+  ReadOptions options;
+  options.thousands = io::Thousands::point;
+  const TestData data = parsed(office, options);
+  EXPECT_DOUBLE_EQ(data.tests.at(0).readings.at(1).time, 1000);
+  EXPECT_DOUBLE_EQ(data.tests.at(0).readings.at(2).time, 10000);
+  EXPECT_DOUBLE_EQ(data.tests.at(0).readings.at(1).value, 0.01);
+  EXPECT_NE(refusal("time;stress;strain\n1.5;100;0,001\n", options), "");  // no groups of three digits
+
+  for (const char* text :
+       {"time;stress;strain\n1.000;100;0,010\n", "time;stress;strain\n100;100;0.010\n1,000;100;0.02\n",
+        "time\tstress\tstrain\n100\t100\t0.010\n1,000.5\t100\t0.02\n",
+        "time,stress,strain\n100,100,0.010\n\"1,000.5\",100,0.02\n", "time;stress;strain\n1.000.000;100;0,1\n",
+        "time;stress;strain\n1 000;100;0,1\n"})
+    EXPECT_TRUE(has(refusal(text), "--thousands")) << text << refusal(text);
+  options.thousands = io::Thousands::comma;
+  const TestData points = parsed("time,stress,strain\n100,100,0.010\n\"1,000.5\",100,0.02\n", options);
+  EXPECT_DOUBLE_EQ(points.tests.at(0).readings.at(1).time, 1000.5);
+  options.thousands = io::Thousands::blank;
+  EXPECT_DOUBLE_EQ(parsed("time;stress;strain\n1\u00A0000;100;0,1\n", options).tests.at(0).readings.at(0).time, 1000);
+  options.thousands = io::Thousands::apostrophe;
+  EXPECT_DOUBLE_EQ(parsed("time;stress;strain\n1'234'567.5;100;0.1\n", options).tests.at(0).readings.at(0).time,
+                   1234567.5);
+  // One sign alone is decimal.
+  EXPECT_DOUBLE_EQ(parsed("time;stress;strain\n1.5;100;0.1\n").tests.at(0).readings.at(0).time, 1.5);
+}
+
+TEST(TestData, ManyTestsTakeLittleTime) {
+  std::string named = "test,stress,rupture_time\n", rates = "stress,rate\n";
+  constexpr int n = 200000;  // with a search among all for each, many minutes
+  for (int i = 0; i < n; ++i) {
+    named += "t" + std::to_string(i) + ",100," + std::to_string(1000 + i) + "\n";
+    rates += std::to_string(50 + i % 97) + ",1e-6\n";
+  }
+  EXPECT_EQ(parsed(named).n_specimens(), n);
+  EXPECT_EQ(parsed(rates).n_specimens(), n);
+}
+
 TEST(TestData, TimesToRuptureAndRatesAreInTheUnitOfTheTime) {
   const TestData data = parsed("stress [MPa],rate [%/h],rupture_time [d]\n100,0.36,2\n");
   ASSERT_EQ(data.tests.size(), 2U);

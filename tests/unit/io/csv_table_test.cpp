@@ -47,6 +47,14 @@ TEST_F(ReadBack, TablesOfOtherPrograms) {
   EXPECT_EQ(table.columns[1], (std::vector<double>{2, 400}));
 }
 
+TEST_F(ReadBack, TwoDecimalSignsAreRefused) {
+  write("time;p\n1;0,5\n1.000;0,6\n");
+  EXPECT_EQ(mistake(), file_.string() +
+                           ":3: '1.000' has a point, but '0,5' in line 2 has a comma, and only one of them can be the "
+                           "decimal sign. If the point separates thousands, write the numbers without it; if the comma "
+                           "does, write the numbers without it");
+}
+
 TEST_F(ReadBack, ARowWithoutItsEndMayBeTorn) {
   write("time,a\n0,1\n1e3,-nan\n2,3.25");
   EXPECT_EQ(read_csv_table(file_).columns[1].back(), 3.25);

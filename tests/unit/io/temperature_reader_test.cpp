@@ -63,8 +63,12 @@ TEST_F(TemperatureReader, TimesColumnsAndRowsInAnyOrder) {
 
 TEST_F(TemperatureReader, MistakesAreNamedWithTheirLine) {
   expect_mistake("x,z,T\n1,2,3\n", "line 1: neither x and y nor r and z are among the columns; name them by columns");
-  expect_mistake("x,y,z,T\n1,2,3,4\n1,2,3x,4\n", "line 3: '3x' in the column 'z' is not a number");
-  expect_mistake("x,y,z,T\n1,2,3,\n", "line 2: '' in the column 'T' is not a number");
+  expect_mistake("x,y,z,T\n1,2,3,4\n1,2,3x,4\n", "line 3: in the column 'z' '3x' is not a number");
+  expect_mistake("x,y,z,T\n1,2,3,\n", "line 2: in the column 'T' '' is not a number");
+  expect_mistake("x;y;z;T\n1;2;3,5;1.000\n",
+                 "line 2: in the column 'T' '1.000' has a point, but '3,5' in line 2 has a comma");
+  expect_mistake("x;y;z;T\n1;2;3,5;1.000\n", "give temperature.thousands = \".\"");
+  EXPECT_DOUBLE_EQ(parse_temperatures("x;y;z;T\n1;2;3,5;1.000\n", "a.csv", {}, Thousands::point).values[0][0], 1000);
   expect_mistake("x,y,z,T\n1,2,3\n", "line 2: 3 cells, none in the column 'T'");
   expect_mistake("x,y,z,T\n1,2,3,nan\n", "line 2: the number is not finite");
   expect_mistake("x,y,z,T\n", "contains no temperatures");

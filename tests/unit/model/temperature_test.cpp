@@ -59,7 +59,7 @@ TEST_F(Temperatures, ComeFromAFile) {
 TEST_F(Temperatures, MistakesInTheFileAreNamedWithTheConfiguration) {
   const auto message = message_of<ModelError>([&] { build_model(config("x,y,z,T\n1,2,3,a\n")); });
   EXPECT_TRUE(contains(message, "case.toml:")) << message;
-  EXPECT_TRUE(contains(message, "T.csv', line 2: 'a' in the column 'T' is not a number")) << message;
+  EXPECT_TRUE(contains(message, "T.csv', line 2: in the column 'T' 'a' is not a number")) << message;
   EXPECT_TRUE(
       contains(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\nvalue = 1\nfile = \"T.csv\"\n"); }),
                "temperature: both 'value' and 'file'"));
