@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/bar.hpp"
@@ -62,9 +63,27 @@ struct SecondaryRate {
   bool falls_forever = false;
 };
 
+/// The rate of a law that has no other: the same at the begin, the middle and the end of the curve; else nothing.
+/// It is looked for first, since it costs a tenth of a curve.
+std::optional<double> steady_rate(Laws laws, const material::BarTest& bar, double scale) {
+  constexpr double step = 1e-3, same = 1e-7;
+  std::vector<double> times;
+  for (const double middle : {scale / rate_search, scale, scale * rate_search})
+    times.insert(times.end(), {(1 - step) * middle, (1 + step) * middle});
+  const material::BarHistory history = material::bar_history(laws, bar, times, bar_tolerance);
+  if (history.states.size() < times.size()) return std::nullopt;
+  std::array<double, 3> rates{};
+  for (std::size_t i = 0; i < rates.size(); ++i)
+    rates[i] = (history.states[2 * i + 1].creep_strain - history.states[2 * i].creep_strain) /
+               (times[2 * i + 1] - times[2 * i]);
+  const auto [low, high] = std::ranges::minmax(rates);
+  return low > 0 && high - low <= same * high ? std::optional(low) : std::nullopt;
+}
+
 /// The smallest rate of the curve.
 SecondaryRate secondary_rate(Laws laws, const material::BarTest& bar, double measured) {
   const double scale = 0.01 / measured;
+  if (const auto steady = steady_rate(laws, bar, scale)) return {*steady};
   std::vector<double> times;
   const int n = static_cast<int>(2 * std::log10(rate_search) * rate_points_per_decade);
   for (int i = 0; i <= n; ++i) times.push_back(scale / rate_search * std::pow(rate_search, 2.0 * i / n));
