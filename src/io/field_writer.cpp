@@ -143,7 +143,7 @@ void FieldWriter::write_collection() {
   std::string text = std::move(stream).str();
   const std::size_t same = std::ranges::mismatch(listed_, text).in1 - listed_.begin();
   const bool longer = !listed_.empty() && text.size() >= listed_.size();
-  if (!longer || !platform::rewrite_end(list_path(), same, std::string_view(text).substr(same)))
+  if (!longer || !platform::rewrite_end(list_path(), same, std::string_view{text}.substr(same)))
     platform::replace_file(list_path(), text, platform::Durable::when_synced);
   listed_ = std::move(text);
 }

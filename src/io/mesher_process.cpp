@@ -169,7 +169,7 @@ fs::path find_mesher() {
                     given, std::strerror(errno)));
   }
   const std::string name = "creepcontact-mesher";
-  if (const fs::path found = platform::find_companion(name, true); !found.empty()) return found;
+  if (fs::path found = platform::find_companion(name, true); !found.empty()) return found;
   std::string names;
   for (const fs::path& place : platform::companion_places(name)) names += (names.empty() ? "" : ", ") + place.string();
   throw ModelError(
