@@ -105,7 +105,7 @@ void EquilibriumSolver::find_interference(const std::vector<std::size_t>& pairs,
       if (!closed.nodes.empty()) closed.nodes[problem.node_of_row[row]].status = contact::ContactStatus::stick;
     }
     std::ranges::sort(closed.active);
-    closed.active.erase(std::ranges::unique(closed.active).begin(), closed.active.end());
+    closed.active.erase(std::unique(closed.active.begin(), closed.active.end()), closed.active.end());
     return closed;
   };
   const Eigen::VectorXd found = search.find(start);

@@ -153,7 +153,7 @@ std::optional<CourseEvents> repeated(const Course& course, double end, double pe
 void keep_distinct(std::vector<double>& times, double error) {
   std::ranges::sort(times);
   const auto same = [error](double a, double b) { return b <= a * (1 + error); };
-  times.erase(std::ranges::unique(times, same).begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end(), same), times.end());
 }
 
 CourseEvents without_cycle(const Course& course, double end, const SearchEffort& effort) {

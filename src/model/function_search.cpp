@@ -187,7 +187,7 @@ class FunctionSearch {
       for (const double t : temperature_->breakpoints(end)) pieces_.push_back(t);
     std::erase_if(pieces_, [end](double t) { return t < 0 || t > end; });
     std::ranges::sort(pieces_);
-    pieces_.erase(std::ranges::unique(pieces_).begin(), pieces_.end());
+    pieces_.erase(std::unique(pieces_.begin(), pieces_.end()), pieces_.end());
   }
 
   void warn_of_missing(const config::ConfiguredFunction& function, const TemperaturePassages& passages) const {

@@ -46,7 +46,7 @@ class Passages {
 
   TemperaturePassages all() const {
     if (!(high_ > low_)) return {};
-    std::vector<Point> points = points_in_T();
+    std::vector<Point> points = points_of_function();
     TemperaturePassages result{at(points)};
     if (result.times.size() > few_passages) {
       std::erase_if(points, [](const Point& point) { return point.strength < weak; });
@@ -77,7 +77,7 @@ class Passages {
     return result;
   }
 
-  std::vector<Point> points_in_T() const {
+  std::vector<Point> points_of_function() const {
     const double width = high_ - low_, from = low_ - margin * width;
     const Place& place = places_.front();
     const Level level = function_.levels(place).front();
