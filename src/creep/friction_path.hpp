@@ -63,7 +63,7 @@ class FrictionPath {
   double error(const PathPoint& once, const PathPoint& twice) const;
   Onsets onsets(const PathPoint& from, const PathPoint& to) const;
   void add_onsets(const PathPoint& from, PathPoint& to) const;
-  /// Of the dissipated energy, of a substep that was halved.
+  /// The error of the dissipated energy of a substep that was halved.
   double energy_error(const PathPoint& from, const PathPoint& middle, const PathPoint& once,
                       const PathPoint& twice) const;
   /// A state with the history that a substep from there leads to.

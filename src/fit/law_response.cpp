@@ -66,17 +66,9 @@ struct SecondaryRate {
 /// The rate of a law that has no other: the same at the begin, the middle and the end of the curve; else nothing.
 /// It is looked for first, since it costs a tenth of a curve.
 std::optional<double> steady_rate(Laws laws, const material::BarTest& bar, double scale) {
-  constexpr double step = 1e-3, same = 1e-7;
-  std::vector<double> times;
-  for (const double middle : {scale / rate_search, scale, scale * rate_search})
-    times.insert(times.end(), {(1 - step) * middle, (1 + step) * middle});
-  const material::BarHistory history = material::bar_history(laws, bar, times, bar_tolerance);
-  if (history.states.size() < times.size()) return std::nullopt;
-  std::array<double, 3> rates{};
-  for (std::size_t i = 0; i < rates.size(); ++i)
-    rates[i] = (history.states[2 * i + 1].creep_strain - history.states[2 * i].creep_strain) /
-               (times[2 * i + 1] - times[2 * i]);
-  const auto [low, high] = std::ranges::minmax(rates);
+  constexpr double same = 1e-7;
+  const auto [low, high] = std::minmax(
+      {rate_at(laws, bar, scale / rate_search), rate_at(laws, bar, scale), rate_at(laws, bar, scale * rate_search)});
   return low > 0 && high - low <= same * high ? std::optional(low) : std::nullopt;
 }
 

@@ -55,7 +55,7 @@ class LogAdams final : public Integrator {
   void begin(double t_limit);
   /// y = the state plus these multiples of phi_.
   void add_integral(const Row& integrals, std::span<double> y) const;
-  /// Of a step that is not made; infinite if there is no rate at its end.
+  /// The error that a step would have, relative to the allowed one; infinite if there is no rate at its end.
   double error_of(const StepClock::Target& target);
   void slide(const StepClock::Target& target);
   void predict(double s);

@@ -5,21 +5,10 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "creepcontact/base/utf8.hpp"
+
 namespace creepcontact::report {
 namespace {
-
-/// Length of the UTF-8 sequence at the beginning; 0: it is none.
-std::size_t sequence(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const std::size_t n = byte(0) < 0x80                      ? 1
-                        : byte(0) >= 0xC2 && byte(0) < 0xE0 ? 2
-                        : byte(0) >= 0xE0 && byte(0) < 0xF0 ? 3
-                        : byte(0) >= 0xF0 && byte(0) < 0xF5 ? 4
-                                                            : 0;
-  for (std::size_t i = 1; i < n; ++i)
-    if ((byte(i) & 0xC0U) != 0x80U) return 0;
-  return n;
-}
 
 /// Whether a cell is a number, maybe with a unit or a per cent sign.
 bool is_number(const std::string& cell) {
@@ -36,7 +25,7 @@ bool is_number(const std::string& cell) {
 std::string escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const std::size_t n = sequence(text);
+    const std::size_t n = utf8_length(text);
     const char c = text.front();
     if (n == 0)
       result += "\xEF\xBF\xBD";  // U+FFFD

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "creepcontact/base/one_line.hpp"
 #include "creepcontact/io/csv_table.hpp"
 
 namespace creepcontact::study {
@@ -30,11 +30,6 @@ std::string value_of(const config::PlannedRun& run, const std::string& key) {
   for (const config::Setting& setting : run.settings)
     if (setting.key == key) value = setting.value.label;
   return value;
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
 }
 
 std::string markdown_cell(const std::string& text) {
