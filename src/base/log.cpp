@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "creepcontact/base/log_notice.hpp"
+
 namespace creepcontact::log {
 namespace {
 
@@ -43,7 +45,22 @@ Records& records() {
   return instance;
 }
 
+/// What is called before messages.
+struct Notice {
+  std::mutex mutex;
+  std::function<void()> f;
+};
+Notice& notice() {
+  static Notice instance;
+  return instance;
+}
+
 }  // namespace
+
+void before_messages(std::function<void()> f) {
+  const std::scoped_lock lock(notice().mutex);
+  notice().f = std::move(f);
+}
 
 WarningRecord::WarningRecord() {
   const std::scoped_lock lock(records().mutex);
@@ -73,6 +90,10 @@ void write(Level level, std::string_view message) {
   if (level == Level::warning) {
     const std::scoped_lock lock(records().mutex);
     for (WarningRecord* record : records().all) record->add(message);
+  }
+  if (logger().should_log(native(level))) {
+    const std::scoped_lock lock(notice().mutex);
+    if (notice().f) notice().f();
   }
   logger().log(native(level), message);
 }

@@ -5,6 +5,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/cli/processes.hpp"
 #include "creepcontact/config/reader.hpp"
+#include "creepcontact/run/report.hpp"
 #include "creepcontact/run/run.hpp"
 #include "creepcontact/run/vocabulary.hpp"
 #include "run_progress.hpp"
@@ -44,8 +45,8 @@ int run(const Command& self, const Arguments& arguments) {
   if (quiet && Processes::is_first()) log::set_level(log::Level::warning);
   quiet = quiet || !Processes::is_first();
   RunProgress progress(config.time.output, quiet, choice);
-  options.observer = &progress;
-  const run::RunResult result = run::run(config, options);
+  options.observers = {&progress};
+  const run::Summary result = run::run(config, options);
   if (!Processes::is_first()) return result.exit_status;
   if (!result.message.empty()) {
     if (result.exit_status != 0) {
@@ -55,7 +56,7 @@ int run(const Command& self, const Arguments& arguments) {
     }
   }
   if (!quiet) {
-    std::cout << result.report << (verbose ? result.details : "");
+    std::cout << run::report(result) << (verbose ? run::details(result) : "");
     for (const std::string& advice : result.advice) log::warning("{}", advice);
   }
   return result.exit_status;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/base/log_notice.hpp"
 
 namespace creepcontact::cli {
 namespace {
@@ -25,10 +26,13 @@ std::string clock_text(double seconds) {
 }  // namespace
 
 RunProgress::RunProgress(const std::vector<double>& output_times, bool quiet, ThreadChoice& threads)
-    : output_times_(output_times), threads_(threads), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+    : output_times_(output_times), threads_(threads), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
+  log::before_messages([this] { clear(); });
+}
 
 RunProgress::~RunProgress() {
-  before_message();
+  log::before_messages({});
+  clear();
 }
 
 /// By output intervals: where creep slows down users space them out, and steps grow alike.
@@ -40,13 +44,19 @@ double RunProgress::share_done(double time) const {
          static_cast<double>(output_times_.size() - 1);
 }
 
-void RunProgress::step(double time, const RunCounters& work) {
-  if (const std::optional<int> changed = threads_.look()) {
-    before_message();
+run::Reaction RunProgress::step(run::StepView& view) {
+  if (const std::optional<int> changed = threads_.look())
     log::info("other programs use the machine more or less than before: {} from here on",
               *changed == 1 ? "one thread" : fmt::format("{} threads", *changed));
-  }
-  if (quiet_) return;
+  if (!quiet_) draw(view.time(), view.work());
+  return run::Reaction::advance;
+}
+
+void RunProgress::end(run::End /*how*/) {
+  clear();
+}
+
+void RunProgress::draw(double time, const RunCounters& work) {
   const Clock::time_point now = Clock::now();
   const double since = std::chrono::duration<double>(now - last_).count();
   if (since < (terminal_ ? seconds_between_draws : seconds_between_lines)) return;
@@ -71,9 +81,8 @@ void RunProgress::step(double time, const RunCounters& work) {
   drawn_ = true;
 }
 
-void RunProgress::before_message() {
-  if (drawn_) std::fputs("\r\033[K", stderr);
-  drawn_ = false;
+void RunProgress::clear() {
+  if (drawn_.exchange(false)) std::fputs("\r\033[K", stderr);
 }
 
 }  // namespace creepcontact::cli

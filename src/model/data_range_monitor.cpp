@@ -28,22 +28,22 @@ DataRangeMonitor::DataRangeMonitor(const config::Config& config) {
     if (material.data_range) ranges_[material.name] = *material.data_range;
 }
 
-void DataRangeMonitor::see(const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team) {
+void DataRangeMonitor::observe(const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team) {
   if (ranges_.empty()) return;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto found = ranges_.find(bodies[b].material().name);
     if (found == ranges_.end()) continue;
     config::DataRange& range = found->second;
     // A range that has been left is emptied: one warning each.
-    if (!range.stress.empty() && see_stress(bodies[b], range.stress, at.time, at.bodies[b].stress, team))
+    if (!range.stress.empty() && observe_stress(bodies[b], range.stress, at.time, at.bodies[b].stress, team))
       range.stress.clear();
     if (!range.temperature.empty() &&
-        see_temperature(bodies[b], range.temperature, at.time, at.conditions[b].temperature, team))
+        observe_temperature(bodies[b], range.temperature, at.time, at.conditions[b].temperature, team))
       range.temperature.clear();
   }
 }
 
-bool DataRangeMonitor::see_stress(const mechanics::Body& body, const std::vector<double>& range, double t,
+bool DataRangeMonitor::observe_stress(const mechanics::Body& body, const std::vector<double>& range, double t,
                                   const std::vector<double>& stress, const Team& team) {
   std::vector<double> equivalent(stress.size() / 6);
   for (std::size_t p = 0; p < equivalent.size(); ++p)
@@ -59,7 +59,7 @@ bool DataRangeMonitor::see_stress(const mechanics::Body& body, const std::vector
   return true;
 }
 
-bool DataRangeMonitor::see_temperature(const mechanics::Body& body, const std::vector<double>& range, double t,
+bool DataRangeMonitor::observe_temperature(const mechanics::Body& body, const std::vector<double>& range, double t,
                                        const std::vector<double>& temperature, const Team& team) {
   const bool has_temperature = team.any(!temperature.empty());
   const double reference = body.material().reference_temperature;

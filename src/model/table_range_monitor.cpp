@@ -28,16 +28,16 @@ TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
       config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time());
 }
 
-void TableRangeMonitor::see(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at,
+void TableRangeMonitor::observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at,
                             const Team& team) {
   if (!stresses_.empty())
-    for (std::size_t b = 0; b < bodies.size(); ++b) see_stress(bodies[b], at.bodies[b].stress, t, team);
+    for (std::size_t b = 0; b < bodies.size(); ++b) observe_stress(bodies[b], at.bodies[b].stress, t, team);
   if (tables_.empty() || time_ == t || (time_ && !changes_in_time_)) return;
   time_ = t;
-  for (std::size_t b = 0; b < bodies.size(); ++b) see_temperature(bodies[b], at.conditions[b], team);
+  for (std::size_t b = 0; b < bodies.size(); ++b) observe_temperature(bodies[b], at.conditions[b], team);
 }
 
-void TableRangeMonitor::see_stress(const mechanics::Body& body, const std::vector<double>& stress, double t,
+void TableRangeMonitor::observe_stress(const mechanics::Body& body, const std::vector<double>& stress, double t,
                                    const Team& team) {
   const auto found = stresses_.find(body.material().name);
   if (found == stresses_.end()) return;
@@ -65,7 +65,7 @@ void TableRangeMonitor::finish() const {
             material, of.what, of.largest, of.range.low, of.range.high);
 }
 
-void TableRangeMonitor::see_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at,
+void TableRangeMonitor::observe_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at,
                                         const Team& team) {
   const auto found = tables_.find(body.material().name);
   if (found == tables_.end()) return;

@@ -58,7 +58,7 @@ run::Processes Processes::of_run() {
           .on_this_machine = all->size_on_machine(),
           .stiffness_solver = mpi::mumps_cholesky,
           .multigrid = mpi::multigrid_stiffness,
-          .deal =
+          .partition =
               [](const std::vector<mechanics::Body>& bodies) {
                 std::vector<const mesh::Mesh*> meshes;
                 meshes.reserve(bodies.size());

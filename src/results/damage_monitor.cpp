@@ -27,21 +27,21 @@ DamageMonitor::DamageMonitor(const creep::CreepSystem& system)
                 {&material::creep_fatigue, &io::Summary::creep_fatigue, {}},
                 {&material::remaining_life, &io::Summary::remaining_life, {}}} {}
 
-creep::CreepSystem::Extreme DamageMonitor::largest_damage(std::span<const double> y) const {
+creep::CreepSystem::Extreme DamageMonitor::largest_damage(const creep::Evaluation& at,
+                                                          std::span<const double> y) const {
   creep::CreepSystem::Extreme result;
-  if (!system_.has(material::damage)) return result;
+  if (!has_damage()) return result;
   for (std::size_t b = 0; b < system_.assembly().bodies().size(); ++b)
-    if (const auto of_body = system_.largest(material::damage, b, system_.step_evaluation(), y);
-        of_body && of_body->value > result.value)
+    if (const auto of_body = system_.largest(material::damage, b, at, y); of_body && of_body->value > result.value)
       result = *of_body;
   return result;
 }
 
-bool DamageMonitor::is_rupture(const creep::CreepSystem::Extreme& damage, double time,
+bool DamageMonitor::is_rupture(const creep::CreepSystem::Extreme& damage, double time, const creep::Evaluation& at,
                                std::span<const double> y) const {
   if (damage.value < rupture_damage) return false;
   if (damage.value >= certain_rupture) return true;
-  const auto consumption = system_.largest(material::remaining_life, damage.body, system_.step_evaluation(), y);
+  const auto consumption = system_.largest(material::remaining_life, damage.body, at, y);
   return !consumption || consumption->value * negligible_life * time >= 1;
 }
 

@@ -112,10 +112,10 @@ void Outcome::follow(double time, std::size_t p, double force) {
   }
 }
 
-void Outcome::see_contacts(double time, const creep::Equilibrium& at) {
+void Outcome::observe_contacts(double time, const creep::Equilibrium& at) {
   for (std::size_t p = 0; p < assembly_.pairs().size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
-    if (pair.coupling.has_friction() && slid_far_[p] == 0) see_slip(time, at, p);
+    if (pair.coupling.has_friction() && slid_far_[p] == 0) observe_slip(time, at, p);
     if (pair.coupling.type == contact::ContactType::tied) continue;
     const double force = normal_force(pair, at.contact.multiplier);
     if (!(force > std::max(grown * widths_[p].force, rounding_[p]))) continue;
@@ -135,7 +135,7 @@ std::vector<std::string> Outcome::narrow_contacts() const {
   return lines;
 }
 
-void Outcome::see_slip(double time, const creep::Equilibrium& at, std::size_t p) {
+void Outcome::observe_slip(double time, const creep::Equilibrium& at, std::size_t p) {
   const contact::Pair& pair = assembly_.pairs()[p];
   const contact::MortarCoupling& coupling = pair.coupling;
   const mesh::Mesh& slave = assembly_.bodies()[pair.slave_body].mesh();
@@ -173,11 +173,11 @@ void Outcome::output(double time, const creep::Equilibrium& at) {
     dissipated_[p] = at.friction.dissipated[p];
     slip_[p] = at.friction.path.segment(pair.first_node, std::ssize(pair.coupling.nodes)).maxCoeff();
   }
-  see_contacts(time, at);
+  observe_contacts(time, at);
   for (std::size_t b = 0; b < stresses_.size(); ++b) results::output(time, now.von_mises[b], is_first, stresses_[b]);
 }
 
-void Outcome::see(const StepValues& now) {
+void Outcome::observe(const StepValues& now) {
   if (!started_) return;
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     if (!has_normal_force(assembly_.pairs()[p])) continue;

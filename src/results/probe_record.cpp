@@ -72,7 +72,7 @@ void ProbeRecord::output(double time, std::span<const double> values) {
   }
 }
 
-void ProbeRecord::see(double time, std::span<const double> values, double tolerance) {
+void ProbeRecord::observe(double time, std::span<const double> values, double tolerance) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!courses_[i] || !std::isfinite(values[i])) continue;
     Course& course = *courses_[i];

@@ -53,7 +53,7 @@ void SmallStrainMonitor::take(Largest& largest, double limit, double value, std:
   team.broadcast(largest.place, owner);
 }
 
-void SmallStrainMonitor::see(double time, const creep::Evaluation& at) {
+void SmallStrainMonitor::observe(double time, const creep::Evaluation& at) {
   const std::vector<mechanics::Body>& bodies = system_.assembly().bodies();
   std::vector<mechanics::CreepStrainView> creep;
   system_.layout().views(at.y, creep);

@@ -15,6 +15,7 @@ namespace {
 const std::string prefix = "integrator.";                  // of its arrays
 const std::string state_prefix = integrator_state_prefix;  // of those like the state
 constexpr std::size_t max_differences = 5;                 // named
+const std::string jumps_name = "run.jumps";
 
 bool is_like_state(const std::string& name) {
   return name.starts_with(integrator_state_prefix) || name.starts_with(cycle_state_prefix);
@@ -60,20 +61,29 @@ io::Checkpoint Checkpoints::whole() const {
   return checkpoint;
 }
 
-io::Checkpoint Checkpoints::take(double time, const ode::Integrator* integrator,
+io::Checkpoint Checkpoints::take(const RunState& state, const RunCounters& work, const ode::Integrator& integrator,
                                  const creep::CreepSystem& system) const {
   io::Checkpoint checkpoint;
   checkpoint.fingerprint = fingerprint_;
-  checkpoint.time = time;
+  checkpoint.time = state.time;
+  checkpoint.counters = work;
+  if (!state.jumps.empty()) checkpoint.arrays[jumps_name] = state.jumps;
   system.save(checkpoint.arrays);
-  if (!integrator) return checkpoint;
-  ode::RestartPoint point = integrator->save();
+  ode::RestartPoint point = integrator.save();
   checkpoint.integrator = config_.time.integrator;
   checkpoint.next_step = point.next_step;
   checkpoint.state = std::move(point.state);
   for (auto& [name, values] : point.memory) checkpoint.arrays[prefix + name] = std::move(values);
   for (auto& [name, values] : point.states) checkpoint.arrays[state_prefix + name] = std::move(values);
   return checkpoint;
+}
+
+RunState Checkpoints::run_state(const io::Checkpoint& checkpoint) {
+  const auto jumps = checkpoint.arrays.find(jumps_name);
+  return {.time = checkpoint.time,
+          .y = checkpoint.state,
+          .earlier = checkpoint.counters,
+          .jumps = jumps != checkpoint.arrays.end() ? jumps->second : std::vector<double>{}};
 }
 
 bool Checkpoints::due() const {
@@ -99,12 +109,12 @@ void Checkpoints::write(const io::Checkpoint& checkpoint) {
   last_ = std::chrono::steady_clock::now();
 }
 
-void restore(const io::Checkpoint& checkpoint, const config::Config& config, ode::Integrator& integrator) {
-  if (checkpoint.integrator != config.time.integrator) {
+void Checkpoints::restore(const io::Checkpoint& checkpoint, ode::Integrator& integrator) const {
+  if (checkpoint.integrator != config_.time.integrator && !integrator.name().empty()) {
     log::info(
         "time.integrator was '{}' up to t = {:.6g}; '{}' continues from there; results may differ in the last digits "
         "from those of either integrator alone",
-        checkpoint.integrator, checkpoint.time, config.time.integrator);
+        checkpoint.integrator, checkpoint.time, config_.time.integrator);
     integrator.initialize(checkpoint.time, checkpoint.state);
     return;
   }

@@ -11,6 +11,7 @@
 #include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/ode/integrator.hpp"
+#include "creepcontact/run/run_state.hpp"
 
 namespace creepcontact::run {
 
@@ -31,8 +32,15 @@ class Checkpoints {
   /// Of an earlier run in the same directory.
   void remove() const { io::remove_checkpoints(path_); }
 
-  /// The run as it is now. @param integrator  at a restart point; none if nothing creeps
-  io::Checkpoint take(double time, const ode::Integrator* integrator, const creep::CreepSystem& system) const;
+  /// The run as it is now, without what its observers hold. @param work  of the run so far
+  /// @param integrator  at a restart point
+  io::Checkpoint take(const RunState& state, const RunCounters& work, const ode::Integrator& integrator,
+                      const creep::CreepSystem& system) const;
+  /// The loop as it was. @param checkpoint  from read()
+  static RunState run_state(const io::Checkpoint& checkpoint);
+  /// Takes the integration up where the checkpoint was taken, or, if that was by another method, begins with this one.
+  void restore(const io::Checkpoint& checkpoint, ode::Integrator& integrator) const;
+  const Team& team() const { return distribution_.team(); }
   /// Collective.
   bool due() const;
   /// Results up to its time must be on disk. Does nothing if it has been written already. One file for all processes.
@@ -49,8 +57,5 @@ class Checkpoints {
   std::optional<double> written_;  // time of the last one
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-/// Takes the integration up where the checkpoint was taken, or, if that was by another method, begins with this one.
-void restore(const io::Checkpoint& checkpoint, const config::Config& config, ode::Integrator& integrator);
 
 }  // namespace creepcontact::run

@@ -10,6 +10,7 @@
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/ode/restart_share.hpp"
+#include "load_path.hpp"
 #include "memory_need.hpp"
 
 namespace creepcontact::run {
@@ -110,10 +111,11 @@ creep::CreepSystem make_system(const config::Config& config, const model::Model&
                             config.time.tolerance, watch);
 }
 
-std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const model::Model& model,
+std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, const model::Model& model,
                                                  creep::CreepSystem& system) {
+  const config::Time& time = config.time;
   // One of several processes may have nothing that creeps.
-  if (!system.team().any(system.size() > 0)) return nullptr;
+  if (!system.team().any(system.size() > 0)) return std::make_unique<LoadPath>(system, time.output);
   ode::IntegratorOptions options = time;
   options.end_time = time.end;
   constexpr double steps_per_turn = 6;

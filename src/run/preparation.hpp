@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/creep_system.hpp"
@@ -13,6 +14,9 @@
 #include "creepcontact/run/run.hpp"
 
 namespace creepcontact::run {
+
+/// Warnings about settings that are allowed but unsuitable in combination.
+std::vector<std::string> settings_warnings(const config::Config& config);
 
 /// @param output  what the command line gives; empty: the directory of the configuration
 std::filesystem::path output_directory(const config::Config& config, const std::string& output);
@@ -33,8 +37,8 @@ creep::EquilibriumSolver make_solver(const config::Config& config, const model::
 creep::CreepSystem make_system(const config::Config& config, const model::Model& model,
                                creep::EquilibriumSolver& solver, Stopwatch& watch);
 
-/// Null if nothing creeps.
-std::unique_ptr<ode::Integrator> make_integrator(const config::Time& time, const model::Model& model,
+/// A LoadPath if nothing creeps. @param config, model, system  must outlive the integrator
+std::unique_ptr<ode::Integrator> make_integrator(const config::Config& config, const model::Model& model,
                                                  creep::CreepSystem& system);
 
 }  // namespace creepcontact::run

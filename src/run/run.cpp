@@ -20,84 +20,21 @@
 #include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/io/checkpoint.hpp"
 #include "creepcontact/io/summary.hpp"
-#include "creepcontact/linalg/blas_library.hpp"
 #include "creepcontact/platform/background.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
-#include "creepcontact/run/check.hpp"
+#include "creepcontact/run/report.hpp"
 #include "fingerprint.hpp"
 #include "finished_run.hpp"
-#include "model_record.hpp"
+#include "loop.hpp"
+#include "observers/observers.hpp"
 #include "preparation.hpp"
-#include "run_report.hpp"
-#include "time_loop.hpp"
+#include "summary_file.hpp"
 
 namespace creepcontact::run {
 namespace {
-
-io::Summary make_summary(const config::Config& config, const model::Model& model, const TimeLoop& loop,
-                         const Stopwatch& watch) {
-  io::Summary summary;
-  summary.title = config.title;
-  summary.units = config.units;
-  summary.version = CREEPCONTACT_VERSION;
-  const linalg::BlasLibrary blas = linalg::blas_library();
-  summary.libraries = {{"blas", blas.blas}, {"lapack", blas.lapack}};
-  for (const config::Material& material : config.materials)
-    if (!material.sources.empty()) summary.sources[material.name] = material.sources;
-  loop.probe_record().fill(config, summary);
-  loop.events().fill(summary);
-  if (loop.cycles() != nullptr) loop.cycles()->fill(summary);
-  summary.integrator = config.time.integrator;
-  summary.method = loop.method();
-  summary.time_reached = loop.time();
-  static_cast<RunCounters&>(summary) = loop.counters();
-  loop.life().fill(summary);
-  for (const mechanics::Body& body : model.bodies())
-    summary.bodies[body.name()] = {body.constraints().n_free(),
-                                   static_cast<std::int64_t>(body.discretization().n_elements()),
-                                   static_cast<std::int64_t>(body.discretization().n_points()),
-                                   {}};
-  loop.outcome().fill(summary, config.time.cycle);
-  summary.friction_kappa = loop.friction_kappa();
-  summary.accuracy = {config.time.tolerance, loop.step_statistics().mean_error(),
-                      loop.step_statistics().largest_error(), loop.equilibrium_residual()};
-  summary.wall_seconds = {watch.total(),
-                          watch.seconds(Part::factorize),
-                          watch.seconds(Part::solve),
-                          watch.seconds(Part::material),
-                          watch.seconds(Part::contact),
-                          watch.seconds(Part::output)};
-  summary.peak_memory_mb = platform::peak_memory() / (1 << 20);
-  return summary;
-}
-
-/// Warnings of this run after those of the run that it continues, each once. Those of large strain are those up to now.
-std::vector<std::string> joined(std::vector<std::string> earlier, const log::WarningRecord& record,
-                                const results::SmallStrainMonitor& strains) {
-  std::erase_if(earlier, results::SmallStrainMonitor::is_warning);
-  std::vector<std::string> own = record.texts();
-  std::ranges::copy(strains.warnings(), std::back_inserter(own));
-  for (std::string& warning : own)
-    if (std::ranges::find(earlier, warning) == earlier.end()) earlier.push_back(std::move(warning));
-  return earlier;
-}
-
-/// True at first, then once per second: writing a summary takes longer than many a step.
-class SummaryTimer {
- public:
-  bool operator()() {
-    const auto now = std::chrono::steady_clock::now();
-    if (last_ && now - *last_ < std::chrono::seconds(1)) return false;
-    last_ = now;
-    return true;
-  }
-
- private:
-  std::optional<std::chrono::steady_clock::time_point> last_;
-};
 
 /// The processes read the files each for itself. @throws ConfigError if they do not have the same
 void require_one_model(const Team& team, const config::Config& config, const model::Model& model) {
@@ -121,7 +58,7 @@ void require_one_model(const Team& team, const config::Config& config, const mod
 }
 
 /// Collective; empty for one process.
-std::string table_of_processes(const Processes& processes, const creep::Distribution& distribution) {
+ProcessWork work_of_processes(const Processes& processes, const creep::Distribution& distribution) {
   if (!processes.work) return {};
   double n_elements = 0, n_points = 0;
   for (const mechanics::Body& body : distribution.own().bodies()) {
@@ -131,18 +68,16 @@ std::string table_of_processes(const Processes& processes, const creep::Distribu
   std::vector<std::pair<std::string, double>> own{
       {"elements", n_elements}, {"integration points", n_points}, {"memory [MB]", platform::peak_memory() / (1 << 20)}};
   for (auto& item : processes.work()) own.push_back(std::move(item));
+  ProcessWork result;
   std::vector<double> values;
-  values.reserve(own.size());
-  for (const auto& [name, value] : own) values.push_back(value);
-  const std::vector<double> all = processes.team->gather(values);
-  std::string text = "  processes:\n";
-  for (std::size_t i = 0; i < own.size(); ++i) {
-    text += fmt::format("    {:<30}", own[i].first);
-    for (std::size_t first = 0; first < all.size(); first += own.size())
-      text += fmt::format("{:>12.5g}", all[first + i]);
-    text += '\n';
+  for (const auto& [name, value] : own) {
+    result.names.push_back(name);
+    values.push_back(value);
   }
-  return text;
+  const std::vector<double> all = processes.team->gather(values);
+  for (auto first = all.begin(); first != all.end(); first += std::ssize(own))
+    result.values.emplace_back(first, first + std::ssize(own));
+  return result;
 }
 
 Diagnosis diagnosis(const creep::CreepSystem& system) {
@@ -167,59 +102,8 @@ StopRequest stop_request(const platform::Interrupt& interrupt) {
   });
 }
 
-}  // namespace
-
-RunResult run(const config::Config& config, const RunOptions& options) {
-  Stopwatch watch;
-  log::WarningRecord warnings;
-  const std::filesystem::path directory = output_directory(config, options.output);
-  const Team& team = *options.processes.team;
-  const bool writes = team.rank() == 0;
-
-  std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
-  std::optional<platform::DirectoryLock> lock;
-  std::vector<std::string> earlier_warnings;
-  together(team, [&] {
-    require_output(directory, options.resume);
-    if (!writes) return;
-    if (path_is_directory(directory)) lock.emplace(directory);
-    if (const auto earlier = io::read_summary(directory / "summary.json"); earlier && options.resume)
-      earlier_warnings = earlier->warnings;
-    std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
-    if (!options.resume)
-      for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(directory / file, ignored);
-  });
-  std::optional<model::Model> built;
-  std::vector<std::unique_ptr<results::Probe>> probes;
-  std::string reason_to_end;
-  together(team, [&] {
-    built.emplace(model::build_model(config));
-    probes = results::make_probes(config, *built);  // errors in them show before anything is factored
-    if (options.resume) reason_to_end = nothing_left(config, *built, directory);
-  });
-  model::Model& model = *built;
-  require_one_model(team, config, model);
-  if (team.any(writes && !reason_to_end.empty())) return {0, std::move(reason_to_end)};
-  const creep::Distribution distribution =
-      team.size() == 1 ? creep::Distribution(model.assembly)
-                       : creep::Distribution(model.assembly, team, options.processes.deal(model.bodies()));
-  platform::Background loading;  // of what the checkpoint at the end needs
-  // Where address space is short, it must not vanish between the check of the memory and its use.
-  if (std::isfinite(platform::address_space().bytes))
-    io::prepare_checkpoints();
-  else
-    loading.start(io::prepare_checkpoints);
-  for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
-  for (const std::string& warning : model::model_warnings(config, model)) log::warning("{}", warning);
-  for (const mechanics::Body& body : model.bodies())
-    for (const std::string& warning : model::mesh_warnings(body)) log::warning("{}", warning);
-  for (const mechanics::Body& body : model.bodies())
-    log::info("body '{}': {} elements, {} unknowns", body.name(), body.discretization().n_elements(),
-              body.constraints().n_free());
-  std::optional<ContactLog> contact_log;
-  if (!options.log_contact.empty() && writes) contact_log.emplace(options.log_contact, config.output.csv);
-  creep::EquilibriumSolver solver = make_solver(config, model, distribution.own(), options.processes, watch);
-  if (contact_log) solver.set_recorder(&*contact_log);
+/// Tells of the bodies, the contacts and the motions that nothing holds.
+void log_model(const model::Model& model, const creep::EquilibriumSolver& solver) {
   for (const contact::Pair& pair : solver.interface().pairs())
     if (pair.ties_nodes())
       log::info("{}: tied, {} multipliers", pair.name, pair.coupling.nodes.size());
@@ -229,98 +113,184 @@ RunResult run(const config::Config& config, const RunOptions& options) {
     log::info("contact: matrix-free, its matrices would take {:.0f} MB", solver.interface().dense_bytes() / 1e6);
   for (const std::string& motion : model.assembly.rigid_body_modes().describe_unconstrained())
     log::info("not held by supports or contact, must not be loaded: {}", motion);
-  creep::CreepSystem system = make_system(config, model, solver, watch);
+}
 
-  interrupt.emplace();  // from here on there is something to save
-  solver.set_stop(stop_request(*interrupt));
-  together(team, [&] {
-    if (!writes) return;
+void warn_of_settings_and_meshes(const config::Config& config, const model::Model& model) {
+  for (const std::string& warning : settings_warnings(config)) log::warning("{}", warning);
+  for (const std::string& warning : model::model_warnings(config, model)) log::warning("{}", warning);
+  for (const mechanics::Body& body : model.bodies())
+    for (const std::string& warning : model::mesh_warnings(body)) log::warning("{}", warning);
+  for (const mechanics::Body& body : model.bodies())
+    log::info("body '{}': {} elements, {} unknowns", body.name(), body.discretization().n_elements(),
+              body.constraints().n_free());
+}
+
+/// The directory of the results, held by this run alone.
+class OutputDirectory {
+ public:
+  /// Changes nothing but the files that tell of an earlier run. Collective.
+  /// @throws ConfigError as require_output(), or if another run holds the directory
+  OutputDirectory(const config::Config& config, const RunOptions& options)
+      : path_(output_directory(config, options.output)), is_root_(options.processes.team->rank() == 0) {
+    together(*options.processes.team, [&] {
+      require_output(path_, options.resume);
+      if (!is_root_) return;
+      if (path_is_directory(path_)) lock_.emplace(path_);
+      if (const auto earlier = io::read_summary(path_ / "summary.json"); earlier && options.resume)
+        earlier_warnings_ = earlier->warnings;
+      std::error_code ignored;  // there may be none; that of an earlier run would speak for this one
+      if (!options.resume)
+        for (const char* file : {"summary.json", "model.json"}) std::filesystem::remove(path_ / file, ignored);
+    });
+  }
+  /// @throws ConfigError if it cannot be made
+  void make() {
+    if (!is_root_) return;
     std::error_code failure;
-    std::filesystem::create_directories(directory, failure);
-    if (failure) throw ConfigError(fmt::format("output directory {}: {}", directory.string(), failure.message()));
-    if (!lock) lock.emplace(directory);
-  });
-  TimeLoop loop(config, model, distribution, system, std::move(probes), watch, directory, options.resume,
-                options.observer);
+    std::filesystem::create_directories(path_, failure);
+    if (failure) throw ConfigError(fmt::format("output directory {}: {}", path_.string(), failure.message()));
+    if (!lock_) lock_.emplace(path_);
+  }
+  const std::filesystem::path& path() const { return path_; }
+  /// Of the run that is resumed.
+  const std::vector<std::string>& earlier_warnings() const { return earlier_warnings_; }
 
-  const auto write_summary = [&](io::Summary::Status status, const std::string& message) {
-    const auto lap = watch.lap(Part::output);
-    io::Summary summary = make_summary(config, model, loop, watch);
-    summary.status = status;
-    summary.message = message;
-    summary.warnings = joined(earlier_warnings, warnings, loop.small_strains());
-    together(team, [&] {
-      if (writes) io::write_summary(directory / "summary.json", summary);
-    });
-    return summary;
-  };
-  // Should the run be killed, its last summary says how far it came.
-  SummaryTimer summary_due;
-  bool described = options.resume && path_exists(directory / "model.json");
-  loop.after_output = [&] {
-    together(team, [&] {
-      if (!std::exchange(described, true) && writes)
-        io::write_model_record(directory / "model.json",
-                               model_record(config, model, make_summary(config, model, loop, watch)));
-    });
-    if (team.any(summary_due())) write_summary(io::Summary::Status::interrupted, "killed after this time was reached");
-  };
+ private:
+  std::filesystem::path path_;
+  bool is_root_;
+  std::optional<platform::DirectoryLock> lock_;
+  std::vector<std::string> earlier_warnings_;
+};
 
-  const auto warn_of_strains = [&] {
-    for (const std::string& warning : loop.small_strains().warnings()) log::warning("{}", warning);
+std::string interruption(const Summary& so_far, bool may_be_resumed) {
+  const io::Summary& results = so_far.results;
+  return fmt::format(
+      "interrupted at t = {:.6g}{}; {}", results.time_reached,
+      so_far.has_output ? fmt::format(", after the output of t = {:.6g}", results.last_output.value_or(0)) : "",
+      may_be_resumed ? "continue with --resume" : "there is nothing to resume yet");
+}
+
+/// Runs the loop and writes the summary of its end.
+Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, const Checkpoints& checkpoints,
+                 const RunContext& context, const io::Checkpoint* resumed) {
+  using Status = io::Summary::Status;
+  const auto write = [&](Status status, const std::string& message) {
+    const auto lap = context.watch.lap(Part::output);
+    return file.write(status, message);
   };
-  const auto failed = [&](int status, const std::string& cause) {
-    warn_of_strains();
+  const auto failed = [&](int exit_status, const std::string& cause) {
+    observers.end(End::failed);
+    Summary summary = file.make(Status::failed, cause);
     try {
-      write_summary(io::Summary::Status::failed, cause);
+      write(Status::failed, cause);
     } catch (const Error& second) {
       log::error("{}", second.what());  // the first cause is what the user must see
     }
-    return RunResult{status, !loop.has_output() ? cause
-                                                : fmt::format("{}; results up to t = {:.6g} are in {}", cause,
-                                                              loop.outcome().last_output(), directory.string())};
+    summary.exit_status = exit_status;
+    summary.message = cause;
+    if (summary.has_output)
+      summary.message += fmt::format("; results up to t = {:.6g} are in {}", summary.results.last_output.value_or(0),
+                                     context.directory.string());
+    return summary;
   };
-
-  RunResult result;
-  io::Summary summary;
   try {
-    const TimeLoop::End end = loop.run();
-    warn_of_strains();
-    if (end == TimeLoop::End::completed) {
-      for (const std::string& warning : loop.narrow_contacts()) log::warning("{}", warning);
-      summary = write_summary(io::Summary::Status::completed, loop.end_message());
-    } else if (end == TimeLoop::End::ruptured) {
-      summary = write_summary(io::Summary::Status::ruptured, "");
-    } else {
-      result = {
-          platform::interrupted_status,
-          fmt::format(
-              "interrupted at t = {:.6g}{}; {}", loop.time(),
-              loop.has_output() ? fmt::format(", after the output of t = {:.6g}", loop.outcome().last_output()) : "",
-              loop.may_be_resumed() ? "continue with --resume" : "there is nothing to resume yet")};
-      summary = write_summary(io::Summary::Status::interrupted, result.message);
-    }
+    const End end = loop.run(resumed);
+    observers.end(end);
+    if (end != End::interrupted) return write(end == End::ruptured ? Status::ruptured : Status::completed, "");
+    Summary summary = file.make(Status::interrupted, "");
+    const std::string message = interruption(summary, checkpoints.exist());
+    summary = write(Status::interrupted, message);
+    summary.exit_status = platform::interrupted_status;
+    summary.message = message;
+    return summary;
   } catch (const Error& error) {
     return failed(error.exit_status(), error.what());
   } catch (const std::bad_alloc&) {
     return failed(SolverError::status, platform::out_of_memory);
   }
-  if (!loop.has_output()) return result;
-  const char* const end = result.exit_status != 0 ? "interrupted" : summary.rupture ? "ruptured" : "done";
-  result.report = fmt::format("{}: t = {:.6g}; results in {}\n", end, loop.time(), directory.string()) +
-                  outcome_table(summary) +
-                  work_line(summary, loop.step_statistics(), config.time.tolerance, loop.method());
-  if (loop.step_statistics().empty()) return result;
-  result.details = work_table(summary, loop.step_statistics(), config.time.tolerance, loop.method());
-  if (loop.resumed())
-    result.details += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
-  result.details += table_of_processes(options.processes, distribution);
+}
+
+}  // namespace
+
+Summary run(const config::Config& config, const RunOptions& options) {
+  Stopwatch watch;
+  log::WarningRecord warnings;
+  const Team& team = *options.processes.team;
+  std::optional<platform::Interrupt> interrupt;  // outlives all that takes time to be freed
+  OutputDirectory directory(config, options);
+
+  std::optional<model::Model> built;
+  std::vector<std::unique_ptr<results::Probe>> probes;
+  Summary finished;
+  together(team, [&] {
+    built.emplace(model::build_model(config));
+    probes = results::make_probes(config, *built);  // errors in them show before anything is factored
+    if (options.resume) finished.message = nothing_left(config, *built, directory.path());
+  });
+  model::Model& model = *built;
+  require_one_model(team, config, model);
+  if (team.any(team.rank() == 0 && !finished.message.empty())) return finished;
+  const creep::Distribution distribution =
+      team.size() == 1 ? creep::Distribution(model.assembly)
+                       : creep::Distribution(model.assembly, team, options.processes.partition(model.bodies()));
+  platform::Background loading;  // of what the checkpoint at the end needs
+  // Where address space is short, it must not vanish between the check of the memory and its use.
+  if (std::isfinite(platform::address_space().bytes))
+    io::prepare_checkpoints();
+  else
+    loading.start(io::prepare_checkpoints);
+  warn_of_settings_and_meshes(config, model);
+  std::optional<ContactLog> contact_log;
+  if (!options.log_contact.empty() && team.rank() == 0) contact_log.emplace(options.log_contact, config.output.csv);
+  creep::EquilibriumSolver solver = make_solver(config, model, distribution.own(), options.processes, watch);
+  if (contact_log) solver.set_recorder(&*contact_log);
+  log_model(model, solver);
+  creep::CreepSystem system = make_system(config, model, solver, watch);
+
+  interrupt.emplace();  // from here on there is something to save
+  solver.set_stop(stop_request(*interrupt));
+  together(team, [&] { directory.make(); });
+  Checkpoints checkpoints(config, model, distribution, directory.path());
+  std::optional<io::Checkpoint> resumed;
+  if (options.resume) {
+    resumed = checkpoints.read();
+    system.restore(resumed->arrays);
+  } else if (distribution.is_root()) {
+    checkpoints.remove();
+  }
+  ObservedSystem observed(distribution, system, probes);
+  const RunContext context{.config = config,
+                           .model = model,
+                           .observed = observed,
+                           .watch = watch,
+                           .directory = directory.path(),
+                           .integrates = team.any(system.size() > 0),
+                           .resumed = resumed ? &resumed->arrays : nullptr,
+                           .begin = resumed ? resumed->time : 0};
+  ObserverList observers = make_observers(context, options.observers);
+  std::optional<Loop> loop;
+  SummaryFile file(context, observers, directory.earlier_warnings(), warnings,
+                   [&loop](Summary& summary) { loop->describe(summary); });
+  observers.add(file);
+  loop.emplace(context, observers, make_integrator(config, model, system), checkpoints);
+
+  Summary summary = run_loop(*loop, observers, file, checkpoints, context, resumed ? &*resumed : nullptr);
+  if (!summary.has_output || summary.results.status == io::Summary::Status::failed) return summary;
+  if (summary.steps.empty()) return summary;
+  summary.processes = work_of_processes(options.processes, distribution);
   // A step that was cancelled has left no evaluation to speak of.
-  if (result.exit_status == 0 || system.step_evaluation().valid)
-    result.advice = advice(summary, loop.step_statistics(), diagnosis(system));
-  for (const std::string& line : result.advice) warnings.add(line);
-  if (team.any(!result.advice.empty())) write_summary(summary.status, summary.message);
-  return result;
+  if (summary.exit_status == 0 || system.step_evaluation().valid) {
+    summary.diagnosis = diagnosis(system);
+    summary.advice = advice(summary);
+  }
+  std::ranges::copy_if(summary.advice, std::back_inserter(summary.results.warnings), [&](const std::string& line) {
+    return std::ranges::find(summary.results.warnings, line) == summary.results.warnings.end();
+  });
+  together(team, [&] {
+    if (team.rank() == 0 && !summary.advice.empty())
+      io::write_summary(context.directory / "summary.json", summary.results);
+  });
+  return summary;
 }
 
 }  // namespace creepcontact::run

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "creepcontact/model/data_range_monitor.hpp"
-#include "creepcontact/run/check.hpp"
+#include "preparation.hpp"
 
 namespace creepcontact::run {
 
@@ -16,8 +16,8 @@ std::vector<std::string> settings_warnings(const config::Config& config) {
         fmt::format("contact_solver.tolerance = {:g} is looser than time.tolerance = {:g}: the errors of contact will "
                     "dominate, and steps that they disturb are repeated; set it to a tenth of time.tolerance",
                     config.contact_solver.tolerance, time.tolerance));
-  constexpr double least_jump_tolerance = 3;  // of time.tolerance
-  if (time.jump_cycles && controls_errors && time.jump_tolerance < least_jump_tolerance * time.tolerance)
+  constexpr double min_jump_tolerance = 3;  // of time.tolerance
+  if (time.jump_cycles && controls_errors && time.jump_tolerance < min_jump_tolerance * time.tolerance)
     warnings.push_back(fmt::format(
         "time.jump_tolerance = {:g} is near time.tolerance = {:g}: the errors of the cycles that are computed "
         "make jumps fail; set it to ten times time.tolerance",

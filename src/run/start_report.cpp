@@ -53,7 +53,7 @@ class StartReport {
     for (const std::string& warning : results::narrow_contacts(assembly, at_.equilibrium, "at the start"))
       text += "  warning: " + warning + "\n";
     results::SmallStrainMonitor strains(system_);
-    strains.see(0, at_);
+    strains.observe(0, at_);
     for (const std::string& warning : strains.warnings()) text += "  warning: " + warning + "\n";
     const auto relaxation = system_.initial_relaxation(at_, config_.time.end);
     for (std::size_t b = 0; b < assembly.bodies().size(); ++b) text += body_line(b, relaxation[b]);
@@ -67,11 +67,11 @@ class StartReport {
     constexpr double never = std::numeric_limits<double>::infinity();
     const std::vector<double> no_creep(system_.size(), 0.0);
     try {
-      const auto integrator = make_integrator(config_.time, model, system_);
+      const auto integrator = make_integrator(config_, model, system_);
       system_.begin_segment(-never, first != model.breakpoints.end() ? *first : config_.time.end);
       system_.evaluate_output(0, no_creep);
-      if (integrator) integrator->initialize(0, no_creep);
-      if (integrator && system_.singular_rate() == nullptr) {
+      integrator->initialize(0, no_creep);
+      if (system_.team().any(system_.size() > 0) && system_.singular_rate() == nullptr) {
         std::vector<double> rate(system_.size());
         system_.rate(0, no_creep, rate);
       }

@@ -32,7 +32,7 @@ Outcome run_in(const CaseDirectory& directory, const std::string& toml, const st
   config::Config config = directory.config(toml, overrides);
   config.output.fields = false;
   const auto results = directory.path() / "results";
-  const run::RunResult result = run::run(config, {.output = results.string()});
+  const run::Summary result = run::run(config, {.output = results.string()});
   return {result.exit_status, result.message, Table(results / "history.csv"), SummaryFile(results / "summary.json"),
           Table(results / "steps.csv")};
 }

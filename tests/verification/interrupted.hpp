@@ -15,14 +15,14 @@
 namespace creepcontact::test {
 
 /// Interrupts a run at the first step that reaches a time.
-class Interrupter final : public run::RunObserver {
+class Interrupter final : public run::Observer {
  public:
   explicit Interrupter(double after) : after_(after) {}
-  void step(double time, const RunCounters& /*work*/) override {
-    if (time >= after_ && !done_) std::raise(SIGINT);
-    done_ = done_ || time >= after_;
+  run::Reaction step(run::StepView& view) override {
+    if (view.time() >= after_ && !done_) std::raise(SIGINT);
+    done_ = done_ || view.time() >= after_;
+    return run::Reaction::advance;
   }
-  void before_message() override {}
 
  private:
   double after_;
@@ -43,7 +43,7 @@ inline void expect_same_when_resumed(const config::Config& config, const std::fi
   bool resume = false;
   for (const double time : times) {
     Interrupter interrupter(time);
-    ASSERT_EQ(run::run(config, {.output = parts, .resume = resume, .observer = &interrupter}).exit_status, 130);
+    ASSERT_EQ(run::run(config, {.output = parts, .resume = resume, .observers = {&interrupter}}).exit_status, 130);
     resume = true;
   }
   ASSERT_EQ(run::run(config, {.output = parts, .resume = true}).exit_status, 0);

@@ -138,7 +138,7 @@ TEST(GeneralizedPlaneStrain, AxialNodeIsInNoField) {
           test::probe("strain", "axial_strain", "body = \"plate\""),
       {});
   const auto results = directory.path() / "results";
-  const run::RunResult result = run::run(config, {.output = results.string()});
+  const run::Summary result = run::run(config, {.output = results.string()});
   ASSERT_EQ(result.exit_status, 0) << result.message;
   EXPECT_TRUE(std::filesystem::exists(results / "fields.pvd"));
   const test::Table history(results / "history.csv");

@@ -21,16 +21,16 @@ class DataRangeMonitor {
   /// The largest von Mises stress of a body counts, which creeps most: above the tests, or below all of them.
   /// Collective. @param team  the processes that share the bodies
   /// Cost: a pass through the stress, until all has been warned of; none without [materials.<name>.data_range].
-  void see(const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
+  void observe(const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
 
   /// Warnings of materials whose tests are shorter than the run.
   static std::vector<std::string> time_warnings(const config::Config& config);
 
  private:
   /// @returns true if it has warned
-  static bool see_stress(const mechanics::Body& body, const std::vector<double>& range, double t,
+  static bool observe_stress(const mechanics::Body& body, const std::vector<double>& range, double t,
                          const std::vector<double>& stress, const Team& team);
-  static bool see_temperature(const mechanics::Body& body, const std::vector<double>& range, double t,
+  static bool observe_temperature(const mechanics::Body& body, const std::vector<double>& range, double t,
                               const std::vector<double>& temperature, const Team& team);
 
   std::map<std::string, config::DataRange> ranges_;  // by material; those warned of are emptied

@@ -24,7 +24,7 @@ class TableRangeMonitor {
   /// @param at  its bodies and conditions: of these bodies @param team  the processes that share the bodies
   /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have ranges of T, and
   /// the largest stress, if they have ranges of stress.
-  void see(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
+  void observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
   /// To be called at the end: warns of ranges of stress that the stress has never come up to.
   void finish() const;
 
@@ -40,8 +40,8 @@ class TableRangeMonitor {
     double largest = 0;  ///< stress up to now
     bool exceeded = false;
   };
-  void see_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team);
-  void see_stress(const mechanics::Body& body, const std::vector<double>& stress, double t, const Team& team);
+  void observe_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at, const Team& team);
+  void observe_stress(const mechanics::Body& body, const std::vector<double>& stress, double t, const Team& team);
 
   std::map<std::string, std::vector<Range>> tables_;  // by material: ranges of T not warned of yet
   std::map<std::string, std::vector<StressRange>> stresses_;

@@ -17,12 +17,14 @@ class DamageMonitor {
   /// @param system  must outlive the object
   explicit DamageMonitor(const creep::CreepSystem& system);
 
-  /// The largest damage in this state, with body and position; value 0 if no law has damage. @param y  state of the
-  /// system
-  creep::CreepSystem::Extreme largest_damage(std::span<const double> y) const;
+  bool has_damage() const { return system_.has(material::damage); }
+  /// The largest damage in this state, with body and position; value 0 if no law has damage.
+  /// @param at  evaluation of this state or of one close to it @param y  state of the system
+  creep::CreepSystem::Extreme largest_damage(const creep::Evaluation& at, std::span<const double> y) const;
   /// True if this is rupture: nothing that would matter remains of the life of this body.
-  /// @param damage  the largest in the state y @param time  of this state
-  bool is_rupture(const creep::CreepSystem::Extreme& damage, double time, std::span<const double> y) const;
+  /// @param damage  the largest in the state y @param time  of this state @param at  as above
+  bool is_rupture(const creep::CreepSystem::Extreme& damage, double time, const creep::Evaluation& at,
+                  std::span<const double> y) const;
   /// Records a rupture.
   void rupture(double time, const creep::CreepSystem::Extreme& where) { rupture_ = {time, where}; }
 

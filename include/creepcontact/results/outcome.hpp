@@ -28,9 +28,9 @@ class Outcome {
   /// An output time; they come in increasing order.
   void output(double time, const creep::Equilibrium& at);
   /// A state between output times. Does nothing before the first output.
-  void see(const StepValues& values);
+  void observe(const StepValues& values);
   /// Warns once per contact that has slid by more than an element, and keeps the width of contact zones.
-  void see_contacts(double time, const creep::Equilibrium& at);
+  void observe_contacts(double time, const creep::Equilibrium& at);
 
   /// What to say of contacts that few elements resolve where they carry most, and that are open at the last output:
   /// their state there says nothing of it. Found within a tenth of the largest force.
@@ -48,7 +48,7 @@ class Outcome {
   void restore(const creep::Memory& memory);
 
  private:
-  void see_slip(double time, const creep::Equilibrium& at, std::size_t pair);
+  void observe_slip(double time, const creep::Equilibrium& at, std::size_t pair);
   /// Force of a pair below which nothing but rounding is left.
   double no_force(std::size_t pair) const;
   /// Contact forces of one state of the run, in order of time.

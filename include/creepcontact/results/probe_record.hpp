@@ -21,7 +21,7 @@ class ProbeRecord {
   /// A state between two output times, which counts for the extremes. The values may have the error of a time step:
   /// they count where they go beyond those known by more than the tolerance.
   /// @param tolerance  relative to the largest magnitude so far @param values  one per probe, or none
-  void see(double time, std::span<const double> values, double tolerance);
+  void observe(double time, std::span<const double> values, double tolerance);
 
   /// What the probes of the configuration are, and their courses so far.
   void fill(const config::Config& config, io::Summary& summary) const;

@@ -24,12 +24,13 @@ class RevolvedSection;  // pictures of axisymmetric models (implementation)
 /// Writer of history.csv, steps.csv and the field files.
 class Results {
  public:
-  /// @param assembly  must outlive the object @param probes  as made by make_probes() for this configuration
+  /// @param assembly  must outlive the object @param probes  as made by make_probes() for this configuration; must
+  /// outlive the object
   /// @param continuation  of an interrupted run; default: a new one
-  /// @param writes  false: this process writes no results, another one does; the object then only holds the probes
+  /// @param writes  false: this process writes no results, another one does
   /// @throws ConfigError if a file cannot be opened or, when resuming, does not fit
   Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
-          std::vector<std::unique_ptr<Probe>> probes, io::Continuation continuation, bool writes = true);
+          std::span<const std::unique_ptr<Probe>> probes, io::Continuation continuation, bool writes = true);
   ~Results();
 
   /// Writes a row of history.csv. The field files of bodies and contact surfaces, if their time is one of those wanted,
@@ -44,17 +45,12 @@ class Results {
   void step(const ode::StepReport& report, const RunCounters& work, std::int64_t n_active_contacts);
   /// Waits until all rows and field files are on the disk itself. @throws Error if it cannot take them
   void sync();
-  /// Values of the last row of history.csv, one per probe.
-  const std::vector<double>& last_values() const { return values_; }
-  /// Those of the configuration, in its order.
-  std::span<const std::unique_ptr<Probe>> probes() const { return probes_; }
 
  private:
   /// The arrays under the names that they have in the files.
   std::vector<io::FieldData> named(std::vector<io::FieldData> arrays) const;
 
-  std::vector<std::unique_ptr<Probe>> probes_;
-  std::vector<double> values_;
+  std::span<const std::unique_ptr<Probe>> probes_;
   std::unique_ptr<io::HistoryWriter> history_;
   std::unique_ptr<io::StepWriter> steps_;
   ContactSurfaces surfaces_;

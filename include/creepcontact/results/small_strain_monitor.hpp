@@ -17,7 +17,7 @@ class SmallStrainMonitor {
   explicit SmallStrainMonitor(const creep::CreepSystem& system) : system_(system) {}
 
   /// Cost: a pass through the points and the elements.
-  void see(double time, const creep::Evaluation& at);
+  void observe(double time, const creep::Evaluation& at);
 
   /// One of the strain and one of the rotation, if they are not small.
   std::vector<std::string> warnings() const;

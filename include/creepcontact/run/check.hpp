@@ -1,9 +1,8 @@
 #pragma once
-/// The command `creepcontact check`, and warnings about settings.
+/// The command `creepcontact check`.
 
 #include <iosfwd>
 #include <string>
-#include <vector>
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/run/run.hpp"
@@ -25,8 +24,5 @@ struct CheckOptions {
 /// plots/model.svg and .png.
 /// @throws Error as run(); an output directory or a checkpoint before meshing, a body that moves after the report
 void check(const config::Config& config, std::ostream& report, const CheckOptions& options = {});
-
-/// Warnings about settings that are allowed but unsuitable in combination; also issued by run().
-std::vector<std::string> settings_warnings(const config::Config& config);
 
 }  // namespace creepcontact::run

@@ -12,18 +12,10 @@
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/distribution.hpp"
 #include "creepcontact/linalg/stiffness_solver.hpp"
+#include "creepcontact/run/observer.hpp"
+#include "creepcontact/run/summary.hpp"
 
 namespace creepcontact::run {
-
-/// Receives the progress of a run.
-class RunObserver {
- public:
-  virtual ~RunObserver() = default;
-  /// After every accepted step.
-  virtual void step(double time, const RunCounters& work) = 0;
-  /// A message goes to the log next.
-  virtual void before_message() = 0;
-};
 
 /// The processes that share a run; by default there is one.
 struct Processes {
@@ -33,40 +25,31 @@ struct Processes {
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
   /// Makes multigrids with this error bound, for any number of processes; null where there are none.
   std::function<linalg::StiffnessSolverFactory(double error)> multigrid = {};
-  /// Deals out the elements of the bodies, in the same way on all processes. Not called for one process.
-  std::function<creep::RankOfElement(const std::vector<mechanics::Body>& bodies)> deal = {};
+  /// Partitions the elements of the bodies, in the same way on all processes. Not called for one process.
+  std::function<creep::RankOfElement(const std::vector<mechanics::Body>& bodies)> partition = {};
   /// What this process has done, by name with unit, the same names in all; for the table of the work of each.
   std::function<std::vector<std::pair<std::string, double>>()> work = {};
 };
 
 /// Options that are not part of the configuration.
 struct RunOptions {
-  std::string output;               ///< directory; empty: that of the configuration
-  bool resume = false;              ///< continue from checkpoint.h5 in the directory
-  RunObserver* observer = nullptr;  ///< must outlive the run
+  std::string output;                     ///< directory; empty: that of the configuration
+  bool resume = false;                    ///< continue from checkpoint.h5 in the directory
+  std::vector<Observer*> observers = {};  ///< told of every step, output and breakpoint; must outlive the run
   /// CSV file with one row per contact iteration (time,contact_solve,set_change,iteration,method,residual,active);
   /// empty: none.
   std::string log_contact = {};
   Processes processes = {};
 };
 
-/// Outcome of a run, for the command line.
-struct RunResult {
-  int exit_status = 0;
-  std::string message;                   ///< why it ended early, or that nothing was left to do
-  std::string report = {};               ///< lines for people: what came out, and in one line what it cost
-  std::string details = {};              ///< lines for people: steps, solves, accuracy, time, memory
-  std::vector<std::string> advice = {};  ///< a sentence or two for each thing that was off
-};
-
 /// Runs a configuration and writes the results (history.csv, steps.csv, summary.json, fields, checkpoint.h5). Prints
-/// nothing: warnings and progress go to the log. Uses as many threads as OpenMP is set to.
+/// nothing: warnings go to the log. Uses as many threads as OpenMP is set to.
 ///
 /// SIGINT, SIGTERM and SIGHUP end the run after the current step, with a checkpoint (exit status 130). If a solver
 /// fails, the exit status is 4, and results computed before are kept.
-/// Of several processes all must call it, with the same configuration; process 0 writes, and its report is the one to
+/// Of several processes all must call it, with the same configuration; process 0 writes, and its summary is the one to
 /// print. Errors are the same in all.
 /// @throws Error for errors found before the time loop (configuration 2, mesh or model 3)
-RunResult run(const config::Config& config, const RunOptions& options);
+Summary run(const config::Config& config, const RunOptions& options);
 
 }  // namespace creepcontact::run

@@ -71,7 +71,7 @@ bool bar_creeps_as_it_should() {
 bool configuration_runs(const std::string& directory, const char* configuration) {
   config::Config config = config::read(configuration, run::vocabulary(), {"output.fields=false"});
   config.probes.resize(1);
-  const run::RunResult result = run::run(config, {.output = directory});
+  const run::Summary result = run::run(config, {.output = directory});
   if (result.exit_status != 0) return false;
   const io::CsvTable history = io::read_csv_table(directory + "/history.csv");
   std::printf("%s: %g at t = %g\n", history.names[1].c_str(), history.columns[1].back(), history.columns[0].back());

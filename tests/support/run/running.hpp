@@ -1,9 +1,11 @@
 #pragma once
 /// Whole runs of the two blocks, and the tables they leave.
 
+#include <csignal>
 #include <string>
 #include <vector>
 
+#include "creepcontact/run/report.hpp"
 #include "creepcontact/run/run.hpp"
 #include "support/run/blocks.hpp"
 #include "support/run/result_files.hpp"
@@ -19,6 +21,19 @@ name = "pressure"
 quantity = "contact_pressure"
 on = "upper_bottom"
 )";
+
+/// Interrupts a run, as Ctrl-C does, at an output.
+class InterruptAtOutput final : public Observer {
+ public:
+  /// @param number  of the output, from 1
+  explicit InterruptAtOutput(int number) : left_(number) {}
+  void output(StepView& /*view*/) override {
+    if (--left_ == 0) std::raise(SIGINT);
+  }
+
+ private:
+  int left_;
+};
 
 /// These overrides and those that make the blocks elastic.
 std::vector<std::string> elastic(std::vector<std::string> more);

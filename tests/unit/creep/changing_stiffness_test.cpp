@@ -1,9 +1,7 @@
 /// A stiffness that follows a temperature that changes in time: the factors may be of another time.
 
-#include <csignal>
 #include <random>
 
-#include "../../../src/run/time_loop.hpp"
 #include "support/run/running.hpp"
 
 namespace creepcontact::run::test {
@@ -178,16 +176,8 @@ TEST(ChangingStiffnessResumed, EndsAsTheUninterruptedRunToTheLastBit) {
                                  "temperature.value='100*sin(t)*(1+0.3*x+0.2*z)'", refactor_change(0.03)}));
   const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
   ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
-  {
-    System system(config);
-    TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
-                  system.watch, parts, false);
-    int outputs = 3;
-    loop.after_output = [&] {
-      if (--outputs == 0) std::raise(SIGINT);
-    };
-    ASSERT_EQ(loop.run(), TimeLoop::End::interrupted);
-  }
+  InterruptAtOutput interrupt(3);
+  ASSERT_EQ(run(config, {.output = parts.string(), .observers = {&interrupt}}).exit_status, 130);
   ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
   EXPECT_EQ(read_text(parts / "history.csv"), read_text(whole / "history.csv"));
   EXPECT_EQ(read_text(parts / "steps.csv"), read_text(whole / "steps.csv"));

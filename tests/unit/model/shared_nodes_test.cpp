@@ -147,7 +147,7 @@ Table history(const Case& blocks, const std::string& bodies, const std::string& 
                                            {"creep", "creep_strain_equivalent", "at = [-1.4, 0.9, 0.1]"},
                                            {"reaction", "reaction_x", "on = 'end'"}});
   RunOptions options;
-  const RunResult result = run(blocks.parse(probes + common + bodies, overrides), options);
+  const Summary result = run(blocks.parse(probes + common + bodies, overrides), options);
   EXPECT_EQ(result.exit_status, 0) << result.message;
   return Table(blocks / "results" / "history.csv");
 }

@@ -29,7 +29,7 @@ TEST(CycleLives, AreRightAfterManyCycles) {
     const Case blocks;
     const config::Config config =
         triangles(blocks, life, n_cycles, {fmt::format("time.integrator={}", integrator), "time.tolerance=1e-4"});
-    const RunResult result = run(config, {.output = (blocks / "out").string()});
+    const Summary result = run(config, {.output = (blocks / "out").string()});
     ASSERT_EQ(result.exit_status, 0) << result.message;
     const double exact = n_cycles * used_per_cycle / life;
     EXPECT_NEAR(Table(blocks / "out" / "history.csv").column("life").back(), exact, 0.015 * exact) << integrator;

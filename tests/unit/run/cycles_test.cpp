@@ -4,7 +4,6 @@
 #include <cmath>
 #include <csignal>
 
-#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
 
@@ -24,7 +23,7 @@ std::vector<std::string> in_cycles(std::vector<std::string> more) {
 }
 
 SummaryFile summary_of_cycles(const config::Config& config, const std::filesystem::path& out, bool resume = false) {
-  const RunResult result = run(config, {.output = out.string(), .resume = resume});
+  const Summary result = run(config, {.output = out.string(), .resume = resume});
   EXPECT_EQ(result.exit_status, 0) << result.message;
   return SummaryFile(out / "summary.json");
 }
@@ -73,7 +72,7 @@ TEST(Cycles, ASteadyOneEndsTheRun) {
   // A change of 1 % by a cycle: 0.36*0.6/3 p^3 = 0.01
   EXPECT_NEAR(std::pow(relaxed_pressure(0.6 * last), 3) * 0.072, 1e-2, 1e-3);
   // The same condition leaves nothing to do, a stricter one does.
-  const RunResult again = run(config, {.output = (blocks / "out").string(), .resume = true});
+  const Summary again = run(config, {.output = (blocks / "out").string(), .resume = true});
   EXPECT_PRED2(contains, again.message, "repeats the one before it");
   const config::Config stricter =
       blocks.config(hot_and_cold(), in_cycles({"time.end=500", "time.stop_when_steady=8e-3", "time.tolerance=1e-5"}));
@@ -115,13 +114,13 @@ INSTANTIATE_TEST_SUITE_P(Integrators, CycleJumps, testing::ValuesIn(integrators)
                          [](const auto& tested) { return tested.param; });
 
 /// Begins a run and interrupts it, as Ctrl-C does, after so many steps.
-class InterruptAfter final : public RunObserver {
+class InterruptAfter final : public Observer {
  public:
   explicit InterruptAfter(int steps) : left_(steps) {}
-  void step(double, const RunCounters&) override {
+  Reaction step(StepView& /*view*/) override {
     if (--left_ == 0) std::raise(SIGINT);
+    return Reaction::advance;
   }
-  void before_message() override {}
 
  private:
   int left_;
@@ -140,7 +139,7 @@ TEST_P(CycleResume, RepeatsTheBitsWhereverItWasInterrupted) {
   bool resume = false;
   for (const int steps : {7, 40, 31, 90, 55}) {
     InterruptAfter observer(steps);
-    const RunResult result = run(config, {.output = parts.string(), .resume = resume, .observer = &observer});
+    const Summary result = run(config, {.output = parts.string(), .resume = resume, .observers = {&observer}});
     if (result.exit_status == 0) break;
     ASSERT_EQ(result.exit_status, 130) << result.message;
     resume = true;

@@ -11,7 +11,7 @@ std::vector<double> pressures(const std::string& output, const std::string& fric
   const config::Config config = blocks.config(
       pressure_probe, elastic({"supports.3.displacement.z='-0.0075*t'", "contacts.0.friction=" + friction,
                                "contacts.0.preload={ force = 0.5, at = 1 }", "time.output=" + output, "time.end=3"}));
-  const RunResult result = run(config, {.output = (blocks / "out").string()});
+  const Summary result = run(config, {.output = (blocks / "out").string()});
   EXPECT_EQ(result.exit_status, 0) << result.message;
   return Table(blocks / "out" / "history.csv").column("pressure");
 }

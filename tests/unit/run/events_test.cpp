@@ -2,9 +2,7 @@
 /// blocks relax by sigma^-3 = 1 + 0.36 t (relaxed_pressure()).
 
 #include <cmath>
-#include <csignal>
 
-#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
 
@@ -36,7 +34,7 @@ double time_of_pressure(double pressure) {
 }
 
 SummaryFile summary_of(const config::Config& config, const std::filesystem::path& out, bool resume = false) {
-  const RunResult result = run(config, {.output = out.string(), .resume = resume});
+  const Summary result = run(config, {.output = out.string(), .resume = resume});
   EXPECT_EQ(result.exit_status, 0) << result.message;
   return SummaryFile(out / "summary.json");
 }
@@ -78,7 +76,7 @@ TEST(EventsOfRuns, StopWithALastRow) {
   EXPECT_NEAR(history.column("pressure")[2], 0.9, 1e-9);
   EXPECT_LT(history.column("pressure")[2], 0.9);
 
-  const RunResult again = run(config, {.output = (blocks / "out").string(), .resume = true});
+  const Summary again = run(config, {.output = (blocks / "out").string(), .resume = true});
   EXPECT_TRUE(contains(again.message, "nothing is left to do: event 'stop' stopped the run at t = ")) << again.message;
   // Without the stop the run goes on to its end.
   const config::Config further =
@@ -150,17 +148,8 @@ TEST(EventsOfRuns, AreTheSameAfterAResume) {
     const SummaryFile expected = summary_of(config, whole);
     for (int outputs = 2; outputs <= 4; ++outputs) {
       std::filesystem::remove_all(parts);
-      {
-        System system(config);
-        TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
-                      system.watch, parts, false);
-        int left = outputs;
-        loop.after_output = [&] {
-          if (--left == 0) std::raise(SIGINT);
-        };
-        std::filesystem::create_directories(parts);
-        EXPECT_EQ(loop.run(), TimeLoop::End::interrupted);
-      }
+      InterruptAtOutput interrupt(outputs);
+      EXPECT_EQ(run(config, {.output = parts.string(), .observers = {&interrupt}}).exit_status, 130);
       const SummaryFile found = summary_of(config, parts, true);
       for (const char* key :
            {"events/leak", "events/early", "events/at once", "probes/pressure/start", "probes/pressure/end",

@@ -13,7 +13,7 @@ TEST(Outcome, TellsForcesAndStressesAndWhenAContactOpened) {
   const config::Config config = blocks.config(
       pressure_probe,
       {"supports.3.displacement.z={t=[0, 1, 2, 4], values=[-0.025, -0.025, 0.01, 0.01]}", "time.output=[1, 1.9, 2.5]"});
-  const RunResult result = run(config, {.output = (blocks / "out").string()});
+  const Summary result = run(config, {.output = (blocks / "out").string()});
   ASSERT_EQ(result.exit_status, 0) << result.message;
   const SummaryFile summary(blocks / "out/summary.json");
   EXPECT_NEAR(summary.number(contact + "initial_normal_force"), 2, 1e-6);
@@ -28,7 +28,7 @@ TEST(Outcome, TellsForcesAndStressesAndWhenAContactOpened) {
     EXPECT_NEAR(summary.number(of_body + "largest_von_mises"), 1, 1e-6);
     EXPECT_NEAR(summary.number(of_body + "final_von_mises"), 0, 1e-6);
   }
-  EXPECT_TRUE(contains(result.report, "is open from t = 1.")) << result.report;
+  EXPECT_TRUE(contains(report(result), "is open from t = 1.")) << report(result);
 }
 
 TEST(Outcome, AContactThatClosesAgainHasNotOpened) {

@@ -91,11 +91,11 @@ TEST(OutputFiles, FieldsThatCannotBeWrittenAreMadeUpFor) {
   ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
   const std::filesystem::path obstacle = out / "fields/fields_0002.vtu.part";
   std::filesystem::create_directories(obstacle);
-  const RunResult failed = run(config, {.output = out.string()});
+  const Summary failed = run(config, {.output = out.string()});
   EXPECT_EQ(failed.exit_status, 4);
   EXPECT_TRUE(contains(failed.message, "fields_0002.vtu")) << failed.message;
   std::filesystem::remove(obstacle);
-  const RunResult resumed = run(config, {.output = out.string(), .resume = true});
+  const Summary resumed = run(config, {.output = out.string(), .resume = true});
   ASSERT_EQ(resumed.exit_status, 0) << resumed.message;
   for (const char* file : {"history.csv", "steps.csv", "fields.pvd", "contact.pvd"})
     EXPECT_EQ(read_text(out / file), read_text(whole / file)) << file;
@@ -107,7 +107,7 @@ TEST(OutputFiles, TheLastFieldsThatCannotBeWrittenAreAnErrorToo) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe, {"time.output=[1]"});
   std::filesystem::create_directories(blocks / "out/fields/fields_0002.vtu.part");
-  const RunResult failed = run(config, {.output = (blocks / "out").string()});
+  const Summary failed = run(config, {.output = (blocks / "out").string()});
   EXPECT_EQ(failed.exit_status, 4);
   EXPECT_EQ(SummaryFile(blocks / "out/summary.json").text("status"), "failed");
 }

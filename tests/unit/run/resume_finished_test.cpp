@@ -3,7 +3,6 @@
 #include <chrono>
 #include <map>
 
-#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
 
@@ -29,7 +28,7 @@ std::map<std::string, FileState> files_in(const std::filesystem::path& directory
 void expect_left_alone(const config::Config& config, const std::filesystem::path& out, const std::string& reason) {
   const auto before = files_in(out);
   const std::filesystem::path log = out / "contact_log.csv";
-  const RunResult result = run(config, {.output = out.string(), .resume = true, .log_contact = log.string()});
+  const Summary result = run(config, {.output = out.string(), .resume = true, .log_contact = log.string()});
   EXPECT_EQ(result.exit_status, 0);
   EXPECT_TRUE(contains(result.message, "nothing is left to do: " + reason)) << result.message;
   EXPECT_EQ(result.message.find('\n'), std::string::npos);

@@ -1,6 +1,5 @@
 #include <csignal>
 
-#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
 
@@ -10,15 +9,12 @@ namespace {
 /// Begins a run and interrupts it, as Ctrl-C does, right after an output time. @returns the time it reached
 double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs,
                        bool resume = false) {
-  System system(config);
-  TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model), system.watch,
-                directory, resume);
-  loop.after_output = [&] {
-    if (--outputs == 0) std::raise(SIGINT);
-  };
-  EXPECT_EQ(loop.run(), TimeLoop::End::interrupted);
+  InterruptAtOutput interrupt(outputs);
+  const Summary summary =
+      run(config, {.output = directory.string(), .resume = resume, .observers = {&interrupt}});
+  EXPECT_EQ(summary.exit_status, 130);
   EXPECT_TRUE(std::filesystem::exists(directory / "checkpoint.h5"));
-  return loop.time();
+  return summary.results.time_reached;
 }
 
 struct ResumeCase {
@@ -41,7 +37,7 @@ TEST_P(Resume, EndsAsTheUninterruptedRun) {
   EXPECT_GE(reached, 0.5);
   EXPECT_LT(reached, 4);
   const std::string begin = read_text(parts / "history.csv");
-  const RunResult result = run(config, {.output = parts.string(), .resume = true});
+  const Summary result = run(config, {.output = parts.string(), .resume = true});
   ASSERT_EQ(result.exit_status, 0) << result.message;
   const std::string resumed = read_text(parts / "history.csv");
   EXPECT_EQ(resumed.substr(0, begin.size()), begin);
@@ -172,7 +168,7 @@ TEST(ResumeChanges, TolerancesTimesAndIntegratorsMay) {
     interrupted_run(blocks.config(pressure_probe, outputs), out, 2);
     std::vector<std::string> changed = outputs;
     changed.emplace_back(change);
-    const RunResult result = run(blocks.config(pressure_probe, changed), {.output = out.string(), .resume = true});
+    const Summary result = run(blocks.config(pressure_probe, changed), {.output = out.string(), .resume = true});
     EXPECT_EQ(result.exit_status, 0) << change << ": " << result.message;
     expect_relaxed_pressure(Table(out / "history.csv"), 2e-2, change);
   }
@@ -196,7 +192,7 @@ TEST(ResumeChanges, WhatHasNoEffectOnTheModelMayDiffer) {
     overrides.insert(overrides.end(), outputs.begin(), outputs.end());
     interrupted_run(blocks.config(pressure_probe, overrides), out, 2);
     overrides.push_back(change);
-    const RunResult result = run(blocks.config(pressure_probe, overrides), {.output = out.string(), .resume = true});
+    const Summary result = run(blocks.config(pressure_probe, overrides), {.output = out.string(), .resume = true});
     EXPECT_EQ(result.exit_status, 0) << change << ": " << result.message;
   }
   const std::string sweeps = "contact_solver.acceleration=none";
@@ -234,12 +230,10 @@ TEST(ResumeMistakes, ANewRunForgetsTheOldCheckpoints) {
   const std::filesystem::path out = blocks / "out";
   ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
   ASSERT_TRUE(std::filesystem::exists(out / "checkpoint.previous.h5"));
-  {
-    System system(config);
-    const TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
-                        system.watch, out,
-                        false);  // killed before its first step
-  }
+  struct Failing final : Observer {
+    void output(StepView& /*view*/) override { throw SolverError("before the first step"); }
+  } failing;
+  EXPECT_EQ(run(config, {.output = out.string(), .observers = {&failing}}).exit_status, 4);
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.h5"));
   EXPECT_FALSE(std::filesystem::exists(out / "checkpoint.previous.h5"));
 }

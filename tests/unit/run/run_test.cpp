@@ -19,7 +19,7 @@ TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
   std::vector<std::string> overrides = GetParam().overrides;
   overrides.push_back(std::string("time.integrator=") + GetParam().integrator);
   overrides.emplace_back("time.output=[0.1, 1, 1.7, 3]");
-  const RunResult result = run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string()});
+  const Summary result = run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string()});
   ASSERT_EQ(result.exit_status, 0) << result.message;
 
   const Table history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
@@ -108,7 +108,7 @@ TEST(RunElastic, HistoryFollowsTheLoads) {
       blocks.config(pressure_probe,
                     elastic({"time.output=[0.5, 1, 3]", "supports.3.displacement.z=-0.025*t", "contacts.0.gap=0.025"}));
   for (const bool resume : {false, true}) {  // a run that has ended may be resumed: nothing is left to do
-    const RunResult result = run(config, {.output = (blocks / "out").string(), .resume = resume});
+    const Summary result = run(config, {.output = (blocks / "out").string(), .resume = resume});
     ASSERT_EQ(result.exit_status, 0) << result.message;
     const Table history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
     EXPECT_EQ(history.times(), (std::vector<double>{0, 0.5, 1, 3, 4}));
@@ -127,7 +127,7 @@ TEST(RunFailure, KeepsWhatWasComputed) {
   const config::Config config =
       blocks.config(pressure_probe, {"time.integrator=beta_euler", "time.step=0.25", "time.output=[1, 2, 3]",
                                      "supports.3.displacement.z={t=[0,2,4],values=[-0.025,-0.025,-0.25]}"});
-  const RunResult result = run(config, {.output = (blocks / "out").string()});
+  const Summary result = run(config, {.output = (blocks / "out").string()});
   EXPECT_EQ(result.exit_status, 4);
   EXPECT_TRUE(contains(result.message, "beta_euler: the inner iterations")) << result.message;
   EXPECT_TRUE(contains(result.message, (blocks / "out").string())) << result.message;
@@ -146,7 +146,7 @@ TEST(RunFailure, KeepsWhatWasComputed) {
   // Mended, it goes on from there.
   config::Config mended = config;
   mended.time.integrator = "cvode_bdf";
-  const RunResult resumed = run(mended, {.output = (blocks / "out").string(), .resume = true});
+  const Summary resumed = run(mended, {.output = (blocks / "out").string(), .resume = true});
   EXPECT_EQ(resumed.exit_status, 0) << resumed.message;
   EXPECT_EQ(Table(blocks / "out/history.csv").times(), (std::vector<double>{0, 1, 2, 3, 4}));
   EXPECT_EQ(SummaryFile(blocks / "out/summary.json").text("status"), "completed");

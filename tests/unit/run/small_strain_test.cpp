@@ -13,7 +13,7 @@ namespace {
 std::vector<std::string> texts_of(const Case& blocks, const std::vector<std::string>& overrides) {
   std::vector<std::string> with = overrides;
   with.emplace_back("output.fields=false");
-  const RunResult result = run(blocks.config("", with), {.output = (blocks / "out").string()});
+  const Summary result = run(blocks.config("", with), {.output = (blocks / "out").string()});
   EXPECT_EQ(result.exit_status, 0) << result.message;
   std::vector<std::string> found;
   for (const std::string& warning : SummaryFile(blocks / "out/summary.json").texts("warnings"))
@@ -82,7 +82,7 @@ type = "tied"
 [time]
 end = )" + std::to_string(end) +
                        "\n";
-    const RunResult result = run(blocks.parse(text), {.output = (blocks / "out").string()});
+    const Summary result = run(blocks.parse(text), {.output = (blocks / "out").string()});
     EXPECT_EQ(result.exit_status, 0) << result.message;
     std::vector<std::string> found;
     for (const std::string& warning : SummaryFile(blocks / "out/summary.json").texts("warnings"))

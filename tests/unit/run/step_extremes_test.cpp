@@ -2,7 +2,6 @@
 
 #include <csignal>
 
-#include "../../../src/run/time_loop.hpp"
 #include "creepcontact/base/error.hpp"
 #include "support/run/running.hpp"
 
@@ -19,9 +18,9 @@ const std::string peak =
 const std::string pulse = "supports.3.displacement.z=t >= 1 && t < 1.2 ? -0.025 : -0.0125";
 
 SummaryFile summary_of(const Case& blocks, const std::vector<std::string>& overrides, std::string* report = nullptr) {
-  const RunResult result = run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string()});
+  const Summary result = run(blocks.config(pressure_probe, overrides), {.output = (blocks / "out").string()});
   EXPECT_EQ(result.exit_status, 0) << result.message;
-  if (report != nullptr) *report = result.report;
+  if (report != nullptr) *report = run::report(result);
   return SummaryFile(blocks / "out/summary.json");
 }
 
@@ -133,15 +132,8 @@ TEST(StepExtremes, OfAResumedRunAreThoseOfTheWholeOne) {
         blocks.config(pressure_probe, {peak, "time.output=[0.5, 2, 3]", std::string("time.integrator=") + integrator});
     const std::filesystem::path whole = blocks / "whole", parts = blocks / "parts";
     ASSERT_EQ(run(config, {.output = whole.string()}).exit_status, 0);
-    {
-      System system(config);
-      TimeLoop loop(config, system.model, system.distribution, system.rate, make_probes(config, system.model),
-                    system.watch, parts, false);
-      loop.after_output = [n = 3]() mutable {
-        if (--n == 0) std::raise(SIGINT);  // at t = 2, after the peak
-      };
-      ASSERT_EQ(loop.run(), TimeLoop::End::interrupted);
-    }
+    InterruptAtOutput interrupt(3);  // at t = 2, after the peak
+    ASSERT_EQ(run(config, {.output = parts.string(), .observers = {&interrupt}}).exit_status, 130);
     ASSERT_EQ(run(config, {.output = parts.string(), .resume = true}).exit_status, 0);
     const SummaryFile expected(whole / "summary.json"), found(parts / "summary.json");
     for (const std::string& key :
@@ -170,15 +162,15 @@ TEST(StepExtremes, AnInterruptedRunNamesTheTimeOfItsLastValues) {
   const Case blocks;
   const config::Config config =
       blocks.config(pressure_probe, {"time.output=[1]", "time.integrator=rkc2", "time.end=400"});
-  struct Interrupting final : RunObserver {
-    void step(double time, const RunCounters&) override {
-      if (time > 2) std::raise(SIGINT);
+  struct Interrupting final : Observer {
+    Reaction step(StepView& view) override {
+      if (view.time() > 2) std::raise(SIGINT);
+      return Reaction::advance;
     }
-    void before_message() override {}
   } observer;
-  const RunResult result = run(config, {.output = (blocks / "out").string(), .observer = &observer});
+  const Summary result = run(config, {.output = (blocks / "out").string(), .observers = {&observer}});
   EXPECT_TRUE(contains(result.message, "after the output of t = 1;")) << result.message;
-  EXPECT_TRUE(contains(result.report, "last output: t = 1 ")) << result.report;
+  EXPECT_TRUE(contains(report(result), "last output: t = 1 ")) << report(result);
   const SummaryFile summary(blocks / "out/summary.json");
   EXPECT_EQ(summary.number("last_output"), 1);
   EXPECT_GT(summary.number("time_reached"), 2);

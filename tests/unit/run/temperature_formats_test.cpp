@@ -98,7 +98,7 @@ TEST_F(TemperatureFormats, GiveTheResultsOfTheExpression) {
   io::FieldWriter(blocks_ / ".", "T", mesh, "").write(0, {{"temperature [degC]", 1, values}}, {});
   const auto history = [&](const std::string& keys) {
     const std::filesystem::path out = blocks_ / "out";
-    const RunResult result = run(config(keys), {.output = out.string()});
+    const Summary result = run(config(keys), {.output = out.string()});
     EXPECT_EQ(result.exit_status, 0) << result.message;
     return Table(out / "history.csv").column("pressure");
   };

@@ -7,16 +7,19 @@
 #include <cmath>
 #include <limits>
 
+#include "../checkpoints.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/platform/replace_file.hpp"
+#include "creepcontact/run/summary.hpp"
+#include "observers.hpp"
 
 namespace creepcontact::run {
 namespace {
 
 const std::string cycle_numbers = "cycles.numbers", cycle_ranges = "cycles.ranges", cycle_work = "cycles.work",
                   cycle_limits = "cycles.limits";
-constexpr double least_life = 0.01;  // that a whole run uses up: smaller ones need no accuracy of their own
+constexpr double min_life = 0.01;  // that a whole run uses up: smaller ones need no accuracy of their own
 const std::string extrapolation_prefix = "cycles.jumps.";
 
 std::vector<std::string> cycle_columns(const creep::Assembly& assembly, const CycleWatch& watch,
@@ -39,31 +42,28 @@ std::vector<std::string> cycle_columns(const creep::Assembly& assembly, const Cy
 
 }  // namespace
 
-Cycles::Cycles(const config::Config& config, const model::LoadCycles& loads, creep::CreepSystem& system,
-               WholeState& whole, std::span<const std::unique_ptr<results::Probe>> probes,
-               const std::filesystem::path& directory, double time, const creep::Memory* memory)
-    : config_(config),
-      loads_(loads),
-      system_(system),
-      watch_(system, whole, probes),
-      used_up_(system.assembly().bodies().size(), std::numeric_limits<double>::infinity()) {
+Cycles::Cycles(const RunContext& context)
+    : context_(context),
+      loads_(context.model.cycles.value()),
+      watch_(context.system()),
+      used_up_(context.assembly().bodies().size(), std::numeric_limits<double>::infinity()) {
+  const config::Config& config = context.config;
   summary_.steady_within = config.time.stop_when_steady.value_or(0);
-  if (config.time.jump_cycles) jumps_.emplace(system.team(), config.time.jump_tolerance);
-  go_to(loads_.ended_by(time));
-  if (time > 0 && !loads_.ending_at(time)) stage_ = Stage::waiting;
-  if (memory != nullptr) restore(*memory);
-  if (memory != nullptr && stage_ == Stage::waiting && loads_.ended_by(time) < loads_.count())
+  if (config.time.jump_cycles && context.integrates) jumps_.emplace(context.team(), config.time.jump_tolerance);
+  go_to(loads_.ended_by(context.begin));
+  if (context.begin > 0 && !loads_.ending_at(context.begin)) stage_ = Stage::waiting;
+  if (context.resumed != nullptr && stage_ == Stage::waiting && loads_.ended_by(context.begin) < loads_.count())
     log::warning(
         "the run is resumed at t = {:.10g}, within cycle {}: what this cycle does up to there is not known, so it has "
-        "no "
-        "row in cycles.csv and does not count for fatigue",
-        time, loads_.ended_by(time) + 1);
-  together(system.team(), [&] {
-    if (system.team().rank() != 0) return;
-    const std::filesystem::path path = directory / "cycles.csv";
+        "no row in cycles.csv and does not count for fatigue",
+        context.begin, loads_.ended_by(context.begin) + 1);
+  together(context.team(), [&] {
+    if (!context.observed.is_root()) return;
+    const std::filesystem::path path = context.directory / "cycles.csv";
     file_ = std::make_unique<io::CsvFile>(
-        path, cycle_columns(system.assembly(), watch_, config.probes),
-        io::Continuation{.resume = memory != nullptr && path_exists(path), .last_time = time}, config.output.csv);
+        path, cycle_columns(context.assembly(), watch_, config.probes),
+        io::Continuation{.resume = context.resumed != nullptr && path_exists(path), .last_time = context.begin},
+        config.output.csv);
   });
 }
 
@@ -72,127 +72,171 @@ void Cycles::go_to(std::int64_t cycle) {
   stage_ = cycle < loads_.count() ? Stage::between : Stage::waiting;
 }
 
-std::int64_t Cycles::longest_jump(std::int64_t cycle, double next_output) const {
+std::int64_t Cycles::longest_jump(double t) const {
+  const std::vector<double>& outputs = context_.config.time.output;
+  const auto next = std::ranges::upper_bound(outputs, t);
+  const double next_output = next != outputs.end() ? *next : std::numeric_limits<double>::infinity();
   // The last cycle is computed: results there are those of a checked state.
-  std::int64_t last = std::min(cycle + jumps_->proposal(), loads_.ended_by(next_output) - 1);
-  if (bound_ >= cycle) last = std::min(last, bound_ - 1);
-  for (std::int64_t k = cycle; k <= last; ++k)
+  std::int64_t last = std::min(cycle_ + jumps_->proposal(), loads_.ended_by(next_output) - 1);
+  if (bound_ >= cycle_) last = std::min(last, bound_ - 1);
+  for (std::int64_t k = cycle_; k <= last; ++k)
     if (!loads_.repeats(k)) last = k - 1;
-  return std::max<std::int64_t>(last - cycle, 0);
+  return std::max<std::int64_t>(last - cycle_, 0);
 }
 
-std::optional<double> Cycles::jump(double t, double next_output, std::span<double> y) {
+std::optional<RunState> Cycles::jumped(const StepView& view) {
   if (!jumps_) return std::nullopt;
-  const std::int64_t n = longest_jump(cycle_, next_output);
+  const std::int64_t n = longest_jump(view.time());
   if (n == 0) return std::nullopt;
-  jumps_->jump(n, y);
+  RunState state{.y = {view.y().begin(), view.y().end()}};
+  jumps_->jump(n, state.y);
   cycle_ += n;
-  return std::max(t, loads_.begin(cycle_));
+  state.time = std::max(view.time(), loads_.begin(cycle_));
+  return state;
 }
 
-void Cycles::begin(double t, std::span<const double> y) {
-  stage_ = Stage::within;
-  first_.assign(y.begin(), y.end());
-  watch_.begin(t, y);
+Reaction Cycles::begin(StepView& view) {
+  if (stage_ != Stage::between) return Reaction::advance;
+  if (!may_go_back() && !computes_next_) {
+    changed_ = jumped(view);
+    if (changed_) return Reaction::restart;
+  }
+  computes_next_ = false;
+  first_.assign(view.y().begin(), view.y().end());
   activity_ = {};
   last_step_ = first_;
+  try {
+    watch_.begin(view);
+  } catch (const RecoverableError&) {  // the state after the jump has no equilibrium
+    if (!may_go_back()) throw;
+    computes_next_ = true;
+    return Reaction::go_back;
+  }
+  stage_ = Stage::within;
+  return Reaction::advance;
 }
 
-void Cycles::step(const ode::StepReport& report, std::span<const double> y) {
-  if (!is_checking()) return;
-  const std::span<const double> scale = system_.scale();
+Reaction Cycles::step(StepView& view) {
+  if (!may_go_back()) return Reaction::advance;
+  const std::span<const double> y = view.y(), scale = context_.system().scale();
   double sum = 0;
   for (std::size_t i = 0; i < y.size(); ++i) sum += std::pow((y[i] - last_step_[i]) / scale[i], 2);
   last_step_.assign(y.begin(), y.end());
-  if (const double change = system_.team().sum(sum); change > activity_.change)
+  const ode::StepReport& report = view.step->report;
+  if (const double change = context_.team().sum(sum); change > activity_.change)
     activity_ = {change, report.time - report.step / 2, last_step_};
+  return Reaction::advance;
 }
 
-void Cycles::see(double t, std::span<const double> y) {
-  if (stage_ == Stage::within) watch_.see(t, y);
+void Cycles::jump(StepView& view) {
+  if (stage_ == Stage::within && loads_.jumps_at(view.time())) watch_.observe(view);
 }
 
-void Cycles::see_after_jump(double t, std::span<const double> y) {
-  if (stage_ == Stage::within && loads_.jumps_at(t)) watch_.see(t, y);
+void Cycles::output(StepView& view) {
+  if (stage_ == Stage::within) watch_.observe_probes(view.probe_values());
 }
 
 ode::CycleExtrapolation::Damping Cycles::damping(std::span<const double> change) {
   constexpr double never = std::numeric_limits<double>::infinity();
   if (!(activity_.change > 0)) return {};
   std::vector<double> rate(change.size());
-  system_.begin_segment(-never, never);
+  context_.system().begin_segment(-never, never);
   try {
-    system_.rate(activity_.time, activity_.state, rate);
+    context_.system().rate(activity_.time, activity_.state, rate);
   } catch (const RecoverableError&) {
     return {};  // the jump is corrected without
   }
   // The time in which the rate there makes what the cycle does.
-  const std::span<const double> scale = system_.scale();
+  const std::span<const double> scale = context_.system().scale();
   std::array<double, 2> sums{};
   for (std::size_t i = 0; i < change.size(); ++i) {
     const double of_cycle = change[i] / scale[i];
     sums[0] += of_cycle * of_cycle;
     sums[1] += of_cycle * rate[i] / scale[i];
   }
-  system_.team().sum(sums);
+  context_.team().sum(sums);
   const double time = sums[1] * loads_.period() > sums[0] ? sums[0] / sums[1] : loads_.period();
   return [this, time](double weight, std::span<const double> given, std::span<double> damped) {
-    system_.precondition_once(activity_.time, activity_.state, weight * time, given, damped);
+    context_.system().precondition_once(activity_.time, activity_.state, weight * time, given, damped);
   };
 }
 
-Cycles::Closed Cycles::close(double t, const RunCounters& work, std::span<double> y) {
-  const std::optional<std::int64_t> ended = loads_.ending_at(t);
-  if (!ended) return {.time = t};
-  const bool seen = stage_ == Stage::within;
+Reaction Cycles::segment(StepView& view) {
+  if (stage_ == Stage::within) watch_.observe(view);
+  const std::optional<std::int64_t> ended = loads_.ending_at(view.time());
+  if (!ended) return Reaction::advance;
+  if (stage_ == Stage::within) return close(*ended, view);
   go_to(*ended + 1);
   summary_.completed = cycle_;
-  if (!seen) {
-    if (jumps_) jumps_->begin(cycle_);
-    previous_ = -1;
-    return {.time = t};
-  }
-  Closed result{.time = t, .state_changed = watch_.add_cycle(y)};
-  const std::vector<double> computed(y.begin(), y.end());
-  const std::int64_t jumped = is_checking() ? jumps_->jumped() : 0;
+  if (jumps_) jumps_->begin(cycle_);
+  previous_ = -1;
+  return Reaction::advance;
+}
+
+Reaction Cycles::close(std::int64_t cycle, StepView& view) {
+  creep::CreepSystem& system = context_.system();
+  go_to(cycle + 1);
+  summary_.completed = cycle_;
+  RunState state{.time = view.time(), .y = {view.y().begin(), view.y().end()}};
+  bool is_changed = watch_.add_cycle(state.y);
+  const std::vector<double> computed = state.y;
+  const std::int64_t jumped = may_go_back() ? jumps_->jumped() : 0;
   ++summary_.computed;
   std::vector<double> change = computed;
   for (std::size_t i = 0; i < change.size(); ++i) change[i] -= first_[i];
-  system_.resolve_cycle(change, least_life / static_cast<double>(loads_.count()));
+  system.resolve_cycle(change, min_life / static_cast<double>(loads_.count()));
   if (jumped > 0) {
-    if (!jumps_->check(system_.scale_of_whole_run(), damping(change), y)) {
+    if (!jumps_->check(system.scale_of_whole_run(), damping(change), state.y)) {
       ++summary_.rejected_jumps;
-      go_to(*ended - jumped);
+      go_to(cycle - jumped);
       summary_.completed = cycle_;
-      return {.time = loads_.begin(cycle_), .state_changed = true, .is_rejected = true};
+      state.time = loads_.begin(cycle_);
+      changed_ = std::move(state);
+      return Reaction::go_back;
     }
-    result.state_changed = true;
+    is_changed = true;
     ++summary_.jumps;
     summary_.longest_jump = std::max(summary_.longest_jump, jumped);
   } else if (jumps_) {
-    if (!loads_.repeats(*ended)) jumps_->begin(*ended);
-    jumps_->see(*ended, first_, computed);
+    if (!loads_.repeats(cycle)) jumps_->begin(cycle);
+    jumps_->see(cycle, first_, computed);
   }
-  CycleRecord record = watch_.record(computed, y, *ended + 1);
-  keep_limits(record, *ended, jumped);
-  summary_.last_change = last_change(record, *ended);
-  result.is_steady =
-      summary_.last_change && *summary_.last_change < *config_.time.stop_when_steady && loads_.repeats_from(*ended);
-  if (result.is_steady) {
-    summary_.steady = *ended + 1;
+  CycleRecord record = watch_.record(computed, state.y, cycle + 1);
+  clamp_used_life(record, cycle, jumped);
+  summary_.last_change = last_change(record, cycle);
+  if (summary_.last_change && *summary_.last_change < *context_.config.time.stop_when_steady &&
+      loads_.repeats_from(cycle)) {
+    summary_.steady = cycle + 1;
     log::info("{}", end_message());
   }
   for (std::size_t b = 0; b < record.bodies.size(); ++b)
-    if (!watch_.life_of(b).empty()) summary_.to_limit[system_.assembly().bodies()[b].name()] = record.bodies[b].limit;
-  previous_ = *ended;
+    if (!watch_.life_of(b).empty()) summary_.to_limit[context_.assembly().bodies()[b].name()] = record.bodies[b].limit;
+  previous_ = cycle;
   previous_range_.clear();
   for (const CycleRecord::Probe& probe : record.probes) previous_range_.push_back(probe.range());
-  write(*ended, jumped, record, work - work_);
-  work_ = work;
-  return result;
+  write(cycle, jumped, record, view.work() - work_);
+  work_ = view.work();
+  if (is_changed) changed_ = std::move(state);
+  if (summary_.steady) return Reaction::stop;
+  return is_changed ? Reaction::restart : Reaction::advance;
 }
 
-void Cycles::keep_limits(CycleRecord& record, std::int64_t cycle, std::int64_t jumped) {
+void Cycles::change(RunState& state) {
+  if (changed_) {
+    state.time = changed_->time;
+    state.y = std::move(changed_->y);
+    changed_.reset();
+  } else if (may_go_back()) {  // something must not be passed over: an event, rupture, a step that fails
+    bound_ = cycle_;
+    const std::int64_t before = cycle_ - jumps_->jumped();
+    jumps_->give_up(state.y);
+    ++summary_.rejected_jumps;
+    go_to(before);
+    state.time = loads_.begin(before);
+  }
+}
+
+void Cycles::clamp_used_life(CycleRecord& record, std::int64_t cycle, std::int64_t jumped) {
   for (std::size_t b = 0; b < record.bodies.size(); ++b) {
     CycleRecord::Body& body = record.bodies[b];
     if (std::isfinite(used_up_[b])) {
@@ -206,7 +250,7 @@ void Cycles::keep_limits(CycleRecord& record, std::int64_t cycle, std::int64_t j
 }
 
 std::optional<double> Cycles::last_change(const CycleRecord& record, std::int64_t cycle) const {
-  if (!config_.time.stop_when_steady || previous_ < 0 || !loads_.repeats(cycle)) return std::nullopt;
+  if (!context_.config.time.stop_when_steady || previous_ < 0 || !loads_.repeats(cycle)) return std::nullopt;
   const auto n_cycles = static_cast<double>(cycle - previous_);
   double change = record.stress_change;
   for (std::size_t i = 0; i < record.probes.size(); ++i) {
@@ -218,7 +262,7 @@ std::optional<double> Cycles::last_change(const CycleRecord& record, std::int64_
 }
 
 void Cycles::write(std::int64_t cycle, std::int64_t jumped, const CycleRecord& record, const RunCounters& work) {
-  together(system_.team(), [&] {
+  together(context_.team(), [&] {
     if (!file_) return;
     std::vector<io::CsvCell> row{loads_.end(cycle), cycle + 1,           jumped,
                                  work.steps,        work.elastic_solves, record.stress_change};
@@ -237,27 +281,19 @@ void Cycles::write(std::int64_t cycle, std::int64_t jumped, const CycleRecord& r
   });
 }
 
-double Cycles::go_back(std::span<double> y) {
-  bound_ = cycle_;
-  const std::int64_t before = cycle_ - jumps_->jumped();
-  jumps_->give_up(y);
-  ++summary_.rejected_jumps;
-  go_to(before);
-  return loads_.begin(before);
-}
-
 std::string Cycles::end_message() const {
   if (!summary_.steady) return "";
   return fmt::format("cycle {}, up to t = {:.10g}, repeats the one before it to within {:.3g}: the run ends there",
                      *summary_.steady, loads_.end(*summary_.steady - 1), summary_.steady_within);
 }
 
-void Cycles::sync() const {
+void Cycles::sync() {
   if (file_) platform::sync_files(std::array{file_->path()});
 }
 
-void Cycles::fill(io::Summary& summary) const {
-  summary.cycles = summary_;
+void Cycles::finish(Summary& summary) const {
+  summary.results.cycles = summary_;
+  if (summary.results.status == io::Summary::Status::completed) summary.results.message = end_message();
 }
 
 void Cycles::save(creep::Memory& memory) const {
@@ -274,7 +310,7 @@ void Cycles::save(creep::Memory& memory) const {
   std::vector<double>& work = memory[cycle_work];
   work.clear();
   for (const RunCounters::Field& field : RunCounters::fields) work.push_back(static_cast<double>(work_.*field.value));
-  if (!jumps_ || is_checking()) return;
+  if (!jumps_ || may_go_back()) return;
   ode::CycleExtrapolation::Memory numbers, states;
   jumps_->save(numbers, states);
   for (auto& [name, values] : numbers) memory[extrapolation_prefix + name] = std::move(values);
@@ -294,7 +330,7 @@ void Cycles::restore(const creep::Memory& memory) {
   bound_ = number(6);
   previous_ = number(7);
   if (const auto ranges = memory.find(cycle_ranges); ranges != memory.end()) previous_range_ = ranges->second;
-  if (previous_range_.size() != config_.probes.size()) previous_ = -1;
+  if (previous_range_.size() != context_.config.probes.size()) previous_ = -1;
   if (const auto limits = memory.find(cycle_limits); limits != memory.end()) used_up_ = limits->second;
   const std::vector<double>& work = memory.at(cycle_work);
   for (std::size_t i = 0; i < RunCounters::fields.size(); ++i)
@@ -306,6 +342,11 @@ void Cycles::restore(const creep::Memory& memory) {
     else if (name.starts_with(cycle_state_prefix))
       states[name.substr(std::string_view(cycle_state_prefix).size())] = values;
   if (jumps_ && !own.empty() && stage_ == Stage::between) jumps_->restore(own, states);
+}
+
+std::unique_ptr<Observer> observe_cycles(const RunContext& context) {
+  if (!context.model.cycles) return nullptr;
+  return std::make_unique<Cycles>(context);
 }
 
 }  // namespace creepcontact::run

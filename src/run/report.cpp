@@ -1,4 +1,4 @@
-#include "run_report.hpp"
+#include "creepcontact/run/report.hpp"
 
 #include <fmt/format.h>
 
@@ -72,8 +72,6 @@ std::string place(const io::Summary::Largest& largest) {
   return fmt::format("at ({:.6g}, {:.6g}, {:.6g})", x, y, z);
 }
 
-}  // namespace
-
 std::string outcome_table(const io::Summary& summary) {
   // Without an output at its end a run has no values of its end.
   const bool is_end = summary.status == io::Summary::Status::completed || summary.rupture;
@@ -108,25 +106,27 @@ std::string outcome_table(const io::Summary& summary) {
   return text;
 }
 
-std::string work_line(const io::Summary& summary, const StepStatistics& steps, double tolerance,
-                      const std::string& method) {
+std::string work_line(const Summary& run) {
+  const io::Summary& summary = run.results;
   std::string text = "  ";
-  if (!method.empty()) text += fmt::format("{}: {} steps", method, summary.steps);
-  if (steps.largest_error() > 0) text += fmt::format(" (relative stress tolerance {:.0e})", tolerance);
-  if (!method.empty()) text += ", ";
+  if (!summary.method.empty()) text += fmt::format("{}: {} steps", summary.method, summary.steps);
+  if (run.steps.largest_error() > 0)
+    text += fmt::format(" (relative stress tolerance {:.0e})", summary.accuracy.tolerance);
+  if (!summary.method.empty()) text += ", ";
   return text + fmt::format("{} elastic solves, {} Schwarz iterations, {:.2f} s, {:.0f} MB\n", summary.elastic_solves,
                             summary.schwarz_iterations, summary.wall_seconds.total, summary.peak_memory_mb);
 }
 
-std::string work_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
-                       const std::string& method) {
+std::string work_table(const Summary& run) {
+  const io::Summary& summary = run.results;
+  const StepStatistics& steps = run.steps;
   std::string text;
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", name, value);
   };
   line("steps", fmt::format("{} of {:.3g} to {:.3g}, {} rejected, {} iterations failed; {}, order up to {}",
                             summary.steps, steps.shortest(), steps.longest(), summary.rejected_steps,
-                            summary.convergence_failures, method, steps.highest_order()));
+                            summary.convergence_failures, summary.method, steps.highest_order()));
   // A rate at the point of the last solve takes none.
   const std::int64_t others =
       std::max<std::int64_t>(0, summary.elastic_solves - summary.rhs_evaluations - summary.jacobian_products);
@@ -140,7 +140,7 @@ std::string work_table(const io::Summary& summary, const StepStatistics& steps, 
   if (steps.largest_error() > 0)
     line("accuracy", fmt::format("requested for the stress: {:.0e}; estimated errors of the steps: {:.2f} of this on "
                                  "average, {:.2f} at most",
-                                 tolerance, steps.mean_error(), steps.largest_error()));
+                                 summary.accuracy.tolerance, steps.mean_error(), steps.largest_error()));
   const auto& wall = summary.wall_seconds;
   const double rest = wall.total - wall.factorize - wall.solve - wall.material - wall.contact - wall.output;
   const auto percent = [&](double seconds) { return 100 * seconds / wall.total; };
@@ -152,7 +152,39 @@ std::string work_table(const io::Summary& summary, const StepStatistics& steps, 
   return text;
 }
 
-std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Diagnosis& diagnosis) {
+std::string process_table(const ProcessWork& work) {
+  if (work.values.empty()) return {};
+  std::string text = "  processes:\n";
+  for (std::size_t i = 0; i < work.names.size(); ++i) {
+    text += fmt::format("    {:<30}", work.names[i]);
+    for (const std::vector<double>& of_process : work.values) text += fmt::format("{:>12.5g}", of_process[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string report(const Summary& run) {
+  if (!run.has_output || run.results.status == io::Summary::Status::failed) return {};
+  using Status = io::Summary::Status;
+  const io::Summary& summary = run.results;
+  const char* const end = summary.status == Status::interrupted ? "interrupted" : summary.rupture ? "ruptured" : "done";
+  return fmt::format("{}: t = {:.6g}; results in {}\n", end, summary.time_reached, run.directory) +
+         outcome_table(summary) + work_line(run);
+}
+
+std::string details(const Summary& run) {
+  if (run.steps.empty()) return {};
+  std::string text = work_table(run);
+  if (run.is_resumed) text += "  (lengths, orders and errors of the steps and the time are counted since the resume)\n";
+  return text + process_table(run.processes);
+}
+
+std::vector<std::string> advice(const Summary& run) {
+  const io::Summary& summary = run.results;
+  const StepStatistics& steps = run.steps;
+  const Diagnosis& diagnosis = run.diagnosis;
   if (summary.rupture) return {};  // steps that are rejected and shrink are its signs
   std::vector<std::string> lines;
   if (summary.steps < few_steps) return lines;

@@ -1,9 +1,10 @@
 #pragma once
-/// The tables at the end of a run, and advice where something was off.
+/// What a run tells when it has ended.
 
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "creepcontact/io/summary.hpp"
@@ -14,7 +15,7 @@ namespace creepcontact::run {
 /// What the steps of a run had in common.
 class StepStatistics {
  public:
-  void see(const ode::StepReport& step) {
+  void add(const ode::StepReport& step) {
     shortest_ = n_ == 0 ? step.step : std::min(shortest_, step.step);
     longest_ = std::max(longest_, step.step);
     highest_order_ = std::max(highest_order_, step.order);
@@ -51,19 +52,24 @@ struct Diagnosis {
   std::vector<Contact> contacts;
 };
 
-/// What came out: contact forces and stresses at the start, at their largest and at the end, contacts that opened,
-/// damage, life and rupture.
-std::string outcome_table(const io::Summary& summary);
+/// Work of the processes that share a run.
+struct ProcessWork {
+  std::vector<std::string> names;           ///< with units
+  std::vector<std::vector<double>> values;  ///< by process, in the order of the names
+};
 
-/// What it cost, in one line. @param method  the integrator at work at the end; empty: nothing creeps
-std::string work_line(const io::Summary& summary, const StepStatistics& steps, double tolerance,
-                      const std::string& method);
-
-/// What it cost, in detail.
-std::string work_table(const io::Summary& summary, const StepStatistics& steps, double tolerance,
-                       const std::string& method);
-
-/// One sentence or two for each thing that was off; empty if all went well.
-std::vector<std::string> advice(const io::Summary& summary, const StepStatistics& steps, const Diagnosis& diagnosis);
+/// The outcome of a run, as a value. run::report() and run::details() make text for people of it.
+struct Summary {
+  int exit_status = 0;
+  std::string message;              ///< why the run ended early, or that nothing was left to do; empty: it did neither
+  std::string directory;            ///< of the result files
+  bool has_output = false;          ///< at least the first output time has been reached
+  io::Summary results;              ///< what summary.json holds
+  StepStatistics steps;             ///< since the start or the resume
+  bool is_resumed = false;          ///< the run continues another one
+  Diagnosis diagnosis;              ///< empty if the last step left nothing to examine
+  ProcessWork processes;            ///< empty for one process
+  std::vector<std::string> advice;  ///< a sentence or two for each thing that was off
+};
 
 }  // namespace creepcontact::run

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
-#include "creepcontact/results/probes.hpp"
-#include "whole_state.hpp"
+#include "creepcontact/run/step_view.hpp"
 
 namespace creepcontact::run {
 
@@ -39,28 +38,28 @@ struct CycleRecord {
   double stress_change = 0;
 };
 
-/// Sees the states at the breakpoints of a cycle, where piecewise smooth loads have their extremes, and takes ranges
-/// between all of them. Calls are collective. Cost: an evaluation for each state, unless a step has made it; memory:
-/// six numbers per point and breakpoint, and for bodies that creep twelve.
+/// Observes the states at the breakpoints of a cycle, where piecewise smooth loads have their extremes, and takes
+/// ranges between all of them. Calls are collective. Cost: an evaluation for each state, unless a step has made it;
+/// memory: six numbers per point and breakpoint, and for bodies that creep twelve.
 class CycleWatch {
  public:
-  /// @param system, whole, probes  must outlive the object
-  CycleWatch(creep::CreepSystem& system, WholeState& whole, std::span<const std::unique_ptr<results::Probe>> probes);
+  /// @param system  must outlive the object
+  explicit CycleWatch(creep::CreepSystem& system);
 
   /// The variables that count life, of one body.
   const std::vector<const material::StateVariable*>& life_of(std::size_t body) const { return life_[body]; }
 
-  /// Forgets what it has seen, and sees the begin of a cycle.
-  void begin(double t, std::span<const double> y);
+  /// Forgets what it has observed, and observes the begin of a cycle. @throws RecoverableError without equilibrium
+  void begin(StepView& view);
   /// A state within the cycle, or at its end.
-  void see(double t, std::span<const double> y);
+  void observe(StepView& view);
   /// Values of all probes at another time of the cycle.
-  void see_probes(std::span<const double> values);
+  void observe_probes(std::span<const double> values);
 
   /// Adds what the cycle does to the internal variables of laws that count cycles. @returns true if there are any
   /// @throws ModelError as MaterialPoints::add_cycle
   bool add_cycle(std::span<double> y) const;
-  /// After the state at the end has been seen. @param y  that state, with what the cycle has added
+  /// After the state at the end has been observed. @param y  that state, with what the cycle has added
   /// @param end  as `y`, or corrected @param number  of whole cycles since t = 0
   CycleRecord record(std::span<const double> y, std::span<const double> end, std::int64_t number) const;
 
@@ -76,15 +75,13 @@ class CycleWatch {
   };
   /// Largest equivalent difference between two states, at each point.
   static std::vector<double> ranges(const States& states, std::size_t n_points);
-  void see_body(std::size_t body, const creep::Evaluation& at, const mechanics::CreepStrainView& creep);
+  void observe_body(std::size_t body, const creep::Evaluation& at, const mechanics::CreepStrainView& creep);
   double stress_change() const;
 
   creep::CreepSystem& system_;
-  WholeState& whole_;
-  std::span<const std::unique_ptr<results::Probe>> probes_;
   std::vector<std::vector<const material::StateVariable*>> life_;  // per body
   std::vector<Body> bodies_;
-  std::vector<CycleRecord::Probe> seen_;
+  std::vector<CycleRecord::Probe> probes_;
   std::vector<double> first_;  // the state at the begin
 };
 

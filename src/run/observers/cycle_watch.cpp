@@ -7,7 +7,7 @@
 namespace creepcontact::run {
 namespace {
 
-constexpr double least_stressed = 1e-2;  // of the typical stress of the most stressed body
+constexpr double min_relative_stress = 1e-2;  // of the typical stress of the most stressed body
 /// The last one that a body has says when its life ends.
 constexpr std::array life_variables{&material::damage, &material::life_fraction, &material::fatigue_fraction,
                                     &material::creep_fatigue};
@@ -18,9 +18,7 @@ double largest_of(const Team& team, const std::vector<double>& values) {
 
 }  // namespace
 
-CycleWatch::CycleWatch(creep::CreepSystem& system, WholeState& whole,
-                       std::span<const std::unique_ptr<results::Probe>> probes)
-    : system_(system), whole_(whole), probes_(probes) {
+CycleWatch::CycleWatch(creep::CreepSystem& system) : system_(system) {
   for (const creep::MaterialPoints& points : system.laws().points()) {
     life_.emplace_back();
     for (const material::StateVariable* variable : life_variables)
@@ -28,40 +26,34 @@ CycleWatch::CycleWatch(creep::CreepSystem& system, WholeState& whole,
   }
 }
 
-void CycleWatch::begin(double t, std::span<const double> y) {
+void CycleWatch::begin(StepView& view) {
   bodies_.assign(life_.size(), {});
-  seen_.assign(probes_.size(), {});
-  first_.assign(y.begin(), y.end());
-  see(t, y);
+  probes_.assign(view.probe_values().size(), {});
+  first_.assign(view.y().begin(), view.y().end());
+  observe(view);
 }
 
-void CycleWatch::see_probes(std::span<const double> values) {
-  if (seen_.empty()) return;
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    seen_[i].min = std::min(seen_[i].min, values[i]);
-    seen_[i].max = std::max(seen_[i].max, values[i]);
-    seen_[i].end = values[i];
+void CycleWatch::observe_probes(std::span<const double> values) {
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    probes_[i].min = std::min(probes_[i].min, values[i]);
+    probes_[i].max = std::max(probes_[i].max, values[i]);
+    probes_[i].end = values[i];
   }
 }
 
-void CycleWatch::see(double t, std::span<const double> y) {
-  if (!probes_.empty())
-    see_probes(whole_.look(t, y, [&](results::Snapshot& snapshot) {
-      std::vector<double> values;
-      for (const auto& probe : probes_) values.push_back(snapshot.value(*probe));
-      return values;
-    }));
-  const creep::Evaluation& at = system_.evaluate_output(t, y);
+void CycleWatch::observe(StepView& view) {
+  observe_probes(view.probe_values());
+  const creep::Evaluation& at = view.evaluation();
   std::vector<mechanics::CreepStrainView> creep;
-  system_.layout().views(y, creep);
+  system_.layout().views(view.y(), creep);
   const std::vector<double> typical = creep::ErrorScale::typical(system_.assembly(), at.equilibrium);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    see_body(b, at, creep[b]);
+    observe_body(b, at, creep[b]);
     bodies_[b].typical_stress = std::max(bodies_[b].typical_stress, typical[b]);
   }
 }
 
-void CycleWatch::see_body(std::size_t b, const creep::Evaluation& at, const mechanics::CreepStrainView& creep) {
+void CycleWatch::observe_body(std::size_t b, const creep::Evaluation& at, const mechanics::CreepStrainView& creep) {
   Body& body = bodies_[b];
   const std::vector<double>& stress = at.equilibrium.bodies[b].stress;
   const std::size_t n_points = stress.size() / 6;
@@ -119,14 +111,14 @@ double CycleWatch::stress_change() const {
     for (std::size_t p = 0; 6 * p < body.last_stress.size(); ++p)
       change =
           std::max(change, tensor::von_mises(tensor::view(body.last_stress, p) - tensor::view(body.first_stress, p)) /
-                               std::max(body.typical_stress, least_stressed * largest));
+                               std::max(body.typical_stress, min_relative_stress * largest));
   return system_.team().max(largest > 0 ? change : 0.0);
 }
 
 CycleRecord CycleWatch::record(std::span<const double> y, std::span<const double> end, std::int64_t number) const {
   const Team& team = system_.team();
   CycleRecord result;
-  result.probes = seen_;
+  result.probes = probes_;
   result.stress_change = stress_change();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     CycleRecord::Body& body = result.bodies.emplace_back();

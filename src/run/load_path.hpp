@@ -1,0 +1,43 @@
+#pragma once
+/// The integrator of models in which nothing creeps: it has no state, but follows the path of friction.
+
+#include <limits>
+
+#include "creepcontact/creep/creep_system.hpp"
+#include "creepcontact/ode/integrator.hpp"
+
+namespace creepcontact::run {
+
+/// With friction a step accepts the equilibrium at its end, and is as long as the path of the slip allows. Without, the
+/// states have nothing to do with each other: a step ends where it may and costs nothing but at output times, whose
+/// states are those from which contact iterations start.
+class LoadPath final : public ode::Integrator {
+ public:
+  /// @param system  without a state in any process @param outputs  ascending; both must outlive the object
+  LoadPath(creep::CreepSystem& system, const std::vector<double>& outputs) : system_(system), outputs_(outputs) {}
+
+  std::string name() const override { return {}; }
+  void initialize(double t, std::span<const double> y, double step = 0) override;
+  /// @throws RecoverableError if there is no equilibrium on the way, however short the steps
+  ode::StepReport step(double t_limit) override;
+  void interpolate(double /*t*/, std::span<double> /*y*/) const override {}
+  double time() const override { return time_; }
+  std::span<const double> state() const override { return {}; }
+  double next_step() const override { return 0; }
+  ode::RestartPoint save() const override;
+  void restore(const ode::RestartPoint& point) override;
+  /// These steps are no steps of an integration.
+  Counters counters() const override { return {}; }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  void follow_slip(double t_limit);
+
+  creep::CreepSystem& system_;
+  const std::vector<double>& outputs_;
+  double time_ = 0;
+  double target_ = none;  // time that the steps with friction lead to
+  double length_ = 0;     // of the next one of them, if nothing else bounds it
+};
+
+}  // namespace creepcontact::run

@@ -1,0 +1,61 @@
+/// history.csv, steps.csv and the field files.
+#include "creepcontact/results/results.hpp"
+#include "held.hpp"
+#include "observers.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+class ResultFiles final : public Observer {
+ public:
+  explicit ResultFiles(const RunContext& context) : context_(context) {
+    together(context.team(), [&] {
+      results_ = std::make_unique<results::Results>(
+          context.config, context.directory, context.assembly(), context.observed.probes(),
+          io::Continuation{.resume = context.resumed != nullptr, .last_time = context.begin},
+          context.observed.is_root());
+    });
+  }
+
+  Reaction step(StepView& view) override {
+    if (context_.integrates) held_.add(*view.step);
+    settle(view);
+    return Reaction::advance;
+  }
+  Reaction segment(StepView& view) override {
+    settle(view);
+    return Reaction::advance;
+  }
+  void output(StepView& view) override {
+    if (context_.resumed != nullptr && view.time() <= context_.begin) return;  // is there already
+    view.probe_values();
+    view.with_snapshot([&](results::Snapshot& snapshot) {
+      results_->output(snapshot);
+      return std::vector<double>{};
+    });
+  }
+  void undo() override { held_.drop(); }
+  bool is_writing() const override { return results_->is_writing(); }
+  void wait() override { results_->wait(); }
+  void sync() override { results_->sync(); }
+
+ private:
+  void settle(const StepView& view) {
+    together(context_.team(), [&] {
+      held_.settle(view.is_tentative,
+                   [&](const StepMade& made) { results_->step(made.report, made.work, made.n_active_contacts); });
+    });
+  }
+
+  const RunContext& context_;
+  std::unique_ptr<results::Results> results_;
+  Held<StepMade> held_;
+};
+
+}  // namespace
+
+std::unique_ptr<Observer> write_result_files(const RunContext& context) {
+  return std::make_unique<ResultFiles>(context);
+}
+
+}  // namespace creepcontact::run

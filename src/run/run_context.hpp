@@ -1,0 +1,29 @@
+#pragma once
+/// What the parts of a run work on.
+
+#include <filesystem>
+
+#include "creepcontact/base/stopwatch.hpp"
+#include "creepcontact/config/config.hpp"
+#include "creepcontact/model/model.hpp"
+#include "creepcontact/run/step_view.hpp"
+
+namespace creepcontact::run {
+
+/// Everything in it outlives the loop and its observers.
+struct RunContext {
+  const config::Config& config;
+  const model::Model& model;
+  ObservedSystem& observed;
+  Stopwatch& watch;
+  std::filesystem::path directory;         ///< of the results
+  bool integrates = false;                 ///< something creeps, in some process
+  const creep::Memory* resumed = nullptr;  ///< of the checkpoint from which the run is resumed; null: a new run
+  double begin = 0;                        ///< time at which this part of the run begins
+
+  creep::CreepSystem& system() const { return observed.system(); }
+  const Team& team() const { return observed.team(); }
+  const creep::Assembly& assembly() const { return model.assembly; }
+};
+
+}  // namespace creepcontact::run

@@ -1,0 +1,88 @@
+#include "summary_file.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "creepcontact/base/files.hpp"
+#include "creepcontact/linalg/blas_library.hpp"
+#include "creepcontact/platform/memory.hpp"
+#include "model_record.hpp"
+
+namespace creepcontact::run {
+namespace {
+
+io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
+  return {watch.total(),
+          watch.seconds(Part::factorize),
+          watch.seconds(Part::solve),
+          watch.seconds(Part::material),
+          watch.seconds(Part::contact),
+          watch.seconds(Part::output)};
+}
+
+}  // namespace
+
+SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observers,
+                         std::vector<std::string> earlier_warnings, const log::WarningRecord& warnings,
+                         std::function<void(Summary&)> describe_loop)
+    : context_(context),
+      observers_(observers),
+      earlier_warnings_(std::move(earlier_warnings)),
+      warnings_(warnings),
+      describe_loop_(std::move(describe_loop)),
+      has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {}
+
+void SummaryFile::output(StepView& /*view*/) {
+  const std::string killed = "killed after this time was reached";
+  together(context_.team(), [&] {
+    if (!std::exchange(has_model_record_, true) && context_.observed.is_root())
+      io::write_model_record(context_.directory / "model.json",
+                             model_record(context_.config, context_.model, make(Status::completed, "").results));
+  });
+  const Clock::time_point now = Clock::now();
+  if (!context_.team().any(!last_ || now - *last_ >= std::chrono::seconds(1))) return;
+  last_ = now;
+  write(Status::interrupted, killed);
+}
+
+Summary SummaryFile::write(Status status, const std::string& message) const {
+  Summary summary = make(status, message);
+  together(context_.team(), [&] {
+    if (context_.observed.is_root()) io::write_summary(context_.directory / "summary.json", summary.results);
+  });
+  return summary;
+}
+
+Summary SummaryFile::make(Status status, const std::string& message) const {
+  Summary summary;
+  summary.directory = context_.directory.string();
+  summary.is_resumed = context_.resumed != nullptr;
+  io::Summary& results = summary.results;
+  results.status = status;
+  results.message = message;
+  results.title = context_.config.title;
+  results.units = context_.config.units;
+  results.version = CREEPCONTACT_VERSION;
+  const linalg::BlasLibrary blas = linalg::blas_library();
+  results.libraries = {{"blas", blas.blas}, {"lapack", blas.lapack}};
+  for (const config::Material& material : context_.config.materials)
+    if (!material.sources.empty()) results.sources[material.name] = material.sources;
+  results.integrator = context_.config.time.integrator;
+  for (const mechanics::Body& body : context_.model.bodies())
+    results.bodies[body.name()] = {body.constraints().n_free(),
+                                   static_cast<std::int64_t>(body.discretization().n_elements()),
+                                   static_cast<std::int64_t>(body.discretization().n_points()),
+                                   {}};
+  results.accuracy.tolerance = context_.config.time.tolerance;
+  results.wall_seconds = wall_seconds(context_.watch);
+  results.peak_memory_mb = platform::peak_memory() / (1 << 20);
+  results.warnings = earlier_warnings_;
+  for (const std::string& warning : warnings_.texts())
+    if (std::ranges::find(results.warnings, warning) == results.warnings.end()) results.warnings.push_back(warning);
+  describe_loop_(summary);
+  observers_.finish(summary);
+  return summary;
+}
+
+}  // namespace creepcontact::run

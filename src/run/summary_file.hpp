@@ -1,0 +1,47 @@
+#pragma once
+/// summary.json and model.json of a run.
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/run/summary.hpp"
+#include "observer_list.hpp"
+#include "run_context.hpp"
+
+namespace creepcontact::run {
+
+/// Writes them at outputs, so that a run that is killed leaves a summary of how far it came, and at the end.
+class SummaryFile final : public Observer {
+ public:
+  using Status = io::Summary::Status;
+
+  /// @param context, observers, warnings (of this run)  must outlive the object
+  /// @param earlier_warnings  of the run that this one continues
+  /// @param describe_loop  adds to a summary what the loop knows
+  SummaryFile(const RunContext& context, const ObserverList& observers, std::vector<std::string> earlier_warnings,
+              const log::WarningRecord& warnings, std::function<void(Summary&)> describe_loop);
+
+  /// At most once per second: it takes longer than many a step.
+  void output(StepView& view) override;
+  /// Makes the summary of the run up to now, and writes it. Collective. @throws Error if the disk cannot take it
+  Summary write(Status status, const std::string& message) const;
+  /// The same without the file.
+  Summary make(Status status, const std::string& message) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const RunContext& context_;
+  const ObserverList& observers_;
+  std::vector<std::string> earlier_warnings_;
+  const log::WarningRecord& warnings_;
+  std::function<void(Summary&)> describe_loop_;
+  bool has_model_record_;
+  std::optional<Clock::time_point> last_;
+};
+
+}  // namespace creepcontact::run
