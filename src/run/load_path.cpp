@@ -13,6 +13,7 @@ const std::string path_name = "load_path";  // in memories
 void LoadPath::initialize(double t, std::span<const double> /*y*/, double /*step*/) {
   time_ = t;
   target_ = none;
+  accept_output();
 }
 
 ode::StepReport LoadPath::step(double t_limit) {
@@ -20,13 +21,18 @@ ode::StepReport LoadPath::step(double t_limit) {
   if (system_.has_friction()) {
     follow_slip(t_limit);
   } else {
-    if (std::ranges::binary_search(outputs_, t_limit)) {
-      system_.evaluate_step(t_limit, {});
-      system_.accept(t_limit, {});
-    }
     time_ = t_limit;
+    const bool is_end = t_limit >= outputs_.back();  // the end of the run is an output time, and nothing follows it
+    if (!is_end && !std::ranges::binary_search(breakpoints_, t_limit)) accept_output();
   }
   return {.time = time_, .step = time_ - begin};
+}
+
+void LoadPath::accept_output() {
+  if (system_.has_friction() || time_ <= accepted_ || !std::ranges::binary_search(outputs_, time_)) return;
+  system_.evaluate_step(time_, {});
+  system_.accept(time_, {});
+  accepted_ = time_;
 }
 
 void LoadPath::follow_slip(double t_limit) {
@@ -49,14 +55,15 @@ void LoadPath::follow_slip(double t_limit) {
 }
 
 ode::RestartPoint LoadPath::save() const {
-  return {.time = time_, .next_step = 0, .state = {}, .memory = {{path_name, {target_, length_}}}};
+  return {.time = time_, .next_step = 0, .state = {}, .memory = {{path_name, {target_, length_, accepted_}}}};
 }
 
 void LoadPath::restore(const ode::RestartPoint& point) {
-  initialize(point.time, {});
+  time_ = point.time;
   const std::vector<double>& path = point.memory.at(path_name);
   target_ = path.at(0);
   length_ = path.at(1);
+  accepted_ = path.at(2);
 }
 
 }  // namespace creepcontact::run

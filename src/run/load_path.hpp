@@ -10,11 +10,13 @@ namespace creepcontact::run {
 
 /// With friction a step accepts the equilibrium at its end, and is as long as the path of the slip allows. Without, the
 /// states have nothing to do with each other: a step ends where it may and costs nothing but at output times, whose
-/// states are those from which contact iterations start.
+/// states are accepted because the next contact iterations start from them.
 class LoadPath final : public ode::Integrator {
  public:
-  /// @param system  without a state in any process @param outputs  ascending; both must outlive the object
-  LoadPath(creep::CreepSystem& system, const std::vector<double>& outputs) : system_(system), outputs_(outputs) {}
+  /// @param system  without a state in any process @param outputs  ascending
+  /// @param breakpoints  ascending: results there are those after the loads have changed. All must outlive the object
+  LoadPath(creep::CreepSystem& system, const std::vector<double>& outputs, const std::vector<double>& breakpoints)
+      : system_(system), outputs_(outputs), breakpoints_(breakpoints) {}
 
   std::string name() const override { return {}; }
   void initialize(double t, std::span<const double> y, double step = 0) override;
@@ -32,12 +34,16 @@ class LoadPath final : public ode::Integrator {
  private:
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   void follow_slip(double t_limit);
+  /// Without friction: accepts the present state if it is that of an output time.
+  void accept_output();
 
   creep::CreepSystem& system_;
   const std::vector<double>& outputs_;
+  const std::vector<double>& breakpoints_;
   double time_ = 0;
   double target_ = none;  // time that the steps with friction lead to
   double length_ = 0;     // of the next one of them, if nothing else bounds it
+  double accepted_ = 0;   // last output time accepted, without friction
 };
 
 }  // namespace creepcontact::run
