@@ -382,22 +382,18 @@ void CreepSystem::accept(double t, std::span<const double> y) {
 
 void CreepSystem::save(Memory& memory) const {
   solver_.save(history_, memory);
-  memory["strain_scale"] = scale_.strain();
-  if (!scale_.lives().empty()) memory["life_scale"] = scale_.lives();
-  if (yield_steps_.is_needed()) memory["yield_steps"] = yield_steps_.memory();
+  scale_.save(memory);
+  yield_steps_.save(memory);
 }
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
   path_ = {history_, {}};
-  const auto lives = memory.find("life_scale");  // not in checkpoints of earlier versions
-  scale_.restore(memory.at("strain_scale"), lives != memory.end() ? lives->second : std::vector<double>{});
+  scale_.restore(memory);
 }
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
-  const auto found = memory.find("yield_steps");  // not in checkpoints of earlier versions
-  if (found == memory.end() || !yield_steps_.is_needed()) return;
-  yield_steps_.resume(evaluate_step(t, y).equilibrium, found->second);
+  if (yield_steps_.is_needed()) yield_steps_.resume(evaluate_step(t, y).equilibrium, memory);
 }
 
 RunCounters CreepSystem::run_counters() const {

@@ -16,53 +16,15 @@ namespace {
 
 constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
 
-/// @param step  0: the last accepted one
-std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) {
-  return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
-}
-
-using creep::packed;
-std::vector<double> packed(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
-}
-
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::VectorXd::Map(values.data(), std::ssize(values));
-}
-
-void save_friction(const History& history, Memory& memory) {
-  const SlipHistory& friction = history.friction;
-  memory["contact.nodes"] = packed(history.contact.nodes);
-  memory["contact.image"] = packed(history.contact.image);
-  memory["contact.factored"] = packed(history.contact.factored);
-  memory["friction.slip"] = packed(friction.slip);
-  memory["friction.gap"] = packed(friction.gap);
-  memory["friction.rate"] = packed(friction.rate);
-  memory["friction.direction"] = packed(friction.direction);
-  memory["friction.path"] = packed(friction.path);
-  memory["friction.dissipated"] = friction.dissipated;
-  memory["friction.time"] = {friction.time, friction.is_fresh ? 1.0 : 0.0};
-}
-
-void restore_friction(const Memory& memory, History& history) {
-  SlipHistory& friction = history.friction;
-  history.contact.nodes = unpacked(memory.at("contact.nodes"));
-  history.contact.image = vector_of(memory.at("contact.image"));
-  history.contact.factored = unpacked(memory.at("contact.factored"));
-  friction.slip = vector_of(memory.at("friction.slip"));
-  friction.direction = vector_of(memory.at("friction.direction"));
-  friction.path = vector_of(memory.at("friction.path"));
-  friction.dissipated = memory.at("friction.dissipated");
-  const auto clock = memory.find("friction.time");
-  if (clock == memory.end()) {  // of an earlier version: the next step is taken as it is
-    friction.time = memory.at("friction.turning").at(0);
-    return;
-  }
-  friction.time = clock->second.at(0);
-  friction.is_fresh = clock->second.at(1) != 0;
-  friction.gap = vector_of(memory.at("friction.gap"));
-  friction.rate = vector_of(memory.at("friction.rate"));
-}
+/// The state of a solver that evaluations depend on.
+struct SolverState {
+  std::vector<double> factor_times;  // per body: the time whose stiffness is factored
+  std::int64_t factors = 0;          // EquilibriumSolver::factors_
+  bool sweeps_given_up = false;
+  static constexpr auto members =
+      std::tuple{Member{"factor_times", &SolverState::factor_times}, Member{"factors", &SolverState::factors},
+                 Member{"sweeps_given_up", &SolverState::sweeps_given_up}};
+};
 
 }  // namespace
 
@@ -276,50 +238,26 @@ RunCounters EquilibriumSolver::counters() const {
 }
 
 void EquilibriumSolver::save(const History& history, Memory& memory) const {
-  const contact::ContactState& contact = history.contact;
-  memory["contact.multiplier"].assign(contact.multiplier.begin(), contact.multiplier.end());
-  memory["contact.rigid"].assign(contact.rigid.begin(), contact.rigid.end());
-  memory["contact.active"].assign(contact.active.begin(), contact.active.end());
-  memory["contact.interference"] = history.interference;
-  memory["contact.preloaded_until"] = {history.preloaded_until};
-  memory["contact.reached"].assign(history.reached.begin(), history.reached.end());
-  memory["contact.sweeps_given_up"] = {contact_solver_ && contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
-  if (history.friction.slip.size() > 0) save_friction(history, memory);
-  for (std::size_t b = 0; b < work_.size() && stiffness_changes_; ++b)
-    memory["stiffness.factor_times"].push_back(interface_.factored(b).time());
-  if (!iterates()) return;
-  std::size_t k = 0;
-  for (const History::Accepted& step : history.accepted) {
-    if (step.factors != factors_) continue;
-    memory[kept_name("time", k)] = {step.time};
-    for (std::size_t b = 0; b < work_.size(); ++b) memory[kept_name("free", k, b)] = step.displacements[b];
-    ++k;
-  }
+  SolverState state;
+  state.factors = factors_;
+  state.sweeps_given_up = contact_solver_ && contact_solver_->has_given_up_sweeps();
+  for (std::size_t b = 0; b < work_.size(); ++b) state.factor_times.push_back(interface_.factored(b).time());
+  memory.save("solver", state);
+  memory.save("history", history);
 }
 
 void EquilibriumSolver::restore(const Memory& memory, History& history) {
-  history.contact.multiplier = vector_of(memory.at("contact.multiplier"));
-  history.contact.rigid = vector_of(memory.at("contact.rigid"));
-  const std::vector<double>& active = memory.at("contact.active");
-  history.contact.active.assign(active.begin(), active.end());
-  history.interference = memory.at("contact.interference");
-  history.preloaded_until = memory.at("contact.preloaded_until").at(0);
-  history.reached = vector_of(memory.at("contact.reached"));
-  if (memory.at("contact.sweeps_given_up").at(0) != 0 && contact_solver_) contact_solver_->give_up_sweeps();
-  if (interface_.problem().has_friction()) restore_friction(memory, history);
-  history.accepted.clear();
+  SolverState state;
+  memory.restore("solver", state);
+  memory.restore("history", history);
+  if (state.sweeps_given_up && contact_solver_) contact_solver_->give_up_sweeps();
   if (stiffness_changes_) {
-    const std::vector<double>& factor_times = memory.at("stiffness.factor_times");
     std::vector<mechanics::BodyConditions> at;
-    for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(factor_times.at(b)));
+    for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(state.factor_times.at(b)));
     refactorize(at);
   }
-  if (!iterates()) return;
-  for (std::size_t k = 0; memory.contains(kept_name("time", k)); ++k) {
-    history.accepted.push_back({memory.at(kept_name("time", k)).at(0), {}, factors_});
-    for (std::size_t b = 0; b < work_.size(); ++b)
-      history.accepted.back().displacements.push_back(memory.at(kept_name("free", k, b)));
-  }
+  std::erase_if(history.accepted, [&](const History::Accepted& step) { return step.factors != state.factors; });
+  for (History::Accepted& step : history.accepted) step.factors = factors_;
 }
 
 }  // namespace creepcontact::creep

@@ -81,15 +81,15 @@ void ErrorScale::resolve_cycle(std::span<const double> change, double least) {
   for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
 }
 
-std::vector<double> ErrorScale::lives() const {
-  std::vector<double> scales;
-  for (const Life& life : lives_) scales.push_back(life.scale);
-  return scales;
+void ErrorScale::save(Memory& memory) const {
+  memory.save("scale.strain", strain_);
+  memory.save("scale.lives", lives_);
 }
 
-void ErrorScale::restore(const std::vector<double>& strain, const std::vector<double>& lives) {
-  for (std::size_t i = 0; lives.size() == lives_.size() && i < lives.size(); ++i) lives_[i].scale = lives[i];
-  for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain.at(b));
+void ErrorScale::restore(const Memory& memory) {
+  memory.restore("scale.strain", strain_);
+  memory.restore("scale.lives", lives_);
+  for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
 }
 
 std::vector<double> ErrorScale::of_point(std::size_t body) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "checkpoint_seal.hpp"
 #include "creepcontact/base/error.hpp"
@@ -124,8 +125,12 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
   require_checkpoint(path);
   const std::filesystem::path previous = previous_checkpoint(path);
   std::string damage;
+  std::optional<OtherFormat> other_format;
   try {
     return read_checkpoint(path);
+  } catch (const OtherFormat& error) {
+    other_format = error;
+    damage = error.what();
   } catch (const ConfigError& error) {
     damage = error.what();
   }
@@ -139,6 +144,7 @@ Checkpoint read_last_checkpoint(const std::filesystem::path& path) {
           fmt::format("cannot rename '{}' to '{}': {}", previous.string(), path.string(), error.message()));
     return checkpoint;
   } catch (const ConfigError& error) {
+    if (other_format) throw *other_format;
     throw ConfigError(fmt::format("{}, and {}; run without --resume to start again", damage, error.what()));
   }
 }

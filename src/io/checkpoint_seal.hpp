@@ -4,7 +4,15 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "creepcontact/base/error.hpp"
+
 namespace creepcontact::io {
+
+/// A checkpoint that another version of the program has written.
+class OtherFormat : public ConfigError {
+ public:
+  using ConfigError::ConfigError;
+};
 
 constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
 
@@ -12,7 +20,8 @@ constexpr std::size_t seal_size = 512;  // the smallest user block of HDF5
 void write_seal(const std::filesystem::path& path);
 
 /// Compares the whole file with its seal, before HDF5 sees it: the library may crash on damaged structures.
-/// @throws ConfigError if the file cannot be read, is not a checkpoint of this version, or differs from its seal
+/// @throws OtherFormat for a checkpoint of another format; ConfigError if the file cannot be read, is not a checkpoint,
+/// or differs from its seal
 void check_seal(const std::filesystem::path& path);
 
 }  // namespace creepcontact::io

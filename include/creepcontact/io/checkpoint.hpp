@@ -2,10 +2,10 @@
 /// checkpoint.h5: everything needed to continue an interrupted run.
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/base/run_counters.hpp"
 
 namespace creepcontact::io {
@@ -16,9 +16,9 @@ struct Checkpoint {
   std::string integrator;   ///< whose data is in `arrays`
   double time = 0;
   double next_step = 0;
-  std::vector<double> state;                          ///< y of the ODE
-  RunCounters counters;                               ///< of the run up to `time`
-  std::map<std::string, std::vector<double>> arrays;  ///< everything else that later steps depend on
+  std::vector<double> state;  ///< y of the ODE
+  RunCounters counters;       ///< of the run up to `time`
+  Memory arrays;              ///< everything else that later steps depend on
 };
 
 /// Name under which the checkpoint before the one at `path` is kept: checkpoint.previous.h5.
@@ -34,7 +34,8 @@ void prepare_checkpoints() noexcept;
 /// @throws Error if the disk cannot take it; the old file is then still there
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// @throws ConfigError if the file is missing, truncated, damaged or not a checkpoint of this program
+/// @throws ConfigError if the file is missing, truncated, damaged, not a checkpoint, or one that a version of the
+/// program with another format of checkpoints has written
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
 /// @throws ConfigError if there is neither a checkpoint at `path` nor the previous one

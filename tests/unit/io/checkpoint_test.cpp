@@ -108,11 +108,14 @@ TEST_F(CheckpointFile, ForeignMissingAndUnwritableFilesAreNamed) {
 
 TEST_F(CheckpointFile, OfAnotherVersionIsRefused) {
   write_checkpoint(path_, example());
-  const std::string version = "creepcontact checkpoint 3\n", good = test::read_text(path_);
+  const std::string version = "creepcontact checkpoint 4\n", good = test::read_text(path_);
   ASSERT_TRUE(good.starts_with(version));
-  for (const char other : {'2', '4'}) {
+  for (const char other : {'3', '5'}) {
     const std::string message = reading([&](std::string& bytes) { bytes[version.size() - 2] = other; }, good);
-    EXPECT_TRUE(contains(message, "is not a checkpoint of this version of creepcontact")) << message;
+    for (const std::string& part : {std::string("run without --resume"), "'" + path_.string() + "'",
+                                    std::string("version ") + other, std::string("reads version 4")})
+      EXPECT_TRUE(contains(message, part)) << message;
+    EXPECT_EQ(message_of<ConfigError>([&] { read_last_checkpoint(path_); }), message);  // there is no previous one
   }
 }
 
