@@ -14,7 +14,7 @@
 #include <initializer_list>
 #include <new>
 
-#include "creepcontact/io/mesher_protocol.hpp"
+#include "creepcontact/io/msh/mesher_protocol.hpp"
 #include "death.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/msh_content.hpp"
+#include "creepcontact/io/msh/msh_content.hpp"
 
 namespace creepcontact::mesher {
 

@@ -10,8 +10,8 @@
 
 #include "checkpoints.hpp"
 #include "creepcontact/config/config.hpp"
-#include "creepcontact/io/csv_file.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/csv_file.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/load_cycles.hpp"
 #include "creepcontact/ode/cycle_extrapolation.hpp"
 #include "creepcontact/ode/integrator.hpp"

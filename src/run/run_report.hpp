@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/ode/integrator.hpp"
 
 namespace creepcontact::run {

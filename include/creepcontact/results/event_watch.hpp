@@ -8,7 +8,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/results/probe_expression.hpp"
 
 namespace creepcontact::results {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/results/step_values.hpp"
 
 namespace creepcontact::results {

@@ -7,7 +7,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 
 namespace creepcontact::results {
 
