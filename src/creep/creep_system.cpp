@@ -132,9 +132,9 @@ double CreepSystem::rate_change(double from, std::span<const double> y, double t
   const auto rate_of = [&](const Evaluation& at) {
     std::vector<double> rate(size(), 0.0);
     together(team(), [&] {
-      for (std::size_t b = 0; b < laws_.points().size(); ++b)
-        if (!laws_.points()[b].empty())
-          laws_.points()[b].rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
+      laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+        points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
+      });
     });
     return rate;
   };
@@ -178,11 +178,10 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   const bool with_tangents = std::exchange(tangents_needed_, false);
   if (with_tangents) resize_tangents(laws_.points(), step_.tangents);
   together(team(), [&] {
-    for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-      if (laws_.points()[b].empty()) continue;
+    laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
       const auto tangents = with_tangents ? std::span(step_.tangents[b]) : std::span<material::StressTangent>();
-      laws_.points()[b].rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
-    }
+      points.rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
+    });
     step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
@@ -195,18 +194,19 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
   laws_.layout().views(v, views_);
   solver_.linearized(at.equilibrium, views_, stress_change_);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty())
-      laws_.points()[b].derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
-                                   laws_.layout().part(b, product));
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    points.derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
+                      laws_.layout().part(b, product));
+  });
 }
 
 const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
   tangents_needed_ = true;
   if (step_.has_tangents) return step_.tangents;
   resize_tangents(laws_.points(), step_.tangents);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty()) laws_.points()[b].tangents(laws_.state(b, step_, step_.y), step_.tangents[b]);
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    points.tangents(laws_.state(b, step_, step_.y), step_.tangents[b]);
+  });
   step_.has_tangents = true;
   return step_.tangents;
 }
@@ -214,9 +214,9 @@ const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tange
 void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty() && !local_[b])
-      preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
+    if (!local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
+  });
   local_gamma_ = 0;
 }
 
@@ -224,35 +224,29 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
   const auto lap = watch_.lap(Part::material);
   const bool prepared = gamma < same_gamma * local_gamma_ && local_gamma_ < same_gamma * gamma;
   if (!prepared) local_gamma_ = gamma;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-    if (laws_.points()[b].empty()) continue;
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
     const std::span<const double> right = laws_.layout().part(b, r);
     const std::span<double> result = laws_.layout().part(b, z);
-    if (!local_[b]) {
-      preconditioners_[b].apply(gamma, right, result);
-      continue;
-    }
-    // Of the last evaluation, which may be nearer than the point prepared for.
+    if (!local_[b]) return preconditioners_[b].apply(gamma, right, result);
+    // At the last evaluation, which may be nearer than the point prepared for.
     if (!prepared) local_[b]->prepare(gamma, laws_.state(b, step_, step_.y));
     local_[b]->solution(right, {}, result);
-  }
+  });
 }
 
 void CreepSystem::precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
                                     std::span<double> z) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-    if (laws_.points()[b].empty()) continue;
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
     const PointsState state = laws_.state(b, at, y);
     const std::span<const double> right = laws_.layout().part(b, r);
     const std::span<double> result = laws_.layout().part(b, z);
-    if (!local_[b]) {
+    if (local_[b])
+      local_[b]->solve_points(gamma, state, right, result);
+    else
       PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
-      continue;
-    }
-    local_[b]->solve_points(gamma, state, right, result);
-  }
+  });
 }
 
 void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {
@@ -269,9 +263,9 @@ void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) 
 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
   double smallest = 1;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty())
-      smallest = std::min(smallest, laws_.points()[b].start_exponent(t, laws_.state(b, at, at.y)));
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    smallest = std::min(smallest, points.start_exponent(t, laws_.state(b, at, at.y)));
+  });
   return team().min(smallest);
 }
 
@@ -283,9 +277,9 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
                                   std::span<double> change) {
   const Evaluation& at = evaluate_step(stress_time, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty())
-      laws_.points()[b].add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    points.add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
+  });
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,
@@ -313,31 +307,26 @@ double CreepSystem::stable_step(double t, std::span<const double> y) {
 }
 
 std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
-  std::vector<double> times;
+  std::vector<double> times(laws_.points().size(), std::numeric_limits<double>::infinity());
   std::vector<material::StressTangent> found;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-    double fastest = 0;
-    if (!laws_.points()[b].empty()) {
-      const PointsState state = laws_.state(b, at, at.y);
-      if (!at.has_tangents) {
-        found.resize(laws_.points()[b].size());
-        laws_.points()[b].tangents(state, found);
-      }
-      fastest = laws_.points()[b].stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    const PointsState state = laws_.state(b, at, at.y);
+    if (!at.has_tangents) {
+      found.resize(points.size());
+      points.tangents(state, found);
     }
-    times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
-  }
+    const double fastest = points.stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
+    if (fastest > 0) times[b] = 1 / fastest;
+  });
   team().min(times);
   return times;
 }
 
 std::vector<std::optional<RelaxationTime>> CreepSystem::initial_relaxation(const Evaluation& at, double near) const {
-  std::vector<std::optional<RelaxationTime>> times;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (laws_.points()[b].empty())
-      times.emplace_back();
-    else
-      times.emplace_back(relaxation_time(team(), laws_.points()[b], laws_.state(b, at, at.y), near));
+  std::vector<std::optional<RelaxationTime>> times(laws_.points().size());
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    times[b] = relaxation_time(team(), points, laws_.state(b, at, at.y), near);
+  });
   return times;
 }
 

@@ -9,7 +9,9 @@
 #include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "friction_follower.hpp"
 #include "slip_advance.hpp"
+#include "stiffness_change.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -46,12 +48,13 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
       }()),
       contact_solver_(make_contact_solver()),
       active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)),
-      slip_advance_(std::make_unique<const SlipAdvance>(interface_.problem(), assembly.pairs())) {
+      slip_advance_(std::make_unique<const SlipAdvance>(interface_.problem(), assembly.pairs())),
+      friction_(make_friction_follower()),
+      stiffness_changes_(creep::stiffness_changes(assembly)) {
   counters_.factorizations = std::ssize(assembly.bodies());
   for (const mechanics::Body& body : assembly.bodies()) {
     const std::size_t n_free = body.constraints().n_free();
     const std::size_t n_full = body.constraints().n_full();
-    stiffness_changes_ = stiffness_changes_ || body.stiffness_changes();
     work_.push_back({std::vector<double>(n_free), std::vector<double>(n_free), std::vector<double>(n_free),
                      std::vector<double>(n_full), std::vector<double>(n_full)});
   }
@@ -61,7 +64,7 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
 EquilibriumSolver::~EquilibriumSolver() = default;
 
 std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver() const {
-  if (!interface_.is_here()) return nullptr;
+  if (!interface_.flexibility().is_here()) return nullptr;
   const contact::ContactProblem& problem = interface_.problem();
   if (problem.has_friction()) {
     contact::FrictionOptions options{options_.friction, options_.schwarz};
@@ -83,9 +86,26 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
   return contact::schwarz_solver(problem, options);
 }
 
+std::unique_ptr<FrictionFollower> EquilibriumSolver::make_friction_follower() {
+  const auto traces = [this](std::span<const std::vector<double>> forces, Eigen::VectorXd& gap) {
+    for (std::size_t b = 0; b < work_.size(); ++b) work_[b].right_hand_side = forces[b];
+    forward();
+    add_traces(gap);
+  };
+  const auto solve = [this](const contact::ContactLoad& load, const contact::ContactState& from, double t) {
+    if (recorder_ != nullptr) recorder_->begin_solve(t);
+    return contact_solver_->solve(load, from);
+  };
+  return std::make_unique<FrictionFollower>(assembly_, interface_, *slip_advance_, traces, solve, watch_);
+}
+
+double EquilibriumSolver::longest_for_friction(double t, double end) const {
+  return friction_->longest_step(t, end);
+}
+
 void EquilibriumSolver::add_traces(Eigen::VectorXd& gap) {
   const auto lap = watch_.lap(Part::contact);
-  for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_trace(b, work_[b].factored, gap);
+  for (std::size_t b = 0; b < work_.size(); ++b) interface_.flexibility().add_trace(b, work_[b].factored, gap);
 }
 
 void EquilibriumSolver::forward() {
@@ -99,7 +119,8 @@ void EquilibriumSolver::forward() {
 void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
   {
     const auto lap = watch_.lap(Part::contact);
-    for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_multipliers(b, multiplier, work_[b].factored);
+    for (std::size_t b = 0; b < work_.size(); ++b)
+      interface_.flexibility().add_multipliers(b, multiplier, work_[b].factored);
   }
   const auto lap = watch_.lap(Part::solve);
   std::vector<linalg::Substitution> substitutions;
@@ -111,7 +132,7 @@ void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
 contact::ContactState EquilibriumSolver::contact_change(const contact::ContactState& at, const Eigen::VectorXd& gap) {
   contact::ContactState change;
   together(assembly_.team(), [&] {
-    if (interface_.is_here()) change = active_set_.solve_change(at, gap);
+    if (interface_.flexibility().is_here()) change = active_set_.solve_change(at, gap);
   });
   broadcast(assembly_.team(), change);
   return change;
@@ -150,13 +171,13 @@ History EquilibriumSolver::initial_history(int substeps) {
   if (!has_friction && preloads.empty()) return history;
   Equilibrium at;
   assembly_.update(0, at.conditions);
-  if (stiffness_change(at.conditions).rest > 0) refactorize(at.conditions);
+  if (stiffness_change(assembly_, interface_, at.conditions).rest > 0) refactorize(at.conditions);
   const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
   // All of it is linear in the loads: one pass serves all substeps.
-  contact::InterfaceLoad full = start(no_creep, history, {}, at);
+  contact::InterfaceLoad full = start(no_creep, history, StiffnessChange(), at);
   forward();
   add_traces(full.gap);
-  const Eigen::VectorXd unloaded = interface_.unloaded_gap();
+  const Eigen::VectorXd unloaded = interface_.rows().unloaded_gap();
   const double longest = has_friction ? 1.0 / substeps : 1.0, shortest = longest / 64;
   double reached = 0, step = longest;
   while (reached < 1) {
@@ -209,7 +230,7 @@ SlipHistory EquilibriumSolver::slip_until(const Equilibrium& at, const History& 
 }
 
 std::vector<PathPoint> EquilibriumSolver::accept(const Equilibrium& at, History& history, const PathOptions& options) {
-  std::vector<PathPoint> path = follow_friction(at, history, options);
+  std::vector<PathPoint> path = friction_->follow(at, history, options);
   const contact::ContactState& contact = path.empty() ? at.contact : path.back().contact;
   std::vector<int> changed;
   std::ranges::set_symmetric_difference(history.contact.active, contact.active, std::back_inserter(changed));
@@ -232,8 +253,8 @@ std::vector<PathPoint> EquilibriumSolver::accept(const Equilibrium& at, History&
 }
 
 RunCounters EquilibriumSolver::counters() const {
-  RunCounters all = counters_;
-  all.elastic_solves += interface_.n_products();
+  RunCounters all = counters_ + friction_->counters();
+  all.elastic_solves += interface_.flexibility().n_products();
   return all;
 }
 

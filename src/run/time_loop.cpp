@@ -197,7 +197,7 @@ void TimeLoop::output(double t, std::span<const double> y) {
 void TimeLoop::see_uniqueness(const creep::Equilibrium& at) {
   if (!system_.has_friction()) return;
   const contact::CondensedInterface& interface = system_.solver().interface();
-  const auto kappa = contact::friction_kappa(interface.problem(), interface.friction(at.time), at.contact);
+  const auto kappa = contact::friction_kappa(interface.problem(), interface.rows().friction(at.time), at.contact);
   if (!kappa) return;
   if (*kappa > 1 && !(friction_kappa_.value_or(0) > 1))
     log::warning(

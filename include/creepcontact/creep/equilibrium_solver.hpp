@@ -29,8 +29,9 @@
 
 namespace creepcontact::creep {
 
-class LoadCourse;
+class FrictionFollower;
 class SlipAdvance;
+struct StiffnessChange;
 
 /// Options of an EquilibriumSolver.
 struct SolverOptions {
@@ -123,16 +124,11 @@ class EquilibriumSolver {
     std::vector<double> displacement;                     // 3 n_nodes, of linearized()
     std::vector<double> no_displacement;                  // zeros
   };
-  struct StiffnessChange {
-    double scale = 1, rest = 0;  // s and q
-    /// With a solver of this error bound instead of the factors.
-    StiffnessChange solved_with(double error) const { return {scale, rest + error + rest * error}; }
-  };
   EquilibriumSolver(const Assembly& assembly, const SolverOptions& options, Stopwatch& watch,
                     const contact::CondensedInterface::Admission& admit,
                     const std::vector<mechanics::BodyConditions>& at_start);
   std::unique_ptr<contact::ContactSolver> make_contact_solver() const;
-  StiffnessChange stiffness_change(const std::vector<mechanics::BodyConditions>& at) const;
+  std::unique_ptr<FrictionFollower> make_friction_follower();
   /// Factors the stiffness of these conditions, which becomes K0.
   void refactorize(const std::vector<mechanics::BodyConditions>& at);
   /// @returns false if the iteration stalls before it converges, which only round-off can cause
@@ -153,12 +149,6 @@ class EquilibriumSolver {
   void leave_residual(const Equilibrium& of);
   /// Slip up to an equilibrium that was solved from this history.
   SlipHistory slip_until(const Equilibrium& at, const History& history) const;
-  std::vector<PathPoint> follow_friction(const Equilibrium& at, const History& history, const PathOptions& options);
-  /// Loads between two times. @param at  the equilibrium at the second one
-  /// @param multiplier  the largest at both: the tolerance is relative to it
-  LoadCourse load_course(double begin, double end, const Equilibrium& at, double tolerance, double multiplier);
-  /// Once. @param error  relative to the tolerance
-  void warn_of_path(double from, double to, bool has_end, bool is_resolved, double error);
   /// The pairs whose preloads are due at t.
   std::vector<std::size_t> preloads_due(double t, const History& history) const;
   void hold_what_is_reached(double t, CreepStrains creep, History& history);
@@ -185,13 +175,13 @@ class EquilibriumSolver {
   std::unique_ptr<contact::ContactSolver> contact_solver_;
   contact::ActiveSetSystem active_set_;
   std::unique_ptr<const SlipAdvance> slip_advance_;
+  std::unique_ptr<FrictionFollower> friction_;
   contact::IterationRecorder* recorder_ = nullptr;
   StopRequest stop_;
-  bool stiffness_changes_ = false;
+  const bool stiffness_changes_;
   double solver_error_ = 0;   // its bound
   std::int64_t factors_ = 0;  // number of factorisations since the start
-  bool path_warned_ = false;
-  std::vector<Work> work_;  // scratch, no state between calls
+  std::vector<Work> work_;    // scratch, no state between calls
   RunCounters counters_;
 };
 

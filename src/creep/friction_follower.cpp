@@ -1,17 +1,17 @@
-/// Following the path of friction when a step is accepted.
+#include "friction_follower.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/creep/equilibrium_solver.hpp"
 #include "friction_path.hpp"
-#include "load_course.hpp"
+#include "stiffness_change.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -65,21 +65,32 @@ std::vector<double> abrupt_changes(const std::function<Eigen::VectorXd(double pa
 
 }  // namespace
 
-LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equilibrium& at, double tolerance,
-                                          double multiplier) {
+FrictionFollower::FrictionFollower(const Assembly& assembly, const contact::CondensedInterface& interface,
+                                   const SlipAdvance& slip, AddTraces add_traces, SolveContact solve_contact,
+                                   Stopwatch& watch)
+    : assembly_(assembly),
+      interface_(interface),
+      slip_(slip),
+      add_traces_(std::move(add_traces)),
+      solve_contact_(std::move(solve_contact)),
+      watch_(watch),
+      stiffness_changes_(stiffness_changes(assembly)) {}
+
+LoadCourse FrictionFollower::load_course(double begin, double end, const Equilibrium& at, double tolerance,
+                                         double multiplier) {
   std::vector<mechanics::BodyConditions> conditions = at.conditions;
   const auto loads_at = [&](double t) {
     const auto lap = watch_.lap(Part::material);
     assembly_.update(t, conditions);
     LoadsAt loads;
-    const double stiffness_scale = stiffness_changes_ ? stiffness_change(conditions).scale : 1.0;
-    contact::InterfaceLoad interface_load = interface_.initial_load(t, conditions);
-    for (std::size_t b = 0; b < work_.size(); ++b) {
-      loads.forces.emplace_back(work_[b].right_hand_side.size());
+    const double stiffness_scale = stiffness_changes_ ? stiffness_change(assembly_, interface_, conditions).scale : 1.0;
+    contact::InterfaceLoad interface_load = interface_.rows().initial_load(t, conditions);
+    for (std::size_t b = 0; b < assembly_.bodies().size(); ++b) {
+      loads.forces.emplace_back(assembly_.bodies()[b].constraints().n_free());
       assembly_.bodies()[b].right_hand_side(conditions[b], {}, loads.forces[b]);
       assembly_.bodies()[b].clear_fixing_dofs(loads.forces[b]);
       vector(loads.forces[b]) /= stiffness_scale;
-      interface_.add_resultant(b, conditions[b], interface_load);
+      interface_.rows().add_resultant(b, conditions[b], interface_load);
     }
     loads.gap = interface_load.gap;
     loads.work = interface_load.work;
@@ -96,7 +107,7 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
   const auto is_off = [&](double part) {
     const LoadsAt loads = loads_at(time(part));
     double off = 0, size = 0;
-    for (std::size_t b = 0; b < work_.size(); ++b) {
+    for (std::size_t b = 0; b < assembly_.bodies().size(); ++b) {
       off += forces_off(part, loads, b).squaredNorm();
       size += vector(loads.forces[b]).squaredNorm() + vector(first.forces[b]).squaredNorm() +
               vector(last.forces[b]).squaredNorm();
@@ -113,18 +124,17 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
   if (!is_off(0.25) && !is_off(0.5) && !is_off(0.75)) return {};
 
   const contact::ContactProblem& problem = interface_.problem();
-  const Eigen::MatrixXd& held = interface_.rigid_body_modes().held();
+  const Eigen::MatrixXd& held = interface_.rows().rigid_body_modes().held();
   const LoadCourse::Deviation none{Eigen::VectorXd::Zero(problem.n_rows()), Eigen::VectorXd::Zero(problem.n_motions())};
   double largest = multiplier, force = std::max(first.force, last.force);
   Eigen::VectorXd flexibility;
-  if (interface_.is_here()) flexibility = contact::row_flexibility(problem);
+  if (interface_.flexibility().is_here()) flexibility = contact::row_flexibility(problem);
   const auto deviation = [&](double part) {
-    const LoadsAt loads = loads_at(time(part));
+    LoadsAt loads = loads_at(time(part));
     LoadCourse::Deviation result = none;
     result.gap = off_the_line(part, loads.gap, first.gap, last.gap);
-    for (std::size_t b = 0; b < work_.size(); ++b) vector(work_[b].right_hand_side) = forces_off(part, loads, b);
-    forward();
-    add_traces(result.gap);
+    for (std::size_t b = 0; b < assembly_.bodies().size(); ++b) vector(loads.forces[b]) = forces_off(part, loads, b);
+    add_traces_(loads.forces, result.gap);
     ++counters_.elastic_solves;
     force = std::max(force, loads.force);
     if (problem.n_motions() > 0)
@@ -133,7 +143,7 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
       if (flexibility[row] > 0) largest = std::max(largest, std::abs(result.gap[row]) / flexibility[row]);
     return result;
   };
-  const double friction = std::min(1.0, interface_.friction(end).coefficient.maxCoeff());
+  const double friction = std::min(1.0, interface_.rows().friction(end).coefficient.maxCoeff());
   const auto is_near = [&](const LoadCourse::Deviation& a, const LoadCourse::Deviation& b) {
     bool far = false;
     for (Index row = 0; row < flexibility.size(); ++row)
@@ -146,14 +156,14 @@ LoadCourse EquilibriumSolver::load_course(double begin, double end, const Equili
   return {none, deviation, is_near};
 }
 
-double EquilibriumSolver::longest_for_friction(double t, double end) const {
+double FrictionFollower::longest_step(double t, double end) const {
   constexpr double never = std::numeric_limits<double>::infinity(), most = 0.01;
   if (!stiffness_changes_ || !interface_.problem().has_friction() || !(end > t)) return never;
   std::vector<mechanics::BodyConditions> conditions;
   const auto stiffness_at = [&](double time) {
     assembly_.update(time, conditions);
     std::vector<double> low, high;
-    for (std::size_t b = 0; b < work_.size(); ++b) {
+    for (std::size_t b = 0; b < assembly_.bodies().size(); ++b) {
       const auto [least, largest] = interface_.factored(b).stiffness_ratio(conditions[b]);
       low.push_back(least);
       high.push_back(largest);
@@ -176,8 +186,8 @@ double EquilibriumSolver::longest_for_friction(double t, double end) const {
   return step < end - t ? step : never;
 }
 
-std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at, const History& history,
-                                                          const PathOptions& options) {
+std::vector<PathPoint> FrictionFollower::follow(const Equilibrium& at, const History& history,
+                                                const PathOptions& options) {
   if (history.friction.slip.size() == 0) return {};
   const PathPoint begin{history.contact, history.friction}, end{at.contact, at.friction};
   std::vector<PathPoint> points{begin, end};
@@ -195,9 +205,9 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
   FrictionPath::Limits limits;
   if (passes) {
     course = load_course(from, to, at, tolerance, largest);
-    if (interface_.is_here())
-      limits.ends =
-          abrupt_changes([&](double part) { return interface_.friction(from + part * (to - from)).coefficient; });
+    if (interface_.flexibility().is_here())
+      limits.ends = abrupt_changes(
+          [&](double part) { return interface_.rows().friction(from + part * (to - from)).coefficient; });
   }
   limits.tolerance = tolerance;
   if (options.interval > 0) limits.part_of_interval = std::min(1.0, (to - from) / options.interval);
@@ -213,7 +223,7 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
     for (std::size_t k = 0; k + 1 < scales.size(); ++k) {
       assembly_.update(from + static_cast<double>(k) / static_cast<double>(scales.size() - 1) * (to - from),
                        conditions);
-      scales[k] = stiffness_change(conditions).scale;
+      scales[k] = stiffness_change(assembly_, interface_, conditions).scale;
     }
   }
   const auto scale = [&scales](double part) {
@@ -228,7 +238,7 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
   std::optional<contact::SlidingOff> sliding;  // which no team can agree on
   const auto lap = watch_.lap(Part::contact);
   together(assembly_.team(), [&] {
-    if (!interface_.is_here()) return;
+    if (!interface_.flexibility().is_here()) return;
     // Gaps and resultants of the loads are those that the states at both ends are in equilibrium with.
     const auto without_multipliers = [&](const PathPoint& point, const Eigen::VectorXd& image) {
       Eigen::VectorXd gap = point.friction.gap - image;
@@ -248,7 +258,7 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
       if (problem.n_motions() > 0)
         load.resultant = -problem.rigid.transpose() *
                          ((1 - part) * begin.contact.multiplier + part * end.contact.multiplier) / scale(part);
-      load.friction = interface_.friction(t);
+      load.friction = interface_.rows().friction(t);
       load.idle = contact::idle_rows(interface_.pairs(), t);
       if (!course.is_straight()) {
         const LoadCourse::Deviation off = course.at(part);
@@ -258,17 +268,16 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
       return load;
     };
     const auto solve = [&](const contact::ContactLoad& load, const contact::ContactState& last, double part) {
-      if (recorder_ != nullptr) recorder_->begin_solve(to);
       contact::ContactState start = last;
       start.multiplier /= scale(part);
       if (stiffness_changes_) start.image.resize(0);
-      contact::ContactResult result = contact_solver_->solve(load, start);
+      contact::ContactResult result = solve_contact_(load, start, to);
       result.state.multiplier *= scale(part);
       work[0] += 1;
       work[1] += result.iterations;
       return result;
     };
-    FrictionPath path(problem, *slip_advance_, limits, loads, solve);
+    FrictionPath path(problem, slip_, limits, loads, solve);
     std::optional<std::vector<PathPoint>> found = path.follow(begin, end);
     has_end = found.has_value();
     unresolved = path.unresolved();
@@ -276,7 +285,7 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
       points = std::move(*found);
     } else if (path.unbalanced()) {
       try {
-        interface_.report(path.unbalanced()->load, path.unbalanced()->time);
+        interface_.balance().report(path.unbalanced()->load, path.unbalanced()->time);
       } catch (const contact::SlidingOff& error) {
         sliding = error;
       }
@@ -292,10 +301,10 @@ std::vector<PathPoint> EquilibriumSolver::follow_friction(const Equilibrium& at,
   return points;
 }
 
-void EquilibriumSolver::warn_of_path(double from, double to, bool has_end, bool is_resolved, double error) {
+void FrictionFollower::warn_of_path(double from, double to, bool has_end, bool is_resolved, double error) {
   constexpr double large = 10;
-  if (assembly_.team().rank() != 0 || path_warned_ || (has_end && is_resolved && !(error > large))) return;
-  path_warned_ = true;
+  if (assembly_.team().rank() != 0 || warned_ || (has_end && is_resolved && !(error > large))) return;
+  warned_ = true;
   const char* what = !has_end ? "a state between the ends of the step was not found, and the slip is that of one step"
                      : is_resolved ? "tractions or slip jump there"
                                    : "the loads change too fast there to be followed";
