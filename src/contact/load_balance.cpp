@@ -18,7 +18,7 @@ constexpr double overlap_of_rounding = 1e-9;  // of the size of a multiplier's a
 constexpr double force_round_off = 1e-13;     // of the forces on a body: what sums to zero but for it
 constexpr double unconstrained_work =
     1e-8;  // of the forces on the body: rounding, or a load along an unconstrained motion
-constexpr double residual_of_meshes = 1e-4;  // what an asymmetric mesh may leave of balanced loads
+constexpr double residual_of_meshes = 1e-4;  // of balanced loads on an asymmetric mesh
 
 /// @param work  of the external forces on unit rigid-body modes, RigidBodyModes::size()
 /// @param force  per mode: sum of the absolute external forces on its body, the scale of `work`

@@ -14,7 +14,7 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr double unconstrained_rate = 1e-8;  // rounding of the contact rows
-constexpr double sliding_rate = 3e-3;        // what facets make of a surface that slides in itself
+constexpr double sliding_rate = 3e-3;        // relative gap that facets open where a surface slides in itself
 constexpr double no_part = 1e-6;             // of an amplitude in a description
 constexpr double not_moved = 1e-10;          // of the largest amplitude: round-off of the decomposition
 

@@ -15,9 +15,9 @@ namespace {
 
 /// A preconditioner need not follow every step: gamma may be off by this factor.
 constexpr double same_gamma = 1.25;
-/// Of the strain that the tolerance stands for: where hardening begins to count.
+/// Part of the strain of the tolerance at which hardening begins to count.
 constexpr double min_share = 0.3;
-constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation that stands for an accepted point
+constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation so near represents an accepted point
 constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
 constexpr double least_step = 1e-6;    // relative to the time: a body that slides off in so short a step does slide off
 

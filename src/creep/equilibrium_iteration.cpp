@@ -18,7 +18,7 @@ namespace {
 
 constexpr double exact = 1e-12;      // of the stiffness: rounding
 constexpr double rounding = 1e-12;   // of the displacement, energy norm
-constexpr double stalled = 0.9;      // where an iteration changes more than this part of what the last did, it stands
+constexpr double stalled = 0.9;      // an iteration that changes more than this part of the last change has stalled
 constexpr double farthest = 2;       // extrapolation, in steps
 constexpr int plain_iterations = 2;  // before round-off is thought of
 constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
@@ -118,12 +118,12 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
     const double change = advance(given, from, creep, into);
     if (stiffness.rest <= exact) break;
     if (contraction * change <= options_.stress_tolerance * stress_norm(assembly_, into)) break;
-    const bool stands = change > stalled * before;
-    if (stands || iteration >= plain_iterations) {
+    const bool is_stalled = change > stalled * before;
+    if (is_stalled || iteration >= plain_iterations) {
       if (!size) size = displacement_norm(assembly_, into);
       if (contraction * change <= rounding * *size) break;
-      if (stands && change > good_if_stalled * *size) return false;
-      if (stands) break;
+      if (is_stalled && change > good_if_stalled * *size) return false;
+      if (is_stalled) break;
     }
     before = change;
     from = into.contact;

@@ -9,9 +9,9 @@ namespace creepcontact::creep {
 namespace {
 
 constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
-/// Of the largest stress that the loads give without creep: bodies that carry less are taken to be unloaded.
+/// Part of the largest stress of the loads without creep: bodies that carry less count as unloaded.
 constexpr double min_share_of_elastic = 1e-3;
-/// Of the change of a life per cycle: half a per cent of it at a tolerance of 1e-4.
+/// Scale relative to the change of a life per cycle: an error of half a per cent at a tolerance of 1e-4.
 constexpr double cycle_resolution = 50;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 

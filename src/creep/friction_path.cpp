@@ -149,7 +149,7 @@ FrictionPath::Change FrictionPath::change(const PathPoint& from, const PathPoint
   return result;
 }
 
-/// By how much the end fails to be the solution that a substep from the middle would have.
+/// Difference of the end from the solution that a substep from the middle would have.
 double FrictionPath::residual(const PathPoint& middle, const PathPoint& end) const {
   const Sizes size = sizes(middle, end);
   if (!(size.limit > 0)) return 0;

@@ -15,7 +15,7 @@ struct StiffnessChange {
   StiffnessChange solved_with(double error) const { return {scale, rest + error + rest * error}; }
 };
 
-/// Of the stiffness under these conditions, one per body. Collective.
+/// The change of the stiffness under these conditions (one per body). Collective.
 StiffnessChange stiffness_change(const Assembly& assembly, const contact::CondensedInterface& interface,
                                  const std::vector<mechanics::BodyConditions>& at);
 

@@ -10,7 +10,7 @@
 namespace creepcontact::mechanics {
 namespace {
 
-/// What `of` makes of a material; its errors name the material.
+/// The result of `of`, whose errors then name the material.
 template <class Of>
 auto of_named(const material::Material& material, const Of& of) {
   try {

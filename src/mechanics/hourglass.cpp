@@ -9,7 +9,7 @@ namespace creepcontact::mechanics {
 namespace {
 
 constexpr double fraction = 1e-6;
-/// Projector on what remains of nodal values beside quadratic polynomials of the place.
+/// Projector onto the part of nodal values that no quadratic polynomial of the place represents.
 Eigen::MatrixXd beside_quadratics(const mesh::Mesh& mesh, std::span<const std::int64_t> cell) {
   const Index n_nodes = std::ssize(cell);
   Vector3 centre = Vector3::Zero();

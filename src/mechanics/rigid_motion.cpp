@@ -134,7 +134,7 @@ std::vector<RigidMotion> free_rigid_motions(const mesh::Mesh& mesh, const Constr
 
   std::vector<RigidMotion> motions;
   motions.reserve(6);
-  // Pure translations: the combinations of free motions that do not rotate.
+  // Pure translations: the combinations of the modes that do not rotate.
   const std::vector<Vector3> translations =
       readable_basis(free.topRows<3>() * linalg::null_space(free.bottomRows<3>(), rank_tolerance));
   for (const Vector3& direction : translations) motions.push_back({direction, Vector3::Zero(), centre});

@@ -79,7 +79,8 @@ class EquilibriumSolver {
   /// meanwhile.
   /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
   History initial_history() { return initial_history(options_.initial_substeps); }
-  /// The same with another number of substeps, at least 1: what it changes is what the load path is resolved to.
+  /// initial_history() with another number of substeps, at least 1: the difference shows how well the load path is
+  /// resolved.
   History initial_history(int substeps);
   /// True if preloads, or pairs that hold what is reached, are due at t and not yet applied.
   bool has_preload_due(double t, const History& history) const;

@@ -70,7 +70,7 @@ class Body {
   /// Temperature, moduli, thermal strain, loads and prescribed displacements at time t.
   /// @throws ModelError if one of them is not finite, or the elastic constants are not admissible
   BodyConditions at(double t) const;
-  /// The same in place. Skips what is constant in time or was evaluated for this time already.
+  /// Updates conditions to those at time t. Skips what is constant in time or was evaluated for this time already.
   /// @param conditions  made by this body, or new
   void update(double t, BodyConditions& conditions) const;
   /// True if the elastic constants depend on a temperature that changes in time.

@@ -18,7 +18,7 @@ struct RigidMotion {
   std::string describe() const;
   /// Sum of motions, relative to the centre of the first. @param amplitudes  one per motion
   static RigidMotion combination(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& amplitudes);
-  /// The same motion, possibly reversed, simplified for display: parts that move a body of this size by less than 1e-4
+  /// This motion, possibly reversed, simplified for display: parts that move a body of this size by less than 1e-4
   /// of the whole are left out.
   RigidMotion tidied(double size) const;
   /// Displacement of a point.

@@ -81,7 +81,7 @@ class TemperatureField {
   /// For repeated evaluation at the integration points of a body, whose elements interpolate the field if it is nodal
   /// on the mesh. @param of_mesh  the body, or the part of it that a process has; its nodes are those of the mesh
   std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh, const mesh::Mesh& mesh) const;
-  /// Of a function, and where nodes are not looked for: none.
+  /// How many nodes of the mesh are points of the field; zeros for a function, and where nodes are not matched.
   NodeCover cover(const mesh::Mesh& mesh) const;
 
   bool depends_on_position() const;

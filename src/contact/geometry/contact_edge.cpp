@@ -105,7 +105,7 @@ double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) con
   return weights > 0 ? std::max(sum / weights, min_to_punch) : 1 - punch;
 }
 
-/// Of an open row next to a closed one, outwards from the edge.
+/// Distance of an open row next to a closed one, outwards from the edge, in edge lengths.
 double ContactEdge::distance_to(int row, const Edge& edge, const State& state) const {
   const double to_punch = edge.to_punch;
   const auto from_punch = [&](const Vector3& position) {

@@ -53,7 +53,7 @@ struct Acting {
   Matrix3 rotation() const { return link != nullptr ? link->rotation : Matrix3::Identity(); }
 };
 
-/// By the multipliers of the normals.
+/// Indexed like `normals.multipliers`.
 std::vector<Acting> acting_multipliers(const SurfaceNormals& normals, const ContinuedSurface& slave) {
   std::map<std::int64_t, std::vector<int>> of_node;
   const auto n = static_cast<int>(normals.multipliers.size());
@@ -136,7 +136,7 @@ class Assembler {
     return hats;
   }
   const Acting& acting(std::size_t f, int corner) const { return acting_[normals_.multiplier_of_corner[f][corner]]; }
-  /// Of the multipliers that act at the corners of a facet.
+  /// Rows of the multipliers that act at the corners of a facet.
   std::vector<int> rows(std::size_t f) const {
     std::vector<int> result;
     for (const int multiplier : normals_.multiplier_of_corner[f]) result.push_back(acting_[multiplier].row);

@@ -26,7 +26,7 @@ Vector3 weighted_normal(const Facet& facet, int node, const Vector3& area_vector
   Vector3 normal = area_vector.normalized();
   const int n = facet.n_corners();
   if (node >= n) {
-    const auto corners = std::span(facet.nodes()).first(n);  // in a strip a corner may stand on mid-edges too
+    const auto corners = std::span(facet.nodes()).first(n);  // in a strip a corner may be on mid-edges too
     return std::ranges::find(corners, facet.nodes()[node]) == corners.end() ? normal : Vector3::Zero();
   }
   const Vector3 a = facet.node_position((node + 1) % n) - facet.node_position(node);

@@ -35,7 +35,7 @@ class FrictionNewton {
     int patience = 8;
     /// In polish(): whether a step is halved while the residual does not fall (Armijo).
     bool damped = false;
-    /// Per node: the limit of the shear traction in place of mu times the pressure (Tresca's law, which makes the
+    /// Per node: the limit of the shear traction instead of mu times the pressure (Tresca's law, which makes the
     /// problem convex); empty: Coulomb's law. In search() only.
     Eigen::VectorXd bound = {};
   };

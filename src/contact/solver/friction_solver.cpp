@@ -143,8 +143,8 @@ class FrictionSolver final : public ContactSolver {
     return full(From::statuses) || damped() || full(From::multipliers);
   }
 
-  /// By splitting, with steps of different lengths: slow, for problems that Newton's method does not solve from the
-  /// start. It ends in the steps of Newton's method.
+  /// Solves by splitting, with steps of different lengths: slow, for problems that Newton's method does not solve from
+  /// the start. It ends in the steps of Newton's method.
   bool split(const FrictionState& start, Work& work, FrictionState& state) {
     if (problem_.large != nullptr) return false;
     for (const double scale : {0.1, 0.01, 1.0}) {

@@ -76,7 +76,7 @@ class Schwarz final : public ContactSolver {
         result.state.rigid = balance.amplitudes(result.gap(active));
         result.gap.noalias() += problem_.rigid * result.state.rigid;
       }
-      // What the iteration left of the gaps of the set is no opening.
+      // The gaps that remain in the set are errors of the iteration, not openings.
       Eigen::VectorXd opening = result.gap;
       opening(active).setZero();
       std::vector<int> next = updated_set(problem_, load, active, multiplier, opening, rounding);

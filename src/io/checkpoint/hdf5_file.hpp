@@ -57,7 +57,8 @@ std::vector<std::size_t> extents(hid_t parent, const std::string& name);
 void write_array(hid_t parent, const std::string& name, std::span<const double> values);
 void write_array(hid_t parent, const std::string& name, std::span<const std::int64_t> values);
 void write_array(hid_t parent, const std::string& name, std::span<const char> values);
-/// Of any rank; the entries row by row. @throws Hdf5Error also for more entries than a file of this size can hold
+/// Reads an array of any rank, its entries row by row. @throws Hdf5Error also for more entries than a file of this size
+/// can hold
 template <typename T>
 std::vector<T> read_array(hid_t parent, const std::string& name);
 /// The first entry. @throws Hdf5Error also if there is none

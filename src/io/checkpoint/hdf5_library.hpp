@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-// The header's constants call H5open() and H5check() wherever they stand; loading the library does that once.
+// The header's constants call H5open() and H5check() wherever they are used; loading the library does that once.
 #undef H5OPEN
 #define H5OPEN
 #undef H5CHECK

@@ -212,7 +212,7 @@ void FrdWriter::write(double time, const std::vector<FrdField>& fields) {
   put(text);
 }
 
-/// In place of the line that ends the file, which follows again.
+/// Writes over the line that ends the file, and writes that line again after the text.
 void FrdWriter::put(const std::string& text) {
   const std::string all = text + std::string(end_of_file);
   const bool written = std::fseek(file_.get(), -static_cast<long>(end_of_file.size()), SEEK_END) == 0 &&

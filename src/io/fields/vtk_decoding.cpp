@@ -49,7 +49,7 @@ class Bytes {
     if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0') + 52;
     if (c == '+') return 62;
     if (c == '/') return 63;
-    fail(fmt::format("'{}' is no character of base64", c));
+    fail(fmt::format("'{}' is not a character of base64", c));
   }
 
   /// Four characters; those with '=' end a part, after which another one may follow.

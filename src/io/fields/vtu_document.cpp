@@ -15,7 +15,7 @@ void add_component_names(pugi::xml_node array, const std::vector<std::string>& n
     array.append_attribute(fmt::format("ComponentName{}", i).c_str()) = names[i].c_str();
 }
 
-/// Adds the arrays to the document and gathers their bytes for its end, which is no XML.
+/// Adds the arrays to the document and gathers their bytes for its end, which is not XML.
 class Appender {
  public:
   void add(pugi::xml_node parent, const EncodedArray& array) {

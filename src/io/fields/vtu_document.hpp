@@ -17,7 +17,7 @@ struct VtuContent {
   std::vector<EncodedArray> point_data, cell_data;
 };
 
-/// XML but for the bytes of the arrays, which stand in it as they are: AppendedData, raw.
+/// XML, but for the bytes of the arrays, which it contains as they are: AppendedData, raw.
 std::string vtu_document(const VtuContent& content);
 
 }  // namespace creepcontact::io

@@ -14,7 +14,7 @@ namespace creepcontact::io {
 class VtuFile {
  public:
   /// @param name  of the file, for messages @param purpose  what is wanted: "temperatures"
-  /// @throws ModelError if it is no .vtu file
+  /// @throws ModelError if it is not a .vtu file
   VtuFile(std::string_view text, std::string name, std::string purpose);
 
   /// <UnstructuredGrid>

@@ -21,7 +21,7 @@ std::string text_behind(const std::string& line, const std::string& kind) {
   return colon == std::string::npos || line[colon] != ':' ? "" : line.substr(std::min(colon + 2, line.size()));
 }
 
-/// What stands between apostrophes.
+/// The text between apostrophes.
 std::string quoted(const std::string& text) {
   const std::size_t begin = text.find('\''), end = text.rfind('\'');
   return begin < end ? text.substr(begin + 1, end - begin - 1) : "";

@@ -15,7 +15,7 @@ struct Family {
   std::vector<std::pair<int, int>> sizes;  // type, number of nodes
 };
 
-/// Everything that Gmsh 4 writes with a fixed number of nodes, so that elements outside the groups can be passed over.
+/// Everything that Gmsh 4 writes with a fixed number of nodes, so that elements outside the groups can be skipped.
 const std::vector<Family>& families() {
   static const std::vector<Family> all{
       {"Point", 0, {{15, 1}}},

@@ -65,8 +65,8 @@ struct Cells {
   std::vector<Key> entities;
 };
 
-/// Numbers the cells by their tags. Of several with the same nodes (format 2.2 writes a cell once per group) the one of
-/// the lowest tag stays, and bears the entities of all.
+/// Numbers the cells by their tags. Where several have the same nodes (format 2.2 writes a cell once per group), the
+/// one of the lowest tag remains, and has the entities of all.
 mesh::CellBlock number_cells(CellType type, const Cells& cells, std::size_t block,
                              std::map<Key, std::vector<mesh::CellRef>>& cells_of) {
   const std::ptrdiff_t n = mesh::n_nodes(type);

@@ -16,7 +16,7 @@ std::string text(const Vector3& x) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
 }
 
-/// Of the polygon of the corners; positive if they are counter-clockwise.
+/// Area of the polygon of the corners; positive if they are counter-clockwise.
 double signed_area(const mesh::Mesh& mesh, std::span<const std::int64_t> cell, std::size_t n_corners) {
   double twice = 0;
   for (std::size_t i = 0; i < n_corners; ++i) {

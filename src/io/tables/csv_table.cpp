@@ -39,10 +39,9 @@ CsvNumbers::Reading CsvNumbers::read(const std::string& cell, std::size_t line) 
   if (thousands_ != Thousands::none) {
     if (const auto number = without_thousands(cell, thousands_))
       if (const auto value = plain_number(*number)) return {value, ""};
-    return {std::nullopt,
-            fmt::format("'{}' is not a number with the given separator of thousands, which stands between "
-                        "groups of three digits before the decimal sign",
-                        cell)};
+    return {std::nullopt, fmt::format("'{}' is not a number with the given separator of thousands, which is between "
+                                      "groups of three digits before the decimal sign",
+                                      cell)};
   }
   const auto value = csv_number(cell, format_);
   if (!value) {

@@ -13,7 +13,7 @@ namespace creepcontact::io {
 /// Hands out the lines of a text, without their ends.
 class CsvLines {
  public:
-  /// A byte order mark, which spreadsheets write first, is passed over.
+  /// A byte order mark, which spreadsheets write first, is skipped.
   explicit CsvLines(std::string_view text);
 
   /// @returns false after the last line

@@ -137,7 +137,7 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   json["peak_memory_mb"] = summary.peak_memory_mb;
   json["accuracy"] = accuracy_json(summary.accuracy);
   if (!summary.warnings.empty()) json["warnings"] = summary.warnings;
-  // Text that is no UTF-8 (a title in another encoding) must not cost the summary.
+  // Text that is not UTF-8 (a title in another encoding) must not prevent the summary.
   platform::replace_file(
       path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
       summary.status == Summary::Status::interrupted ? platform::Durable::when_synced : platform::Durable::at_once);

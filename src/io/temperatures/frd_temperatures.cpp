@@ -58,7 +58,7 @@ class FrdReader {
     Number value{};
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || cell.empty())
-      fail(fmt::format("'{}' in the columns {} to {} is no {}", cell, begin + 1, begin + width, what));
+      fail(fmt::format("'{}' in the columns {} to {} is not a {}", cell, begin + 1, begin + width, what));
     if (!std::isfinite(static_cast<double>(value))) fail(fmt::format("the {} is not finite", what));
     return value;
   }

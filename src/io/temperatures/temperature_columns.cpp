@@ -53,7 +53,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Takes what stands in brackets out of the name.
+/// Cuts the text in brackets out of the name.
 std::string cut_brackets(std::string& name) {
   const std::size_t open = name.find_first_of("[({");
   if (open == std::string::npos) return {};

@@ -27,7 +27,7 @@ std::vector<TimedFile> files_of_pattern(const fs::path& pattern) {
   const std::string form = pattern.filename().string();
   const std::size_t star = form.find('*');
   if (pattern.parent_path().string().find('*') != std::string::npos || form.find('*', star + 1) != std::string::npos)
-    throw ModelError(fmt::format("'{}': only the name of the file may have a '*', and only one: it stands for the time",
+    throw ModelError(fmt::format("'{}': only the name of the file may have a '*', and only one: it represents the time",
                                  pattern.string()));
   const std::string before = form.substr(0, star), after = form.substr(star + 1);
   const fs::path directory = pattern.has_parent_path() ? pattern.parent_path() : ".";
@@ -39,8 +39,9 @@ std::vector<TimedFile> files_of_pattern(const fs::path& pattern) {
     const std::string number = name.substr(before.size(), name.size() - before.size() - after.size());
     const auto time = time_in(number);
     if (!time)
-      throw ModelError(fmt::format("'{}': the file '{}' has this form, but '{}' is no number; its number is the time",
-                                   pattern.string(), name, number));
+      throw ModelError(
+          fmt::format("'{}': the file '{}' has this form, but '{}' is not a number; its number is the time",
+                      pattern.string(), name, number));
     files.push_back({pattern.parent_path() / name, time});
   }
   if (error) throw ModelError(fmt::format("cannot read the directory '{}': {}", directory.string(), error.message()));

@@ -12,7 +12,7 @@ namespace creepcontact::io {
 
 class TemperatureRows {
  public:
-  /// @param file  as messages name it @param row_name  "line 7", "row 3": where a row stands
+  /// @param file  as messages name it @param row_name  "line 7", "row 3": where a row is
   TemperatureRows(std::string file, std::function<std::string(std::size_t)> row_name)
       : file_(std::move(file)), row_name_(std::move(row_name)) {}
 

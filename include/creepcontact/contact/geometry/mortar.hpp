@@ -29,7 +29,8 @@ struct Surface {
   const mechanics::Constraints* constraints = nullptr;
   std::vector<mesh::Face> faces;
   double young_modulus = 0;  ///< a typical value, used to choose the slave
-  /// With cyclic symmetry: the surface continues in the adjacent sectors. The same for both surfaces of a pair.
+  /// With cyclic symmetry: the surface continues in the adjacent sectors. Both surfaces of a pair have
+  /// equal sectors.
   std::optional<Sector> sector = std::nullopt;
   /// Nodes where something else ties or presses the slave: their rows join those of the nearest other nodes, for two
   /// conditions on the same displacement would be one too many. Ascending.

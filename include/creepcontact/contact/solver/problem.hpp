@@ -170,7 +170,7 @@ double fixing_flexibility(const ContactProblem& problem);
 /// of the load would need, and 1e-12 of those that would carry ContactLoad::force.
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
 
-/// The same for resultants: what may remain unbalanced.
+/// Round-off threshold of resultants: what may remain unbalanced.
 double resultant_rounding(const ContactProblem& problem, const ContactLoad& load);
 
 /// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones that are not idle, ascending. Changes

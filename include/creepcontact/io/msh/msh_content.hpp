@@ -39,7 +39,7 @@ struct MshContent {
 /// @param file  name for messages
 /// @param section  what the mesh represents: bodies are physical volumes, in sections physical surfaces
 /// @throws ModelError if there is no physical volume (surface) with cells; the message tells whether an analysis is
-/// missing, or a physical group. Of a section also if it is not in the plane z = 0, or has cells at negative radii.
+/// missing, or a physical group. Also for a section that is not in the plane z = 0, or has cells at negative radii.
 /// Also for cells of an unsupported type in a physical group, a name of several groups, a cell with a node that does
 /// not exist, or a node with two positions. Cost: O(n log n) for n cells.
 mesh::Mesh import_msh(const MshContent& content, const std::string& file, const mesh::Section& section = {});

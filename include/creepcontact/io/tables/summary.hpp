@@ -21,7 +21,8 @@ struct SummaryProbe {
   std::string label = {};            ///< for axes: "contact pressure"
   std::string dimension = {};        ///< "stress", "length", ...; empty: none
   std::string integrated_over = {};  ///< "surface" or "body" if the values are sums over it; else empty
-  /// Of the values as they are in history.csv, "" if they have none or it is not known; nullopt: a file without it.
+  /// Unit of the values as they are in history.csv, "" if they have none or it is not known; nullopt: a file without
+  /// it.
   std::optional<std::string> unit = {};
   std::string expression = {};  ///< of other probes; then it has no quantity
 
@@ -69,7 +70,7 @@ struct Summary : RunCounters {
     std::optional<double> opened;
     std::int64_t openings = 0;  ///< how often it has lost its force
   };
-  /// Of the loads, if the run has them.
+  /// Cycles of the loads, if the run has them.
   struct Cycles {
     std::int64_t completed = 0;  ///< since t = 0
     std::int64_t computed = 0;   ///< of them and of those that were rejected
@@ -108,7 +109,7 @@ struct Summary : RunCounters {
   double time_reached = 0;
   std::optional<double> last_output;  ///< time of the last output, whose values are those of the end
   std::map<std::string, Body> bodies;
-  /// By body, if its material has them.
+  /// Largest values per body, if its material has them.
   std::map<std::string, Largest> damage, life_fraction, fatigue_fraction, creep_fatigue;
   std::map<std::string, Largest> remaining_life;            ///< the smallest of each body that would rupture
   std::map<std::string, std::vector<std::string>> sources;  ///< of the data, by material; omitted if empty

@@ -9,7 +9,7 @@ namespace creepcontact::io {
 
 enum class Thousands { none, point, comma, blank, apostrophe };
 
-/// By the sign itself: ".", ",", " " or an apostrophe; nullopt: none of these.
+/// The separator with this sign: ".", ",", " " or an apostrophe; nullopt: none of these.
 std::optional<Thousands> thousands_named(std::string_view name);
 
 /// The number without its thousands separators, with a decimal point; nullopt if they are not between groups of three

@@ -40,9 +40,9 @@ TEST_F(TemperatureFiles, TimesAreInTheNames) {
   file("t_010.csv", "x,y,z,T\n0,0,0,3\n1,0,0,4\n");
   EXPECT_TRUE(contains(mistake({{directory_ / "t_*.csv"}}), "are of the same time"));
   file("t_last.csv", "");
-  EXPECT_TRUE(contains(mistake({{directory_ / "t_*.csv"}}), "but 'last' is no number; its number is the time"));
+  EXPECT_TRUE(contains(mistake({{directory_ / "t_*.csv"}}), "but 'last' is not a number; its number is the time"));
   EXPECT_TRUE(contains(mistake({{directory_ / "u_*.csv"}}), "no file is of the form"));
-  EXPECT_TRUE(contains(mistake({{directory_ / "t_*_*.csv"}}), "only one: it stands for the time"));
+  EXPECT_TRUE(contains(mistake({{directory_ / "t_*_*.csv"}}), "only one: it represents the time"));
   EXPECT_TRUE(contains(mistake({{directory_ / "none/t_*.csv"}}), "cannot read the directory"));
 }
 
@@ -205,7 +205,7 @@ TEST_F(TemperatureFiles, OfParaViewThatCannotBeUsed) {
   };
   EXPECT_TRUE(contains(broken("CAAAAAAAlkM="), "array 'T': the data are cut short"));
   EXPECT_TRUE(contains(broken("DAAAAAAAlkMAAMhD"), "12 bytes instead of 8"));
-  EXPECT_TRUE(contains(broken("C?AAAAAAlkMAAMhD"), "'?' is no character of base64"));
+  EXPECT_TRUE(contains(broken("C?AAAAAAlkMAAMhD"), "'?' is not a character of base64"));
   const std::string zlib = "compressor=\"vtkZLibDataCompressor\"";
   EXPECT_TRUE(contains(broken("/////wgAAAAIAAAA", zlib), "the data are cut short")) << "blocks that are not there";
   EXPECT_TRUE(contains(broken("AQAAAAgAAAAAAAAACAAAAAECAwQFBgcI", zlib), "the compressed data are damaged"))
