@@ -17,16 +17,18 @@ constexpr std::size_t window = 30;        // steps looked back on
 constexpr std::int64_t max_failures = 6;  // of the iterations in so many steps: a kink of a load costs some
 constexpr std::int64_t max_mean_stages =
     40;  // of rkc2 in a step on average, some ten times the solves of an implicit one
-/// Of cvode_bdf in a step on average: where bodies relax a million times faster than others, GMRES needs many, and what
-/// it leaves keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a tenth of the
-/// solves.
+/// Solves of cvode_bdf per step on average: where bodies relax a million times faster than others, GMRES needs many,
+/// and the residual that remains keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a
+/// tenth of the solves.
 constexpr double max_mean_products = 5;
 constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
 constexpr double max_stable_steps = 300;               // in a step, for rkc2 to take over: 25 stages
 
-/// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
+/// Part of the tolerance for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at
+/// 1e-4.
 constexpr double stabilized_share = 0.2;
-/// Of the tolerance, for cvode_bdf: its errors add up to three tolerances where stress relaxes by several mechanisms.
+/// Part of the tolerance for cvode_bdf: its errors add up to three tolerances where stress relaxes by several
+/// mechanisms.
 constexpr double implicit_share = 0.5;
 constexpr std::size_t quiet_steps = 200;  // after which methods given up may be tried again
 

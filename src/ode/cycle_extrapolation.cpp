@@ -123,7 +123,7 @@ bool CycleExtrapolation::check(std::span<const double> scale, const Damping& dam
   error_ = error_of(w, damped);
   const auto n = static_cast<double>(jumped_);
   const double factor = jump_safety / std::cbrt(std::max(error_, 1e-6));
-  if (!(error_ <= 1)) {  // an error that is no number, too
+  if (!(error_ <= 1)) {  // also if the error is not a number
     if (order_ > 1 && error_of(weights(1, power_), damped) < error_) order_ = 1;
     give_up(y);
     next_ = n * (error_ < 1e9 ? std::clamp(factor, largest_jump_cut, smallest_jump_cut) : largest_jump_cut);

@@ -15,10 +15,10 @@
 namespace creepcontact::ode {
 
 namespace {
-/// Of the tolerance. The estimates say nothing of what the steps before have left, and steps are long: with it the
+/// Part of the tolerance. The estimates do not include the errors of the steps before, and steps are long: with it the
 /// error of the results is that of the other methods.
 constexpr double adams_share = 0.1;
-/// By which first_step() may be exceeded: it is meant for order 1, and the second step has order 2 already.
+/// Factor by which first_step() may be exceeded: it is meant for order 1, and the second step has order 2 already.
 constexpr double first_stretch = 5;
 constexpr double adams_target_error = 0.5;
 constexpr double adams_largest_growth = 2, adams_smallest_cut = 0.9, adams_largest_cut = 0.1;
@@ -306,7 +306,7 @@ double LogAdams::shortened(double h, const Errors& errors) {
     --order_;
     error = errors.lower;
   }
-  // An error that is no number fails the comparison, too.
+  // An error that is not a number fails the comparison, too.
   return h * (error < 1e9 ? std::clamp(std::pow(adams_target_error / error, 1.0 / (order_ + 1)), adams_largest_cut,
                                        adams_smallest_cut)
                           : adams_largest_cut);

@@ -47,7 +47,7 @@ class LogAdams final : public Integrator {
 
  private:
   using Row = LogAdamsHistory::Row;
-  /// Of the present step, in units of those allowed; those of other orders and powers are of the same step.
+  /// Errors of the present step, in units of those allowed; those of other orders and powers are of the same step.
   struct Errors {
     double own = 0;
     double lower = 0, higher = 0;  ///< 0: unknown
@@ -63,7 +63,7 @@ class LogAdams final : public Integrator {
   void correct(const StepClock::Target& target, double s);
   Errors errors() const;
   double norm_of(const std::vector<double>& rate) const;
-  /// Of the change of the rate plus factor * term.
+  /// Norm of the change of the rate plus factor * term.
   double norm_with(double factor, const std::vector<double>& term) const;
   void accept(const StepClock::Target& target, double s);
   /// Goes to next_state_.

@@ -31,7 +31,7 @@ class LogAdamsHistory {
   Row stretch(double s) const;
   /// Integrals over t, from the newest node to s, of the first terms of that polynomial.
   Row step_integrals(double s, int terms) const;
-  /// The same from s1 back to s in [s2, s1], with the polynomial that belongs to the phi_j of the newest node.
+  /// step_integrals() from s1 back to s in [s2, s1], with the polynomial that belongs to the phi_j of the newest node.
   Row dense_integrals(double s) const;
   /// Integrals over the last step as step_integrals() would have given them with another power.
   Row last_step_integrals(double other_power, int terms) const;

@@ -98,7 +98,7 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
         return {.time = time(), .step = target.step, .order = 2, .error_estimate = error};
       }
       attempts.rejected(error);
-      // An error that is no number fails the comparison, too.
+      // An error that is not a number fails the comparison, too.
       h = target.step * (error < 1e9 ? std::max(largest_cut, step_safety / std::cbrt(error)) : largest_cut);
     } catch (const RecoverableError& failure) {
       attempts.failed(failure);
@@ -148,7 +148,7 @@ void RungeKuttaChebyshev::accept(const StepClock::Target& target) {
   system_.accept(time(), state_);
   if (system_.rate_has_jumped()) try {
       system_.rate(time(), state_, rate_);
-    } catch (const RecoverableError&) {  // the step before it stands, and so does its rate
+    } catch (const RecoverableError&) {  // the step before it remains, and so does its rate
     }
   norm_.set_scale(system_.scale());
 }

@@ -70,7 +70,7 @@ class CycleExtrapolation {
   struct Damped;
   class Norm;
   Weights weights(int order, double power) const;
-  /// Of the correction, relative to what is allowed.
+  /// Error of the correction, relative to what is allowed.
   double error_of(const Weights& weights, const Damped& damped) const;
   /// The place of the change of a cycle: its middle.
   double middle(std::int64_t cycle) const { return static_cast<double>(cycle - begin_) + 0.5; }

@@ -81,7 +81,7 @@ void EulerScheme::foresee_stable_step() {
   if (!needs_stable_step()) return;
   try {
     stable_ = stable_step();
-  } catch (const RecoverableError&) {  // the step before it stands; the next one reports what stops it
+  } catch (const RecoverableError&) {  // the step before it remains; the next one reports what stops it
   }
 }
 
@@ -186,7 +186,7 @@ void EulerScheme::accept(const StepClock::Target& target) {
   system_.accept(time(), current_.state);
   if (system_.rate_has_jumped() && current_.load_residual.empty()) try {
       system_.rate(time(), current_.state, current_.rate);
-    } catch (const RecoverableError&) {  // the step before it stands, and so does its rate
+    } catch (const RecoverableError&) {  // the step before it remains, and so does its rate
     }
   if (doubling_) doubling_->set_scale(system_.scale());
   foresee_stable_step();
