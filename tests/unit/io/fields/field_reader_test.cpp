@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "creepcontact/base/error.hpp"
-#include "temporary_directory.hpp"
+#include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::io::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "creepcontact/base/error.hpp"
-#include "temporary_directory.hpp"
+#include "unit/io/temporary_directory.hpp"
 
 namespace creepcontact::io::test {
 namespace {
