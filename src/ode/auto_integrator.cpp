@@ -208,25 +208,20 @@ Integrator::Counters AutoIntegrator::counters() const {
 
 RestartPoint AutoIntegrator::save() const {
   RestartPoint point = current_->save();
-  std::vector<double>& methods = point.memory["methods"];  // the present one, then those given up
-  methods.push_back(static_cast<double>(method_));
-  for (const Method method : given_up_) methods.push_back(static_cast<double>(method));
-  point.memory["chosen"] = {chosen_ ? 1.0 : 0.0, starting_ ? 1.0 : 0.0};
-  point.memory["loads_since"] = {remaining_step_estimate_.begin()};
+  point.memory.save("auto", *this, saved_members);
+  point.memory.save("auto.given_up", std::vector<Method>(given_up_.begin(), given_up_.end()));
+  point.memory.save("auto.loads_since", remaining_step_estimate_.begin());
   return point;
 }
 
 void AutoIntegrator::restore(const RestartPoint& point) {
-  const std::vector<double>& methods = point.memory.at("methods");
-  method_ = static_cast<Method>(static_cast<int>(methods.at(0)));
-  const std::vector<double>& chosen = point.memory.at("chosen");
-  chosen_ = chosen.at(0) != 0;
-  starting_ = chosen.size() > 1 && chosen[1] != 0;  // not in checkpoints of earlier versions
-  given_up_.clear();
-  for (std::size_t i = 1; i < methods.size(); ++i) given_up_.insert(static_cast<Method>(static_cast<int>(methods[i])));
+  point.memory.restore("auto", *this, saved_members);
+  std::vector<Method> given_up;
+  point.memory.restore("auto.given_up", given_up);
+  given_up_ = {given_up.begin(), given_up.end()};
   current_ = make(method_);
   current_->restore(point);
-  begin_watch(point.memory.at("loads_since").at(0));
+  begin_watch(point.memory.at("auto.loads_since").at(0));
 }
 
 }  // namespace creepcontact::ode

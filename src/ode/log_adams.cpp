@@ -335,35 +335,20 @@ RestartPoint LogAdams::save() const {
   std::vector<double> rates;
   for (std::size_t j = 0; j < static_cast<std::size_t>(history_.count); ++j)
     rates.insert(rates.end(), phi_[j].begin(), phi_[j].end());
-  point.memory = {{"lost_time", {clock_.lost()}},
-                  {"log_time", {history_.clock.origin, history_.clock.unit}},
-                  {"power", {history_.power, static_cast<double>(power_direction_)}},
-                  {"order", {static_cast<double>(order_), climbing_ ? 1.0 : 0.0, last_step_}},
-                  {"stable_step", {stable_, static_cast<double>(stable_age_)}},
-                  {"nodes", {history_.nodes.begin(), history_.nodes.begin() + history_.count}}};
+  point.memory.save("", *this, saved_members);
+  point.memory.save("lost_time", clock_.lost());
   point.states["phi"] = std::move(rates);
   return point;
 }
 
 void LogAdams::restore(const RestartPoint& point) {
-  const std::vector<double>& nodes = point.memory.at("nodes");
   const std::vector<double>& rates = point.states.at("phi");
-  const std::vector<double>& order = point.memory.at("order");
-  history_.clock = {.origin = point.memory.at("log_time").at(0), .unit = point.memory.at("log_time").at(1)};
-  history_.power = point.memory.at("power").at(0);
-  history_.count = static_cast<int>(nodes.size());
-  std::ranges::copy(nodes, history_.nodes.begin());
-  power_direction_ = static_cast<int>(point.memory.at("power").at(1));
-  order_ = static_cast<int>(order.at(0));
-  climbing_ = order.at(1) != 0;
-  last_step_ = order.at(2);
-  stable_ = point.memory.at("stable_step").at(0);
-  stable_age_ = static_cast<int>(point.memory.at("stable_step").at(1));
+  point.memory.restore("", *this, saved_members);
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   norm_.set_scale(system_.scale());
   state_ = point.state;
   phi_.clear();
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
+  for (std::size_t j = 0; j < static_cast<std::size_t>(history_.count); ++j) {
     const auto begin = rates.begin() + static_cast<std::ptrdiff_t>(j * state_.size());
     phi_.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(state_.size()));
   }

@@ -96,6 +96,11 @@ class LogAdams final : public Integrator {
   double begin_ = 0, last_step_ = 0;
   double proposal_ = 0;
   Counters counters_;
+  static constexpr auto saved_members =
+      std::tuple{Member{"history", &LogAdams::history_},       Member{"order", &LogAdams::order_},
+                 Member{"climbing", &LogAdams::climbing_},     Member{"stable", &LogAdams::stable_},
+                 Member{"stable_age", &LogAdams::stable_age_}, Member{"power_direction", &LogAdams::power_direction_},
+                 Member{"last_step", &LogAdams::last_step_}};
 };
 
 }  // namespace creepcontact::ode

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
+
+#include "creepcontact/base/memory.hpp"
 
 namespace creepcontact::ode {
 
@@ -10,6 +13,7 @@ namespace creepcontact::ode {
 struct LogTime {
   double origin = 0, unit = 1;
   double at(double t) const { return std::log1p((t - origin) / unit); }
+  static constexpr auto members = std::tuple{Member{"origin", &LogTime::origin}, Member{"unit", &LogTime::unit}};
 };
 
 /// Interpolates F(s) = y'(t) exp(power * s) by a polynomial in s. It is held as scaled divided differences:
@@ -26,6 +30,9 @@ class LogAdamsHistory {
   double power = 1;
   int count = 0;  ///< of nodes
   Row nodes{};    ///< the newest first
+  static constexpr auto members =
+      std::tuple{Member{"clock", &LogAdamsHistory::clock}, Member{"power", &LogAdamsHistory::power},
+                 Member{"count", &LogAdamsHistory::count}, Member{"nodes", &LogAdamsHistory::nodes}};
 
   /// Factors of phi_j in a Newton polynomial whose factors are 1 at s.
   Row stretch(double s) const;

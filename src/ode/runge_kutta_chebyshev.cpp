@@ -47,17 +47,15 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
 
 RestartPoint RungeKuttaChebyshev::save() const {
   RestartPoint point = Integrator::save();
-  point.memory = {
-      {"lost_time", {clock_.lost()}}, {"radius", {radius_}}, {"controlled", {controlled_step_, controlled_error_}}};
+  point.memory.save("", *this, saved_members);
+  point.memory.save("lost_time", clock_.lost());
   point.states["rate"] = rate_;
   return point;
 }
 
 void RungeKuttaChebyshev::restore(const RestartPoint& point) {
   rate_ = point.states.at("rate");
-  radius_ = point.memory.at("radius").at(0);
-  controlled_step_ = point.memory.at("controlled").at(0);
-  controlled_error_ = point.memory.at("controlled").at(1);
+  point.memory.restore("", *this, saved_members);
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   norm_.set_scale(system_.scale());
   state_ = point.state;

@@ -152,6 +152,11 @@ class Memory : public std::map<std::string, std::vector<double>> {
   /// Inverse of save(). @throws std::out_of_range naming the array if it is missing or has another size
   template <typename T>
   void restore(const std::string& name, T& value) const;
+  /// save() and restore() for some members of an object, such as those of a class that do not follow from the others.
+  template <typename T, typename... Values>
+  void save(const std::string& name, const T& object, const std::tuple<Member<T, Values>...>& members);
+  template <typename T, typename... Values>
+  void restore(const std::string& name, T& object, const std::tuple<Member<T, Values>...>& members) const;
 
  private:
   /// Arrays with the numbers of n elements. @param element  gives a reference to the element of an index
@@ -216,6 +221,18 @@ void Memory::restore(const std::string& name, T& value) const {
       for (std::size_t i = 0; i < n; ++i) restore(saved::joined(name, std::to_string(i)), element(i));
     }
   }
+}
+
+template <typename T, typename... Values>
+void Memory::save(const std::string& name, const T& object, const std::tuple<Member<T, Values>...>& members) {
+  std::apply([&](const auto&... member) { (save(saved::joined(name, member.name), object.*member.value), ...); },
+             members);
+}
+
+template <typename T, typename... Values>
+void Memory::restore(const std::string& name, T& object, const std::tuple<Member<T, Values>...>& members) const {
+  std::apply([&](const auto&... member) { (restore(saved::joined(name, member.name), object.*member.value), ...); },
+             members);
 }
 
 template <typename T, typename Element>

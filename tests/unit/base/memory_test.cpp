@@ -108,6 +108,27 @@ TEST(Memory, NamesFollowFromTheMembers) {
   EXPECT_EQ(memory, expected);
 }
 
+class Counter {
+ public:
+  explicit Counter(int steps) : steps_(steps) {}
+  int steps() const { return steps_; }
+  void save(Memory& memory) const { memory.save("counter", *this, saved_members); }
+  void restore(const Memory& memory) { memory.restore("counter", *this, saved_members); }
+
+ private:
+  int steps_;
+  static constexpr auto saved_members = std::tuple{Member{"steps", &Counter::steps_}};
+};
+
+TEST(Memory, TakesSomeMembersOfAClass) {
+  Memory memory;
+  Counter(7).save(memory);
+  EXPECT_EQ(memory, (Memory{{"counter.steps", {7}}}));
+  Counter found(1);
+  found.restore(memory);
+  EXPECT_EQ(found.steps(), 7);
+}
+
 TEST(Memory, ReplacesWhatHasTheSameName) {
   Memory memory;
   memory.save("points", std::vector{point(1), point(2)});
