@@ -32,7 +32,7 @@ class EventWatch {
 
   void fill(io::Summary& summary) const;
   void save(creep::Memory& memory) const;
-  /// Does nothing if the memory has no record of these events.
+  /// Does nothing if the memory has another number of events.
   void restore(const creep::Memory& memory);
 
  private:

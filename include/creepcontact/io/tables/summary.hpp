@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/base/run_counters.hpp"
 
 namespace creepcontact::io {
@@ -32,6 +33,9 @@ struct SummaryProbe {
     double start = 0, end = 0;
     double min = 0, max = 0, t_min = 0, t_max = 0;  ///< smallest and largest value, and their first times
     bool operator==(const Course&) const = default;
+    static constexpr auto members =
+        std::tuple{Member{"start", &Course::start}, Member{"end", &Course::end},     Member{"min", &Course::min},
+                   Member{"max", &Course::max},     Member{"t_min", &Course::t_min}, Member{"t_max", &Course::t_max}};
   };
   std::optional<Course> course = {};  ///< nullopt before the first output
   bool operator==(const SummaryProbe&) const = default;
@@ -47,6 +51,8 @@ struct Summary : RunCounters {
     double t_largest = 0;  ///< first time of the largest value
     /// end / largest; 0 if there was nothing
     double remaining() const { return largest > 0 ? end / largest : 0; }
+    static constexpr auto members = std::tuple{Member{"start", &Course::start}, Member{"largest", &Course::largest},
+                                               Member{"end", &Course::end}, Member{"t_largest", &Course::t_largest}};
   };
   struct Body {
     std::int64_t dofs = 0, elements = 0, integration_points = 0;
