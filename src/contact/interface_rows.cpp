@@ -11,8 +11,8 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double round_off_of_motions = 1e-12;  // of the largest gap that a motion opens
-constexpr double no_component = 1e-14;          // of the largest entry of the contact rows
+constexpr double motion_round_off = 1e-12;     // of the largest gap that a motion opens
+constexpr double component_round_off = 1e-14;  // of the largest entry of the contact rows
 
 /// Free dofs that contact rows touch, ascending.
 std::vector<std::int64_t> touched_dofs(const RowMatrix& reduced) {
@@ -40,7 +40,7 @@ InterfaceRows::InterfaceRows(std::span<const mechanics::Body> bodies, std::span<
   if (std::ranges::all_of(pairs_, [](const Pair& pair) { return pair.acts_always(); })) return;
   // Rows that act for a time may be all that there is against a motion: round-off must not seem to hold it.
   for (Index j = 0; j < problem_.rigid.cols(); ++j) {
-    const double least = round_off_of_motions * problem_.rigid.col(j).cwiseAbs().maxCoeff();
+    const double least = motion_round_off * problem_.rigid.col(j).cwiseAbs().maxCoeff();
     problem_.rigid.col(j) = (problem_.rigid.col(j).array().abs() > least).select(problem_.rigid.col(j), 0.0);
   }
 }
@@ -53,7 +53,8 @@ void InterfaceRows::add_body(std::size_t b) {
   std::vector<char> is_pin(rows.reduced.cols(), 0);
   for (const std::int64_t pin : body.fixing_dofs()) is_pin[pin] = 1;
   // Components that are rounding would make unknowns of the whole surface's nodes trailing ones.
-  const double least = rows.reduced.nonZeros() > 0 ? no_component * rows.reduced.coeffs().cwiseAbs().maxCoeff() : 0.0;
+  const double least =
+      rows.reduced.nonZeros() > 0 ? component_round_off * rows.reduced.coeffs().cwiseAbs().maxCoeff() : 0.0;
   rows.reduced.prune([&](auto, auto column, double value) { return std::abs(value) > least && !is_pin[column]; });
   for (const int row : rows.rows) rows.is_slaves.push_back(problem_.node(row).slave_body == static_cast<int>(b));
   rows.trailing = touched_dofs(rows.reduced);

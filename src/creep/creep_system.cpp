@@ -19,7 +19,8 @@ constexpr double same_gamma = 1.25;
 constexpr double min_share = 0.3;
 constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation so near represents an accepted point
 constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
-constexpr double least_step = 1e-6;    // relative to the time: a body that slides off in so short a step does slide off
+constexpr double min_sliding_step =
+    1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
 void resize_tangents(const std::vector<MaterialPoints>& points,
                      std::vector<std::vector<material::StressTangent>>& tangents) {
@@ -93,7 +94,7 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
       solver_.solve(t, views_, history_, into.equilibrium);
   } catch (const contact::SlidingOff& error) {
     // A trial state of the integrator may slide off where the solution does not.
-    if (!has_friction() || t - history_.friction.time <= least_step * t) throw;
+    if (!has_friction() || t - history_.friction.time <= min_sliding_step * t) throw;
     throw RecoverableError(error.what());
   } catch (const SolverError& error) {
     throw RecoverableError(error.what());

@@ -127,7 +127,7 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
     }
     before = change;
     from = into.contact;
-    leave_residual(into);
+    compute_residual(into);
   }
   into.contact.multiplier *= stiffness.scale;
   return true;
@@ -167,7 +167,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   into.displacements = extrapolated(into.time, steps);
   for (std::size_t b = 0; b < work_.size(); ++b)
     update_state(b, into.displacements[b], history.contact.rigid, creep[b], into);
-  leave_residual(into);
+  compute_residual(into);
   return given;
 }
 
@@ -181,7 +181,7 @@ void EquilibriumSolver::update_state(std::size_t b, std::span<const double> free
   body.discretization().stress(state.displacement, at.elastic(), creep, state.stress);
 }
 
-void EquilibriumSolver::leave_residual(const Equilibrium& of) {
+void EquilibriumSolver::compute_residual(const Equilibrium& of) {
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < work_.size(); ++b) {
     interface_.factored(b).residual(of.conditions[b].external_forces(), of.bodies[b].stress, of.displacements[b],

@@ -17,10 +17,11 @@
 namespace creepcontact::creep {
 namespace {
 
-constexpr double straight = 1e-9;                  // of the loads
-constexpr double loosest = 1e-3, tightest = 1e-5;  // tolerances: below, substeps become many for what events leave
+constexpr double max_deviation = 1e-9;  // of the loads
+constexpr double max_tolerance = 1e-3,
+                 min_tolerance = 1e-5;  // tolerances: below, substeps become many for what events leave
 // Where the flexibility is an operator, a substep costs tens of elastic solves.
-constexpr double largest_with_operator = 1.0 / 2, event_with_operator = 1.0 / 8;
+constexpr double max_substep_with_operator = 1.0 / 2, event_substep_with_operator = 1.0 / 8;
 
 /// Loads at one time, without creep. Forces are those on the stiffness of the factors that move it as far.
 struct LoadsAt {
@@ -38,10 +39,10 @@ Eigen::VectorXd off_the_line(double part, const Eigen::VectorXd& a, const Eigen:
 /// Where a coefficient of friction changes abruptly: parts of an interval, just before and just after.
 std::vector<double> abrupt_changes(const std::function<Eigen::VectorXd(double part)>& coefficient) {
   constexpr int samples = 64, halvings = 24;
-  constexpr double abrupt = 0.1;  // of the larger one
+  constexpr double min_jump = 0.1;  // of the larger one
   std::vector<double> ends;
   const auto differ = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-    return (a - b).cwiseAbs().maxCoeff() > abrupt * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+    return (a - b).cwiseAbs().maxCoeff() > min_jump * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
   };
   Eigen::VectorXd last = coefficient(0);
   for (int k = 1; k <= samples; ++k) {
@@ -114,7 +115,7 @@ LoadCourse FrictionFollower::load_course(double begin, double end, const Equilib
     }
     off = assembly_.team().sum(off);
     size = assembly_.team().sum(size);
-    const auto is_small = [](double deviation, double of) { return deviation <= straight * of; };
+    const auto is_small = [](double deviation, double of) { return deviation <= max_deviation * of; };
     return !is_small(std::sqrt(off), std::sqrt(size)) ||
            !is_small(off_the_line(part, loads.gap, first.gap, last.gap).norm(),
                      loads.gap.norm() + first.gap.norm() + last.gap.norm()) ||
@@ -157,7 +158,7 @@ LoadCourse FrictionFollower::load_course(double begin, double end, const Equilib
 }
 
 double FrictionFollower::longest_step(double t, double end) const {
-  constexpr double never = std::numeric_limits<double>::infinity(), most = 0.01;
+  constexpr double never = std::numeric_limits<double>::infinity(), max_change = 0.01;
   if (!stiffness_changes_ || !interface_.problem().has_friction() || !(end > t)) return never;
   std::vector<mechanics::BodyConditions> conditions;
   const auto stiffness_at = [&](double time) {
@@ -177,7 +178,7 @@ double FrictionFollower::longest_step(double t, double end) const {
   const auto changes_little = [&](double step) {
     const std::vector<double> then = stiffness_at(t + step);
     for (std::size_t i = 0; i < now.size(); ++i)
-      if (std::abs(then[i] - now[i]) > most * std::abs(now[i])) return false;
+      if (std::abs(then[i] - now[i]) > max_change * std::abs(now[i])) return false;
     return true;
   };
   double step = end - t;
@@ -195,11 +196,11 @@ std::vector<PathPoint> FrictionFollower::follow(const Equilibrium& at, const His
   if (begin.friction.gap.size() == 0 || begin.contact.multiplier.size() == 0 || begin.contact.nodes.empty() ||
       to < from)
     return points;
-  const double tolerance = std::clamp(options.tolerance, tightest, loosest);
+  const double tolerance = std::clamp(options.tolerance, min_tolerance, max_tolerance);
   const double largest =
       std::max(begin.contact.multiplier.cwiseAbs().maxCoeff(), end.contact.multiplier.cwiseAbs().maxCoeff());
   LoadCourse course;
-  const bool passes = to - from > no_time_passes * std::abs(to);
+  const bool passes = to - from > min_relative_step * std::abs(to);
   // The interference of a preload was found for this very step.
   if (!passes && history.preloaded_until > from) return points;
   FrictionPath::Limits limits;
@@ -213,8 +214,8 @@ std::vector<PathPoint> FrictionFollower::follow(const Equilibrium& at, const His
   if (options.interval > 0) limits.part_of_interval = std::min(1.0, (to - from) / options.interval);
   const contact::ContactProblem& problem = interface_.problem();
   if (problem.large != nullptr) {
-    limits.largest = largest_with_operator;
-    limits.with_event = event_with_operator;
+    limits.largest = max_substep_with_operator;
+    limits.with_event = event_substep_with_operator;
   }
   // Of the stiffness, at equal parts of the step.
   std::vector<double> scales(stiffness_changes_ ? 5 : 1, at.stiffness_scale);
@@ -302,8 +303,8 @@ std::vector<PathPoint> FrictionFollower::follow(const Equilibrium& at, const His
 }
 
 void FrictionFollower::warn_of_path(double from, double to, bool has_end, bool is_resolved, double error) {
-  constexpr double large = 10;
-  if (assembly_.team().rank() != 0 || warned_ || (has_end && is_resolved && !(error > large))) return;
+  constexpr double max_error = 10;
+  if (assembly_.team().rank() != 0 || warned_ || (has_end && is_resolved && !(error > max_error))) return;
   warned_ = true;
   const char* what = !has_end ? "a state between the ends of the step was not found, and the slip is that of one step"
                      : is_resolved ? "tractions or slip jump there"

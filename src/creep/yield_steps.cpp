@@ -14,7 +14,7 @@ constexpr double share_of_stress = 0.1;
 constexpr double kept_size = 0.97;  // per step: a stress that passes through zero is not followed in steps of nothing
 constexpr int first_steps = 32;     // in a segment, as long as nothing is known of it
 // SUNDIALS ends the next step within the present limit: of a growth by three, two remain.
-constexpr double largest_growth = 3, largest_cut = 0.2;
+constexpr double max_yield_growth = 3, max_yield_cut = 0.2;
 
 /// Down to one of four values per octave: rounding errors of the stress do not change the steps.
 double rounded_down(double length) {
@@ -70,7 +70,7 @@ void YieldSteps::accept(const Equilibrium& at) {
     state_.size[i] = std::sqrt(change_and_size[1]);
     if (state_.size[i] > 0) largest = std::max(largest, change / (share_of_stress * state_.size[i]));
   }
-  const double factor = largest > 0 ? std::clamp(1 / largest, largest_cut, largest_growth) : largest_growth;
+  const double factor = largest > 0 ? std::clamp(1 / largest, max_yield_cut, max_yield_growth) : max_yield_growth;
   state_.longest = rounded_down((at.time - time_) * factor);
   keep(at);
 }

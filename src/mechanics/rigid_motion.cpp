@@ -168,17 +168,17 @@ Vector3 RigidMotion::displacement(const Vector3& x) const {
 }
 
 RigidMotion RigidMotion::tidied(double size) const {
-  constexpr double no_part = 1e-4;
+  constexpr double min_part = 1e-4;
   const auto without_small = [](const Vector3& v, double limit) {
     return Vector3((v.array().abs() < limit).select(0.0, v));
   };
   const double angle = rotation.norm();
-  if (angle * size < no_part * translation.norm())
-    return {readable(without_small(translation, no_part * translation.norm())), Vector3::Zero(), centre};
-  const Vector3 axis = readable(without_small(rotation / angle, no_part).normalized());
-  const Vector3 through = without_small(centre + axis.cross(translation) / axis.dot(rotation), no_part * size);
+  if (angle * size < min_part * translation.norm())
+    return {readable(without_small(translation, min_part * translation.norm())), Vector3::Zero(), centre};
+  const Vector3 axis = readable(without_small(rotation / angle, min_part).normalized());
+  const Vector3 through = without_small(centre + axis.cross(translation) / axis.dot(rotation), min_part * size);
   const double pitch = axis.dot(translation) / axis.dot(rotation);
-  return {std::abs(pitch) < no_part * size ? Vector3(Vector3::Zero()) : Vector3(pitch * angle * axis), angle * axis,
+  return {std::abs(pitch) < min_part * size ? Vector3(Vector3::Zero()) : Vector3(pitch * angle * axis), angle * axis,
           through};
 }
 

@@ -147,7 +147,7 @@ class EquilibriumSolver {
   /// Whether one elastic solve may leave an error.
   bool iterates() const { return stiffness_changes_ || solver_error_ > 0; }
   /// Sets the right-hand sides to the residual F(t) - integral B^T sigma of the last iterate.
-  void leave_residual(const Equilibrium& of);
+  void compute_residual(const Equilibrium& of);
   /// Slip up to an equilibrium that was solved from this history.
   SlipHistory slip_until(const Equilibrium& at, const History& history) const;
   /// The pairs whose preloads are due at t.

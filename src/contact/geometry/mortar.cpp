@@ -210,8 +210,8 @@ class Products {
 
 /// The rotation that takes one unit vector to another one by the shortest way; exactly none where they are the same.
 Matrix3 rotation(const Vector3& from, const Vector3& to) {
-  constexpr double same = 1e-12;
-  if ((to - from).norm() < same) return Matrix3::Identity();
+  constexpr double direction_tolerance = 1e-12;
+  if ((to - from).norm() < direction_tolerance) return Matrix3::Identity();
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 

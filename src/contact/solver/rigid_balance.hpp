@@ -35,7 +35,7 @@ class RigidBalance {
 
  private:
   Eigen::MatrixXd rigid_, basis_;  // N; N = basis diag(values) motions^T
-  double reach_ = 0;               // resultant of unit multipliers on all rows of the problem
+  double largest_resultant_ = 0;   // resultant of unit multipliers on all rows of the problem
   Eigen::VectorXd values_;
   Eigen::MatrixXd motions_;
 };

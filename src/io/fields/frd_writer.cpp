@@ -61,8 +61,8 @@ FrdElement frd_element(CellType cell) {
 
 /// Twelve columns: of an exponent with three digits nothing is left but 0.
 std::string real(double value) {
-  constexpr double least = 1e-99;
-  if (!(std::abs(value) > least)) return " 0.00000E+00";
+  constexpr double min_magnitude = 1e-99;
+  if (!(std::abs(value) > min_magnitude)) return " 0.00000E+00";
   return fmt::format("{:12.5E}", std::clamp(value, -9.99999e99, 9.99999e99));
 }
 
