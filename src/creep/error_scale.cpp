@@ -15,7 +15,7 @@ constexpr double min_share_of_elastic = 1e-3;
 constexpr double cycle_resolution = 50;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
-/// At the first point; of several processes that share the body, the one that has it.
+/// Young's modulus at the first point, from the process that has it.
 double young_modulus(const Team& team, const mechanics::Body& body, const mechanics::BodyConditions& at) {
   const auto& own = body.own_elements();
   if (at.moduli.empty() || (own && (own->empty() || own->front() > 0))) return team.max(0.0);

@@ -14,7 +14,7 @@ ContactStatus status_before(const SlipNode& node, const contact::ContactState& s
   return state.nodes.empty() ? ContactStatus::stick : node.at(state).status;
 }
 
-/// Until a node that slips opens, if its pressure goes on to fall.
+/// Time until a node that slips opens, if its pressure continues to fall.
 double time_to_open(const SlipNode& node, const PathPoint& from) {
   const double rate = from.friction.rate[node.normal_row];
   return rate < 0 ? from.contact.multiplier[node.normal_row] / -rate : 0.0;

@@ -12,7 +12,7 @@ namespace creepcontact::mechanics {
 
 namespace {
 
-/// For unit directions and motions; rotations are measured by the displacement at the body's outer reach.
+/// Tolerance for unit directions and motions; rotations are measured by the displacement at the body's outer reach.
 constexpr double rank_tolerance = 1e-9;
 
 Vector3 readable(Vector3 v) {

@@ -26,7 +26,7 @@ constexpr std::size_t most = 400;  // neighbours that are looked at
 
 }  // namespace
 
-/// In coordinates along the directions in which the points extend; the others are 0.
+/// The points in coordinates along the directions in which the points extend; the others are 0.
 struct ScatteredInterpolation::Cloud {
   explicit Cloud(std::span<const Vector3> given) {
     for (const Vector3& x : given) center_ += x;

@@ -120,7 +120,8 @@ class CreepSystem final : public ode::System,
   void restore(const Memory& memory);
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
-  /// After restore() and begin_segment(), from the same memory: the state from which the integration goes on.
+  /// Sets the state from which the integration continues. Call it after restore() and begin_segment(), with that
+  /// memory.
   /// @throws RecoverableError if no equilibrium is found
   void resume(double t, std::span<const double> y, const Memory& memory);
   /// Longest next step from t for which no yielding is missed (YieldSteps) and, with friction, the stiffness changes
@@ -166,7 +167,7 @@ class CreepSystem final : public ode::System,
   BodyLaws laws_;
   std::optional<TangentSystem> tangent_;  // made at first use
   std::vector<PointPreconditioner> preconditioners_;
-  /// For bodies with internal variables: the point-wise part of their Newton systems, made with local_gamma_.
+  /// The point-wise part of the Newton systems of bodies with internal variables, made with local_gamma_.
   std::vector<std::unique_ptr<MaterialTangent>> local_;
   double local_gamma_ = 0;        // 0: not prepared
   bool tangents_needed_ = false;  // since the last rate: so they may be computed with the next one

@@ -98,7 +98,7 @@ class EquilibriumSolver {
   /// @throws SlidingOff if friction cannot hold a body on the way, after which nothing has changed
   /// Cost: with friction contact solves; some forward substitutions if the loads are not linear in time
   std::vector<PathPoint> accept(const Equilibrium& at, History& history, const PathOptions& options = {});
-  /// With friction and a stiffness that changes in time: the longest step from t, up to `end`, in which it changes by
+  /// The longest step from t, up to `end`, with friction and a stiffness that changes in time, in which it changes by
   /// no more than a hundredth, since the path of a step has one flexibility. Else infinity. Collective.
   double longest_for_friction(double t, double end) const;
   /// Stores the history and the state of this solver that evaluations depend on, for a checkpoint.

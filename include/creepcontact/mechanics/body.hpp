@@ -42,7 +42,7 @@ class Body {
   /// The elements of a part, numbered as in the whole body; else nullopt.
   const std::optional<std::vector<std::size_t>>& own_elements() const;
 
-  /// Only while the model is built. A volume load refers to discretization() of this body.
+  /// Adds a load; only while the model is built. A volume load refers to discretization() of this body.
   /// @throws ModelError if its forces at t = 0 are not finite; the body is then unchanged
   void add_load(std::unique_ptr<const Load> load);
 

@@ -48,7 +48,7 @@ struct Mesh {
   /// In generalised plane strain the last node, which no cell has: its displacement along z is the axial strain times
   /// Section::axial_length. Otherwise -1.
   std::int64_t axial_node = -1;
-  /// In the mesh file, ascending, without the axial node; empty if there is none.
+  /// Numbers of the nodes in the mesh file, ascending, without the axial node; empty if there is no file.
   std::vector<std::int64_t> node_numbers = {};
 
   /// Without the axial node.

@@ -241,7 +241,7 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   on_slave.emit(rows, width, on_slave_);
 }
 
-/// From the directions of a multiplier at its node to those at a point with this normal.
+/// The rotation from the directions of a multiplier at its node to those at a point with this normal.
 Matrix3 Assembler::turned(const Acting& at, const Vector3& normal) const {
   const Vector3& own = normals_.multipliers[at.row].normal;
   if (at.link == nullptr) return rotation(own, normal);

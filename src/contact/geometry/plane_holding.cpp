@@ -43,7 +43,7 @@ std::map<std::string, double> by_function(const Parts& parts) {
   return result;
 }
 
-/// At all times.
+/// True if both prescribe the same displacement at all times.
 bool is_same(const std::optional<Parts>& first, const std::optional<Parts>& second) {
   if (!first || !second) return false;
   std::map<std::string, double> difference = by_function(*first);

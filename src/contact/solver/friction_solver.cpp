@@ -191,8 +191,8 @@ class FrictionSolver final : public ContactSolver {
     return true;
   }
 
-  /// From anywhere. Bodies held by contact alone are held by springs, whose force is iterated to almost zero (method of
-  /// multipliers, Hestenes 1969).
+  /// Solves from any start. Bodies held by contact alone are held by springs, whose force is iterated to almost zero
+  /// (method of multipliers, Hestenes 1969).
   void search(Work& work, double tolerance, FrictionState& state) {
     double last = std::numeric_limits<double>::infinity();
     int stalled = 0;

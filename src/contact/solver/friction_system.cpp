@@ -221,7 +221,7 @@ class FrictionSystem::Factor {
     return particular + columns_ * factor_.solve(rest);
   }
 
-  /// With rigid-body modes only.
+  /// The inverse that balances resultants; exists only with rigid-body modes.
   const BalancedInverse& balanced() const { return *balanced_; }
 
  private:
@@ -253,7 +253,7 @@ const FrictionSystem::Factor& FrictionSystem::factor(const Linearization& at) {
   return *factors_.front();
 }
 
-/// For flexibilities given as operators: rows in contact by the preconditioner of the operator, without slip.
+/// Preconditioner for flexibilities given as operators: rows in contact by that of the operator, without slip.
 Inverse FrictionSystem::approximate_inverse(const Linearization& at) const {
   std::vector<int> closed;
   for (std::size_t i = 0; i < at.size(); ++i) {

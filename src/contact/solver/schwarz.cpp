@@ -56,7 +56,7 @@ class Schwarz final : public ContactSolver {
  private:
   enum class End { solved, unbalanced, cycling, not_converged };
 
-  /// From the set and the multipliers of result.state, updates the set until it repeats.
+  /// Updates the set, from that of result.state and its multipliers on, until it repeats.
   End iterate(const ContactLoad& load, ContactResult& result) {
     Eigen::VectorXd& multiplier = result.state.multiplier;
     std::vector<int> active = result.state.active;

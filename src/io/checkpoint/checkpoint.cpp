@@ -67,7 +67,7 @@ void keep_previous(const std::filesystem::path& path) {
   if (error) throw Error(fmt::format("cannot write the checkpoint '{}': {}", previous.string(), error.message()), 4);
 }
 
-/// On a full disk it would take what is left.
+/// Removes an unfinished file, which would take what is left of a full disk.
 void drop(const std::filesystem::path& part) {
   std::error_code ignored;
   std::filesystem::remove(part, ignored);

@@ -14,7 +14,7 @@ struct MshElement {
   int n_nodes = 0;
   std::optional<mesh::CellType> cell;  ///< nullopt: the program has no such element
 
-  /// As Gmsh calls it: "Pyramid 5"
+  /// The name in Gmsh: "Pyramid 5"
   std::string name() const;
 };
 

@@ -30,7 +30,7 @@ class MshInput {
 
   /// Named in messages from here on.
   void enter(std::string section) { section_ = std::move(section); }
-  /// From here on numbers are binary; they begin with the number 1, which tells the order of their bytes.
+  /// Starts binary numbers; they begin with the number 1, which tells the order of their bytes.
   void begin_binary();
   /// false: numbers are ASCII wherever the file is binary too (names, counts of format 2.2).
   void use_binary(bool wanted) { binary_ = wanted && file_is_binary_; }

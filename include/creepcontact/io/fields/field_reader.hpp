@@ -35,7 +35,7 @@ class FieldFile {
  public:
   /// Cost: reading the file. @throws ModelError naming the file if it cannot be read or is not a .vtu
   explicit FieldFile(const std::filesystem::path& path);
-  /// From text. @param name  of the file, for messages
+  /// Reads from text. @param name  of the file, for messages
   FieldFile(std::string text, std::string name);
   ~FieldFile();
   FieldFile(FieldFile&&) noexcept;

@@ -36,7 +36,7 @@ class CsvFile {
 
   /// @param row  one cell per column @throws Error if the disk cannot take the row
   void write(std::span<const CsvCell> row);
-  /// For platform::sync_files(), which makes the rows safe from a power cut.
+  /// The file for platform::sync_files(), which makes the rows safe from a power cut.
   const std::filesystem::path& path() const { return path_; }
 
  private:

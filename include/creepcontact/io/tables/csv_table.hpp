@@ -83,7 +83,7 @@ struct CsvCells {
   CsvFormat format;
 };
 
-/// As parse_csv_table(), without a demand on the cells; lines that begin with '#' are comments.
+/// Parses as parse_csv_table(), but without a demand on the cells; lines that begin with '#' are comments.
 /// @param name  of the file, for messages @throws ConfigError if there is no header
 CsvCells parse_csv_cells(std::string_view text, const std::string& name);
 
