@@ -12,10 +12,13 @@
 ///
 /// A member that is missing in the list does not compile.
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -26,7 +29,7 @@ namespace creepcontact {
 /// A member of a struct and its name in a Memory.
 template <typename Owner, typename Value>
 struct Member {
-  const char* name;
+  std::string_view name;
   Value Owner::*value;
 };
 
@@ -96,8 +99,8 @@ void for_each_member(const Function& function) {
   std::apply([&](const auto&... member) { (function(member), ...); }, T::members);
 }
 
-inline std::string joined(const std::string& name, const std::string& member) {
-  return name.empty() ? member : name + '.' + member;
+inline std::string joined(const std::string& name, std::string_view member) {
+  return name.empty() ? std::string(member) : fmt::format("{}.{}", name, member);
 }
 
 // std::optional has no or one element.

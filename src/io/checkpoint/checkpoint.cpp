@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -46,10 +45,8 @@ Checkpoint read_content(const std::filesystem::path& path) {
   checkpoint.next_step = read_number<double>(file, "next_step");
   checkpoint.state = read_array<double>(file, "state");
   const Hdf5Handle counters = open_group(file, "counters");
-  const std::vector<std::string> names = member_names(counters);
   for (const RunCounters::Field& field : RunCounters::fields)
-    if (std::ranges::find(names, field.name) != names.end())
-      checkpoint.counters.*field.value = read_number<std::int64_t>(counters, std::string(field.name));
+    checkpoint.counters.*field.value = read_number<std::int64_t>(counters, std::string(field.name));
   const Hdf5Handle arrays = open_group(file, "arrays");
   for (const std::string& name : member_names(arrays)) checkpoint.arrays[name] = read_array<double>(arrays, name);
   return checkpoint;
