@@ -2,15 +2,14 @@
 /// State as named arrays of numbers, as checkpoints hold it. A struct lists its members once; the names of the arrays,
 /// saving and restoring follow from the list:
 ///
-///   struct Opening {
-///     double since, carried;
-///     static constexpr auto members = std::tuple{Member{"since", &Opening::since}, Member{"carried",
-///     &Opening::carried}};
+///   struct Force {
+///     double time, value;
+///     static constexpr auto members = std::tuple{Member{"time", &Force::time}, Member{"value", &Force::value}};
 ///   };
-///   memory.save("openings", openings);     // writes the arrays openings.since and openings.carried
-///   memory.restore("openings", openings);
+///   memory.save("forces", forces);     // a vector of them: writes the arrays forces.time and forces.value
+///   memory.restore("forces", forces);
 ///
-/// A member that is missing in the list does not compile.
+/// A list that lacks a member does not compile.
 
 #include <fmt/format.h>
 
@@ -33,8 +32,8 @@ struct Member {
   Value Owner::*value;
 };
 
-/// What Memory can hold: numbers (arithmetic types and enumerations), arrays of them, structs with a list of members,
-/// and std::vector and std::optional of all of these.
+/// The types that a Memory takes: numbers (arithmetic types and enumerations), arrays of them, structs with a list of
+/// members, and std::vector and std::optional of all of these.
 namespace saved {
 
 template <typename T>
@@ -52,7 +51,7 @@ concept Numbers = requires(const T& array) {
   requires Number<std::remove_cvref_t<decltype(*array.data())>>;
 };
 
-/// How many numbers every value of the type has; 0 if they may have different ones.
+/// Number of numbers in every value of the type; 0 if it differs among values.
 template <typename T>
 constexpr std::size_t width() {
   if constexpr (Number<T>) {
@@ -72,6 +71,7 @@ constexpr std::size_t width() {
   }
 }
 
+/// Converts to any type, only to count members.
 struct AnyMember {
   template <typename T>
   operator T() const;  // NOLINT(google-explicit-constructor): takes the place of any member
