@@ -117,7 +117,7 @@ std::vector<int> first_set(const ContactProblem& problem, const ContactLoad& loa
   if (warm.multiplier.size() != problem.n_rows() || problem.n_rows() == 0)
     return updated_set(problem, load, {}, Eigen::VectorXd::Zero(problem.n_rows()), load.gap, 0.0);
   if (load.idle.empty()) return warm.active;
-  // Tied rows may act or no longer act since.
+  // The tied rows that act may have changed since.
   const std::vector<int> tied =
       updated_set(problem, load, {}, Eigen::VectorXd::Zero(problem.n_rows()),
                   Eigen::VectorXd::Constant(problem.n_rows(), std::numeric_limits<double>::infinity()), 0.0);
