@@ -109,7 +109,7 @@ TEST_F(TemperatureFiles, OfCalculixThatCannotBeUsed) {
   EXPECT_TRUE(
       contains(message(frd(" -1         3 2.10000E+01\n")), "line 22: node 3 has a temperature, but no coordinates"));
   EXPECT_TRUE(contains(message(frd(" -1         1 2.1x000E+01\n")),
-                       "line 22: '2.1x000E+01' in the columns 14 to 25 is no temperature"));
+                       "line 22: '2.1x000E+01' in the columns 14 to 25 is not a temperature"));
   EXPECT_TRUE(contains(message(frd(" -1         1         nan\n")), "the temperature is not finite"));
   EXPECT_TRUE(contains(message("    1C\n"), "'a.frd' contains no temperatures (NDTEMP); request them by NT"));
   std::string without = frd(both);
