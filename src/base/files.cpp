@@ -51,7 +51,7 @@ std::string why_unreadable(const fs::path& path) {
 
 std::string why_unwritable(const fs::path& directory) {
   fs::path existing = fs::absolute(directory).lexically_normal();
-  // A file in the place of a parent directory reads as "not found" here.
+  // A file where a parent directory should be reads as "not found" here.
   while (!path_exists(existing) && existing.has_relative_path()) existing = existing.parent_path();
   if (!path_is_directory(existing)) return fmt::format("'{}' is not a directory", existing.string());
   if (::access(existing.c_str(), W_OK | X_OK) == 0) return "";

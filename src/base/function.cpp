@@ -69,7 +69,7 @@ Function Function::expression(const std::string& text, const std::vector<std::st
     auto made = std::make_shared<Expression>(text, allowed);
     mu::Parser& parser = made->parsers.mine().parser;
     for (const auto& [name, address] : parser.GetUsedVar()) made->variables.insert(name);
-    const double value = parser.Eval();  // compiles anew: looking for variables dropped the byte code
+    const double value = parser.Eval();  // compiles again: looking for variables dropped the byte code
     if (parser.GetNumResults() != 1)
       throw std::invalid_argument(
           fmt::format("'{}': {} values separated by commas; only one is allowed", text, parser.GetNumResults()));

@@ -24,7 +24,7 @@ struct Function::Definition {
   std::set<std::string> variables;  // that really occur
 };
 
-/// The member of the arguments that a name stands for. @throws std::invalid_argument
+/// The member of the arguments that a name denotes. @throws std::invalid_argument
 double Arguments::*known_variable(const std::string& name);
 
 }  // namespace creepcontact

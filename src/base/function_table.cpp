@@ -43,7 +43,7 @@ class Table final : public Function::Definition {
     if (variable_ != "t") return points;
     std::unique_copy(abscissae_.begin(), abscissae_.end(), std::back_inserter(points));
     if (!period_) return points;
-    if (points.back() < *period_) points.push_back(*period_);  // where it begins anew
+    if (points.back() < *period_) points.push_back(*period_);  // where it begins again
     const std::size_t n_points = points.size();
     const auto n_periods = static_cast<std::size_t>(std::isfinite(end) ? end / *period_ : 0);
     for (std::size_t k = 1; k <= n_periods; ++k)

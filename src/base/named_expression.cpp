@@ -45,7 +45,7 @@ NamedExpression::NamedExpression(const std::string& text, const std::vector<std:
     const auto variables = parser.GetUsedVar();
     for (std::size_t i = 0; i < names.size(); ++i)
       if (variables.contains(names[i])) parsed_->used.push_back(i);
-    parser.Eval();  // compiles anew: looking for variables dropped the byte code
+    parser.Eval();  // compiles again: looking for variables dropped the byte code
   } catch (const mu::ParserError& error) {
     const std::string message = fmt::format("'{}': {} (position {})", text, error.GetMsg(), error.GetPos());
     const std::string& token = error.GetToken();

@@ -27,7 +27,7 @@ constexpr std::array<Variable, 7> known_variables{{{"x", &Arguments::x},
                                                    {"q", &Arguments::q},
                                                    {"eps", &Arguments::eps}}};
 
-/// Of the sign of b, as the remainder of a clock.
+/// Remainder with the sign of b.
 double modulo(double a, double b) {
   const double remainder = std::fmod(a, b);
   return remainder != 0 && (remainder < 0) != (b < 0) ? remainder + b : remainder;

@@ -14,9 +14,9 @@ namespace creepcontact::contact {
 namespace {
 
 constexpr double unconstrained_rate = 1e-8;  // rounding of the contact rows
-constexpr double sliding_rate = 3e-3;        // what facets make of a surface that slides in itself
-constexpr double no_part = 1e-6;             // of an amplitude in a description
-constexpr double not_moved = 1e-10;          // of the largest amplitude: round-off of the decomposition
+constexpr double sliding_rate = 3e-3;        // relative gap that facets open where a surface slides in itself
+constexpr double min_part = 1e-6;            // of an amplitude in a description
+constexpr double min_amplitude = 1e-10;      // of the largest amplitude: round-off of the decomposition
 
 using mechanics::FreeMotion;
 using mechanics::RigidMotion;
@@ -46,7 +46,7 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
   };
   for (Index j = 0; j < basis.rows(); ++j) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(basis.rows(), j);
-    if ((basis * (basis.transpose() * unit) - unit).norm() < no_part) take(unit);
+    if ((basis * (basis.transpose() * unit) - unit).norm() < min_part) take(unit);
   }
   if (result.cols() < basis.cols()) {
     rest -= result * (result.transpose() * rest);
@@ -60,7 +60,7 @@ Eigen::MatrixXd readable_basis(const Eigen::MatrixXd& basis) {
 Eigen::MatrixXd without_round_off(const Eigen::MatrixXd& basis) {
   Eigen::MatrixXd result = basis;
   for (Index j = 0; j < result.cols(); ++j) {
-    const double least = not_moved * result.col(j).cwiseAbs().maxCoeff();
+    const double least = min_amplitude * result.col(j).cwiseAbs().maxCoeff();
     for (double& part : result.col(j))
       if (std::abs(part) < least) part = 0;
   }
@@ -146,7 +146,7 @@ std::string RigidBodyModes::describe(const Eigen::VectorXd& amplitudes) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const auto& motions = bodies_[b].free_motions();
     Eigen::VectorXd own = amplitudes.segment(first_[b], std::ssize(motions));
-    own = (own.array().abs() > no_part * amplitudes.cwiseAbs().maxCoeff()).select(own, 0.0);
+    own = (own.array().abs() > min_part * amplitudes.cwiseAbs().maxCoeff()).select(own, 0.0);
     if (own.size() == 0 || own.isZero(0)) continue;
     std::string words;
     if (const auto rigid = rigid_part(motions, own)) {

@@ -12,11 +12,11 @@ TangentInterface::TangentInterface(const CondensedInterface& interface,
   problem_.rigid = elastic.rigid;
   problem_.total.setZero(n_rows(), n_rows());
   for (std::size_t b = 0; b < factors.size(); ++b) {
-    const std::vector<int>& rows = interface.rows(b).rows;
+    const std::vector<int>& rows = interface.rows()[b].rows;
     if (rows.empty()) continue;
     if (factors[b] != nullptr) {
       condensed_[b] =
-          CondensedRows(interface.rows(b).reduced, interface.trailing(b), *factors[b], elastic.has_friction());
+          CondensedRows(interface.rows()[b].reduced, interface.rows()[b].trailing, *factors[b], elastic.has_friction());
       problem_.total(rows, rows) += condensed_[b].take_flexibility();
     } else {
       problem_.total(rows, rows) += elastic_scale * elastic.bodies[b].matrix;
@@ -25,7 +25,7 @@ TangentInterface::TangentInterface(const CondensedInterface& interface,
 }
 
 void TangentInterface::add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
-  const std::vector<int>& rows = interface_.rows(body).rows;
+  const std::vector<int>& rows = interface_.rows()[body].rows;
   if (!rows.empty()) gap(rows) += condensed_[body].gaps(y);
 }
 
@@ -35,7 +35,7 @@ ContactState TangentInterface::close(const ContactState& at, const Eigen::Vector
 }
 
 void TangentInterface::add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
-  const std::vector<int>& rows = interface_.rows(body).rows;
+  const std::vector<int>& rows = interface_.rows()[body].rows;
   if (!rows.empty()) condensed_[body].add_forces(multiplier(rows), y);
 }
 

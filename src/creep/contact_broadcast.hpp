@@ -12,8 +12,4 @@ void broadcast(const Team& team, contact::ContactState& state);
 void broadcast(const Team& team, contact::ContactResult& result);
 void broadcast(const Team& team, std::vector<PathPoint>& points);
 
-/// Nodes as numbers and back.
-std::vector<double> packed(const std::vector<contact::NodeLinearization>& nodes);
-std::vector<contact::NodeLinearization> unpacked(const std::vector<double>& values);
-
 }  // namespace creepcontact::creep

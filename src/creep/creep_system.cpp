@@ -15,11 +15,12 @@ namespace {
 
 /// A preconditioner need not follow every step: gamma may be off by this factor.
 constexpr double same_gamma = 1.25;
-/// Of the strain that the tolerance stands for: where hardening begins to count.
+/// Part of the strain of the tolerance at which hardening begins to count.
 constexpr double min_share = 0.3;
-constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation that stands for an accepted point
+constexpr double near_accepted = 0.1;  // of the tolerance: an evaluation so near represents an accepted point
 constexpr double same_value = 1e-9;    // of equal values at points that symmetry makes equal
-constexpr double least_step = 1e-6;    // relative to the time: a body that slides off in so short a step does slide off
+constexpr double min_sliding_step =
+    1e-6;  // relative to the time: a body that slides off in so short a step does slide off
 
 void resize_tangents(const std::vector<MaterialPoints>& points,
                      std::vector<std::vector<material::StressTangent>>& tangents) {
@@ -93,7 +94,7 @@ void CreepSystem::solve(double t, std::span<const double> y, Evaluation& into) {
       solver_.solve(t, views_, history_, into.equilibrium);
   } catch (const contact::SlidingOff& error) {
     // A trial state of the integrator may slide off where the solution does not.
-    if (!has_friction() || t - history_.friction.time <= least_step * t) throw;
+    if (!has_friction() || t - history_.friction.time <= min_sliding_step * t) throw;
     throw RecoverableError(error.what());
   } catch (const SolverError& error) {
     throw RecoverableError(error.what());
@@ -132,9 +133,9 @@ double CreepSystem::rate_change(double from, std::span<const double> y, double t
   const auto rate_of = [&](const Evaluation& at) {
     std::vector<double> rate(size(), 0.0);
     together(team(), [&] {
-      for (std::size_t b = 0; b < laws_.points().size(); ++b)
-        if (!laws_.points()[b].empty())
-          laws_.points()[b].rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
+      laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+        points.rate(laws_.state(b, at, at.y), laws_.layout().part(b, std::span(rate)), {});
+      });
     });
     return rate;
   };
@@ -178,11 +179,10 @@ void CreepSystem::rate(double t, std::span<const double> y, std::span<double> ra
   const bool with_tangents = std::exchange(tangents_needed_, false);
   if (with_tangents) resize_tangents(laws_.points(), step_.tangents);
   together(team(), [&] {
-    for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-      if (laws_.points()[b].empty()) continue;
+    laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
       const auto tangents = with_tangents ? std::span(step_.tangents[b]) : std::span<material::StressTangent>();
-      laws_.points()[b].rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
-    }
+      points.rate(laws_.state(b, at, y), laws_.layout().part(b, rate), tangents);
+    });
     step_.has_tangents = step_.has_tangents || with_tangents;
     if (!numerics::is_finite(rate)) throw RecoverableError(describe_overflow(at, rate));
   });
@@ -195,18 +195,19 @@ void CreepSystem::jacobian_times(double t, std::span<const double> y, std::span<
   laws_.layout().views(v, views_);
   solver_.linearized(at.equilibrium, views_, stress_change_);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty())
-      laws_.points()[b].derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
-                                   laws_.layout().part(b, product));
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    points.derivative(laws_.state(b, at, y), {stress_change_[b], laws_.layout().part(b, v)},
+                      laws_.layout().part(b, product));
+  });
 }
 
 const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tangents() {
   tangents_needed_ = true;
   if (step_.has_tangents) return step_.tangents;
   resize_tangents(laws_.points(), step_.tangents);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty()) laws_.points()[b].tangents(laws_.state(b, step_, step_.y), step_.tangents[b]);
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    points.tangents(laws_.state(b, step_, step_.y), step_.tangents[b]);
+  });
   step_.has_tangents = true;
   return step_.tangents;
 }
@@ -214,9 +215,9 @@ const std::vector<std::vector<material::StressTangent>>& CreepSystem::step_tange
 void CreepSystem::prepare_preconditioner(double t, std::span<const double> y) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty() && !local_[b])
-      preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
+    if (!local_[b]) preconditioners_[b].linearize(laws_.state(b, at, y), step_tangents()[b]);
+  });
   local_gamma_ = 0;
 }
 
@@ -224,35 +225,29 @@ void CreepSystem::precondition(double gamma, std::span<const double> r, std::spa
   const auto lap = watch_.lap(Part::material);
   const bool prepared = gamma < same_gamma * local_gamma_ && local_gamma_ < same_gamma * gamma;
   if (!prepared) local_gamma_ = gamma;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-    if (laws_.points()[b].empty()) continue;
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
     const std::span<const double> right = laws_.layout().part(b, r);
     const std::span<double> result = laws_.layout().part(b, z);
-    if (!local_[b]) {
-      preconditioners_[b].apply(gamma, right, result);
-      continue;
-    }
-    // Of the last evaluation, which may be nearer than the point prepared for.
+    if (!local_[b]) return preconditioners_[b].apply(gamma, right, result);
+    // At the last evaluation, which may be nearer than the point prepared for.
     if (!prepared) local_[b]->prepare(gamma, laws_.state(b, step_, step_.y));
     local_[b]->solution(right, {}, result);
-  }
+  });
 }
 
 void CreepSystem::precondition_once(double t, std::span<const double> y, double gamma, std::span<const double> r,
                                     std::span<double> z) {
   const Evaluation& at = evaluate_step(t, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-    if (laws_.points()[b].empty()) continue;
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints&) {
     const PointsState state = laws_.state(b, at, y);
     const std::span<const double> right = laws_.layout().part(b, r);
     const std::span<double> result = laws_.layout().part(b, z);
-    if (!local_[b]) {
+    if (local_[b])
+      local_[b]->solve_points(gamma, state, right, result);
+    else
       PointPreconditioner::apply_once(state, step_tangents()[b], gamma, right, result);
-      continue;
-    }
-    local_[b]->solve_points(gamma, state, right, result);
-  }
+  });
 }
 
 void CreepSystem::prepare_tangent(double t, std::span<const double> y, double gamma) {
@@ -269,9 +264,9 @@ void CreepSystem::solve_tangent(std::span<const double> r, std::span<double> z) 
 
 double CreepSystem::smallest_start_exponent(double t, const Evaluation& at) const {
   double smallest = 1;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty())
-      smallest = std::min(smallest, laws_.points()[b].start_exponent(t, laws_.state(b, at, at.y)));
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    smallest = std::min(smallest, points.start_exponent(t, laws_.state(b, at, at.y)));
+  });
   return team().min(smallest);
 }
 
@@ -283,9 +278,9 @@ void CreepSystem::start_increment(double t, std::span<const double> y, double st
                                   std::span<double> change) {
   const Evaluation& at = evaluate_step(stress_time, y);
   const auto lap = watch_.lap(Part::material);
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (!laws_.points()[b].empty())
-      laws_.points()[b].add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    points.add_increment(t, duration, laws_.state(b, at, y), laws_.layout().part(b, change));
+  });
 }
 
 std::optional<CreepSystem::Extreme> CreepSystem::largest(const material::StateVariable& scalar, std::size_t body,
@@ -313,31 +308,26 @@ double CreepSystem::stable_step(double t, std::span<const double> y) {
 }
 
 std::vector<double> CreepSystem::relaxation_times(const Evaluation& at) const {
-  std::vector<double> times;
+  std::vector<double> times(laws_.points().size(), std::numeric_limits<double>::infinity());
   std::vector<material::StressTangent> found;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b) {
-    double fastest = 0;
-    if (!laws_.points()[b].empty()) {
-      const PointsState state = laws_.state(b, at, at.y);
-      if (!at.has_tangents) {
-        found.resize(laws_.points()[b].size());
-        laws_.points()[b].tangents(state, found);
-      }
-      fastest = laws_.points()[b].stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    const PointsState state = laws_.state(b, at, at.y);
+    if (!at.has_tangents) {
+      found.resize(points.size());
+      points.tangents(state, found);
     }
-    times.push_back(fastest > 0 ? 1 / fastest : std::numeric_limits<double>::infinity());
-  }
+    const double fastest = points.stiffest_rate(state, at.has_tangents ? at.tangents[b] : found);
+    if (fastest > 0) times[b] = 1 / fastest;
+  });
   team().min(times);
   return times;
 }
 
 std::vector<std::optional<RelaxationTime>> CreepSystem::initial_relaxation(const Evaluation& at, double near) const {
-  std::vector<std::optional<RelaxationTime>> times;
-  for (std::size_t b = 0; b < laws_.points().size(); ++b)
-    if (laws_.points()[b].empty())
-      times.emplace_back();
-    else
-      times.emplace_back(relaxation_time(team(), laws_.points()[b], laws_.state(b, at, at.y), near));
+  std::vector<std::optional<RelaxationTime>> times(laws_.points().size());
+  laws_.for_each_creeping([&](std::size_t b, const MaterialPoints& points) {
+    times[b] = relaxation_time(team(), points, laws_.state(b, at, at.y), near);
+  });
   return times;
 }
 
@@ -382,22 +372,18 @@ void CreepSystem::accept(double t, std::span<const double> y) {
 
 void CreepSystem::save(Memory& memory) const {
   solver_.save(history_, memory);
-  memory["strain_scale"] = scale_.strain();
-  if (!scale_.lives().empty()) memory["life_scale"] = scale_.lives();
-  if (yield_steps_.is_needed()) memory["yield_steps"] = yield_steps_.memory();
+  scale_.save(memory);
+  yield_steps_.save(memory);
 }
 
 void CreepSystem::restore(const Memory& memory) {
   solver_.restore(memory, history_);
   path_ = {history_, {}};
-  const auto lives = memory.find("life_scale");  // not in checkpoints of earlier versions
-  scale_.restore(memory.at("strain_scale"), lives != memory.end() ? lives->second : std::vector<double>{});
+  scale_.restore(memory);
 }
 
 void CreepSystem::resume(double t, std::span<const double> y, const Memory& memory) {
-  const auto found = memory.find("yield_steps");  // not in checkpoints of earlier versions
-  if (found == memory.end() || !yield_steps_.is_needed()) return;
-  yield_steps_.resume(evaluate_step(t, y).equilibrium, found->second);
+  if (yield_steps_.is_needed()) yield_steps_.resume(evaluate_step(t, y).equilibrium, memory);
 }
 
 RunCounters CreepSystem::run_counters() const {

@@ -15,7 +15,7 @@ namespace creepcontact::creep {
 namespace {
 
 // Jumps that differ by rounding alone count as one breakpoint: these times lie beyond all of them.
-constexpr double beside = 16 * std::numeric_limits<double>::epsilon();
+constexpr double one_sided_shift = 16 * std::numeric_limits<double>::epsilon();
 constexpr double max_creep = 1e12;  // of the elastic strain, over the run: no machine part lives through so much
 
 constexpr const char* not_loaded =
@@ -118,10 +118,10 @@ class Survey {
 }  // namespace
 
 double just_before(double t) {
-  return t * (1 - beside);
+  return t * (1 - one_sided_shift);
 }
 double just_after(double t) {
-  return t * (1 + beside);
+  return t * (1 + one_sided_shift);
 }
 
 ElasticSurvey survey_elastic_stress(EquilibriumSolver& solver, const std::vector<double>& output_times,

@@ -10,6 +10,7 @@
 #include "creepcontact/creep/equilibrium_solver.hpp"
 #include "creepcontact/numerics/point_sums.hpp"
 #include "slip_advance.hpp"
+#include "stiffness_change.hpp"
 #include "vector_views.hpp"
 
 namespace creepcontact::creep {
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double exact = 1e-12;      // of the stiffness: rounding
 constexpr double rounding = 1e-12;   // of the displacement, energy norm
-constexpr double stalled = 0.9;      // where an iteration changes more than this part of what the last did, it stands
+constexpr double stalled = 0.9;      // an iteration that changes more than this part of the last change has stalled
 constexpr double farthest = 2;       // extrapolation, in steps
 constexpr int plain_iterations = 2;  // before round-off is thought of
 constexpr double good_if_stalled = 1e-8;  // of the displacement: rounding in an ill-conditioned stiffness
@@ -68,26 +69,13 @@ double stress_norm(const Assembly& assembly, const Equilibrium& of) {
 
 }  // namespace
 
-EquilibriumSolver::StiffnessChange EquilibriumSolver::stiffness_change(
-    const std::vector<mechanics::BodyConditions>& at) const {
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
-  for (std::size_t b = 0; b < work_.size(); ++b) {
-    const auto [low, high] = interface_.factored(b).stiffness_ratio(at[b]);
-    least = std::min(least, low);
-    largest = std::max(largest, high);
-  }
-  least = assembly_.team().min(least);
-  largest = assembly_.team().max(largest);
-  return {(least + largest) / 2, (largest - least) / (largest + least)};
-}
-
 void EquilibriumSolver::refactorize(const std::vector<mechanics::BodyConditions>& at) {
   const auto lap = watch_.lap(Part::factorize);
   std::vector<std::size_t> changed;
   for (std::size_t b = 0; b < work_.size(); ++b)
     if (assembly_.team().any(interface_.factored(b).stiffness_ratio(at[b]) != std::pair(1.0, 1.0)))
       changed.push_back(b);
-  interface_.refactorize(changed, at);
+  interface_.flexibility().refactorize(changed, at);
   if (contact_solver_) contact_solver_->flexibility_changed();
   active_set_.flexibility_changed();
   counters_.factorizations += std::ssize(changed);
@@ -103,7 +91,7 @@ void EquilibriumSolver::solve(double t, CreepStrains creep, const History& histo
     into.bodies[b].displacement.resize(3 * body.mesh().nodes.size());
     into.bodies[b].stress.resize(6 * body.discretization().n_points());
   }
-  StiffnessChange change = stiffness_change(into.conditions);
+  StiffnessChange change = stiffness_change(assembly_, interface_, into.conditions);
   if (change.rest > options_.refactor_change) {
     refactorize(into.conditions);
     change = {};
@@ -130,16 +118,16 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
     const double change = advance(given, from, creep, into);
     if (stiffness.rest <= exact) break;
     if (contraction * change <= options_.stress_tolerance * stress_norm(assembly_, into)) break;
-    const bool stands = change > stalled * before;
-    if (stands || iteration >= plain_iterations) {
+    const bool is_stalled = change > stalled * before;
+    if (is_stalled || iteration >= plain_iterations) {
       if (!size) size = displacement_norm(assembly_, into);
       if (contraction * change <= rounding * *size) break;
-      if (stands && change > good_if_stalled * *size) return false;
-      if (stands) break;
+      if (is_stalled && change > good_if_stalled * *size) return false;
+      if (is_stalled) break;
     }
     before = change;
     from = into.contact;
-    leave_residual(into);
+    compute_residual(into);
   }
   into.contact.multiplier *= stiffness.scale;
   return true;
@@ -148,12 +136,12 @@ bool EquilibriumSolver::iterate(CreepStrains creep, const History& history, cons
 contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const History& history,
                                                 const StiffnessChange& stiffness, Equilibrium& into) {
   const auto lap = watch_.lap(Part::material);
-  contact::InterfaceLoad given = interface_.initial_load(into.time, into.conditions);
+  contact::InterfaceLoad given = interface_.rows().initial_load(into.time, into.conditions);
   for (std::size_t b = 0; b < work_.size(); ++b) {
     const mechanics::Body& body = assembly_.bodies()[b];
     body.right_hand_side(into.conditions[b], creep[b], work_[b].right_hand_side);
     body.clear_fixing_dofs(work_[b].right_hand_side);
-    interface_.add_resultant(b, into.conditions[b], given);
+    interface_.rows().add_resultant(b, into.conditions[b], given);
   }
   for (Eigen::VectorXd* of_motions : {&given.work, &given.force})
     assembly_.team().sum({of_motions->data(), static_cast<std::size_t>(of_motions->size())});
@@ -179,7 +167,7 @@ contact::InterfaceLoad EquilibriumSolver::start(CreepStrains creep, const Histor
   into.displacements = extrapolated(into.time, steps);
   for (std::size_t b = 0; b < work_.size(); ++b)
     update_state(b, into.displacements[b], history.contact.rigid, creep[b], into);
-  leave_residual(into);
+  compute_residual(into);
   return given;
 }
 
@@ -189,11 +177,11 @@ void EquilibriumSolver::update_state(std::size_t b, std::span<const double> free
   const mechanics::BodyConditions& at = into.conditions[b];
   BodyState& state = into.bodies[b];
   body.constraints().expand(free, at.prescribed, state.displacement);
-  interface_.add_rigid_motion(b, rigid, state.displacement);
+  interface_.rows().add_rigid_motion(b, rigid, state.displacement);
   body.discretization().stress(state.displacement, at.elastic(), creep, state.stress);
 }
 
-void EquilibriumSolver::leave_residual(const Equilibrium& of) {
+void EquilibriumSolver::compute_residual(const Equilibrium& of) {
   const auto lap = watch_.lap(Part::material);
   for (std::size_t b = 0; b < work_.size(); ++b) {
     interface_.factored(b).residual(of.conditions[b].external_forces(), of.bodies[b].stress, of.displacements[b],
@@ -209,13 +197,13 @@ void EquilibriumSolver::solve_contact(const contact::InterfaceLoad& load, const 
   std::optional<contact::SlidingOff> sliding;  // which no team can agree on: it is of `contact`
   together(assembly_.team(), [&] {
     stop_.heed();
-    if (!interface_.is_here()) return;
+    if (!interface_.flexibility().is_here()) return;
     if (recorder_ != nullptr) recorder_->begin_solve(load.time);
     try {
-      result = contact_solver_->solve(interface_.contact_load(load), from);
+      result = contact_solver_->solve(interface_.balance().contact_load(load), from);
     } catch (const contact::UnbalancedLoad& unbalanced) {
       try {
-        interface_.report(unbalanced, load.time);
+        interface_.balance().report(unbalanced, load.time);
       } catch (const contact::SlidingOff& error) {
         sliding = error;
       }
@@ -236,7 +224,8 @@ double EquilibriumSolver::advance(const contact::InterfaceLoad& given, const con
     for (Work& work : work_) vector(work.right_hand_side) /= into.stiffness_scale;
   forward();
   contact::InterfaceLoad load = given;
-  for (std::size_t b = 0; b < into.displacements.size(); ++b) interface_.add_gaps(b, into.displacements[b], load.gap);
+  for (std::size_t b = 0; b < into.displacements.size(); ++b)
+    interface_.rows().add_gaps(b, into.displacements[b], load.gap);
   add_traces(load.gap);
   if (interface_.n_rows() > 0) solve_contact(load, from, into);
   backward(into.contact.multiplier);
@@ -261,7 +250,7 @@ double EquilibriumSolver::change_norm(const Eigen::VectorXd& multiplier) const {
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(interface_.n_rows());
   for (std::size_t b = 0; b < work_.size(); ++b) {
     energy += vector(work_[b].right_hand_side).dot(vector(work_[b].free));
-    interface_.add_gaps(b, work_[b].free, gap);
+    interface_.rows().add_gaps(b, work_[b].free, gap);
   }
   energy = assembly_.team().sum(energy);
   if (multiplier.size() == gap.size()) energy += multiplier.dot(gap);

@@ -9,60 +9,24 @@
 #include "contact_broadcast.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "friction_follower.hpp"
 #include "slip_advance.hpp"
+#include "stiffness_change.hpp"
 
 namespace creepcontact::creep {
 namespace {
 
 constexpr double jacobian_tolerance = 1e-6;  // of products where they are iterated: a Krylov method asks for no more
 
-/// @param step  0: the last accepted one
-std::string kept_name(const char* what, std::size_t step, std::size_t body = 0) {
-  return fmt::format("stiffness.kept.{}.{}.{}", step, what, body);
-}
-
-using creep::packed;
-std::vector<double> packed(const Eigen::VectorXd& vector) {
-  return {vector.begin(), vector.end()};
-}
-
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::VectorXd::Map(values.data(), std::ssize(values));
-}
-
-void save_friction(const History& history, Memory& memory) {
-  const SlipHistory& friction = history.friction;
-  memory["contact.nodes"] = packed(history.contact.nodes);
-  memory["contact.image"] = packed(history.contact.image);
-  memory["contact.factored"] = packed(history.contact.factored);
-  memory["friction.slip"] = packed(friction.slip);
-  memory["friction.gap"] = packed(friction.gap);
-  memory["friction.rate"] = packed(friction.rate);
-  memory["friction.direction"] = packed(friction.direction);
-  memory["friction.path"] = packed(friction.path);
-  memory["friction.dissipated"] = friction.dissipated;
-  memory["friction.time"] = {friction.time, friction.is_fresh ? 1.0 : 0.0};
-}
-
-void restore_friction(const Memory& memory, History& history) {
-  SlipHistory& friction = history.friction;
-  history.contact.nodes = unpacked(memory.at("contact.nodes"));
-  history.contact.image = vector_of(memory.at("contact.image"));
-  history.contact.factored = unpacked(memory.at("contact.factored"));
-  friction.slip = vector_of(memory.at("friction.slip"));
-  friction.direction = vector_of(memory.at("friction.direction"));
-  friction.path = vector_of(memory.at("friction.path"));
-  friction.dissipated = memory.at("friction.dissipated");
-  const auto clock = memory.find("friction.time");
-  if (clock == memory.end()) {  // of an earlier version: the next step is taken as it is
-    friction.time = memory.at("friction.turning").at(0);
-    return;
-  }
-  friction.time = clock->second.at(0);
-  friction.is_fresh = clock->second.at(1) != 0;
-  friction.gap = vector_of(memory.at("friction.gap"));
-  friction.rate = vector_of(memory.at("friction.rate"));
-}
+/// The state of a solver that evaluations depend on.
+struct SolverState {
+  std::vector<double> factor_times;  // per body: the time whose stiffness is factored
+  std::int64_t factors = 0;          // EquilibriumSolver::factors_
+  bool sweeps_given_up = false;
+  static constexpr auto members =
+      std::tuple{Member{"factor_times", &SolverState::factor_times}, Member{"factors", &SolverState::factors},
+                 Member{"sweeps_given_up", &SolverState::sweeps_given_up}};
+};
 
 }  // namespace
 
@@ -84,12 +48,13 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
       }()),
       contact_solver_(make_contact_solver()),
       active_set_(interface_.problem(), std::max(options.schwarz.tolerance, jacobian_tolerance)),
-      slip_advance_(std::make_unique<const SlipAdvance>(interface_.problem(), assembly.pairs())) {
+      slip_advance_(std::make_unique<const SlipAdvance>(interface_.problem(), assembly.pairs())),
+      friction_(make_friction_follower()),
+      stiffness_changes_(creep::stiffness_changes(assembly)) {
   counters_.factorizations = std::ssize(assembly.bodies());
   for (const mechanics::Body& body : assembly.bodies()) {
     const std::size_t n_free = body.constraints().n_free();
     const std::size_t n_full = body.constraints().n_full();
-    stiffness_changes_ = stiffness_changes_ || body.stiffness_changes();
     work_.push_back({std::vector<double>(n_free), std::vector<double>(n_free), std::vector<double>(n_free),
                      std::vector<double>(n_full), std::vector<double>(n_full)});
   }
@@ -99,7 +64,7 @@ EquilibriumSolver::EquilibriumSolver(const Assembly& assembly, const SolverOptio
 EquilibriumSolver::~EquilibriumSolver() = default;
 
 std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver() const {
-  if (!interface_.is_here()) return nullptr;
+  if (!interface_.flexibility().is_here()) return nullptr;
   const contact::ContactProblem& problem = interface_.problem();
   if (problem.has_friction()) {
     contact::FrictionOptions options{options_.friction, options_.schwarz};
@@ -121,9 +86,26 @@ std::unique_ptr<contact::ContactSolver> EquilibriumSolver::make_contact_solver()
   return contact::schwarz_solver(problem, options);
 }
 
+std::unique_ptr<FrictionFollower> EquilibriumSolver::make_friction_follower() {
+  const auto traces = [this](std::span<const std::vector<double>> forces, Eigen::VectorXd& gap) {
+    for (std::size_t b = 0; b < work_.size(); ++b) work_[b].right_hand_side = forces[b];
+    forward();
+    add_traces(gap);
+  };
+  const auto solve = [this](const contact::ContactLoad& load, const contact::ContactState& from, double t) {
+    if (recorder_ != nullptr) recorder_->begin_solve(t);
+    return contact_solver_->solve(load, from);
+  };
+  return std::make_unique<FrictionFollower>(assembly_, interface_, *slip_advance_, traces, solve, watch_);
+}
+
+double EquilibriumSolver::longest_for_friction(double t, double end) const {
+  return friction_->longest_step(t, end);
+}
+
 void EquilibriumSolver::add_traces(Eigen::VectorXd& gap) {
   const auto lap = watch_.lap(Part::contact);
-  for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_trace(b, work_[b].factored, gap);
+  for (std::size_t b = 0; b < work_.size(); ++b) interface_.flexibility().add_trace(b, work_[b].factored, gap);
 }
 
 void EquilibriumSolver::forward() {
@@ -137,7 +119,8 @@ void EquilibriumSolver::forward() {
 void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
   {
     const auto lap = watch_.lap(Part::contact);
-    for (std::size_t b = 0; b < work_.size(); ++b) interface_.add_multipliers(b, multiplier, work_[b].factored);
+    for (std::size_t b = 0; b < work_.size(); ++b)
+      interface_.flexibility().add_multipliers(b, multiplier, work_[b].factored);
   }
   const auto lap = watch_.lap(Part::solve);
   std::vector<linalg::Substitution> substitutions;
@@ -149,7 +132,7 @@ void EquilibriumSolver::backward(const Eigen::VectorXd& multiplier) {
 contact::ContactState EquilibriumSolver::contact_change(const contact::ContactState& at, const Eigen::VectorXd& gap) {
   contact::ContactState change;
   together(assembly_.team(), [&] {
-    if (interface_.is_here()) change = active_set_.solve_change(at, gap);
+    if (interface_.flexibility().is_here()) change = active_set_.solve_change(at, gap);
   });
   broadcast(assembly_.team(), change);
   return change;
@@ -188,13 +171,13 @@ History EquilibriumSolver::initial_history(int substeps) {
   if (!has_friction && preloads.empty()) return history;
   Equilibrium at;
   assembly_.update(0, at.conditions);
-  if (stiffness_change(at.conditions).rest > 0) refactorize(at.conditions);
+  if (stiffness_change(assembly_, interface_, at.conditions).rest > 0) refactorize(at.conditions);
   const std::vector<mechanics::CreepStrainView> no_creep(work_.size());
   // All of it is linear in the loads: one pass serves all substeps.
-  contact::InterfaceLoad full = start(no_creep, history, {}, at);
+  contact::InterfaceLoad full = start(no_creep, history, StiffnessChange(), at);
   forward();
   add_traces(full.gap);
-  const Eigen::VectorXd unloaded = interface_.unloaded_gap();
+  const Eigen::VectorXd unloaded = interface_.rows().unloaded_gap();
   const double longest = has_friction ? 1.0 / substeps : 1.0, shortest = longest / 64;
   double reached = 0, step = longest;
   while (reached < 1) {
@@ -247,7 +230,7 @@ SlipHistory EquilibriumSolver::slip_until(const Equilibrium& at, const History& 
 }
 
 std::vector<PathPoint> EquilibriumSolver::accept(const Equilibrium& at, History& history, const PathOptions& options) {
-  std::vector<PathPoint> path = follow_friction(at, history, options);
+  std::vector<PathPoint> path = friction_->follow(at, history, options);
   const contact::ContactState& contact = path.empty() ? at.contact : path.back().contact;
   std::vector<int> changed;
   std::ranges::set_symmetric_difference(history.contact.active, contact.active, std::back_inserter(changed));
@@ -270,56 +253,32 @@ std::vector<PathPoint> EquilibriumSolver::accept(const Equilibrium& at, History&
 }
 
 RunCounters EquilibriumSolver::counters() const {
-  RunCounters all = counters_;
-  all.elastic_solves += interface_.n_products();
+  RunCounters all = counters_ + friction_->counters();
+  all.elastic_solves += interface_.flexibility().n_products();
   return all;
 }
 
 void EquilibriumSolver::save(const History& history, Memory& memory) const {
-  const contact::ContactState& contact = history.contact;
-  memory["contact.multiplier"].assign(contact.multiplier.begin(), contact.multiplier.end());
-  memory["contact.rigid"].assign(contact.rigid.begin(), contact.rigid.end());
-  memory["contact.active"].assign(contact.active.begin(), contact.active.end());
-  memory["contact.interference"] = history.interference;
-  memory["contact.preloaded_until"] = {history.preloaded_until};
-  memory["contact.reached"].assign(history.reached.begin(), history.reached.end());
-  memory["contact.sweeps_given_up"] = {contact_solver_ && contact_solver_->has_given_up_sweeps() ? 1.0 : 0.0};
-  if (history.friction.slip.size() > 0) save_friction(history, memory);
-  for (std::size_t b = 0; b < work_.size() && stiffness_changes_; ++b)
-    memory["stiffness.factor_times"].push_back(interface_.factored(b).time());
-  if (!iterates()) return;
-  std::size_t k = 0;
-  for (const History::Accepted& step : history.accepted) {
-    if (step.factors != factors_) continue;
-    memory[kept_name("time", k)] = {step.time};
-    for (std::size_t b = 0; b < work_.size(); ++b) memory[kept_name("free", k, b)] = step.displacements[b];
-    ++k;
-  }
+  SolverState state;
+  state.factors = factors_;
+  state.sweeps_given_up = contact_solver_ && contact_solver_->has_given_up_sweeps();
+  for (std::size_t b = 0; b < work_.size(); ++b) state.factor_times.push_back(interface_.factored(b).time());
+  memory.save("solver", state);
+  memory.save("history", history);
 }
 
 void EquilibriumSolver::restore(const Memory& memory, History& history) {
-  history.contact.multiplier = vector_of(memory.at("contact.multiplier"));
-  history.contact.rigid = vector_of(memory.at("contact.rigid"));
-  const std::vector<double>& active = memory.at("contact.active");
-  history.contact.active.assign(active.begin(), active.end());
-  history.interference = memory.at("contact.interference");
-  history.preloaded_until = memory.at("contact.preloaded_until").at(0);
-  history.reached = vector_of(memory.at("contact.reached"));
-  if (memory.at("contact.sweeps_given_up").at(0) != 0 && contact_solver_) contact_solver_->give_up_sweeps();
-  if (interface_.problem().has_friction()) restore_friction(memory, history);
-  history.accepted.clear();
+  SolverState state;
+  memory.restore("solver", state);
+  memory.restore("history", history);
+  if (state.sweeps_given_up && contact_solver_) contact_solver_->give_up_sweeps();
   if (stiffness_changes_) {
-    const std::vector<double>& factor_times = memory.at("stiffness.factor_times");
     std::vector<mechanics::BodyConditions> at;
-    for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(factor_times.at(b)));
+    for (std::size_t b = 0; b < work_.size(); ++b) at.push_back(assembly_.bodies()[b].at(state.factor_times.at(b)));
     refactorize(at);
   }
-  if (!iterates()) return;
-  for (std::size_t k = 0; memory.contains(kept_name("time", k)); ++k) {
-    history.accepted.push_back({memory.at(kept_name("time", k)).at(0), {}, factors_});
-    for (std::size_t b = 0; b < work_.size(); ++b)
-      history.accepted.back().displacements.push_back(memory.at(kept_name("free", k, b)));
-  }
+  std::erase_if(history.accepted, [&](const History::Accepted& step) { return step.factors != state.factors; });
+  for (History::Accepted& step : history.accepted) step.factors = factors_;
 }
 
 }  // namespace creepcontact::creep

@@ -9,13 +9,13 @@ namespace creepcontact::creep {
 namespace {
 
 constexpr double min_share_of_largest = 1e-2;  // of the most stressed body: others need no finer resolution
-/// Of the largest stress that the loads give without creep: bodies that carry less are taken to be unloaded.
+/// Part of the largest stress of the loads without creep: bodies that carry less count as unloaded.
 constexpr double min_share_of_elastic = 1e-3;
-/// Of the change of a life per cycle: half a per cent of it at a tolerance of 1e-4.
+/// Scale relative to the change of a life per cycle: an error of half a per cent at a tolerance of 1e-4.
 constexpr double cycle_resolution = 50;
 constexpr double steady = 0.1;  // relative changes up to here leave the scale as it is
 
-/// At the first point; of several processes that share the body, the one that has it.
+/// Young's modulus at the first point, from the process that has it.
 double young_modulus(const Team& team, const mechanics::Body& body, const mechanics::BodyConditions& at) {
   const auto& own = body.own_elements();
   if (at.moduli.empty() || (own && (own->empty() || own->front() > 0))) return team.max(0.0);
@@ -81,15 +81,15 @@ void ErrorScale::resolve_cycle(std::span<const double> change, double least) {
   for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
 }
 
-std::vector<double> ErrorScale::lives() const {
-  std::vector<double> scales;
-  for (const Life& life : lives_) scales.push_back(life.scale);
-  return scales;
+void ErrorScale::save(Memory& memory) const {
+  memory.save("scale.strain", strain_);
+  memory.save("scale.lives", lives_);
 }
 
-void ErrorScale::restore(const std::vector<double>& strain, const std::vector<double>& lives) {
-  for (std::size_t i = 0; lives.size() == lives_.size() && i < lives.size(); ++i) lives_[i].scale = lives[i];
-  for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain.at(b));
+void ErrorScale::restore(const Memory& memory) {
+  memory.restore("scale.strain", strain_);
+  memory.restore("scale.lives", lives_);
+  for (std::size_t b = 0; b < strain_.size(); ++b) set(b, strain_[b]);
 }
 
 std::vector<double> ErrorScale::of_point(std::size_t body) const {

@@ -12,14 +12,14 @@ namespace {
 
 using contact::ContactStatus;
 
-constexpr double nothing = 1e-9;            // of the largest multiplier: no change of the loads
+constexpr double min_change = 1e-9;         // of the largest multiplier: no change of the loads
 constexpr double turning_share = 0.1;       // of the tolerance
 constexpr double residual_share = 0.3;      // of the tolerance
 constexpr double turning_error = 1.0 / 12;  // of the mean direction: slip times squared angle
 constexpr double energy_tolerance = 1e-3;   // of the energy dissipated so far, or by the step
-constexpr double no_pressure = 1e-9;        // of the largest: a status that rounding decides
-constexpr double least_movable = 1e-14;     // of the largest flexibility
-constexpr double safety = 0.9, most_cut = 1.0 / 16, least_cut = 0.5, most_growth = 2;
+constexpr double min_pressure = 1e-9;       // of the largest: a status that rounding decides
+constexpr double min_flexibility = 1e-14;   // of the largest flexibility
+constexpr double safety = 0.9, max_cut = 1.0 / 16, min_cut = 0.5, max_growth = 2;
 
 double total(const std::vector<double>& energies) {
   double sum = 0;
@@ -58,7 +58,7 @@ FrictionPath::FrictionPath(const contact::ContactProblem& problem, const SlipAdv
       flexibility_(contact::row_flexibility(problem)) {
   const double most = flexibility_.size() > 0 ? flexibility_.maxCoeff() : 0.0;
   for (double& flexibility : flexibility_)
-    if (!(flexibility > least_movable * most)) flexibility = most > 0 ? most : 1.0;
+    if (!(flexibility > min_flexibility * most)) flexibility = most > 0 ? most : 1.0;
 }
 
 std::optional<PathPoint> FrictionPath::attempt(const PathPoint& from, double end) {
@@ -87,11 +87,12 @@ bool FrictionPath::nothing_moves(const PathPoint& begin, const PathPoint& end) c
   const contact::ContactLoad first = course_(0);
   for (const double part : {0.25, 0.5, 0.75, 1.0}) {
     const contact::ContactLoad load = course_(part);
-    if (!((load.gap - first.gap).cwiseQuotient(flexibility_).cwiseAbs().maxCoeff() <= nothing * largest)) return false;
+    if (!((load.gap - first.gap).cwiseQuotient(flexibility_).cwiseAbs().maxCoeff() <= min_change * largest))
+      return false;
     const Eigen::VectorXd friction = load.friction.coefficient - first.friction.coefficient;
-    if (!(friction.cwiseAbs().maxCoeff() <= nothing)) return false;
-    if (load.resultant.size() > 0 &&
-        !((load.resultant - first.resultant).cwiseAbs().maxCoeff() <= nothing * first.resultant.cwiseAbs().maxCoeff()))
+    if (!(friction.cwiseAbs().maxCoeff() <= min_change)) return false;
+    if (load.resultant.size() > 0 && !((load.resultant - first.resultant).cwiseAbs().maxCoeff() <=
+                                       min_change * first.resultant.cwiseAbs().maxCoeff()))
       return false;
   }
   return true;
@@ -131,7 +132,7 @@ FrictionPath::Change FrictionPath::change(const PathPoint& from, const PathPoint
     const Eigen::VectorXd traction = node.tangential(to.contact.multiplier);
     const double sheared = (traction - node.tangential(from.contact.multiplier)).norm();
     result.size = std::max({result.size, std::abs(limit - old_limit) / size.limit, sheared / size.limit});
-    if (std::max(limit, old_limit) <= no_pressure * size.limit) continue;
+    if (std::max(limit, old_limit) <= min_pressure * size.limit) continue;
     result.of_statuses = result.of_statuses || before.status != now.status;
     const bool comes_to_rest = before.status == ContactStatus::slip && now.status == ContactStatus::stick;
     const bool sets_off = node.n > 1 && before.status == ContactStatus::stick && now.status == ContactStatus::slip;
@@ -149,7 +150,7 @@ FrictionPath::Change FrictionPath::change(const PathPoint& from, const PathPoint
   return result;
 }
 
-/// By how much the end fails to be the solution that a substep from the middle would have.
+/// Difference of the end from the solution that a substep from the middle would have.
 double FrictionPath::residual(const PathPoint& middle, const PathPoint& end) const {
   const Sizes size = sizes(middle, end);
   if (!(size.limit > 0)) return 0;
@@ -244,7 +245,7 @@ double FrictionPath::energy_error(const PathPoint& from, const PathPoint& middle
 double FrictionPath::end_of(double at, double size) const {
   const auto next = std::ranges::upper_bound(limits_.ends, at);
   const double last = next != limits_.ends.end() ? *next : 1, rest = last - at;
-  if (size >= rest * (1 - nothing)) return last;
+  if (size >= rest * (1 - min_change)) return last;
   return at + (2 * size > rest ? rest / 2 : size);
 }
 
@@ -258,7 +259,7 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
     return points;
   }
   std::optional<PathPoint> trial = end;
-  const bool leads_across = !(end_ - begin_ > no_time_passes * std::abs(end_));
+  const bool leads_across = !(end_ - begin_ > min_relative_step * std::abs(end_));
   if (leads_across) {  // counted in parts of the step, as no time passes
     begin_ = points.front().friction.time = 0;
     end_ = trial->friction.time = 1;
@@ -296,13 +297,13 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
     const Change changed = change(from, *trial);
     const double extent = std::max(length * part, changed.size);
     const double limit = changed.is_event ? limits_.with_event : limits_.largest;
-    if (extent > limit * (1 + nothing) && !is_shortest) {
-      retry(length * std::clamp(limit / extent, most_cut, least_cut));
+    if (extent > limit * (1 + min_change) && !is_shortest) {
+      retry(length * std::clamp(limit / extent, max_cut, min_cut));
       continue;
     }
     if (!changed.of_statuses && !is_first && changed.turning <= turning_share * limits_.tolerance) {
       accept(*std::exchange(trial, {}), to);
-      size = most_growth * length;
+      size = max_growth * length;
       continue;
     }
     const double middle_at = at + length / 2;
@@ -323,7 +324,7 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
       trial.reset();
       accept(*middle, middle_at);
       accept(std::move(through), to);
-      size = most_growth * length;
+      size = max_growth * length;
       continue;
     }
     const std::optional<PathPoint> twice = attempt(*middle, to);
@@ -335,8 +336,7 @@ std::optional<std::vector<PathPoint>> FrictionPath::follow(const PathPoint& begi
       accept(*middle, middle_at);
       accept(*twice, to);
       trial.reset();
-      size =
-          length * std::clamp(safety * std::sqrt(limits_.tolerance / std::max(found, 1e-300)), least_cut, most_growth);
+      size = length * std::clamp(safety * std::sqrt(limits_.tolerance / std::max(found, 1e-300)), min_cut, max_growth);
       continue;
     }
     trial = std::move(middle);

@@ -42,7 +42,7 @@ class FrictionPath {
   /// @returns nothing if a substep has no solution, however short
   std::optional<std::vector<PathPoint>> follow(const PathPoint& begin, const PathPoint& end);
 
-  /// After a path without an end: if its last substep has none because nothing balances the loads.
+  /// Set after a path without an end, if its last substep has none because nothing balances the loads.
   struct Unbalanced {
     contact::UnbalancedLoad load;
     double time;

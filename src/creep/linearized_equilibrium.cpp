@@ -19,15 +19,15 @@ struct ClosedRows {
   FreeDisplacements reached;  ///< by an iteration, to which what is solved for adds; empty: none
 
   void add_trace(std::size_t body, std::span<const double> y, Eigen::VectorXd& gap) const {
-    interface.add_trace(body, y, gap);
+    interface.flexibility().add_trace(body, y, gap);
   }
   contact::ContactState close(Eigen::VectorXd gap) const {
-    for (std::size_t b = 0; b < reached.size(); ++b) interface.add_gaps(b, reached[b], gap);
+    for (std::size_t b = 0; b < reached.size(); ++b) interface.rows().add_gaps(b, reached[b], gap);
     // Initial strains are in equilibrium with themselves: no resultants.
     return change(gap);
   }
   void add_multipliers(std::size_t body, const Eigen::VectorXd& multiplier, std::span<double> y) const {
-    interface.add_multipliers(body, multiplier, y);
+    interface.flexibility().add_multipliers(body, multiplier, y);
   }
 };
 
@@ -60,7 +60,7 @@ void EquilibriumSolver::linearized(const Equilibrium& at, CreepStrains creep_cha
       std::vector<double>& free = work_[b].free;
       if (correction > 0) vector(free) += vector(rows.reached[b]);
       body.constraints().expand(free, work_[b].no_displacement, work_[b].displacement);
-      interface_.add_rigid_motion(b, change.rigid, work_[b].displacement);
+      interface_.rows().add_rigid_motion(b, change.rigid, work_[b].displacement);
       stress[b].resize(6 * body.discretization().n_points());
       body.discretization().stress(work_[b].displacement, factored.elastic(), creep_change[b], stress[b]);
     }

@@ -66,7 +66,7 @@ void MaterialTangent::linearize(std::size_t p, const PointsState& at, Work& work
   }
 }
 
-/// columns = M^-1 columns. Of the creep strain, if no rate depends on it, M is the identity.
+/// columns = M^-1 columns. If no rate depends on the creep strain, M is the identity there.
 void MaterialTangent::eliminate(double gamma, Work& work, Eigen::Ref<Eigen::MatrixXd> columns) {
   const Index first = work.first, own = columns.rows() - first;
   const auto by_own = work.by_state.rightCols(own);

@@ -15,7 +15,7 @@ constexpr double tolerance = 1e-9;     // of the force
 constexpr double loosely_held = 1e-6;  // of the stiffness with all rows closed: the contact is open, or gives way
 constexpr double not_held = 1e-9;      // of the stiffness of a single row
 constexpr double overshoot = 0.9;      // of the first slope
-constexpr double shortest = 1e-9;      // part of a step
+constexpr double min_step = 1e-9;      // part of a step
 constexpr double same_force = 1e-6;    // of the product of two stiffnesses
 constexpr int max_iterations = 100;
 constexpr double largest_interference = 1e6;  // of the interference that the closed contact would need
@@ -120,7 +120,7 @@ Eigen::VectorXd PreloadSearch::find(Eigen::VectorXd interference) const {
         (is_loose ? closed_stiffness : tangent).completeOrthogonalDecomposition().solve(missing);
     const double slope = missing.dot(step);
     for (double length = 1;; length /= 2) {
-      if (length < shortest) failure.raise(worst, missing[worst], closed_stiffness);
+      if (length < min_step) failure.raise(worst, missing[worst], closed_stiffness);
       try {
         state = solve(interference + length * step);
       } catch (const Error& error) {  // too far: a body has lost its contact

@@ -98,7 +98,7 @@ void EquilibriumSolver::find_interference(const std::vector<std::size_t>& pairs,
   };
   search.closed = [&](const contact::ContactState& at) {
     contact::ContactState closed = at;
-    const std::vector<int>& immovable = interface_.immovable();
+    const std::vector<int>& immovable = interface_.flexibility().immovable();
     for (int row = 0; row < problem.n_rows(); ++row) {
       if (std::ranges::binary_search(immovable, row)) continue;
       closed.active.push_back(row);

@@ -10,8 +10,8 @@
 namespace creepcontact::creep {
 namespace {
 
-constexpr double out_of_reach = 1e12;  // times the time that the search starts from
-constexpr double exact_enough = 1e-6;
+constexpr double max_ratio = 1e12;  // times the time that the search starts from
+constexpr double time_tolerance = 1e-6;
 
 std::vector<double> grown_until(double end, const MaterialPoints& points, const PointsState& at) {
   std::vector<double> change(points.size() * points.stride(), 0.0);
@@ -37,17 +37,17 @@ std::vector<double> ratios(double end, const MaterialPoints& points, const Point
 double time_of_one(const std::function<double(double)>& ratio, double near) {
   double low = near, high = near, at_low = ratio(near), at_high = at_low;
   if (std::isnan(at_low)) return at_low;
-  while (at_low > 1 && low > near / out_of_reach) low /= 10, at_low = ratio(low);
-  while (at_high < 1 && high < near * out_of_reach) high *= 10, at_high = ratio(high);
+  while (at_low > 1 && low > near / max_ratio) low /= 10, at_low = ratio(low);
+  while (at_high < 1 && high < near * max_ratio) high *= 10, at_high = ratio(high);
   if (!(at_high >= 1)) return std::numeric_limits<double>::infinity();
   if (!(at_low <= 1)) return 0;
-  for (int halving = 0; halving < 60 && high > low * (1 + exact_enough); ++halving) {
+  for (int halving = 0; halving < 60 && high > low * (1 + time_tolerance); ++halving) {
     const double slope = std::log(at_high / at_low) / std::log(high / low);
     double middle = low * std::pow(at_low, -1 / slope);
     // Every other guess halves the interval: one end may stay where it is.
     if (halving % 2 == 1 || !(middle > low && middle < high)) middle = std::sqrt(low * high);
     const double there = ratio(middle);
-    if (std::abs(there - 1) <= exact_enough) return middle;
+    if (std::abs(there - 1) <= time_tolerance) return middle;
     if (there < 1)
       low = middle, at_low = there;
     else

@@ -14,7 +14,7 @@ ContactStatus status_before(const SlipNode& node, const contact::ContactState& s
   return state.nodes.empty() ? ContactStatus::stick : node.at(state).status;
 }
 
-/// Until a node that slips opens, if its pressure goes on to fall.
+/// Time until a node that slips opens, if its pressure continues to fall.
 double time_to_open(const SlipNode& node, const PathPoint& from) {
   const double rate = from.friction.rate[node.normal_row];
   return rate < 0 ? from.contact.multiplier[node.normal_row] / -rate : 0.0;
@@ -52,7 +52,7 @@ Eigen::VectorXd SlipAdvance::reference(const PathPoint& from, double t) const {
 void SlipAdvance::add_rates(const PathPoint& from, double duration, const contact::ContactState& to,
                             SlipHistory& next) const {
   next.rate.setZero(static_cast<Index>(n_rows_));
-  next.is_fresh = !(duration > no_time_passes * std::abs(next.time));
+  next.is_fresh = !(duration > min_relative_step * std::abs(next.time));
   if (next.is_fresh) return;
   for (const SlipNode& node : nodes_) {
     const ContactStatus before = status_before(node, from.contact), now = node.at(to).status;
@@ -86,10 +86,10 @@ SlipHistory SlipAdvance::advanced(const PathPoint& from, double t, const Eigen::
     double& path = next.path[static_cast<Index>(node.number)];
     if (status != ContactStatus::slip) {
       // At a breakpoint without a jump nothing slips, and rounding decides what a node at the limit is.
-      constexpr double same = 1e-8;
+      constexpr double traction_tolerance = 1e-8;
       const bool unchanged =
           before.size() > 0 && status == ContactStatus::stick &&
-          (to.multiplier - before).segment(node.normal_row, node.n + 1).norm() <= same * traction.norm();
+          (to.multiplier - before).segment(node.normal_row, node.n + 1).norm() <= traction_tolerance * traction.norm();
       if (!unchanged) direction.setZero();
       if (status == ContactStatus::open && last == ContactStatus::slip && !from.friction.is_fresh) {
         const double slipping = std::clamp(time_to_open(node, from), 0.0, std::max(0.0, duration));

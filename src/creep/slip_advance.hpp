@@ -25,7 +25,7 @@ struct SlipNode {
 };
 
 /// Relative to the time: steps this short lead across a breakpoint, and have no rates.
-inline constexpr double no_time_passes = 1e-9;
+inline constexpr double min_relative_step = 1e-9;
 
 /// Pure functions of their arguments; without flexibilities, so that every process can call them.
 class SlipAdvance {

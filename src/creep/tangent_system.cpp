@@ -106,7 +106,7 @@ void TangentSystem::solve(const contact::ContactState& contact, std::span<const 
   const auto lap = watch_.lap(Part::material);
   for_each_side([&](std::size_t b, Side& side, const mechanics::Body& body) {
     body.constraints().expand(side.free, side.no_displacement, side.displacement);
-    solver_.interface().add_rigid_motion(b, change.rigid, side.displacement);
+    solver_.interface().rows().add_rigid_motion(b, change.rigid, side.displacement);
     body.discretization().tangent_strain(side.displacement, side.material->moduli(), side.stress, side.strain);
     side.material->solution(layout_.part(b, r), side.strain, layout_.part(b, z));
   });

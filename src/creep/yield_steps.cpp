@@ -14,7 +14,7 @@ constexpr double share_of_stress = 0.1;
 constexpr double kept_size = 0.97;  // per step: a stress that passes through zero is not followed in steps of nothing
 constexpr int first_steps = 32;     // in a segment, as long as nothing is known of it
 // SUNDIALS ends the next step within the present limit: of a growth by three, two remain.
-constexpr double largest_growth = 3, largest_cut = 0.2;
+constexpr double max_yield_growth = 3, max_yield_cut = 0.2;
 
 /// Down to one of four values per octave: rounding errors of the stress do not change the steps.
 double rounded_down(double length) {
@@ -27,12 +27,12 @@ YieldSteps::YieldSteps(const Assembly& assembly) : assembly_(assembly) {
   for (std::size_t b = 0; b < assembly.bodies().size(); ++b)
     if (std::ranges::any_of(assembly.bodies()[b].material().creep, [](const auto& law) { return law->yields(); }))
       bodies_.push_back(b);
-  size_.assign(bodies_.size(), 0.0);
+  state_.size.assign(bodies_.size(), 0.0);
   begin_segment();
 }
 
 void YieldSteps::begin_segment() {
-  longest_ = 0;
+  state_.longest = 0;
   stress_.assign(bodies_.size(), {});
   has_stress_ = false;
 }
@@ -43,17 +43,13 @@ void YieldSteps::keep(const Equilibrium& at) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) stress_[i] = at.bodies[bodies_[i]].stress;
 }
 
-std::vector<double> YieldSteps::memory() const {
-  std::vector<double> all = size_;
-  all.push_back(longest_);
-  return all;
+void YieldSteps::save(Memory& memory) const {
+  memory.save("yield_steps", state_);
 }
 
-void YieldSteps::resume(const Equilibrium& at, std::span<const double> memory) {
-  if (memory.size() != size_.size() + 1) return;
+void YieldSteps::resume(const Equilibrium& at, const Memory& memory) {
   keep(at);
-  std::copy_n(memory.begin(), size_.size(), size_.begin());
-  longest_ = memory.back();
+  memory.restore("yield_steps", state_);
 }
 
 void YieldSteps::accept(const Equilibrium& at) {
@@ -62,7 +58,7 @@ void YieldSteps::accept(const Equilibrium& at) {
   double largest = 0;  // change, relative to the allowed one
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const std::vector<double>&before = stress_[i], &now = at.bodies[bodies_[i]].stress;
-    std::array<double, 2> change_and_size{0, std::pow(kept_size * size_[i], 2)};
+    std::array<double, 2> change_and_size{0, std::pow(kept_size * state_.size[i], 2)};
     for (std::size_t p = 0; p < now.size() / 6; ++p) {
       const tensor::ConstMap first = tensor::view(before, p), last = tensor::view(now, p);
       change_and_size[0] = std::max(change_and_size[0], tensor::squared_von_mises(Tensor6(last - first)));
@@ -71,17 +67,17 @@ void YieldSteps::accept(const Equilibrium& at) {
     }
     assembly_.team().max(change_and_size);
     const double change = std::sqrt(change_and_size[0]);
-    size_[i] = std::sqrt(change_and_size[1]);
-    if (size_[i] > 0) largest = std::max(largest, change / (share_of_stress * size_[i]));
+    state_.size[i] = std::sqrt(change_and_size[1]);
+    if (state_.size[i] > 0) largest = std::max(largest, change / (share_of_stress * state_.size[i]));
   }
-  const double factor = largest > 0 ? std::clamp(1 / largest, largest_cut, largest_growth) : largest_growth;
-  longest_ = rounded_down((at.time - time_) * factor);
+  const double factor = largest > 0 ? std::clamp(1 / largest, max_yield_cut, max_yield_growth) : max_yield_growth;
+  state_.longest = rounded_down((at.time - time_) * factor);
   keep(at);
 }
 
 double YieldSteps::longest(double t, double end) const {
   if (bodies_.empty()) return std::numeric_limits<double>::infinity();
-  return longest_ > 0 ? longest_ : (end - t) / first_steps;
+  return state_.longest > 0 ? state_.longest : (end - t) / first_steps;
 }
 
 }  // namespace creepcontact::creep

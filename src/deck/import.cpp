@@ -5,7 +5,7 @@
 #include "contact_adjustment.hpp"
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
-#include "creepcontact/io/msh_writer.hpp"
+#include "creepcontact/io/msh/msh_writer.hpp"
 #include "creepcontact/settings/enum_names.hpp"
 #include "draft.hpp"
 #include "matching_ties.hpp"

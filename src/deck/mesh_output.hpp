@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bodies.hpp"
-#include "creepcontact/io/msh_content.hpp"
+#include "creepcontact/io/msh/msh_content.hpp"
 #include "loading.hpp"
 
 namespace creepcontact::deck {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/csv_table.hpp"
+#include "creepcontact/io/tables/csv_table.hpp"
 #include "data_columns.hpp"
 
 namespace creepcontact::fit {

@@ -12,7 +12,7 @@
 namespace creepcontact::linalg {
 namespace {
 
-/// As the loader resolves the symbol for the libraries that call it.
+/// The file of a symbol as the loader resolves it for the libraries that call it.
 std::string file_of(const char* symbol) {
   void* const address = ::dlsym(RTLD_DEFAULT, symbol);
   Dl_info found{};

@@ -7,7 +7,7 @@
 namespace creepcontact::linalg {
 namespace {
 
-constexpr double nothing = 1e-9;  // of the largest row
+constexpr double min_row_norm = 1e-9;  // of the largest row
 
 using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
@@ -43,7 +43,7 @@ IndependentRows independent_rows(const Eigen::SparseMatrix<double, Eigen::RowMaj
     return result;
   }
   Eigen::SparseQR<Columns, Eigen::COLAMDOrdering<int>> factors;
-  factors.setPivotThreshold(nothing * largest);
+  factors.setPivotThreshold(min_row_norm * largest);
   factors.compute(transpose);
   const Eigen::Index rank = factors.rank(), n_rows = rows.rows();
   const Eigen::MatrixXd upper = Eigen::MatrixXd(factors.matrixR()).topRows(rank);

@@ -28,8 +28,8 @@ CREEPCONTACT_INLINE void load(const double* from, Vector<width>& vector) {
   std::memcpy(&vector, from, sizeof vector);
 }
 
-/// Of columns so short, the next eight are brought into the cache while these are used. Of longer ones the processor
-/// itself fetches what follows, better than a program can.
+/// Columns up to this length are prefetched: the next eight are brought into the cache while these are used. In longer
+/// ones the processor itself fetches what follows, better than a program can.
 constexpr std::int64_t short_column = 640;
 
 /// to -= L from for `width` rows of `columns` columns.
@@ -120,7 +120,7 @@ CREEPCONTACT_INLINE void for_each_strip(std::int64_t n_columns, const Operation&
   }
   if (n_columns > column) operation.template operator()<1>(column);
 }
-/// The same from the last strip to the first.
+/// for_each_strip() from the last strip to the first.
 template <typename Operation>
 CREEPCONTACT_INLINE void for_each_strip_backwards(std::int64_t n_columns, const Operation& operation) {
   std::int64_t end = n_columns;

@@ -15,7 +15,7 @@ namespace {
 /// Subtrees of at most this part of all entries are single tasks: small enough for some ten threads.
 constexpr double cut = 1.0 / 48;
 /// Smaller factors stay in the cache and are not cut.
-constexpr double least_cut = 1 << 17;  // entries
+constexpr double min_cut = 1 << 17;  // entries
 constexpr std::int64_t panel_width = 128;
 
 /// Panels after panel p are updated in groups: those that other threads wait for first one by one, later ones together,
@@ -154,7 +154,7 @@ void SupernodalPass::Impl::cut_tree(const Tree& tree) {
   double all = 0;
   for (std::int64_t s = 0; s < nodes.size(); ++s)
     if (tree.parent[s] < 0) all += tree.entries[s];
-  const double most = std::max(cut * all, least_cut);
+  const double most = std::max(cut * all, min_cut);
   std::vector<Index> branch_of(nodes.size(), -1);
   std::vector<std::int64_t> depth(nodes.size(), 0);
   for (std::int64_t s = nodes.size() - 1; s >= 0; --s) {  // parents first

@@ -10,7 +10,7 @@
 namespace creepcontact::mechanics {
 namespace {
 
-/// What `of` makes of a material; its errors name the material.
+/// The result of `of`, whose errors then name the material.
 template <class Of>
 auto of_named(const material::Material& material, const Of& of) {
   try {
@@ -32,7 +32,7 @@ Moduli moduli_at(const material::Material& material, double temperature) {
   return material::lame(young_modulus, poisson_ratio);
 }
 
-/// In global axes. @param axes  one for all points, or one per point
+/// Elasticity matrices in global axes. @param axes  one for all points, or one per point
 std::vector<Matrix6> matrices_at(const material::Material& material, std::span<const Matrix3> axes,
                                  std::span<const double> temperature, std::size_t n_points) {
   std::vector<Matrix6> result;

@@ -1,5 +1,5 @@
 #pragma once
-/// The inner displacement a of one element with a bubble (fem/bubble.hpp), eliminated where it stands.
+/// The inner displacement a of one element with a bubble (fem/bubble.hpp), eliminated within the element.
 ///
 /// With the gradient g of the bubble at a point, less its mean over the element (which is zero but for quadrature: so
 /// the patch test is exact with any rule), and its projection v = sum of m_j l_j on the linear functions l,

@@ -165,7 +165,8 @@ Matrix3 ElementBlock::inverse_jacobian(std::size_t e, std::size_t p) const {
 }
 
 void ElementBlock::measure_distortion() {
-  constexpr double least = 0.2, most = 0.3;  // relative change of the inverse Jacobian: no projection, all of it
+  constexpr double min_distortion = 0.2,
+                   max_distortion = 0.3;  // relative change of the inverse Jacobian: no projection, all of it
   for (std::size_t e = 0; e < n_elements(); ++e) {
     Matrix3 mean = Matrix3::Zero();
     for (std::size_t p = 0; p < n_points_; ++p) mean += inverse_jacobian(e, p) / static_cast<double>(n_points_);
@@ -173,8 +174,9 @@ void ElementBlock::measure_distortion() {
     double change = 0;
     for (std::size_t p = 0; p < n_points_; ++p)
       change = std::max(change, (inverse_jacobian(e, p) * jacobian - Matrix3::Identity()).norm());
-    unprojected_part_.push_back(section_.project_distorted ? std::clamp((most - change) / (most - least), 0.0, 1.0)
-                                                           : 1.0);
+    unprojected_part_.push_back(
+        section_.project_distorted ? std::clamp((max_distortion - change) / (max_distortion - min_distortion), 0.0, 1.0)
+                                   : 1.0);
   }
 }
 

@@ -3,7 +3,7 @@
 ///
 /// Kept per point: inverse Jacobian and weight (80 bytes) rather than all shape-function gradients (480 bytes for
 /// hex20). Multiplying the table of reference derivatives, which stays in the cache, by the inverse Jacobian is cheaper
-/// than reading the products. Numbers of one kind stand together for all points of an element: the points are the
+/// than reading the products. Numbers of one kind are adjacent for all points of an element: the points are the
 /// vector lanes of the loops.
 
 #include <memory>
@@ -39,7 +39,7 @@ class ElementBlock {
   /// @throws ModelError if an element is inverted
   static std::unique_ptr<const ElementBlock> make(const mesh::CellBlock& cells, const std::vector<Vector3>& nodes,
                                                   const mesh::Section& section, BlockStart start);
-  /// The same for the surface cells of a section.
+  /// make() for the surface cells of a section.
   static std::unique_ptr<const ElementBlock> make_of_section(const mesh::CellBlock& cells,
                                                              const std::vector<Vector3>& nodes,
                                                              const mesh::Section& section, BlockStart start);
@@ -139,7 +139,7 @@ class ElementBlock {
   Eigen::MatrixXd zz_strains(std::size_t e) const;
   /// Moduli for strains in the plane; in plane stress those with the strain zz eliminated.
   Matrix6 in_section(const Matrix6& moduli) const;
-  /// Of the volumetric strain; none in plane stress, where nothing locks.
+  /// Projection of the volumetric strain; none in plane stress, where nothing locks.
   fem::Projection projection() const;
   /// Volumetric strain of unit displacements at the points, after the projection: as gradients().
   Eigen::MatrixXd volumetric_gradients(std::size_t e, const Eigen::MatrixXd& divergence) const;

@@ -84,7 +84,7 @@ linalg::SparseMatrix FactoredBody::stiffness(const BodyConditions& at) const {
 
 linalg::SparseMatrix FactoredBody::stiffness(std::span<const Matrix6> moduli) const {
   linalg::SparseMatrix all = body_->discretization().stiffness(moduli);
-  // The elastic one also here: it stands for no material, and creep does not relax it.
+  // The elastic one also here: it represents no material, and creep does not relax it.
   if (stabilized_) add_own_hourglass_stiffness(*body_, hourglass_diagonal_, all);
   return body_->on_free_unknowns(all);
 }

@@ -45,7 +45,8 @@ FreeMotion motion_of_nodes(const mesh::Mesh& mesh, const Nodes& nodes, const Rig
   return motion;
 }
 
-/// Parts that share nodes with others: all their rigid motions, tied together at the shared nodes and by the supports.
+/// Parts that share nodes with others: all their rigid-body modes, tied together at the shared nodes and by the
+/// supports.
 std::vector<FreeMotion> motions_of_hinged_parts(const mesh::Mesh& mesh, const Constraints& constraints,
                                                 const std::vector<Nodes>& parts) {
   Nodes all;

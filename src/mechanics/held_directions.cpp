@@ -9,7 +9,7 @@
 namespace creepcontact::mechanics {
 namespace {
 
-constexpr double no_part = 1e-6;  // of a unit vector
+constexpr double min_part = 1e-6;  // of a unit vector
 
 }  // namespace
 
@@ -21,14 +21,14 @@ bool Constraints::holds(std::int64_t node, const Vector3& direction) const {
     const Vector3& arm = surface->arms[place];
     for (Index k = 0; k < surface->free.cols(); ++k) {
       const Vector3 shift = surface->free.col(k).head<3>(), turn = surface->free.col(k).tail<3>().cross(arm);
-      if (std::abs(direction.dot(shift + turn)) > no_part * (shift.norm() + turn.norm())) return false;
+      if (std::abs(direction.dot(shift + turn)) > min_part * (shift.norm() + turn.norm())) return false;
     }
     return true;
   }
   const Matrix3 axes = frame(node);
   Vector3 rest = direction;
   for (int k = 0; k < n_held(node); ++k) rest -= axes.col(k).dot(direction) * axes.col(k);
-  return rest.norm() <= no_part;
+  return rest.norm() <= min_part;
 }
 
 std::optional<std::vector<Constraints::PrescribedPart>> Constraints::prescribed_along(std::int64_t node,
@@ -46,7 +46,7 @@ std::optional<std::vector<Constraints::PrescribedPart>> Constraints::prescribed_
     for (const Condition& condition : support.conditions) {
       if (condition.node != node) continue;
       const double factor = condition.displacement.dot(direction);
-      if (std::abs(factor) <= no_part) continue;
+      if (std::abs(factor) <= min_part) continue;
       if (support.value.depends_on_position()) return std::nullopt;
       parts.push_back({factor, &support.value});
     }

@@ -8,9 +8,9 @@
 namespace creepcontact::mechanics {
 namespace {
 
-constexpr double fraction = 1e-6;
-/// Projector on what remains of nodal values beside quadratic polynomials of the place.
-Eigen::MatrixXd beside_quadratics(const mesh::Mesh& mesh, std::span<const std::int64_t> cell) {
+constexpr double stiffness_fraction = 1e-6;
+/// Projector onto the part of nodal values that no quadratic polynomial of the place represents.
+Eigen::MatrixXd non_quadratic_projector(const mesh::Mesh& mesh, std::span<const std::int64_t> cell) {
   const Index n_nodes = std::ssize(cell);
   Vector3 centre = Vector3::Zero();
   for (const std::int64_t node : cell) centre += mesh.nodes[node] / static_cast<double>(n_nodes);
@@ -41,7 +41,7 @@ void add_hourglass_stiffness(const mesh::Mesh& mesh, const Eigen::VectorXd& diag
       const auto cell = block.cell(c);
       double own = 0;
       for (const std::int64_t node : cell) own += diagonal.segment<3>(3 * node).sum() / (3 * n_nodes);
-      const Eigen::MatrixXd matrix = fraction * own * beside_quadratics(mesh, cell);
+      const Eigen::MatrixXd matrix = stiffness_fraction * own * non_quadratic_projector(mesh, cell);
       for (Index a = 0; a < matrix.rows(); ++a)
         for (Index b = 0; b < matrix.cols(); ++b) {
           const std::int64_t row = cell[a], column = cell[b];

@@ -10,7 +10,7 @@ bool has_hourglass_modes(mesh::CellType type);
 
 /// Adds, for every element of such a type, 1e-6 of its own stiffness times the part of the nodal displacements that no
 /// quadratic polynomial of the place represents. Quadratic displacements, and with them all patch tests, are left
-/// alone; hourglass modes are no quadratic polynomials. Elements in a row one behind the other need it: neighbours on
+/// alone; hourglass modes are not quadratic polynomials. Elements in a row one behind the other need it: neighbours on
 /// two sides do not hold these modes as those in a block do.
 /// @param diagonal  of the elastic stiffness, by which an element's own is measured
 /// @param lower     over all 3 n_nodes unknowns, as Discretization::stiffness() makes it

@@ -11,7 +11,7 @@
 namespace creepcontact::mechanics {
 namespace {
 
-constexpr double least_sine = 1e-6;  // of the angle between two directions that are not parallel
+constexpr double min_sine = 1e-6;  // of the angle between two directions that are not parallel
 constexpr double out_of_plane = 1e-6;
 
 Vector3 direction_at(const std::array<Function, 3>& of, const Vector3& x) {
@@ -43,7 +43,7 @@ Matrix3 MaterialAxes::at(const Vector3& place) const {
                                             : "if it is radial or circumferential: there is none on the axis itself. "
                                               "Give the elements there a body and a material of their own"));
   }
-  if (!(normal.norm() > least_sine * a.norm() * b.norm()))
+  if (!(normal.norm() > min_sine * a.norm() * b.norm()))
     refuse(
         fmt::format("the directions first = {} and second = {} are parallel; they must be two different directions "
                     "throughout the body",

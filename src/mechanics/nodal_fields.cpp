@@ -85,7 +85,7 @@ std::vector<double> Discretization::reconstruction_means(std::span<const double>
   return means;
 }
 
-/// At the nodes of an element, n_nodes x width.
+/// Values at the nodes of an element, n_nodes x width.
 Eigen::MatrixXd Discretization::reconstructed(const ElementBlock& block, std::size_t e, std::span<const double> means,
                                               const Eigen::Ref<const Rows>& at_points) const {
   const std::size_t element = block.start().element + e;

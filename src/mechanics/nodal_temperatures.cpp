@@ -11,7 +11,7 @@ namespace {
 
 enum class Role : char { none, mid_side, corner };
 
-/// What the bulk cells make of each node.
+/// The role of each node in the bulk cells.
 std::vector<Role> roles(const mesh::Mesh& mesh) {
   std::vector<Role> all(mesh.nodes.size(), Role::none);
   for (const mesh::CellBlock& block : mesh.blocks) {

@@ -26,7 +26,8 @@ struct NodesAmongPoints {
 /// @param tolerance  distance within which a point is a node
 NodesAmongPoints nodes_among_points(const mesh::PointTree& points, const mesh::Mesh& mesh, double tolerance);
 
-/// At the integration points: sum of shape functions x values at the nodes. Precondition: all nodes have values
+/// Temperatures at the integration points: sum of shape functions x values at the nodes. Precondition: all nodes have
+/// values
 std::vector<PointWeights> by_shape_functions(const Discretization& discretization, const mesh::Section& section,
                                              std::span<const PointWeights> at_nodes);
 

@@ -12,7 +12,7 @@ namespace creepcontact::mechanics {
 
 namespace {
 
-/// For unit directions and motions; rotations are measured by the displacement at the body's outer reach.
+/// Tolerance for unit directions and motions; rotations are measured by the displacement at the body's outer reach.
 constexpr double rank_tolerance = 1e-9;
 
 Vector3 readable(Vector3 v) {
@@ -134,7 +134,7 @@ std::vector<RigidMotion> free_rigid_motions(const mesh::Mesh& mesh, const Constr
 
   std::vector<RigidMotion> motions;
   motions.reserve(6);
-  // Pure translations: the combinations of free motions that do not rotate.
+  // Pure translations: the combinations of the modes that do not rotate.
   const std::vector<Vector3> translations =
       readable_basis(free.topRows<3>() * linalg::null_space(free.bottomRows<3>(), rank_tolerance));
   for (const Vector3& direction : translations) motions.push_back({direction, Vector3::Zero(), centre});
@@ -168,17 +168,17 @@ Vector3 RigidMotion::displacement(const Vector3& x) const {
 }
 
 RigidMotion RigidMotion::tidied(double size) const {
-  constexpr double no_part = 1e-4;
+  constexpr double min_part = 1e-4;
   const auto without_small = [](const Vector3& v, double limit) {
     return Vector3((v.array().abs() < limit).select(0.0, v));
   };
   const double angle = rotation.norm();
-  if (angle * size < no_part * translation.norm())
-    return {readable(without_small(translation, no_part * translation.norm())), Vector3::Zero(), centre};
-  const Vector3 axis = readable(without_small(rotation / angle, no_part).normalized());
-  const Vector3 through = without_small(centre + axis.cross(translation) / axis.dot(rotation), no_part * size);
+  if (angle * size < min_part * translation.norm())
+    return {readable(without_small(translation, min_part * translation.norm())), Vector3::Zero(), centre};
+  const Vector3 axis = readable(without_small(rotation / angle, min_part).normalized());
+  const Vector3 through = without_small(centre + axis.cross(translation) / axis.dot(rotation), min_part * size);
   const double pitch = axis.dot(translation) / axis.dot(rotation);
-  return {std::abs(pitch) < no_part * size ? Vector3(Vector3::Zero()) : Vector3(pitch * angle * axis), angle * axis,
+  return {std::abs(pitch) < min_part * size ? Vector3(Vector3::Zero()) : Vector3(pitch * angle * axis), angle * axis,
           through};
 }
 

@@ -13,18 +13,20 @@ namespace {
 
 using Neighbours = std::vector<mesh::Neighbour>;  // the nearest first
 
-constexpr double flat = 1e-6;        // extent of a cloud over its largest one, below which it has none
-constexpr double poor = 1e-3;        // share of a direction in the weighted extent of the neighbours: too little
-constexpr double few = 0.02;         // the same, unweighted: more neighbours are looked for
-constexpr double coincident = 1e-9;  // of the distance of the neighbours
-constexpr double reach = 1.25;       // radius at which weights vanish, over the distance of the last neighbour
-constexpr double one_sided = 0.8;    // mean of the directions towards the neighbours, seen from outside
-constexpr double far_off = 0.7;      // distance of the nearest point over the extent of the neighbours, the same
-constexpr std::size_t most = 400;    // neighbours that are looked at
+constexpr double min_extent = 1e-6;  // extent of a cloud over its largest one, below which it has none
+constexpr double min_weighted_share =
+    1e-3;                                   // share of a direction in the weighted extent of the neighbours: too little
+constexpr double min_share = 0.02;          // the same, unweighted: more neighbours are looked for
+constexpr double coincident = 1e-9;         // of the distance of the neighbours
+constexpr double weight_radius = 1.25;      // radius at which weights vanish, over the distance of the last neighbour
+constexpr double min_mean_direction = 0.8;  // mean of the directions towards the neighbours, seen from outside
+constexpr double min_distance_outside =
+    0.7;                           // distance of the nearest point over the extent of the neighbours, the same
+constexpr std::size_t most = 400;  // neighbours that are looked at
 
 }  // namespace
 
-/// In coordinates along the directions in which the points extend; the others are 0.
+/// The points in coordinates along the directions in which the points extend; the others are 0.
 struct ScatteredInterpolation::Cloud {
   explicit Cloud(std::span<const Vector3> given) {
     for (const Vector3& x : given) center_ += x;
@@ -33,7 +35,8 @@ struct ScatteredInterpolation::Cloud {
     for (const Vector3& x : given) moments += (x - center_) * (x - center_).transpose();
     const tensor::Principal principal(moments);
     const Eigen::Vector3d extent = principal.values.cwiseMax(0).cwiseSqrt();
-    for (int k = 2; k >= 0 && extent[k] > flat * extent[2]; --k) axes_.row(dimension++) = principal.directions.col(k);
+    for (int k = 2; k >= 0 && extent[k] > min_extent * extent[2]; --k)
+      axes_.row(dimension++) = principal.directions.col(k);
     for (const Vector3& x : given) points.push_back(local(x));
     tree_.emplace(points);
   }
@@ -59,7 +62,8 @@ struct ScatteredInterpolation::Cloud {
       mean += (points[point] - x) / distance;
       extent = std::max(extent, (points[point] - points[around.front().point]).norm());
     }
-    return mean.norm() > one_sided * static_cast<double>(around.size()) && around.front().distance > far_off * extent;
+    return mean.norm() > min_mean_direction * static_cast<double>(around.size()) &&
+           around.front().distance > min_distance_outside * extent;
   }
 
   int dimension = 0;
@@ -75,7 +79,7 @@ struct ScatteredInterpolation::Cloud {
       directions += d * d.transpose();
     }
     const Vector3 shares = tensor::principal_values(directions);
-    return shares[3 - dimension] > few * shares[2];
+    return shares[3 - dimension] > min_share * shares[2];
   }
 
   Vector3 center_ = Vector3::Zero();
@@ -93,7 +97,7 @@ std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& position
   const Vector3 x = cloud_->local(position);
   const Neighbours around = cloud_->neighbours(x);
   const std::size_t n = around.size();
-  const double radius = reach * around.back().distance;
+  const double radius = weight_radius * around.back().distance;
   if (n == 1 || around.front().distance <= coincident * radius || cloud_->is_outside(x, around))
     return {{around.front().point, 1.0}};
 
@@ -112,7 +116,7 @@ std::vector<PointWeight> ScatteredInterpolation::weights(const Vector3& position
   const tensor::Principal principal(moments);
   Vector3 inverse = Vector3::Zero();  // none across directions that the points hardly have: constant there
   for (int k = 3 - cloud_->dimension; k < 3; ++k)
-    if (principal.values[k] > poor * principal.values[2]) inverse[k] = 1 / principal.values[k];
+    if (principal.values[k] > min_weighted_share * principal.values[2]) inverse[k] = 1 / principal.values[k];
   const Matrix3& axes = principal.directions;
   const Vector3 slope = -(axes * inverse.asDiagonal() * axes.transpose() * mean);
 

@@ -31,8 +31,8 @@ class ScatteredInterpolation {
   /// Safe for any number of threads. Cost: a search in a tree of the points.
   std::vector<PointWeight> weights(const Vector3& position) const;
 
-  /// The nearest point, if a place is so far outside that this point stands alone; the distance is measured within the
-  /// plane or line of the points. Otherwise the distance is 0.
+  /// The nearest point, if a place is so far outside that this point alone gives the value; the distance is measured
+  /// within the plane or line of the points. Otherwise the distance is 0.
   mesh::Neighbour outside(const Vector3& position) const;
 
  private:

@@ -137,7 +137,7 @@ class NodalForce final : public SpatialIntegral {
   Vector3 position_, direction_;
 };
 
-/// At several nodes, a fixed vector each.
+/// Forces at several nodes, a fixed vector each.
 class NodalForces final : public SpatialIntegral {
  public:
   NodalForces(std::vector<std::int64_t> nodes, std::vector<Vector3> forces)

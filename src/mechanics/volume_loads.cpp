@@ -44,7 +44,7 @@ class VolumeIntegral final : public SpatialIntegral {
   }
 
  private:
-  /// Of an element that the plane cuts.
+  /// Appends the points beyond the plane of an element that it cuts.
   void append_part(const Cut& cut, std::size_t e, std::vector<FieldPoint>& beyond) const {
     const std::span<const std::int64_t> nodes = body_.element_nodes(e);
     const fem::ReferenceElement& element = fem::reference_element(body_.element_type(e));

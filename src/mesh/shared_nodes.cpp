@@ -11,8 +11,7 @@
 namespace creepcontact::mesh {
 namespace {
 
-/// By a triangle fan; warped faces need no better.
-/// Of an edge the length.
+/// Area by a triangle fan, which is accurate enough for warped faces; for an edge its length.
 double polygon_area(const Mesh& mesh, const Face& face) {
   const auto at = [&](int i) { return mesh.nodes[face.nodes[i]]; };
   if (n_corners(face.type) == 2) return (at(1) - at(0)).norm();

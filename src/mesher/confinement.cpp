@@ -14,7 +14,7 @@
 #include <initializer_list>
 #include <new>
 
-#include "creepcontact/io/mesher_protocol.hpp"
+#include "creepcontact/io/msh/mesher_protocol.hpp"
 #include "death.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -55,7 +55,7 @@ class Filter {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Calls that the machine does not have are passed over.
+  /// Calls that the machine does not have are skipped.
   void trap(std::initializer_list<int> calls) {
     for (int call : calls) seccomp_rule_add(context_, SCMP_ACT_TRAP, call, 0);
   }

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-#include "creepcontact/io/mesher_protocol.hpp"
+#include "creepcontact/io/msh/mesher_protocol.hpp"
 
 /// Gmsh's own, declared in none of its installed headers; weak: absent in versions that hide them.
 extern std::string gmsh_yyname [[gnu::weak]];

@@ -1,7 +1,7 @@
 #pragma once
 /// Gmsh's current model as the content of a .msh file.
 
-#include "creepcontact/io/msh_content.hpp"
+#include "creepcontact/io/msh/msh_content.hpp"
 
 namespace creepcontact::mesher {
 

@@ -15,8 +15,8 @@
 
 #include "confinement.hpp"
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/io/mesher_protocol.hpp"
-#include "creepcontact/io/msh_writer.hpp"
+#include "creepcontact/io/msh/mesher_protocol.hpp"
+#include "creepcontact/io/msh/msh_writer.hpp"
 #include "creepcontact/settings/mesh_formats.hpp"
 #include "death.hpp"
 #include "gmsh_content.hpp"

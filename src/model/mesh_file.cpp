@@ -6,7 +6,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/suggestion.hpp"
-#include "creepcontact/io/gmsh_reader.hpp"
+#include "creepcontact/io/msh/gmsh_reader.hpp"
 #include "creepcontact/settings/mesh_formats.hpp"
 #include "model_parts.hpp"
 

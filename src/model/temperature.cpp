@@ -9,7 +9,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/io/temperature_reader.hpp"
+#include "creepcontact/io/temperatures/temperature_reader.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
 #include "creepcontact/mesh/point_tree.hpp"
 

@@ -14,7 +14,7 @@ constexpr int block_size = 3;
 struct BlockNumbering {
   std::vector<std::int64_t> row_of;  ///< of every unknown
   std::vector<std::int64_t>
-      own_padding;  ///< rows of this process that are no unknown's: its nodes have fewer than three
+      own_padding;  ///< rows of this process without an unknown: their nodes have fewer than three
   std::int64_t n_own_blocks = 0;
 };
 

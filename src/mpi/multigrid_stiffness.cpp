@@ -163,7 +163,7 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
     check(PCSetFromOptions(multigrid_.get()));
   }
 
-  /// By conjugate gradients on a rough right-hand side; {0, 1} if they break down.
+  /// Estimates by conjugate gradients on a rough right-hand side; {0, 1} if they break down.
   std::pair<double, double> extreme_eigenvalues() {
     OwnedKSP cg;
     check(KSPCreate(PETSC_COMM_WORLD, cg.put()));

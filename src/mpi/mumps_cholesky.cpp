@@ -213,7 +213,8 @@ class MumpsCholesky final : public linalg::StiffnessSolver {
     trailing_values_.resize(rank_ == 0 ? std::ssize(trailing_) : 0);
   }
 
-  /// Of the leading block by its pivots, of the Schur complement by those of its factor, which is made here.
+  /// Estimates the condition of the leading block from its pivots, that of the Schur complement from those of its
+  /// factor, which is made here.
   void estimate_condition() {
     double rcond = 1;
     if (rank_ == 0) {

@@ -18,7 +18,7 @@ void require_petsc() {
   PetscBool runs = PETSC_FALSE;
   PetscInitialized(&runs);
   if (runs == PETSC_TRUE) return;
-  // Signals are the program's own, and files that happen to lie about are no options.
+  // Signals are the program's own, and files that happen to be in the directory must not set options.
   for (const char* option : {"-no_signal_handler", "-skip_petscrc"})
     check(PetscOptionsSetValue(nullptr, option, "true"));
   check(PetscInitializeNoArguments());

@@ -17,16 +17,18 @@ constexpr std::size_t window = 30;        // steps looked back on
 constexpr std::int64_t max_failures = 6;  // of the iterations in so many steps: a kink of a load costs some
 constexpr std::int64_t max_mean_stages =
     40;  // of rkc2 in a step on average, some ten times the solves of an implicit one
-/// Of cvode_bdf in a step on average: where bodies relax a million times faster than others, GMRES needs many, and what
-/// it leaves keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a tenth of the
-/// solves.
+/// Solves of cvode_bdf per step on average: where bodies relax a million times faster than others, GMRES needs many,
+/// and the residual that remains keeps the steps short. The tangent stiffness then takes half the steps or fewer, and a
+/// tenth of the solves.
 constexpr double max_mean_products = 5;
 constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
 constexpr double max_stable_steps = 300;               // in a step, for rkc2 to take over: 25 stages
 
-/// Of the tolerance, for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at 1e-4.
+/// Part of the tolerance for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at
+/// 1e-4.
 constexpr double stabilized_share = 0.2;
-/// Of the tolerance, for cvode_bdf: its errors add up to three tolerances where stress relaxes by several mechanisms.
+/// Part of the tolerance for cvode_bdf: its errors add up to three tolerances where stress relaxes by several
+/// mechanisms.
 constexpr double implicit_share = 0.5;
 constexpr std::size_t quiet_steps = 200;  // after which methods given up may be tried again
 
@@ -206,25 +208,20 @@ Integrator::Counters AutoIntegrator::counters() const {
 
 RestartPoint AutoIntegrator::save() const {
   RestartPoint point = current_->save();
-  std::vector<double>& methods = point.memory["methods"];  // the present one, then those given up
-  methods.push_back(static_cast<double>(method_));
-  for (const Method method : given_up_) methods.push_back(static_cast<double>(method));
-  point.memory["chosen"] = {chosen_ ? 1.0 : 0.0, starting_ ? 1.0 : 0.0};
-  point.memory["loads_since"] = {remaining_step_estimate_.begin()};
+  point.memory.save("auto", *this, saved_members);
+  point.memory.save("auto.given_up", std::vector<Method>(given_up_.begin(), given_up_.end()));
+  point.memory.save("auto.loads_since", remaining_step_estimate_.begin());
   return point;
 }
 
 void AutoIntegrator::restore(const RestartPoint& point) {
-  const std::vector<double>& methods = point.memory.at("methods");
-  method_ = static_cast<Method>(static_cast<int>(methods.at(0)));
-  const std::vector<double>& chosen = point.memory.at("chosen");
-  chosen_ = chosen.at(0) != 0;
-  starting_ = chosen.size() > 1 && chosen[1] != 0;  // not in checkpoints of earlier versions
-  given_up_.clear();
-  for (std::size_t i = 1; i < methods.size(); ++i) given_up_.insert(static_cast<Method>(static_cast<int>(methods[i])));
+  point.memory.restore("auto", *this, saved_members);
+  std::vector<Method> given_up;
+  point.memory.restore("auto.given_up", given_up);
+  given_up_ = {given_up.begin(), given_up.end()};
   current_ = make(method_);
   current_->restore(point);
-  begin_watch(point.memory.at("loads_since").at(0));
+  begin_watch(point.memory.at("auto.loads_since").at(0));
 }
 
 }  // namespace creepcontact::ode

@@ -77,6 +77,9 @@ class AutoIntegrator final : public Integrator {
   std::string reason_;
   std::string failure_;  ///< of the first method that made no step from here
   Counters before_;      ///< of the integrators before the present one
+  static constexpr auto saved_members =
+      std::tuple{Member{"method", &AutoIntegrator::method_}, Member{"chosen", &AutoIntegrator::chosen_},
+                 Member{"starting", &AutoIntegrator::starting_}};
 };
 
 }  // namespace creepcontact::ode

@@ -123,7 +123,7 @@ bool CycleExtrapolation::check(std::span<const double> scale, const Damping& dam
   error_ = error_of(w, damped);
   const auto n = static_cast<double>(jumped_);
   const double factor = jump_safety / std::cbrt(std::max(error_, 1e-6));
-  if (!(error_ <= 1)) {  // an error that is no number, too
+  if (!(error_ <= 1)) {  // also if the error is not a number
     if (order_ > 1 && error_of(weights(1, power_), damped) < error_) order_ = 1;
     give_up(y);
     next_ = n * (error_ < 1e9 ? std::clamp(factor, largest_jump_cut, smallest_jump_cut) : largest_jump_cut);
@@ -170,32 +170,13 @@ void CycleExtrapolation::give_up(std::span<double> y) {
 }
 
 void CycleExtrapolation::save(Memory& numbers, Memory& states) const {
-  numbers["extrapolation"] = {static_cast<double>(begin_),
-                              static_cast<double>(last_),
-                              static_cast<double>(seen_),
-                              next_,
-                              static_cast<double>(order_),
-                              power_,
-                              new_place_,
-                              old_place_,
-                              static_cast<double>(pause_),
-                              static_cast<double>(wait_)};
+  numbers.save("extrapolation", *this, saved_members);
   if (seen_ > 0) states["new_change"] = new_change_;
   if (seen_ > 1) states["old_change"] = old_change_;
 }
 
 void CycleExtrapolation::restore(const Memory& numbers, const Memory& states) {
-  const std::vector<double>& own = numbers.at("extrapolation");
-  begin_ = static_cast<std::int64_t>(own.at(0));
-  last_ = static_cast<std::int64_t>(own.at(1));
-  seen_ = static_cast<std::int64_t>(own.at(2));
-  next_ = own.at(3);
-  order_ = static_cast<int>(own.at(4));
-  power_ = own.at(5);
-  new_place_ = own.at(6);
-  old_place_ = own.at(7);
-  pause_ = own.size() > 8 ? static_cast<std::int64_t>(own.at(8)) : 1;  // not in checkpoints of earlier versions
-  wait_ = own.size() > 9 ? static_cast<std::int64_t>(own.at(9)) : 0;
+  numbers.restore("extrapolation", *this, saved_members);
   if (seen_ > 0) new_change_ = states.at("new_change");
   if (seen_ > 1) old_change_ = states.at("old_change");
   jumped_ = 0;

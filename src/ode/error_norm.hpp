@@ -37,7 +37,7 @@ double error_norm(const Team& team, std::size_t size, const Weighted& weighted) 
   return error_norm(team, size, weighted, [](std::size_t n, const auto& term) { return sum_over_pieces(n, term); });
 }
 
-/// Of the errors x_i w_i.
+/// Norm of the errors x_i w_i.
 inline double error_norm(const Team& team, std::span<const double> x, std::span<const double> w) {
   return error_norm(team, x.size(), [=](std::size_t begin, std::size_t n) {
     return piece(x.data(), begin, n) * piece(w.data(), begin, n);

@@ -15,10 +15,10 @@
 namespace creepcontact::ode {
 
 namespace {
-/// Of the tolerance. The estimates say nothing of what the steps before have left, and steps are long: with it the
+/// Part of the tolerance. The estimates do not include the errors of the steps before, and steps are long: with it the
 /// error of the results is that of the other methods.
 constexpr double adams_share = 0.1;
-/// By which first_step() may be exceeded: it is meant for order 1, and the second step has order 2 already.
+/// Factor by which first_step() may be exceeded: it is meant for order 1, and the second step has order 2 already.
 constexpr double first_stretch = 5;
 constexpr double adams_target_error = 0.5;
 constexpr double adams_largest_growth = 2, adams_smallest_cut = 0.9, adams_largest_cut = 0.1;
@@ -306,7 +306,7 @@ double LogAdams::shortened(double h, const Errors& errors) {
     --order_;
     error = errors.lower;
   }
-  // An error that is no number fails the comparison, too.
+  // An error that is not a number fails the comparison, too.
   return h * (error < 1e9 ? std::clamp(std::pow(adams_target_error / error, 1.0 / (order_ + 1)), adams_largest_cut,
                                        adams_smallest_cut)
                           : adams_largest_cut);
@@ -335,35 +335,20 @@ RestartPoint LogAdams::save() const {
   std::vector<double> rates;
   for (std::size_t j = 0; j < static_cast<std::size_t>(history_.count); ++j)
     rates.insert(rates.end(), phi_[j].begin(), phi_[j].end());
-  point.memory = {{"lost_time", {clock_.lost()}},
-                  {"log_time", {history_.clock.origin, history_.clock.unit}},
-                  {"power", {history_.power, static_cast<double>(power_direction_)}},
-                  {"order", {static_cast<double>(order_), climbing_ ? 1.0 : 0.0, last_step_}},
-                  {"stable_step", {stable_, static_cast<double>(stable_age_)}},
-                  {"nodes", {history_.nodes.begin(), history_.nodes.begin() + history_.count}}};
+  point.memory.save("", *this, saved_members);
+  point.memory.save("lost_time", clock_.lost());
   point.states["phi"] = std::move(rates);
   return point;
 }
 
 void LogAdams::restore(const RestartPoint& point) {
-  const std::vector<double>& nodes = point.memory.at("nodes");
   const std::vector<double>& rates = point.states.at("phi");
-  const std::vector<double>& order = point.memory.at("order");
-  history_.clock = {.origin = point.memory.at("log_time").at(0), .unit = point.memory.at("log_time").at(1)};
-  history_.power = point.memory.at("power").at(0);
-  history_.count = static_cast<int>(nodes.size());
-  std::ranges::copy(nodes, history_.nodes.begin());
-  power_direction_ = static_cast<int>(point.memory.at("power").at(1));
-  order_ = static_cast<int>(order.at(0));
-  climbing_ = order.at(1) != 0;
-  last_step_ = order.at(2);
-  stable_ = point.memory.at("stable_step").at(0);
-  stable_age_ = static_cast<int>(point.memory.at("stable_step").at(1));
+  point.memory.restore("", *this, saved_members);
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   norm_.set_scale(system_.scale());
   state_ = point.state;
   phi_.clear();
-  for (std::size_t j = 0; j < nodes.size(); ++j) {
+  for (std::size_t j = 0; j < static_cast<std::size_t>(history_.count); ++j) {
     const auto begin = rates.begin() + static_cast<std::ptrdiff_t>(j * state_.size());
     phi_.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(state_.size()));
   }

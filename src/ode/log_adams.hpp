@@ -47,7 +47,7 @@ class LogAdams final : public Integrator {
 
  private:
   using Row = LogAdamsHistory::Row;
-  /// Of the present step, in units of those allowed; those of other orders and powers are of the same step.
+  /// Errors of the present step, in units of those allowed; those of other orders and powers are of the same step.
   struct Errors {
     double own = 0;
     double lower = 0, higher = 0;  ///< 0: unknown
@@ -63,7 +63,7 @@ class LogAdams final : public Integrator {
   void correct(const StepClock::Target& target, double s);
   Errors errors() const;
   double norm_of(const std::vector<double>& rate) const;
-  /// Of the change of the rate plus factor * term.
+  /// Norm of the change of the rate plus factor * term.
   double norm_with(double factor, const std::vector<double>& term) const;
   void accept(const StepClock::Target& target, double s);
   /// Goes to next_state_.
@@ -96,6 +96,11 @@ class LogAdams final : public Integrator {
   double begin_ = 0, last_step_ = 0;
   double proposal_ = 0;
   Counters counters_;
+  static constexpr auto saved_members =
+      std::tuple{Member{"history", &LogAdams::history_},       Member{"order", &LogAdams::order_},
+                 Member{"climbing", &LogAdams::climbing_},     Member{"stable", &LogAdams::stable_},
+                 Member{"stable_age", &LogAdams::stable_age_}, Member{"power_direction", &LogAdams::power_direction_},
+                 Member{"last_step", &LogAdams::last_step_}};
 };
 
 }  // namespace creepcontact::ode

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
+
+#include "creepcontact/base/memory.hpp"
 
 namespace creepcontact::ode {
 
@@ -10,6 +13,7 @@ namespace creepcontact::ode {
 struct LogTime {
   double origin = 0, unit = 1;
   double at(double t) const { return std::log1p((t - origin) / unit); }
+  static constexpr auto members = std::tuple{Member{"origin", &LogTime::origin}, Member{"unit", &LogTime::unit}};
 };
 
 /// Interpolates F(s) = y'(t) exp(power * s) by a polynomial in s. It is held as scaled divided differences:
@@ -26,12 +30,15 @@ class LogAdamsHistory {
   double power = 1;
   int count = 0;  ///< of nodes
   Row nodes{};    ///< the newest first
+  static constexpr auto members =
+      std::tuple{Member{"clock", &LogAdamsHistory::clock}, Member{"power", &LogAdamsHistory::power},
+                 Member{"count", &LogAdamsHistory::count}, Member{"nodes", &LogAdamsHistory::nodes}};
 
   /// Factors of phi_j in a Newton polynomial whose factors are 1 at s.
   Row stretch(double s) const;
   /// Integrals over t, from the newest node to s, of the first terms of that polynomial.
   Row step_integrals(double s, int terms) const;
-  /// The same from s1 back to s in [s2, s1], with the polynomial that belongs to the phi_j of the newest node.
+  /// step_integrals() from s1 back to s in [s2, s1], with the polynomial that belongs to the phi_j of the newest node.
   Row dense_integrals(double s) const;
   /// Integrals over the last step as step_integrals() would have given them with another power.
   Row last_step_integrals(double other_power, int terms) const;

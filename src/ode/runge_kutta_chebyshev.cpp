@@ -47,17 +47,15 @@ void RungeKuttaChebyshev::initialize(double t, std::span<const double> y, double
 
 RestartPoint RungeKuttaChebyshev::save() const {
   RestartPoint point = Integrator::save();
-  point.memory = {
-      {"lost_time", {clock_.lost()}}, {"radius", {radius_}}, {"controlled", {controlled_step_, controlled_error_}}};
+  point.memory.save("", *this, saved_members);
+  point.memory.save("lost_time", clock_.lost());
   point.states["rate"] = rate_;
   return point;
 }
 
 void RungeKuttaChebyshev::restore(const RestartPoint& point) {
   rate_ = point.states.at("rate");
-  radius_ = point.memory.at("radius").at(0);
-  controlled_step_ = point.memory.at("controlled").at(0);
-  controlled_error_ = point.memory.at("controlled").at(1);
+  point.memory.restore("", *this, saved_members);
   clock_.start(point.time, point.memory.at("lost_time").at(0));
   norm_.set_scale(system_.scale());
   state_ = point.state;
@@ -98,7 +96,7 @@ StepReport RungeKuttaChebyshev::step(double t_limit) {
         return {.time = time(), .step = target.step, .order = 2, .error_estimate = error};
       }
       attempts.rejected(error);
-      // An error that is no number fails the comparison, too.
+      // An error that is not a number fails the comparison, too.
       h = target.step * (error < 1e9 ? std::max(largest_cut, step_safety / std::cbrt(error)) : largest_cut);
     } catch (const RecoverableError& failure) {
       attempts.failed(failure);
@@ -148,7 +146,7 @@ void RungeKuttaChebyshev::accept(const StepClock::Target& target) {
   system_.accept(time(), state_);
   if (system_.rate_has_jumped()) try {
       system_.rate(time(), state_, rate_);
-    } catch (const RecoverableError&) {  // the step before it stands, and so does its rate
+    } catch (const RecoverableError&) {  // the step before it remains, and so does its rate
     }
   norm_.set_scale(system_.scale());
 }

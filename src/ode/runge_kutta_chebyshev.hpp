@@ -63,6 +63,9 @@ class RungeKuttaChebyshev final : public Integrator {
   double proposal_ = 0;
   double controlled_step_ = 0, controlled_error_ = 0;  ///< of the last step that no limit cut; 0: none yet
   Counters counters_;
+  static constexpr auto saved_members = std::tuple{Member{"radius", &RungeKuttaChebyshev::radius_},
+                                                   Member{"controlled_step", &RungeKuttaChebyshev::controlled_step_},
+                                                   Member{"controlled_error", &RungeKuttaChebyshev::controlled_error_}};
 };
 
 }  // namespace creepcontact::ode

@@ -10,7 +10,7 @@
 
 namespace creepcontact::ode {
 
-/// Wherever integration begins anew at t0 and the system starts singular there, a first increment in closed form at
+/// Wherever integration begins again at t0 and the system starts singular there, a first increment in closed form at
 /// constant stress, too small to matter for the stress, leads out of the singular point; from there another integrator
 /// goes on in s = (t - t0)^m, in which the state is smooth. With fixed steps the first increment is a whole step.
 class SingularStart final : public Integrator {

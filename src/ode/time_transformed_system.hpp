@@ -21,7 +21,7 @@ class TimeTransformedSystem final : public System, public JacobianProducts, publ
 
   double s(double t) const;
   double t(double s) const;
-  /// The time that s(t_limit) stands for exactly, rounding apart.
+  /// The time that s(t_limit) represents exactly, without rounding.
   void set_limit(double t_limit) {
     t_limit_ = t_limit;
     s_limit_ = s(t_limit);

@@ -77,7 +77,7 @@ class Setup : public boost::process::extend::handler {
     if (!setup_.directory.empty() && ::chdir(setup_.directory.c_str()) != 0) ::_exit(127);
     ::signal(SIGXFSZ, SIG_DFL);  // it is ignored here alone
     copies_.hand_over();
-    // What this process blocks just now must end the child all the same.
+    // What this process blocks just now must still end the child.
     if (!setup_.lets_signals_through) ::sigprocmask(SIG_SETMASK, &no_signals_, nullptr);
   }
   template <typename Executor>
@@ -181,7 +181,7 @@ int ChildProcess::wait() {
   return *status_;
 }
 
-/// By hand: boost::process::child takes a status that the system has thrown away (SIGCHLD ignored) for success.
+/// Waits by hand: boost::process::child takes a status that the system has thrown away (SIGCHLD ignored) for success.
 void ChildProcess::look(int options) {
   constexpr int unknown = 127;
   while (!status_) {

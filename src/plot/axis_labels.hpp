@@ -5,7 +5,7 @@
 #include <string>
 
 #include "creepcontact/base/units.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 
 namespace creepcontact::plot {
 

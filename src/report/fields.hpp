@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/field_reader.hpp"
-#include "creepcontact/io/model_record.hpp"
+#include "creepcontact/io/fields/field_reader.hpp"
+#include "creepcontact/io/tables/model_record.hpp"
 
 namespace creepcontact::report {
 

@@ -12,7 +12,7 @@
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/base/units.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/platform/child_process.hpp"
 #include "creepcontact/platform/private_directory.hpp"
 #include "creepcontact/platform/replace_file.hpp"

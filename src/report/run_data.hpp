@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/model_record.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/model_record.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/plot/run_plots.hpp"
 #include "scene.hpp"
 

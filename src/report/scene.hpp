@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/model_record.hpp"
+#include "creepcontact/io/tables/model_record.hpp"
 #include "fields.hpp"
 
 namespace creepcontact::report {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
 
 namespace creepcontact::report {
 

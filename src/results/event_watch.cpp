@@ -7,12 +7,6 @@
 #include "creepcontact/base/log.hpp"
 
 namespace creepcontact::results {
-namespace {
-
-const std::string event_times = "events.times";  // in memories; not a number: has not happened
-
-}  // namespace
-
 EventWatch::EventWatch(const config::Config& config, std::span<const std::unique_ptr<Probe>> probes)
     : events_(config.events), times_(config.events.size()) {
   for (const config::Event& event : events_) conditions_.emplace_back(event.when.name, config.probes, probes);
@@ -45,18 +39,13 @@ void EventWatch::fill(io::Summary& summary) const {
 }
 
 void EventWatch::save(creep::Memory& memory) const {
-  if (times_.empty()) return;
-  std::vector<double>& numbers = memory[event_times];
-  numbers.clear();
-  for (const std::optional<double>& time : times_)
-    numbers.push_back(time.value_or(std::numeric_limits<double>::quiet_NaN()));
+  memory.save("events.times", times_);
 }
 
 void EventWatch::restore(const creep::Memory& memory) {
-  const auto found = memory.find(event_times);
-  if (found == memory.end() || found->second.size() != times_.size()) return;
-  for (std::size_t i = 0; i < times_.size(); ++i)
-    if (!std::isnan(found->second[i])) times_[i] = found->second[i];
+  std::vector<std::optional<double>> times;
+  memory.restore("events.times", times);
+  if (times.size() == times_.size()) times_ = std::move(times);
 }
 
 }  // namespace creepcontact::results

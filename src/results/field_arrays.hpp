@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
 #include "creepcontact/results/snapshot.hpp"
 
 namespace creepcontact::results {

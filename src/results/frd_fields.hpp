@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "creepcontact/io/field_writer.hpp"
-#include "creepcontact/io/frd_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
+#include "creepcontact/io/fields/frd_writer.hpp"
 
 namespace creepcontact::results {
 

@@ -16,10 +16,7 @@ namespace {
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 constexpr double lost = 1e-9;        // of the largest force: a contact that carries no more is open
 constexpr double no_stress = 1e-12;  // of the largest stress of all bodies: round-off
-const std::string force_courses = "outcome.forces", stress_courses = "outcome.stresses",
-                  opening_record = "outcome.openings";  // in memories
-constexpr std::size_t course_numbers = 4, opening_numbers = 6;
-constexpr double grown = 1.1;  // force, relative to that at which the width of a contact was last taken
+constexpr double grown = 1.1;        // force, relative to that at which the width of a contact was last taken
 
 /// Tied contacts without preload have no normal force of interest.
 bool has_normal_force(const contact::Pair& pair) {
@@ -50,24 +47,6 @@ io::Summary::Course rounded(io::Summary::Course course, double rounding) {
   for (double* value : {&course.start, &course.largest, &course.end})
     if (std::abs(*value) <= rounding) *value = 0;
   return course;
-}
-
-std::vector<double> packed(const std::vector<io::Summary::Course>& courses) {
-  std::vector<double> values;
-  for (const io::Summary::Course& course : courses)
-    values.insert(values.end(), {course.start, course.largest, course.end, course.t_largest});
-  return values;
-}
-
-bool unpack(const creep::Memory& memory, const std::string& name, std::vector<io::Summary::Course>& courses) {
-  const auto found = memory.find(name);
-  if (found == memory.end() || found->second.size() != course_numbers * courses.size()) return false;
-  const double* next = found->second.data();
-  for (io::Summary::Course& course : courses) {
-    course = {.start = next[0], .largest = next[1], .end = next[2], .t_largest = next[3]};
-    next += course_numbers;
-  }
-  return true;
 }
 
 }  // namespace
@@ -223,30 +202,11 @@ void Outcome::fill(io::Summary& summary, std::optional<double> cycle) const {
 }
 
 void Outcome::save(creep::Memory& memory) const {
-  memory[force_courses] = packed(forces_);
-  memory[stress_courses] = packed(stresses_);
-  std::vector<double>& numbers = memory[opening_record];
-  numbers = {last_output_};
-  for (std::size_t p = 0; p < openings_.size(); ++p) {
-    const Opening& opening = openings_[p];
-    const Width& width = widths_[p];
-    numbers.insert(numbers.end(),
-                   {opening.since, opening.carried, opening.count, width.elements, width.time, width.force});
-  }
+  memory.save("outcome", *this, saved_members);
 }
 
 void Outcome::restore(const creep::Memory& memory) {
-  const auto openings = memory.find(opening_record);
-  if (openings == memory.end() || openings->second.size() != 1 + opening_numbers * openings_.size()) return;
-  started_ = unpack(memory, force_courses, forces_) && unpack(memory, stress_courses, stresses_);
-  if (!started_) return;
-  const double* next = openings->second.data();
-  last_output_ = *next++;
-  for (std::size_t p = 0; p < openings_.size(); ++p) {
-    openings_[p] = {next[0], next[1], next[2]};
-    widths_[p] = {next[3], next[4], next[5]};
-    next += opening_numbers;
-  }
+  memory.restore("outcome", *this, saved_members);
 }
 
 }  // namespace creepcontact::results

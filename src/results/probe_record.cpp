@@ -14,8 +14,6 @@ namespace {
 using Course = io::SummaryProbe::Course;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-const std::string record = "probes.course";  // in memories
-constexpr std::size_t n_numbers = 6;         // of a course there
 
 std::string region_of(const config::Probe& probe) {
   return probe.on.given() ? "surface" : "body";
@@ -90,22 +88,13 @@ void ProbeRecord::fill(const config::Config& config, io::Summary& summary) const
 }
 
 void ProbeRecord::save(creep::Memory& memory) const {
-  std::vector<double> numbers;
-  for (const auto& course : courses_)
-    if (course)
-      numbers.insert(numbers.end(),
-                     {course->start, course->end, course->min, course->max, course->t_min, course->t_max});
-  memory[record] = numbers;
+  memory.save("probes.courses", courses_);
 }
 
 void ProbeRecord::restore(const creep::Memory& memory) {
-  const auto found = memory.find(record);
-  if (found == memory.end() || found->second.size() != n_numbers * courses_.size()) return;
-  const double* next = found->second.data();
-  for (auto& course : courses_) {
-    course = Course{next[0], next[1], next[2], next[3], next[4], next[5]};
-    next += n_numbers;
-  }
+  std::vector<std::optional<Course>> courses;
+  memory.restore("probes.courses", courses);
+  if (courses.size() == courses_.size()) courses_ = std::move(courses);
 }
 
 }  // namespace creepcontact::results

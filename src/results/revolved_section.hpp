@@ -1,7 +1,7 @@
 #pragma once
 /// Pictures of axisymmetric models: the section turned about the axis y through the full circle.
 
-#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
 
 namespace creepcontact::results {
 

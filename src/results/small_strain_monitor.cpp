@@ -15,8 +15,6 @@ constexpr double least_strain = 0.05;
 constexpr double least_rotation = 10 * std::numbers::pi / 180;
 constexpr double clearly_grown = 1.001;  // a new largest value: fewer are not told apart
 const std::string strain_begin = "the strain is not small: ", rotation_begin = "the rotation is not small: ";
-const std::string strain_record = "small_strain.largest";  // in memories
-constexpr std::size_t numbers_of_largest = 6;              // of a largest value there
 
 struct PointStrain {
   double value = 0;
@@ -97,22 +95,11 @@ bool SmallStrainMonitor::is_warning(const std::string& text) {
 }
 
 void SmallStrainMonitor::save(creep::Memory& memory) const {
-  std::vector<double>& numbers = memory[strain_record];
-  numbers.clear();
-  for (const Largest& largest : {strain_, rotation_}) {
-    numbers.insert(numbers.end(), {largest.value, largest.body, largest.time});
-    numbers.insert(numbers.end(), largest.place.begin(), largest.place.end());
-  }
+  memory.save("small_strain", *this, saved_members);
 }
 
 void SmallStrainMonitor::restore(const creep::Memory& memory) {
-  const auto found = memory.find(strain_record);
-  if (found == memory.end() || found->second.size() != 2 * numbers_of_largest) return;
-  const double* next = found->second.data();
-  for (Largest* largest : {&strain_, &rotation_}) {
-    *largest = {next[0], next[1], next[2], {next[3], next[4], next[5]}};
-    next += numbers_of_largest;
-  }
+  memory.restore("small_strain", *this, saved_members);
 }
 
 }  // namespace creepcontact::results

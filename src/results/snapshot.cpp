@@ -166,7 +166,7 @@ const std::vector<double>& Snapshot::reactions(std::size_t body) {
   // residual = reactions + contact forces
   std::vector<double> contact(forces.size(), 0.0);
   assembly().bodies()[body].residual_forces(at_.equilibrium.conditions[body], state.stress, forces);
-  if (interface_.n_rows() > 0) interface_.add_contact_forces(body, at_.equilibrium.contact.multiplier, contact);
+  if (interface_.n_rows() > 0) interface_.rows().add_contact_forces(body, at_.equilibrium.contact.multiplier, contact);
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] -= contact[i];
   return forces;
 }

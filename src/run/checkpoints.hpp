@@ -8,7 +8,7 @@
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/creep/distribution.hpp"
-#include "creepcontact/io/checkpoint.hpp"
+#include "creepcontact/io/checkpoint/checkpoint.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/run/run_state.hpp"

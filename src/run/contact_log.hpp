@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "creepcontact/contact/solver/iteration_recorder.hpp"
-#include "creepcontact/io/csv_file.hpp"
+#include "creepcontact/io/tables/csv_file.hpp"
 
 namespace creepcontact::run {
 

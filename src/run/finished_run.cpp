@@ -4,7 +4,7 @@
 
 #include "checkpoints.hpp"
 #include "creepcontact/creep/state_layout.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 
 namespace creepcontact::run {
 

@@ -10,7 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/base/units.hpp"
-#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
 #include "creepcontact/mesh/outer_faces.hpp"
 #include "creepcontact/platform/replace_file.hpp"
 #include "creepcontact/plot/solid_picture.hpp"

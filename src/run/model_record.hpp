@@ -2,8 +2,8 @@
 /// model.json: what a run computes, for reports.
 
 #include "creepcontact/config/config.hpp"
-#include "creepcontact/io/model_record.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/model_record.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/model.hpp"
 
 namespace creepcontact::run {

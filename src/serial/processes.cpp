@@ -17,7 +17,7 @@ int number_in(const char* variable) {
 struct Launcher {
   const char *size, *rank;  // environment variables
 };
-/// Of Open MPI; of MPICH, Intel MPI and Slurm's PMI.
+/// Variables of Open MPI; of MPICH, Intel MPI and Slurm's PMI.
 constexpr Launcher launchers[] = {{"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"}, {"PMI_SIZE", "PMI_RANK"}};
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/platform/directory_lock.hpp"
 #include "creepcontact/platform/interrupt.hpp"
 #include "creepcontact/platform/replace_file.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "creepcontact/config/study.hpp"
-#include "creepcontact/io/csv_table.hpp"
+#include "creepcontact/io/tables/csv_table.hpp"
 
 namespace creepcontact::study {
 

@@ -14,9 +14,9 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/io/csv_table.hpp"
-#include "creepcontact/io/summary.hpp"
-#include "creepcontact/io/temperature_reader.hpp"
+#include "creepcontact/io/tables/csv_table.hpp"
+#include "creepcontact/io/tables/summary.hpp"
+#include "creepcontact/io/temperatures/temperature_reader.hpp"
 #include "creepcontact/platform/child_process.hpp"
 #include "creepcontact/platform/replace_file.hpp"
 

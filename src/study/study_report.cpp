@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "creepcontact/base/one_line.hpp"
-#include "creepcontact/io/csv_table.hpp"
+#include "creepcontact/io/tables/csv_table.hpp"
 
 namespace creepcontact::study {
 namespace {

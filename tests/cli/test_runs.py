@@ -244,6 +244,20 @@ class Interruption(RunTest):
         done = self.call("run", "--output", str(self.output), "--resume", "--quiet")
         self.expect_error(done, 2, "checkpoint.h5")
 
+    def test_resume_from_a_checkpoint_of_another_version(self):
+        options = ("--output", str(self.output), "--quiet", "--set", "time.end=1", "--set", "time.output=[0.5, 1]", "--set",
+                   "mesh.order=1", "--set", "output.fields=false")
+        self.assertEqual(self.call("run", *options).returncode, 0)
+        checkpoint = self.output / "checkpoint.h5"
+        content = checkpoint.read_bytes()
+        version = content.split(b"\n")[0].split()[-1]
+        checkpoint.write_bytes(content.replace(b"checkpoint " + version, b"checkpoint %d" % (int(version) - 1), 1))
+        (self.output / "checkpoint.previous.h5").unlink(missing_ok=True)
+        history = self.table("history.csv")
+        done = self.call("run", *options, "--resume")
+        self.expect_error(done, 2, "run without --resume", "the version of creepcontact that wrote", "checkpoint.h5")
+        self.assertEqual(self.table("history.csv"), history)
+
 
 class SolverGivesUp(RunTest):
     def test_results_are_kept(self):

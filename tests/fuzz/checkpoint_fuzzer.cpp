@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/checkpoint.hpp"
+#include "creepcontact/io/checkpoint/checkpoint.hpp"
 #include "fuzz_target.hpp"
-#include "io/checkpoint_seal.hpp"
+#include "io/checkpoint/checkpoint_seal.hpp"
 
 namespace creepcontact {
 namespace {

@@ -1,6 +1,6 @@
 /// Temperatures in results of CalculiX (.frd).
 
-#include "../../src/io/frd_temperatures.hpp"
+#include "../../src/io/temperatures/frd_temperatures.hpp"
 #include "fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

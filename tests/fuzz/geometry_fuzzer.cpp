@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "fuzz_target.hpp"
-#include "io/geo_scan.hpp"
+#include "io/msh/geo_scan.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace creepcontact;

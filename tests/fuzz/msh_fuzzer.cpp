@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "../../src/io/msh_reader.hpp"
+#include "../../src/io/msh/msh_reader.hpp"
 #include "fuzz_target.hpp"
 
 namespace creepcontact {

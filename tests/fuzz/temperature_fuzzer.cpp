@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "creepcontact/io/temperature_reader.hpp"
+#include "creepcontact/io/temperatures/temperature_reader.hpp"
 #include "fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,7 +1,7 @@
 /// Temperatures in .vtu files, and the fields of a run.
 
-#include "../../src/io/vtu_temperatures.hpp"
-#include "creepcontact/io/field_reader.hpp"
+#include "../../src/io/temperatures/vtu_temperatures.hpp"
+#include "creepcontact/io/fields/field_reader.hpp"
 #include "fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -19,8 +19,8 @@ class Scene {
     // The faces overlap but for one corner.
     assembly_ = std::make_unique<Boxes>(block, block, true, -0.01, contact::ContactType::unilateral,
                                         Function::expression("0.001*(x + y - 1.5)", {"x", "y", "z", "t"}));
-    load_ =
-        assembly_->interface().contact_load(assembly_->interface().initial_load(0, conditions(assembly_->bodies(), 0)));
+    load_ = assembly_->interface().balance().contact_load(
+        assembly_->interface().rows().initial_load(0, conditions(assembly_->bodies(), 0)));
     later_ = load_;
     later_.gap.array() *= 1.001;
     for (const mechanics::Body& body : assembly_->bodies()) vectors_.emplace_back(body.constraints().n_free(), 1.0);

@@ -12,7 +12,7 @@
 #include <map>
 
 #include "creepcontact/config/reader.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/model.hpp"
 #include "creepcontact/platform/library_settings.hpp"
 #include "creepcontact/run/run.hpp"

@@ -89,6 +89,28 @@ class Text(unittest.TestCase):
         self.assertEqual([(line, what) for line, what, _ in prose.findings(prose.manual_prose(page))],
                          [(4, "One a line"), (6, "anew")])
 
+    def test_comments_and_messages_of_code(self):
+        code = ('#include "anew.hpp"\n// begins anew\nint anew = f("anew");  /// One row a\n/// run.\n'
+                'fail("It begins anew at \\"{anew}\\" of "\n     "anew, a row " + anew, \'"\');  // `anew`\n'
+                'R"(begins\nanew)"; /* begins anew */ g("in order", \'\\\'\');\n'
+                'h();  // one row\nh();  // a run\nh("the file stands");\n')
+        self.assertEqual([(line, what) for line, what, _ in prose.findings(prose.code_prose(code))],
+                         [(2, "anew"), (3, "One row a run"), (5, "anew"), (6, "anew"), (11, "stands")])
+
+    def test_beginnings_of_comments(self):
+        for code in ("/// Of the normal rows.", "int a;  ///< By row of the problem", "/// Area. The same for edges.",
+                     "int a;  ///< rows\n/// Of the body.", "/// One.\n/// Of the body."):
+            self.assertEqual(len(prose.beginnings(f"int b;\n{code}\n")), 1, code)
+        for code in ("// Of the normal rows.", "/// Normal rows. By default all.", "/// Rows\n/// Of a body.", "int a;  ///< of the body",
+                     'f("/// Of");'):
+            self.assertEqual(prose.beginnings(f"int b;\n{code}\n"), [], code)
+
+    def test_modules(self):
+        self.assertEqual([prose.module_of(name) for name in ("include/creepcontact/io/msh/a.hpp", "src/fem/a.cpp", "docs/a.md")],
+                         ["io", "fem", None])
+        modules = {path.name for tree in ("src", "include/creepcontact") for path in (prose.ROOT / tree).iterdir()}
+        self.assertEqual(set(prose.UNCHECKED) - modules, set(), "no such module")
+
     def test_comments_of_headers(self):
         header = "// anew\nint anew;  ///< begins anew\n/// One row a\n/// run.\nf(anew);  // anew\n/// `anew`\n"
         self.assertEqual([line for line, _, _ in prose.findings(prose.comment_prose(header))], [2, 3])
@@ -118,6 +140,14 @@ class Files(unittest.TestCase):
     def test_findings_name_file_and_line(self):
         self.assertEqual(self.check(bad="Good.\n\nIt begins anew.\n", good="It begins again.\n"),
                          (1, "docs/bad.md:3: anew; 'again'\n"))
+
+    def test_interfaces_of_modules_that_are_not_yet_checked(self):
+        (self.root / "include").mkdir()
+        name = "include/a.hpp"
+        (self.root / name).write_text("/// Of a row, begun anew.\n// begun anew\n", encoding="utf-8")
+        for names, interfaces, count in (([name], [], 3), ([], [name], 1)):
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(prose.check(self.root, names, interfaces), count)
 
     def test_long_sentences_are_warnings(self):
         count, printed = self.check(long=f"{'word ' * 50}end.\n")

@@ -21,7 +21,7 @@ class Checksum {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>, "bytes between members have any value");
     add_bytes(data, n * sizeof(T));
   }
-  /// Of all data added so far.
+  /// Checksum of all data added so far.
   std::uint64_t value() const;
 
  private:

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
+
+#include "creepcontact/base/memory.hpp"
 
 namespace creepcontact {
 
@@ -19,11 +20,19 @@ struct RunCounters {
   std::int64_t schwarz_iterations = 0;  ///< over all contact solves
   std::int64_t factorizations = 0;      ///< of the stiffness of one body
 
-  struct Field {
-    std::string_view name;  ///< in all files
-    std::int64_t RunCounters::*value;
-  };
-  static const std::array<Field, 9> fields;
+  using Field = Member<RunCounters, std::int64_t>;  ///< the name is that in all files
+  static constexpr std::array<Field, 9> fields{{
+      {"steps", &RunCounters::steps},
+      {"rejected_steps", &RunCounters::rejected_steps},
+      {"convergence_failures", &RunCounters::convergence_failures},
+      {"rhs_evaluations", &RunCounters::rhs_evaluations},
+      {"jacobian_products", &RunCounters::jacobian_products},
+      {"elastic_solves", &RunCounters::elastic_solves},
+      {"contact_solves", &RunCounters::contact_solves},
+      {"schwarz_iterations", &RunCounters::schwarz_iterations},
+      {"factorizations", &RunCounters::factorizations},
+  }};
+  static constexpr auto members = fields;
 
   RunCounters& operator+=(const RunCounters& other);
   RunCounters& operator-=(const RunCounters& other);
@@ -32,17 +41,6 @@ struct RunCounters {
   bool operator==(const RunCounters&) const = default;
 };
 
-inline constexpr std::array<RunCounters::Field, 9> RunCounters::fields{{
-    {"steps", &RunCounters::steps},
-    {"rejected_steps", &RunCounters::rejected_steps},
-    {"convergence_failures", &RunCounters::convergence_failures},
-    {"rhs_evaluations", &RunCounters::rhs_evaluations},
-    {"jacobian_products", &RunCounters::jacobian_products},
-    {"elastic_solves", &RunCounters::elastic_solves},
-    {"contact_solves", &RunCounters::contact_solves},
-    {"schwarz_iterations", &RunCounters::schwarz_iterations},
-    {"factorizations", &RunCounters::factorizations},
-}};
 static_assert(sizeof(RunCounters) == RunCounters::fields.size() * sizeof(std::int64_t), "a counter is not listed");
 
 inline RunCounters& RunCounters::operator+=(const RunCounters& other) {

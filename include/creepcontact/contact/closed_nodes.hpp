@@ -13,7 +13,7 @@ namespace creepcontact::contact {
 /// @param pair  numbered @param node  of the pair
 bool is_closed(const Pair& pair, std::size_t node, const ContactState& state);
 
-/// The same for all multiplier nodes of the pair: 1 or 0 each.
+/// is_closed() for all multiplier nodes of the pair: 1 or 0 each.
 std::vector<char> closed_nodes(const Pair& pair, const ContactState& state);
 
 }  // namespace creepcontact::contact

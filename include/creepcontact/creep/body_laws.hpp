@@ -19,6 +19,12 @@ class BodyLaws {
   const Assembly& assembly() const { return *assembly_; }
   const StateLayout& layout() const { return layout_; }
   const std::vector<MaterialPoints>& points() const { return points_; }  ///< one per body
+  /// Calls function(body, points) for every body that creeps, in their order.
+  template <typename Function>
+  void for_each_creeping(const Function& function) const {
+    for (std::size_t b = 0; b < points_.size(); ++b)
+      if (!points_[b].empty()) function(b, points_[b]);
+  }
   const std::vector<double>& min_strain() const { return min_strain_; }
   /// What the laws of a body see. @param y  equal or close to that of `at`
   PointsState state(std::size_t body, const Evaluation& at, std::span<const double> y) const;

@@ -65,7 +65,7 @@ class CreepSystem final : public ode::System,
                        std::span<double> change) override;
   /// Typical stress / Young's modulus per body (ErrorScale); it follows the stress of the accepted steps.
   std::span<const double> scale() const override { return scale_.values(); }
-  /// The same for errors that do not repeat in every cycle of the loads.
+  /// scale() for errors that do not repeat in every cycle of the loads.
   std::vector<double> scale_of_whole_run() const { return scale_.of_whole_run(); }
   /// See ErrorScale::resolve_cycle().
   void resolve_cycle(std::span<const double> change, double least) { scale_.resolve_cycle(change, least); }
@@ -91,8 +91,8 @@ class CreepSystem final : public ode::System,
   /// The evaluation at (t, y) for results; valid until the next call of a non-const member. Reuses an evaluation made
   /// for a step at the same point. @throws RecoverableError if no equilibrium is found
   const Evaluation& evaluate_output(double t, std::span<const double> y);
-  /// The same for the results of a run, in the order of their times: with friction, accumulated slip and dissipated
-  /// energy do not fall from one to the next.
+  /// evaluate_output() for the results of a run, in the order of their times: with friction, accumulated slip and
+  /// dissipated energy do not fall from one to the next.
   const Evaluation& evaluate_result(double t, std::span<const double> y);
   /// The evaluation at (t, y) for steps: reused if the last one was at the same point, else solved.
   /// @throws RecoverableError if no equilibrium is found
@@ -120,7 +120,8 @@ class CreepSystem final : public ode::System,
   void restore(const Memory& memory);
   const History& history() const { return history_; }
   bool has_friction() const { return history_.friction.slip.size() > 0; }
-  /// After restore() and begin_segment(), from the same memory: the state from which the integration goes on.
+  /// Sets the state from which the integration continues. Call it after restore() and begin_segment(), with that
+  /// memory.
   /// @throws RecoverableError if no equilibrium is found
   void resume(double t, std::span<const double> y, const Memory& memory);
   /// Longest next step from t for which no yielding is missed (YieldSteps) and, with friction, the stiffness changes
@@ -166,7 +167,7 @@ class CreepSystem final : public ode::System,
   BodyLaws laws_;
   std::optional<TangentSystem> tangent_;  // made at first use
   std::vector<PointPreconditioner> preconditioners_;
-  /// For bodies with internal variables: the point-wise part of their Newton systems, made with local_gamma_.
+  /// The point-wise part of the Newton systems of bodies with internal variables, made with local_gamma_.
   std::vector<std::unique_ptr<MaterialTangent>> local_;
   double local_gamma_ = 0;        // 0: not prepared
   bool tangents_needed_ = false;  // since the last rate: so they may be computed with the next one

@@ -12,7 +12,7 @@
 
 namespace creepcontact::creep {
 
-/// The member of the team that has each element, per body. The same on all members.
+/// The member of the team that has each element, per body. All members have equal lists.
 using RankOfElement = std::vector<std::vector<std::int32_t>>;
 
 /// In a team of one nothing is spread: the own part is the whole. Immutable.
@@ -21,7 +21,7 @@ class Distribution {
   /// @param whole, team  must outlive the object
   /// @throws ConfigError naming what cannot be spread
   Distribution(const Assembly& whole, const Team& team, const RankOfElement& rank_of_element);
-  /// Of a team of one.
+  /// The distribution of a team of one: the whole.
   explicit Distribution(const Assembly& whole);
 
   const Team& team() const { return own().team(); }
@@ -34,7 +34,7 @@ class Distribution {
   /// Values at the points of all members, in the order of the whole body; empty but on member 0. Collective.
   /// @param own  n_points x width of the own part
   std::vector<double> gather_points(std::size_t body, std::size_t width, std::span<const double> own) const;
-  /// The same for vectors like the state y, one or several in turn.
+  /// gather_points() for vectors like the state y, one or several in turn.
   std::vector<double> gather_states(std::span<const double> own) const;
   /// The own part of such vectors. @param whole  on all members
   std::vector<double> own_states(std::span<const double> whole) const;

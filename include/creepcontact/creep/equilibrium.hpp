@@ -2,10 +2,9 @@
 /// The result of one elastic solve, and the history of accepted steps that later solves start from: plain values.
 
 #include <cstdint>
-#include <map>
-#include <string>
 #include <vector>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/contact/solver/problem.hpp"
 #include "creepcontact/mechanics/body_conditions.hpp"
 
@@ -33,12 +32,22 @@ struct SlipHistory {
   Eigen::VectorXd path;            ///< accumulated slip [length] while in contact, per contact node
   std::vector<double> dissipated;  ///< energy, per pair
   bool is_fresh = true;            ///< nothing is known of rates: at t = 0 and right after a breakpoint
+  static constexpr auto members = std::tuple{Member{"time", &SlipHistory::time},
+                                             Member{"slip", &SlipHistory::slip},
+                                             Member{"gap", &SlipHistory::gap},
+                                             Member{"direction", &SlipHistory::direction},
+                                             Member{"rate", &SlipHistory::rate},
+                                             Member{"path", &SlipHistory::path},
+                                             Member{"dissipated", &SlipHistory::dissipated},
+                                             Member{"is_fresh", &SlipHistory::is_fresh}};
 };
 
 /// A state of contact on the way of the loads, from which contact and slip go on.
 struct PathPoint {
   contact::ContactState contact;
   SlipHistory friction;
+  static constexpr auto members =
+      std::tuple{Member{"contact", &PathPoint::contact}, Member{"friction", &PathPoint::friction}};
 };
 
 /// How the path of friction is followed when a step is accepted.
@@ -75,12 +84,21 @@ struct History {
     double time = 0;
     FreeDisplacements displacements;
     std::int64_t factors = 0;
+    static constexpr auto members =
+        std::tuple{Member{"time", &Accepted::time}, Member{"displacements", &Accepted::displacements},
+                   Member{"factors", &Accepted::factors}};
   };
   std::vector<Accepted> accepted;         ///< the last two steps, latest first; only if the stiffness changes in time
   std::vector<std::int64_t> set_changes;  ///< per pair: accepted steps at which its set of closed rows changed
+  static constexpr auto members = std::tuple{Member{"contact", &History::contact},
+                                             Member{"friction", &History::friction},
+                                             Member{"interference", &History::interference},
+                                             Member{"reached", &History::reached},
+                                             Member{"preloaded_until", &History::preloaded_until},
+                                             Member{"accepted", &History::accepted},
+                                             Member{"set_changes", &History::set_changes}};
 };
 
-/// Named arrays of numbers in a checkpoint.
-using Memory = std::map<std::string, std::vector<double>>;
+using creepcontact::Memory;
 
 }  // namespace creepcontact::creep

@@ -29,8 +29,9 @@
 
 namespace creepcontact::creep {
 
-class LoadCourse;
+class FrictionFollower;
 class SlipAdvance;
+struct StiffnessChange;
 
 /// Options of an EquilibriumSolver.
 struct SolverOptions {
@@ -78,7 +79,8 @@ class EquilibriumSolver {
   /// meanwhile.
   /// @throws as solve() Cost: with friction one forward pass, and one contact problem per substep
   History initial_history() { return initial_history(options_.initial_substeps); }
-  /// The same with another number of substeps, at least 1: what it changes is what the load path is resolved to.
+  /// initial_history() with another number of substeps, at least 1: the difference shows how well the load path is
+  /// resolved.
   History initial_history(int substeps);
   /// True if preloads, or pairs that hold what is reached, are due at t and not yet applied.
   bool has_preload_due(double t, const History& history) const;
@@ -96,7 +98,7 @@ class EquilibriumSolver {
   /// @throws SlidingOff if friction cannot hold a body on the way, after which nothing has changed
   /// Cost: with friction contact solves; some forward substitutions if the loads are not linear in time
   std::vector<PathPoint> accept(const Equilibrium& at, History& history, const PathOptions& options = {});
-  /// With friction and a stiffness that changes in time: the longest step from t, up to `end`, in which it changes by
+  /// The longest step from t, up to `end`, with friction and a stiffness that changes in time, in which it changes by
   /// no more than a hundredth, since the path of a step has one flexibility. Else infinity. Collective.
   double longest_for_friction(double t, double end) const;
   /// Stores the history and the state of this solver that evaluations depend on, for a checkpoint.
@@ -123,16 +125,11 @@ class EquilibriumSolver {
     std::vector<double> displacement;                     // 3 n_nodes, of linearized()
     std::vector<double> no_displacement;                  // zeros
   };
-  struct StiffnessChange {
-    double scale = 1, rest = 0;  // s and q
-    /// With a solver of this error bound instead of the factors.
-    StiffnessChange solved_with(double error) const { return {scale, rest + error + rest * error}; }
-  };
   EquilibriumSolver(const Assembly& assembly, const SolverOptions& options, Stopwatch& watch,
                     const contact::CondensedInterface::Admission& admit,
                     const std::vector<mechanics::BodyConditions>& at_start);
   std::unique_ptr<contact::ContactSolver> make_contact_solver() const;
-  StiffnessChange stiffness_change(const std::vector<mechanics::BodyConditions>& at) const;
+  std::unique_ptr<FrictionFollower> make_friction_follower();
   /// Factors the stiffness of these conditions, which becomes K0.
   void refactorize(const std::vector<mechanics::BodyConditions>& at);
   /// @returns false if the iteration stalls before it converges, which only round-off can cause
@@ -150,15 +147,9 @@ class EquilibriumSolver {
   /// Whether one elastic solve may leave an error.
   bool iterates() const { return stiffness_changes_ || solver_error_ > 0; }
   /// Sets the right-hand sides to the residual F(t) - integral B^T sigma of the last iterate.
-  void leave_residual(const Equilibrium& of);
+  void compute_residual(const Equilibrium& of);
   /// Slip up to an equilibrium that was solved from this history.
   SlipHistory slip_until(const Equilibrium& at, const History& history) const;
-  std::vector<PathPoint> follow_friction(const Equilibrium& at, const History& history, const PathOptions& options);
-  /// Loads between two times. @param at  the equilibrium at the second one
-  /// @param multiplier  the largest at both: the tolerance is relative to it
-  LoadCourse load_course(double begin, double end, const Equilibrium& at, double tolerance, double multiplier);
-  /// Once. @param error  relative to the tolerance
-  void warn_of_path(double from, double to, bool has_end, bool is_resolved, double error);
   /// The pairs whose preloads are due at t.
   std::vector<std::size_t> preloads_due(double t, const History& history) const;
   void hold_what_is_reached(double t, CreepStrains creep, History& history);
@@ -185,13 +176,13 @@ class EquilibriumSolver {
   std::unique_ptr<contact::ContactSolver> contact_solver_;
   contact::ActiveSetSystem active_set_;
   std::unique_ptr<const SlipAdvance> slip_advance_;
+  std::unique_ptr<FrictionFollower> friction_;
   contact::IterationRecorder* recorder_ = nullptr;
   StopRequest stop_;
-  bool stiffness_changes_ = false;
+  const bool stiffness_changes_;
   double solver_error_ = 0;   // its bound
   std::int64_t factors_ = 0;  // number of factorisations since the start
-  bool path_warned_ = false;
-  std::vector<Work> work_;  // scratch, no state between calls
+  std::vector<Work> work_;    // scratch, no state between calls
   RunCounters counters_;
 };
 

@@ -36,12 +36,12 @@ class ErrorScale {
 
   /// Scale of every entry of y (StateLayout).
   std::span<const double> values() const { return values_; }
-  /// Scale per body: the complete state of the object, for restore().
+  /// Scale of the creep strain per body.
   const std::vector<double>& strain() const { return strain_; }
-  /// The second part of it: scales of the lives, of all bodies.
-  std::vector<double> lives() const;
-  /// @param lives  empty: as without cycles
-  void restore(const std::vector<double>& strain, const std::vector<double>& lives);
+  /// Saves the complete state.
+  void save(Memory& memory) const;
+  /// Inverse of save(). @throws std::out_of_range if an entry is missing
+  void restore(const Memory& memory);
   /// values() without what cycles have made of it.
   std::vector<double> of_whole_run() const;
 
@@ -59,6 +59,8 @@ class ErrorScale {
   struct Life {
     std::size_t body, column;
     double scale = 1;
+    static constexpr auto members =
+        std::tuple{Member{"body", &Life::body}, Member{"column", &Life::column}, Member{"scale", &Life::scale}};
   };
   std::vector<Life> lives_;
   std::vector<double> values_;

@@ -14,7 +14,7 @@ struct Evaluation {
   std::vector<double> y;  ///< the state, of size StateLayout::size()
   Equilibrium equilibrium;
   std::vector<LawParameters> laws;  ///< one per body
-  /// Of all points, one list per body; meaningful where has_tangents.
+  /// Tangents at all points, one list per body; meaningful where has_tangents.
   std::vector<std::vector<material::StressTangent>> tangents;
   bool has_tangents = false;
   bool valid = false;  ///< false until a solve has succeeded

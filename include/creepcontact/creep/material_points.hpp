@@ -97,7 +97,7 @@ class MaterialPoints {
   class LawStress {
    public:
     LawStress(const MaterialPoints& points, std::span<const double> stress);
-    // NOLINTNEXTLINE(google-explicit-constructor): it stands for the stress
+    // NOLINTNEXTLINE(google-explicit-constructor): it represents the stress
     operator std::span<const double>() const { return fitted_.empty() ? given_ : fitted_; }
 
    private:

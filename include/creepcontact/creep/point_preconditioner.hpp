@@ -18,7 +18,7 @@ class PointPreconditioner {
   void linearize(const PointsState& at, std::span<const material::StressTangent> tangents);
   /// z = (I + gamma C H)^-1 r. @param r, z  n_points x 6
   void apply(double gamma, std::span<const double> r, std::span<double> z) const;
-  /// The same with C H at `at`, which is not stored.
+  /// apply() with C H at `at`, which is not stored.
   static void apply_once(const PointsState& at, std::span<const material::StressTangent> tangents, double gamma,
                          std::span<const double> r, std::span<double> z);
 

@@ -26,10 +26,11 @@ class YieldSteps {
   /// The longest next step from t, in a segment of the loads up to `end`; infinity if no law yields.
   double longest(double t, double end) const;
 
-  /// The complete state, but for the stress of the last accepted step.
-  std::vector<double> memory() const;
-  /// @param at  the state from which the run goes on
-  void resume(const Equilibrium& at, std::span<const double> memory);
+  /// Saves the complete state but for the stress of the last accepted step.
+  void save(Memory& memory) const;
+  /// Inverse of save(). @param at  the state from which the run goes on
+  /// @throws std::out_of_range if an entry is missing
+  void resume(const Equilibrium& at, const Memory& memory);
 
  private:
   void keep(const Equilibrium& at);
@@ -39,8 +40,12 @@ class YieldSteps {
   double time_ = 0;                          // of the last accepted step
   std::vector<std::vector<double>> stress_;  // of these bodies, at that time
   bool has_stress_ = false;
-  std::vector<double> size_;  // largest stress of these bodies in the last steps
-  double longest_ = 0;        // 0: not known
+  struct State {
+    std::vector<double> size;  // largest stress of these bodies in the last steps
+    double longest = 0;        // next step; 0: not known
+    static constexpr auto members = std::tuple{Member{"size", &State::size}, Member{"longest", &State::longest}};
+  };
+  State state_;
 };
 
 }  // namespace creepcontact::creep

@@ -10,7 +10,7 @@ namespace creepcontact::fem {
 Matrix3 jacobian(const ReferenceElement& cell, const Eigen::Matrix3Xd& x, const Eigen::MatrixX3d& gradient);
 
 /// Normal times the area per unit of the reference coordinates, at a point of a face of a solid; or of an edge of a
-/// section, per unit of depth. By the right-hand rule; an edge has its section on the left.
+/// section, per unit of depth. Its direction follows the right-hand rule; an edge has its section on the left.
 Vector3 area_vector(const ReferenceElement& face, const Eigen::Matrix3Xd& x, const Eigen::MatrixX3d& gradient);
 
 }  // namespace creepcontact::fem

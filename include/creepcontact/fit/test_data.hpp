@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
-#include "creepcontact/io/thousands.hpp"
+#include "creepcontact/io/tables/thousands.hpp"
 
 namespace creepcontact::fit {
 

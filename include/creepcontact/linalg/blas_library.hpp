@@ -11,7 +11,7 @@ struct BlasLibrary {
   std::string warning = {};  ///< if factorisations take several times as long as with OpenBLAS: why, and the remedy
 };
 
-/// Of this process. Cost: some look-ups of symbols.
+/// The libraries that this process uses. Cost: some look-ups of symbols.
 BlasLibrary blas_library();
 
 /// Why this file is slow: the reference BLAS, or ATLAS; empty for other libraries.

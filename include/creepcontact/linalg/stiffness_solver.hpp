@@ -46,7 +46,7 @@ class StiffnessSolver {
   void forward(std::span<const double> b, std::span<double> y);
   /// x = P^T L^-T y, the back substitution; x and y may be the same array.
   void backward(std::span<const double> y, std::span<double> x);
-  /// The same as tasks. The list is valid until the next call.
+  /// forward() and backward() as tasks. The list is valid until the next call.
   virtual TaskList& forward_tasks(std::span<const double> b, std::span<double> y) = 0;
   virtual TaskList& backward_tasks(std::span<const double> y, std::span<double> x) = 0;
 

@@ -42,7 +42,7 @@ class Body {
   /// The elements of a part, numbered as in the whole body; else nullopt.
   const std::optional<std::vector<std::size_t>>& own_elements() const;
 
-  /// Only while the model is built. A volume load refers to discretization() of this body.
+  /// Adds a load; only while the model is built. A volume load refers to discretization() of this body.
   /// @throws ModelError if its forces at t = 0 are not finite; the body is then unchanged
   void add_load(std::unique_ptr<const Load> load);
 
@@ -70,7 +70,7 @@ class Body {
   /// Temperature, moduli, thermal strain, loads and prescribed displacements at time t.
   /// @throws ModelError if one of them is not finite, or the elastic constants are not admissible
   BodyConditions at(double t) const;
-  /// The same in place. Skips what is constant in time or was evaluated for this time already.
+  /// Updates conditions to those at time t. Skips what is constant in time or was evaluated for this time already.
   /// @param conditions  made by this body, or new
   void update(double t, BodyConditions& conditions) const;
   /// True if the elastic constants depend on a temperature that changes in time.

@@ -22,9 +22,9 @@ class Cut {
   Cut(const mesh::Mesh& mesh, const Vector3& origin, const Vector3& normal);
 
   const mesh::Mesh& mesh() const { return mesh_; }
-  /// Of a cell. One that lies in the plane is behind.
+  /// The side of a cell. A cell in the plane is behind.
   Side side(std::span<const std::int64_t> nodes) const;
-  /// Of a face. One in the plane lies where its cell is, or outside of a body that ends there.
+  /// The side of a face. A face in the plane lies where its cell is, or outside of a body that ends there.
   Side side(const mesh::Face& face) const;
   /// Rule over the part beyond the plane of a cell or face that has parts on both sides.
   fem::QuadratureRule rule_beyond(mesh::CellType type, std::span<const std::int64_t> nodes) const;

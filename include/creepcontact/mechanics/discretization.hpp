@@ -134,7 +134,7 @@ class Discretization {
   /// ones from their mean with the gradient of the means of their neighbours. Exact for linear fields. Cost: about 100
   /// operations per neighbour.
   void to_nodes(std::span<const double> point_values, int width, std::span<double> node_values) const;
-  /// Likewise for n tensors per point (n_points x 6 n to n_nodes x 6 n), which takes less time than one by one. In
+  /// Extrapolates n tensors per point (n_points x 6 n to n_nodes x 6 n), which takes less time than one by one. In
   /// quadratic elements the mean stress is taken from its linear fit, see fit_mean_stress.
   void tensors_to_nodes(std::span<const double> point_values, std::span<double> node_values) const;
   /// Volume-weighted mean of point values (n_points x width) per element (n_elements x width).

@@ -38,7 +38,7 @@ class FactoredBody {
 
   /// Stiffness on the free dofs, lower triangle, with any hourglass stabilisation. Cost: assembly.
   linalg::SparseMatrix stiffness(const BodyConditions& at) const;
-  /// The same with arbitrary symmetric moduli, one per point, instead of the elastic ones.
+  /// Stiffness with arbitrary symmetric moduli, one per point, instead of the elastic ones.
   linalg::SparseMatrix stiffness(std::span<const Matrix6> moduli) const;
   /// Body::residual less the forces of the hourglass stabilisation. @param free  displacement on the free dofs
   void residual(std::span<const double> external, std::span<const double> stress, std::span<const double> free,

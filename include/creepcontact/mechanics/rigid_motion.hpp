@@ -14,11 +14,11 @@ struct RigidMotion {
   Vector3 translation = Vector3::Zero();  ///< of the point `centre`
   Vector3 rotation = Vector3::Zero();     ///< rotation vector [rad] about `centre`
   Vector3 centre = Vector3::Zero();
-  /// For messages: "translation along z", "rotation about the axis (0, 0, 1) through (0, 0, 5)".
+  /// Text for messages: "translation along z", "rotation about the axis (0, 0, 1) through (0, 0, 5)".
   std::string describe() const;
   /// Sum of motions, relative to the centre of the first. @param amplitudes  one per motion
   static RigidMotion combination(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& amplitudes);
-  /// The same motion, possibly reversed, simplified for display: parts that move a body of this size by less than 1e-4
+  /// This motion, possibly reversed, simplified for display: parts that move a body of this size by less than 1e-4
   /// of the whole are left out.
   RigidMotion tidied(double size) const;
   /// Displacement of a point.

@@ -69,19 +69,20 @@ class TemperatureAtPositions {
 /// A temperature field. Value semantics; copies share the immutable definition.
 class TemperatureField {
  public:
-  /// From a function of x, y, z, t; as thread-safe as the function.
+  /// The field of a function of x, y, z, t; as thread-safe as the function.
   TemperatureField(Function value);  // NOLINT(google-explicit-constructor): a function is a field
   /// Interpolated between the points (ScatteredInterpolation).
   explicit TemperatureField(ScatteredTemperatures given);
 
   /// Value at one position and time.
   double operator()(const Arguments& at) const;
-  /// For repeated evaluation at these positions; does not refer to the argument.
+  /// The field for repeated evaluation at these positions; does not refer to the argument.
   std::unique_ptr<const TemperatureAtPositions> at(std::span<const Vector3> positions) const;
-  /// For repeated evaluation at the integration points of a body, whose elements interpolate the field if it is nodal
-  /// on the mesh. @param of_mesh  the body, or the part of it that a process has; its nodes are those of the mesh
+  /// The field for repeated evaluation at the integration points of a body, whose elements interpolate the field if it
+  /// is nodal on the mesh. @param of_mesh  the body, or the part of it that a process has; its nodes are those of the
+  /// mesh
   std::unique_ptr<const TemperatureAtPositions> at_points(const Discretization& of_mesh, const mesh::Mesh& mesh) const;
-  /// Of a function, and where nodes are not looked for: none.
+  /// How many nodes of the mesh are points of the field; zeros for a function, and where nodes are not matched.
   NodeCover cover(const mesh::Mesh& mesh) const;
 
   bool depends_on_position() const;

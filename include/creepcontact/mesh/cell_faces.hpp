@@ -8,8 +8,8 @@
 
 namespace creepcontact::mesh {
 
-/// A face of a volume cell; by the right-hand rule its nodes give the outward normal. Of a surface cell an edge, with
-/// the cell on its left.
+/// A face of a volume cell; by the right-hand rule its nodes give the outward normal. The faces of a surface
+/// cell are its edges, with the cell on their left.
 struct LocalFace {
   CellType type{};
   std::vector<int> nodes;  ///< local nodes of the cell, in the Gmsh order of `type` (corners, mid-edges, mid-face)

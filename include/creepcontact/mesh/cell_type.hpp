@@ -37,7 +37,7 @@ int n_corners(CellType type);
 int order(CellType type);
 /// The linear type of the same shape. Precondition: a volume or surface type
 CellType linear_type(CellType type);
-/// As in the enumeration: "hex20".
+/// The name as in the enumeration: "hex20".
 std::string_view name(CellType type);
 
 }  // namespace creepcontact::mesh

@@ -45,10 +45,10 @@ struct Mesh {
   std::vector<CellBlock> blocks;
   std::map<std::string, Group> groups;  // by name
   Section section = {};
-  /// Of a body in generalised plane strain: the last node, which no cell has. Its displacement along z is the axial
-  /// strain times Section::axial_length. Otherwise -1.
+  /// In generalised plane strain the last node, which no cell has: its displacement along z is the axial strain times
+  /// Section::axial_length. Otherwise -1.
   std::int64_t axial_node = -1;
-  /// In the mesh file, ascending, without the axial node; empty if there is none.
+  /// Numbers of the nodes in the mesh file, ascending, without the axial node; empty if there is no file.
   std::vector<std::int64_t> node_numbers = {};
 
   /// Without the axial node.

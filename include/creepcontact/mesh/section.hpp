@@ -19,7 +19,7 @@ struct Section {
 
   bool is_axisymmetric() const { return analysis == settings::Analysis::axisymmetric; }
   bool has_axial_node() const { return analysis == settings::Analysis::generalized_plane_strain; }
-  /// Of the cells that carry material: 3, or 2 in sections.
+  /// Dimension of the cells that carry material: 3, or 2 in sections.
   int dimension() const { return analysis == settings::Analysis::solid ? 3 : 2; }
   /// What integrals over the mesh are multiplied with: 1 in a solid, the thickness [length], or the circumference
   /// 2 pi x [length].

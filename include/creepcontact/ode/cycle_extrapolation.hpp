@@ -3,12 +3,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/base/team.hpp"
 
 namespace creepcontact::ode {
@@ -59,7 +58,7 @@ class CycleExtrapolation {
   /// Error of the last jump checked, relative to what is allowed.
   double error() const { return error_; }
 
-  using Memory = std::map<std::string, std::vector<double>>;
+  using Memory = creepcontact::Memory;
   /// Not while checking. @param numbers, states  as in RestartPoint
   void save(Memory& numbers, Memory& states) const;
   /// @throws std::out_of_range if an entry is missing
@@ -70,7 +69,7 @@ class CycleExtrapolation {
   struct Damped;
   class Norm;
   Weights weights(int order, double power) const;
-  /// Of the correction, relative to what is allowed.
+  /// Error of the correction, relative to what is allowed.
   double error_of(const Weights& weights, const Damped& damped) const;
   /// The place of the change of a cycle: its middle.
   double middle(std::int64_t cycle) const { return static_cast<double>(cycle - begin_) + 0.5; }
@@ -89,6 +88,12 @@ class CycleExtrapolation {
   double new_place_ = 0, old_place_ = 0;         // of the last two changes
   std::vector<double> new_change_, old_change_;  // damped as the jumps to them were corrected
   std::vector<double> before_, predicted_;       // of the jump that is checked
+  static constexpr auto saved_members = std::tuple{
+      Member{"begin", &CycleExtrapolation::begin_},         Member{"last", &CycleExtrapolation::last_},
+      Member{"seen", &CycleExtrapolation::seen_},           Member{"next", &CycleExtrapolation::next_},
+      Member{"order", &CycleExtrapolation::order_},         Member{"power", &CycleExtrapolation::power_},
+      Member{"new_place", &CycleExtrapolation::new_place_}, Member{"old_place", &CycleExtrapolation::old_place_},
+      Member{"pause", &CycleExtrapolation::pause_},         Member{"wait", &CycleExtrapolation::wait_}};
 };
 
 }  // namespace creepcontact::ode

@@ -2,12 +2,12 @@
 /// Time integrators behind one interface: Euler schemes (Stankevich 2012), Runge-Kutta-Chebyshev, and SUNDIALS.
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/ode/system.hpp"
 #include "creepcontact/settings/integrator_options.hpp"
 
@@ -32,10 +32,10 @@ struct RestartPoint {
   double time = 0;
   double next_step = 0;
   std::vector<double> state;
-  std::map<std::string, std::vector<double>> memory;  ///< of the method itself; named after its members
+  Memory memory;  ///< of the method itself; named after its members
   /// Likewise, but vectors of the size of the state, one or several in turn: each process has its part of them, under
   /// the same names.
-  std::map<std::string, std::vector<double>> states = {};
+  Memory states = {};
 };
 
 /// An integrator at some (t, y). It refers to a System, which must outlive it. Use from one thread at a time;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/csv_table.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/csv_table.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/plot/figure.hpp"
 
 namespace creepcontact::plot {

@@ -5,7 +5,7 @@
 
 #include "creepcontact/creep/assembly.hpp"
 #include "creepcontact/creep/equilibrium.hpp"
-#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
 #include "creepcontact/results/contact_values.hpp"
 
 namespace creepcontact::results {

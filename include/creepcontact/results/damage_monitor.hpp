@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 
 namespace creepcontact::results {
 

@@ -8,7 +8,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/results/probe_expression.hpp"
 
 namespace creepcontact::results {
@@ -32,7 +32,7 @@ class EventWatch {
 
   void fill(io::Summary& summary) const;
   void save(creep::Memory& memory) const;
-  /// Does nothing if the memory has no record of these events.
+  /// Does nothing if the memory has another number of events.
   void restore(const creep::Memory& memory);
 
  private:

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "creepcontact/creep/creep_system.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/results/step_values.hpp"
 
 namespace creepcontact::results {
@@ -44,7 +44,6 @@ class Outcome {
   /// What is round-off is 0 there. @param cycle  length of the cycles of the loads, if they have any
   void fill(io::Summary& summary, std::optional<double> cycle) const;
   void save(creep::Memory& memory) const;
-  /// Does nothing if the memory has no record.
   void restore(const creep::Memory& memory);
 
  private:
@@ -59,10 +58,14 @@ class Outcome {
     double since;    ///< first time of the present state without force; NaN: it carries one, or has never done
     double carried;  ///< last time with a force; NaN: never
     double count;    ///< how often the force was lost
+    static constexpr auto members = std::tuple{Member{"since", &Opening::since}, Member{"carried", &Opening::carried},
+                                               Member{"count", &Opening::count}};
   };
   /// Width of a contact zone in elements, and when it was taken.
   struct Width {
     double elements, time, force;  ///< elements 0: not known
+    static constexpr auto members =
+        std::tuple{Member{"elements", &Width::elements}, Member{"time", &Width::time}, Member{"force", &Width::force}};
   };
 
   const creep::Assembly& assembly_;
@@ -77,6 +80,10 @@ class Outcome {
   std::vector<double> dissipated_, slip_;      // of every contact pair at the last output; NaN: no friction
   std::vector<double> interference_;           // likewise; NaN: no preload
   std::vector<char> slid_far_;                 // by pair: warned of
+  static constexpr auto saved_members =
+      std::tuple{Member{"started", &Outcome::started_},   Member{"last_output", &Outcome::last_output_},
+                 Member{"forces", &Outcome::forces_},     Member{"widths", &Outcome::widths_},
+                 Member{"openings", &Outcome::openings_}, Member{"stresses", &Outcome::stresses_}};
 };
 
 }  // namespace creepcontact::results

@@ -7,7 +7,7 @@
 
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/equilibrium_solver.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 
 namespace creepcontact::results {
 
@@ -26,7 +26,7 @@ class ProbeRecord {
   /// What the probes of the configuration are, and their courses so far.
   void fill(const config::Config& config, io::Summary& summary) const;
   void save(creep::Memory& memory) const;
-  /// Does nothing if the memory has no record.
+  /// Does nothing if the memory has another number of probes.
   void restore(const creep::Memory& memory);
 
  private:

@@ -8,10 +8,10 @@
 #include <span>
 
 #include "creepcontact/config/config.hpp"
-#include "creepcontact/io/field_writer.hpp"
-#include "creepcontact/io/frd_writer.hpp"
-#include "creepcontact/io/history_writer.hpp"
-#include "creepcontact/io/step_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
+#include "creepcontact/io/fields/frd_writer.hpp"
+#include "creepcontact/io/tables/history_writer.hpp"
+#include "creepcontact/io/tables/step_writer.hpp"
 #include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/platform/background.hpp"
 #include "creepcontact/results/contact_surfaces.hpp"

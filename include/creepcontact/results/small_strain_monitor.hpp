@@ -24,14 +24,15 @@ class SmallStrainMonitor {
   /// True of a text of warnings(), of this or of an earlier part of a run.
   static bool is_warning(const std::string& text);
   void save(creep::Memory& memory) const;
-  /// Does nothing if the memory has no record.
   void restore(const creep::Memory& memory);
 
  private:
-  /// Of a body, at a place and a time.
+  /// The largest value, with its body, place and time.
   struct Largest {
     double value = 0, body = 0, time = 0;
     std::array<double, 3> place{};
+    static constexpr auto members = std::tuple{Member{"value", &Largest::value}, Member{"body", &Largest::body},
+                                               Member{"time", &Largest::time}, Member{"place", &Largest::place}};
   };
   /// @param place  called where this member has the value
   template <typename Place>
@@ -40,6 +41,8 @@ class SmallStrainMonitor {
 
   const creep::CreepSystem& system_;
   Largest strain_, rotation_;
+  static constexpr auto saved_members =
+      std::tuple{Member{"strain", &SmallStrainMonitor::strain_}, Member{"rotation", &SmallStrainMonitor::rotation_}};
 };
 
 }  // namespace creepcontact::results

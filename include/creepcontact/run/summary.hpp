@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/ode/integrator.hpp"
 
 namespace creepcontact::run {

@@ -16,7 +16,7 @@ constexpr auto names_of(ContactMethod) {
       {{"schwarz", ContactMethod::schwarz}, {"active_set", ContactMethod::active_set}});
 }
 
-/// Of the Schwarz iteration. cg: conjugate gradients preconditioned by a half-sweep.
+/// Acceleration of the Schwarz iteration. cg: conjugate gradients preconditioned by a half-sweep.
 enum class Acceleration { none, aitken, anderson, cg };
 constexpr auto names_of(Acceleration) {
   return std::to_array<EnumName<Acceleration>>({{"none", Acceleration::none},

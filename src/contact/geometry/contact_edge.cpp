@@ -12,16 +12,17 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr int rows_fitted = 5;        // outwards, ...
-constexpr double reach = 4.5;         // ... in elements: fewer where these grow
-constexpr double half_width = 1.5;    // in elements: of the strip across the edge whose rows are fitted
-constexpr double punch = 0.1;         // in elements: how far the closed rows, as a punch, reach beyond the last of them
-constexpr double beside_most = 2;     // in elements: over which the end of the punch is averaged along the edge
-constexpr double uneven_most = 1.6;   // in elements: how unevenly it may end
-constexpr double min_to_punch = 0.1;  // in elements: nearer rows tell nothing
-constexpr double weight_next = 0.1;   // of rows next to closed ones
-constexpr double weight_small = 0.1;  // of unknowns being small, where the rows do not tell them
-constexpr double farthest = 1.5;      // in elements beyond the closed row: further out that would be open
+constexpr int rows_fitted = 5;            // outwards, ...
+constexpr double max_fit_distance = 4.5;  // ... in elements: fewer where these grow
+constexpr double half_width = 1.5;        // in elements: of the strip across the edge whose rows are fitted
+constexpr double punch_overhang =
+    0.1;  // in elements: how far the closed rows, as a punch, reach beyond the last of them
+constexpr double max_lateral_distance = 2;   // in elements: over which the end of the punch is averaged along the edge
+constexpr double max_unevenness = 1.6;       // in elements: how unevenly it may end
+constexpr double min_to_punch = 0.1;         // in elements: nearer rows tell nothing
+constexpr double weight_next = 0.1;          // of rows next to closed ones
+constexpr double weight_small = 0.1;         // of unknowns being small, where the rows do not tell them
+constexpr double max_distance_beyond = 1.5;  // in elements beyond the closed row: further out that would be open
 constexpr double edge_step = 2;  // in elements: where the gap, to the power of 2/3, is zero further inside, it jumps
 
 }  // namespace
@@ -97,15 +98,16 @@ double ContactEdge::mean_to_punch(int row, const std::map<int, Edge>& edges) con
   for (const auto& [other, edge] : edges) {
     const Vector3 x = (grid_.position(other) - grid_.position(row)) / own.length;
     const double out = own.outward.dot(x), beside = (x - out * own.outward).norm();
-    if (beside >= beside_most || std::abs(out) >= uneven_most || !edge.smooth) continue;
-    const double weight = 1 - beside / beside_most;
-    sum += weight * ((1 - punch) * edge.length / own.length - out - own.curvature * own.length * beside * beside / 2);
+    if (beside >= max_lateral_distance || std::abs(out) >= max_unevenness || !edge.smooth) continue;
+    const double weight = 1 - beside / max_lateral_distance;
+    sum += weight *
+           ((1 - punch_overhang) * edge.length / own.length - out - own.curvature * own.length * beside * beside / 2);
     weights += weight;
   }
-  return weights > 0 ? std::max(sum / weights, min_to_punch) : 1 - punch;
+  return weights > 0 ? std::max(sum / weights, min_to_punch) : 1 - punch_overhang;
 }
 
-/// Of an open row next to a closed one, outwards from the edge.
+/// Distance of an open row next to a closed one, outwards from the edge, in edge lengths.
 double ContactEdge::distance_to(int row, const Edge& edge, const State& state) const {
   const double to_punch = edge.to_punch;
   const auto from_punch = [&](const Vector3& position) {
@@ -119,8 +121,8 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
     const double out = edge.outward.dot(x);
     // Around a hole of the contact the normals of the edge meet.
     if ((x - out * edge.outward).norm() < half_width * edge.length &&
-        from_punch(grid_.position(other)) > 0.9 * std::min(to_punch, 1 - punch) && 1 + edge.curvature * out > 0.5 &&
-        out < reach * edge.length)
+        from_punch(grid_.position(other)) > 0.9 * std::min(to_punch, 1 - punch_overhang) &&
+        1 + edge.curvature * out > 0.5 && out < max_fit_distance * edge.length)
       fitted.push_back(other);
   }
   const Index n = fitted.size();
@@ -141,7 +143,7 @@ double ContactEdge::distance_to(int row, const Edge& edge, const State& state) c
   matrix(n, 2) = weight_small;
   const Eigen::Vector3d fit = linalg::least_squares(matrix, gaps);
   if (!(fit[0] > 0)) return 0.5 * edge.length;
-  return std::clamp(to_punch + fit[1] / (1.5 * fit[0]), 0.0, farthest) * edge.length;
+  return std::clamp(to_punch + fit[1] / (1.5 * fit[0]), 0.0, max_distance_beyond) * edge.length;
 }
 
 /// Along the normals of the edge, row by row: the edge may lie beyond the first closed row.

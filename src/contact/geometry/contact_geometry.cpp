@@ -7,8 +7,8 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double no_displacement = 1e-8;  // of the motion's largest, and of a displacement's own length
-constexpr double along_normal = 0.7;      // cosine: such a motion opens or closes the contact, it does not slide
+constexpr double min_displacement = 1e-8;  // of the motion's largest, and of a displacement's own length
+constexpr double along_normal = 0.7;       // cosine: such a motion opens or closes the contact, it does not slide
 
 std::vector<Facet> smooth(const std::vector<Facet>& facets, const SurfaceNormals& normals) {
   std::vector<Facet> result;
@@ -45,7 +45,7 @@ ContactGeometry::ContactGeometry(const std::vector<Facet>& slave, const SurfaceN
     for (const Facet& facet : slave)
       for (int i = 0; i < facet.n_nodes(); ++i)
         largest = std::max(largest, motion.displacement(facet.node_position(i)).norm());
-    sliding_.push_back({motion, no_displacement * largest});
+    sliding_.push_back({motion, min_displacement * largest});
   }
 }
 
@@ -77,7 +77,7 @@ Vector3 ContactGeometry::normal_at(std::size_t slave_facet, const Vector3& xi, c
     Vector3 rest = displacement;
     for (int pass = 0; pass < 2; ++pass)  // once more: the first pass leaves round-off of the size of what it took away
       for (const Vector3& direction : directions) rest -= direction.dot(rest) * direction;
-    if (rest.norm() <= std::max(sliding.least, no_displacement * displacement.norm())) continue;
+    if (rest.norm() <= std::max(sliding.least, min_displacement * displacement.norm())) continue;
     rest.normalize();
     if (std::abs(rest.dot(normal)) < along_normal) directions.push_back(rest);
   }

@@ -17,13 +17,13 @@ struct ContactPoint {
   Vector3 on_slave;
   Vector3 normal;
   double weight = 0;
-  double gap = 0;  ///< along the normal, between the smooth surfaces that the facets stand for
+  double gap = 0;  ///< along the normal, between the smooth surfaces that the facets represent
 };
 
 /// Geometry of one pair. The facets must outlive it.
 class ContactGeometry {
  public:
-  /// @param sliding  relative rigid motions to which the normals are made perpendicular
+  /// @param sliding  relative rigid-body modes to which the normals are made perpendicular
   ContactGeometry(const std::vector<Facet>& slave, const SurfaceNormals& slave_normals,
                   const std::vector<Facet>& master, const SurfaceNormals& master_normals,
                   std::span<const mechanics::RigidMotion> sliding);

@@ -16,7 +16,7 @@ struct RowAtNode {
   Vector3 normal;
 };
 
-/// By node of the mesh: one, or several at a crease.
+/// The rows at each node of the mesh: one, or several at a crease.
 std::unordered_map<std::int64_t, std::vector<RowAtNode>> rows_of_nodes(const contact::MortarCoupling& coupling) {
   std::unordered_map<std::int64_t, std::vector<RowAtNode>> rows;
   for (std::size_t i = 0; i < coupling.nodes.size(); ++i)

@@ -9,9 +9,9 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr int subdivisions = 4;    // of a curved edge
-constexpr double straight = 1e-7;  // of the chord's length: an edge that bulges less
-constexpr double no_bend = 1e-10;  // of the diameter
+constexpr int subdivisions = 4;     // of a curved edge
+constexpr double straight = 1e-7;   // of the chord's length: an edge that bulges less
+constexpr double min_bend = 1e-10;  // of the diameter
 
 /// 1, x, x^2
 Vector3 powers(double x) {
@@ -84,7 +84,7 @@ void Facet::fit_polynomial() {
     }
   double bend = 0;
   for (const int k : {2, 4, 5, 6, 7, 8}) bend = std::max(bend, polynomial_.col(k).norm());
-  is_affine_ = bend <= no_bend * diameter_;
+  is_affine_ = bend <= min_bend * diameter_;
 }
 
 Vector3 Facet::position(const Vector3& xi) const {
@@ -149,8 +149,8 @@ std::vector<Polygon> Facet::pieces(const Plane& plane, bool flipped) const {
 
 bool Facet::unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi) const {
   // Steps this small are squared by the next one, and round-off far from the origin of coordinates stays below them.
-  constexpr double small_step = 1e-9;
-  constexpr double far_outside = 10;
+  constexpr double step_tolerance = 1e-9;
+  constexpr double max_reference_distance = 10;
   for (int iteration = 0; iteration < 25; ++iteration) {
     const Eigen::Vector2d residual = plane.project(position(xi)) - p;
     const auto [tangent1, tangent2] = tangents(xi);
@@ -159,8 +159,8 @@ bool Facet::unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi)
     const Eigen::Vector2d step = jacobian.inverse() * residual;
     if (!step.allFinite()) return false;
     xi.head<2>() -= step;
-    if (step.norm() < small_step) return true;
-    if (xi.head<2>().norm() > far_outside) return false;
+    if (step.norm() < step_tolerance) return true;
+    if (xi.head<2>().norm() > max_reference_distance) return false;
   }
   return false;
 }

@@ -53,7 +53,7 @@ struct Acting {
   Matrix3 rotation() const { return link != nullptr ? link->rotation : Matrix3::Identity(); }
 };
 
-/// By the multipliers of the normals.
+/// Indexed like `normals.multipliers`.
 std::vector<Acting> acting_multipliers(const SurfaceNormals& normals, const ContinuedSurface& slave) {
   std::map<std::int64_t, std::vector<int>> of_node;
   const auto n = static_cast<int>(normals.multipliers.size());
@@ -136,7 +136,7 @@ class Assembler {
     return hats;
   }
   const Acting& acting(std::size_t f, int corner) const { return acting_[normals_.multiplier_of_corner[f][corner]]; }
-  /// Of the multipliers that act at the corners of a facet.
+  /// Rows of the multipliers that act at the corners of a facet.
   std::vector<int> rows(std::size_t f) const {
     std::vector<int> result;
     for (const int multiplier : normals_.multiplier_of_corner[f]) result.push_back(acting_[multiplier].row);
@@ -210,8 +210,8 @@ class Products {
 
 /// The rotation that takes one unit vector to another one by the shortest way; exactly none where they are the same.
 Matrix3 rotation(const Vector3& from, const Vector3& to) {
-  constexpr double same = 1e-12;
-  if ((to - from).norm() < same) return Matrix3::Identity();
+  constexpr double direction_tolerance = 1e-12;
+  if ((to - from).norm() < direction_tolerance) return Matrix3::Identity();
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
@@ -241,7 +241,7 @@ void Assembler::add_facet(std::size_t f, const std::vector<Segment>& segments) {
   on_slave.emit(rows, width, on_slave_);
 }
 
-/// From the directions of a multiplier at its node to those at a point with this normal.
+/// The rotation from the directions of a multiplier at its node to those at a point with this normal.
 Matrix3 Assembler::turned(const Acting& at, const Vector3& normal) const {
   const Vector3& own = normals_.multipliers[at.row].normal;
   if (at.link == nullptr) return rotation(own, normal);

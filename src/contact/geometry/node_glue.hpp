@@ -20,7 +20,7 @@ class NodeGlue {
     const std::vector<Facet>& facets;
   };
 
-  /// None at all.
+  /// No ties.
   NodeGlue() = default;
   /// Cost: O(n log n) for n facets.
   NodeGlue(const Side& slave, const SurfaceNormals& slave_normals, const Side& master);

@@ -11,7 +11,7 @@ namespace creepcontact::contact {
 /// order:  (n_i + n_j) . (x_j - x_i) = 0. These conditions, to nodes of the same faces whose normal is known, correct
 /// the normals of nodes on open edges: first from the inner nodes, then the corners from the edges. Edges that lie in a
 /// plane of symmetry are not open. Nodes without such a neighbour keep
-/// what they have; nodes beside a kink are no help.
+/// their normals; nodes next to a kink do not count as neighbours.
 void correct_open_edges(const std::vector<Facet>& facets, const SymmetryPlanes& symmetry, SurfaceNormals& normals);
 
 }  // namespace creepcontact::contact

@@ -15,7 +15,7 @@ constexpr double in_plane = 1e-5;       // of the size of an element or facet
 constexpr double along_surface = 1e-6;  // part of a direction along the normal
 constexpr double same_factor = 1e-9;
 
-/// Of a subspace with an orthonormal basis, the directions that are orthogonal to the normal.
+/// The directions of a subspace that are orthogonal to the normal. @param basis  orthonormal
 std::vector<Vector3> tangential(const std::vector<Vector3>& basis, const Vector3& normal) {
   std::vector<Vector3> result;
   const auto add = [&](Vector3 direction) {
@@ -43,7 +43,7 @@ std::map<std::string, double> by_function(const Parts& parts) {
   return result;
 }
 
-/// At all times.
+/// True if both prescribe the same displacement at all times.
 bool is_same(const std::optional<Parts>& first, const std::optional<Parts>& second) {
   if (!first || !second) return false;
   std::map<std::string, double> difference = by_function(*first);

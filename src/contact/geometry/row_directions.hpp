@@ -11,7 +11,7 @@
 
 namespace creepcontact::contact {
 
-/// Of the multipliers of a slave surface, at their nodes.
+/// Directions of the multipliers of a slave surface, at their nodes.
 class RowDirections {
  public:
   /// @param normals, continued  of the surface, which must outlive the object
@@ -28,7 +28,7 @@ class RowDirections {
   bool is_held(int multiplier, int direction) const {
     return held_[static_cast<std::size_t>(multiplier)][static_cast<std::size_t>(direction)];
   }
-  /// Of the slave; nothing where it does not matter, in unilateral contacts without friction.
+  /// How planes of symmetry hold the slave; nothing in unilateral contacts without friction, where it does not matter.
   const std::optional<PlaneHolding>& holding() const { return holding_; }
   bool is_any_held(int multiplier) const {
     return is_held(multiplier, 0) || is_held(multiplier, 1) || is_held(multiplier, 2);

@@ -7,10 +7,10 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double reach_in_diameters = 3.0;
+constexpr double max_distance_in_diameters = 3.0;
 constexpr double bulge_in_diameters = 0.25;  // of a curved face beyond the box of its nodes
-constexpr double smallest_segment = 1e-12;   // of the slave facet's area
-constexpr double no_area = 1e-10;            // of the squared diameter
+constexpr double min_segment_area = 1e-12;   // of the slave facet's area
+constexpr double min_area = 1e-10;           // of the squared diameter
 constexpr double covered_twice = 1.001;      // more of a facet's area: masters lie one behind the other
 constexpr double edge_on_cosine = 0.05;      // the surface bends away from the facet's plane
 
@@ -43,12 +43,12 @@ Segmentation::Segmentation(const std::vector<Facet>& slave, const std::vector<Fa
   double longest = 0;
   for (const auto* side : {&slave, &master})
     for (const Facet& facet : *side) longest = std::max(longest, facet.diameter());
-  reach_ = reach_in_diameters * longest;
+  reach_ = max_distance_in_diameters * longest;
 }
 
 Segmentation::Outline Segmentation::outline(const Facet& slave) const {
   const Vector3 area_vector = slave.area_vector_at_centre();
-  if (!(area_vector.norm() > no_area * slave.diameter() * slave.diameter())) return {};
+  if (!(area_vector.norm() > min_area * slave.diameter() * slave.diameter())) return {};
   Outline result{Plane::through(slave.centre(), area_vector), {}, 0};
   result.pieces = slave.pieces(result.plane, false);
   for (const Polygon& piece : result.pieces) result.area += area(piece);
@@ -56,7 +56,7 @@ Segmentation::Outline Segmentation::outline(const Facet& slave) const {
 }
 
 std::vector<std::size_t> Segmentation::candidates(const Facet& slave, const Plane& plane) const {
-  const Vector3 margin = Vector3::Constant(bulge_in_diameters * reach_ / reach_in_diameters);
+  const Vector3 margin = Vector3::Constant(bulge_in_diameters * reach_ / max_distance_in_diameters);
   Eigen::AlignedBox3d column = slave.box();
   column.extend(slave.box().translated(reach_ * plane.normal)).extend(slave.box().translated(-reach_ * plane.normal));
   return master_boxes_.meeting({column.min() - margin, column.max() + margin});
@@ -132,7 +132,7 @@ void Segmentation::cut(const Outline& outline, const Facet& master, const Work& 
   for (const Polygon& a : outline.pieces)
     for (const Polygon& b : master_pieces) {
       clip(a, b, overlap, scratch);
-      if (overlap.empty() || area(overlap) < smallest_segment * outline.area) continue;
+      if (overlap.empty() || area(overlap) < min_segment_area * outline.area) continue;
       work(overlap, in_pieces);
     }
 }

@@ -47,7 +47,7 @@ class Segmentation {
   ///   curved edges
   template <typename Work>
   void cut(const Outline& outline, const Facet& master, const Work& work) const;
-  /// Of masters that lie one behind the other only the nearest is met.
+  /// Where masters lie one behind the other, only the nearest is kept.
   void keep_nearest(const Facet& slave, const Plane& plane, std::vector<Segment>& segments) const;
   void integrate(const Facet& slave, const Plane& plane, const Facet& master, const Polygon& overlap,
                  const fem::QuadratureRule& rule, std::vector<SegmentPoint>& points) const;

@@ -1,5 +1,5 @@
 #pragma once
-/// The smooth surface that a linear face stands for.
+/// The smooth surface that a linear face represents.
 
 #include "creepcontact/contact/geometry/facet.hpp"
 

@@ -11,8 +11,8 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double crease_cosine = 0.766;    // cos 40 degrees
-constexpr double area_of_no_face = 1e-10;  // of the squared diameter: such a face has no normal
+constexpr double crease_cosine = 0.766;  // cos 40 degrees
+constexpr double min_face_area = 1e-10;  // of the squared diameter: such a face has no normal
 
 /// Faces around one node that make one smooth piece of surface.
 struct Cluster {
@@ -26,7 +26,7 @@ Vector3 weighted_normal(const Facet& facet, int node, const Vector3& area_vector
   Vector3 normal = area_vector.normalized();
   const int n = facet.n_corners();
   if (node >= n) {
-    const auto corners = std::span(facet.nodes()).first(n);  // in a strip a corner may stand on mid-edges too
+    const auto corners = std::span(facet.nodes()).first(n);  // in a strip a corner may be on mid-edges too
     return std::ranges::find(corners, facet.nodes()[node]) == corners.end() ? normal : Vector3::Zero();
   }
   const Vector3 a = facet.node_position((node + 1) % n) - facet.node_position(node);
@@ -54,7 +54,7 @@ class Clusters {
   void add(const Facet& facet, std::size_t f, int i, bool with_area) {
     const std::size_t node = i;
     const Vector3 area_vector = facet.area_vector(facet.element().nodes().row(i).transpose());
-    if ((area_vector.norm() > area_of_no_face * facet.diameter() * facet.diameter()) != with_area) return;
+    if ((area_vector.norm() > min_face_area * facet.diameter() * facet.diameter()) != with_area) return;
     auto& around = around_[facet.nodes()[node]];
     std::size_t c = 0;
     while (with_area && c < around.size() && around[c].area.normalized().dot(area_vector.normalized()) < crease_cosine)

@@ -10,7 +10,7 @@ namespace creepcontact::contact {
 
 class SymmetryPlanes {
  public:
-  /// None at all.
+  /// No planes.
   SymmetryPlanes() = default;
   /// @param constraints  must outlive the object
   explicit SymmetryPlanes(const mechanics::Constraints& constraints) : constraints_(&constraints) {}

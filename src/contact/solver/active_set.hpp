@@ -1,6 +1,6 @@
 #pragma once
-/// What the ways through the equations of an active set have in common: the rows' flexibility, the coarse problem of
-/// the rigid motions, and the outcome.
+/// What the solvers of the equations of an active set share: the rows' flexibility, the coarse problem of the
+/// rigid-body modes, and the outcome.
 
 #include "creepcontact/base/stop_request.hpp"
 #include "creepcontact/contact/solver/iteration_recorder.hpp"

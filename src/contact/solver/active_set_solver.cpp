@@ -36,7 +36,8 @@ class ActiveSetSolver final : public ContactSolver {
   }
 
  private:
-  /// Updates the set until it repeats; one row at a time if sets recur (only without rigid motions, where that ends).
+  /// Updates the set until it repeats; one row at a time if sets recur (only without rigid-body modes, where that
+  /// ends).
   bool iterate(const ContactLoad& load, ContactResult& result) {
     std::vector<int> active = result.state.active;
     const double rounding = multiplier_rounding(problem_, load);

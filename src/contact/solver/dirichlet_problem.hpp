@@ -7,9 +7,9 @@
 
 namespace creepcontact::contact {
 
-/// S = F^-1 on some rows of one body. Of a body held by contact alone the rigid part is taken out,
-///   S = F^-1 - F^-1 G (G^T F^-1 G)^-1 G^T F^-1,   G: gaps of its rigid motions,
-/// which is the same for any fixing dofs, and for F + c G G^T in place of F, which is regular.
+/// S = F^-1 on some rows of one body. Where contact alone holds the body, the rigid part is taken out,
+///   S = F^-1 - F^-1 G (G^T F^-1 G)^-1 G^T F^-1,   G: gaps of its rigid-body modes,
+/// which is the same for any fixing dofs, and for F + c G G^T instead of F, which is regular.
 class DirichletProblem {
  public:
   /// What is_regular() == false is for: an object that is then discarded, or the least multipliers.
@@ -33,7 +33,7 @@ class DirichletProblem {
  private:
   Eigen::VectorXd flexibility_;  // diagonal
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  Eigen::MatrixXd pseudo_inverse_;  // in place of the factor where F is singular
+  Eigen::MatrixXd pseudo_inverse_;  // instead of the factor where F is singular
   bool regular_ = false;
   Eigen::MatrixXd carried_;  // F^-1 B L^-T with B an orthonormal basis of G and L L^T = B^T F^-1 B: S = F^-1 - c c^T
 };

@@ -9,13 +9,13 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double sufficient = 1e-4;      // Armijo: part of the predicted decrease
-constexpr double shortest = 1.0 / 1024;  // part of a Newton step
+constexpr double sufficient_decrease = 1e-4;  // Armijo: part of the predicted decrease
+constexpr double min_step = 1.0 / 1024;       // part of a Newton step
 constexpr double linear_tolerance = 1e-9;
 constexpr double residual_share = 0.01;      // of the tolerance: errors of multipliers are larger than those of gaps
 constexpr double round_off = 1e-14;          // of the largest multiplier
 constexpr double balance_of_polish = 1e-11;  // of the forces that make up a resultant
-constexpr double no_bound = 1e-14;           // of x_t: a projection onto a point
+constexpr double min_bound = 1e-14;          // of x_t: a projection onto a point
 constexpr double newton_progress = 0.95;     // of the least residual so far
 
 }  // namespace
@@ -61,7 +61,7 @@ FrictionNewton::Trial FrictionNewton::trial(const ContactLoad& load, bool mean, 
     Eigen::Vector2d residual = r * v;
     if (size > bound) {
       at.status = ContactStatus::slip;
-      if (mean && tangential.n == 2 && !before.isZero(0) && tau.norm() > no_bound * size) {
+      if (mean && tangential.n == 2 && !before.isZero(0) && tau.norm() > min_bound * size) {
         const double traction = tau.norm();
         const Eigen::Vector2d e = tau / traction, m = turned(e);
         const double along = std::max(0.0, e.dot(before));
@@ -72,7 +72,7 @@ FrictionNewton::Trial FrictionNewton::trial(const ContactLoad& load, bool mean, 
         at.flexibility = std::max(0.0, turned(change).dot(v) / (traction * c.norm()));
         residual = (traction - bound) * e + r * at.equation.dot(v) * m;
       } else {
-        const double part = std::max(bound / size, no_bound);
+        const double part = std::max(bound / size, min_bound);
         at.direction = x / size;
         at.equation = turned(at.direction);
         at.flexibility = (1 - part) / (part * r);
@@ -135,8 +135,8 @@ bool FrictionNewton::search(const ContactLoad& load, const Linearization& factor
       const Eigen::VectorXd to_gap = gaps(to, to_image);
       Trial next = trial(load, false, options, to, to_gap);
       const double to_size = next.residual.norm();
-      const bool good = is_small || to_size <= (1 - sufficient * length) * size;
-      if (!good && length > shortest) continue;
+      const bool good = is_small || to_size <= (1 - sufficient_decrease * length) * size;
+      if (!good && length > min_step) continue;
       if (!good && !(to_size < size)) return false;
       multiplier = to;
       image = to_image;
@@ -182,11 +182,11 @@ bool FrictionNewton::polish(const ContactLoad& load, const Linearization& factor
       now = trial(load, mean, options, multiplier, gap);
       if (!options.damped) break;
       const double reached = size_of(now, multiplier);
-      if (iteration == 0 || reached <= (1 - sufficient * length) * size) {
+      if (iteration == 0 || reached <= (1 - sufficient_decrease * length) * size) {
         size = reached;
         break;
       }
-      if (length <= shortest) return false;
+      if (length <= min_step) return false;
     }
     state.nodes = std::move(now.at);
     const double largest = multiplier.cwiseAbs().maxCoeff(), error = now.residual.cwiseAbs().maxCoeff();

@@ -31,11 +31,11 @@ class FrictionNewton {
     double normal_scale = 1;        // r_n = scale / F_nn
     double tangential_scale = 0.3;  // r_t
     int min_iterations = 0, max_iterations = 50;
-    /// In polish(): ends after so many iterations that do not reduce the least residual so far.
+    /// polish() ends after so many iterations that do not reduce the least residual so far.
     int patience = 8;
-    /// In polish(): whether a step is halved while the residual does not fall (Armijo).
+    /// Whether polish() halves a step while the residual does not fall (Armijo).
     bool damped = false;
-    /// Per node: the limit of the shear traction in place of mu times the pressure (Tresca's law, which makes the
+    /// Per node: the limit of the shear traction instead of mu times the pressure (Tresca's law, which makes the
     /// problem convex); empty: Coulomb's law. In search() only.
     Eigen::VectorXd bound = {};
   };
@@ -43,14 +43,16 @@ class FrictionNewton {
 
   FrictionNewton(FrictionSystem& system, Record record) : system_(system), record_(std::move(record)) {}
 
-  /// From any state.multiplier, by Armijo's line search, for bodies that springs hold too: the motions are state.rigid
-  /// plus (N^T multiplier + resultant) / spring. Slip is in the direction of the traction, without the mean.
+  /// Solves from any state.multiplier, by Armijo's line search, for bodies that springs hold too: the motions are
+  /// state.rigid plus (N^T multiplier + resultant) / spring. Slip is in the direction of the traction, without the
+  /// mean.
   /// @param factored  see FrictionSystem @returns false if the iteration does not converge
   bool search(const ContactLoad& load, const Linearization& factored, const Options& options,
               FrictionState& state) const;
 
-  /// From a state nearby, by full steps (or damped ones) without springs, the first one with state.nodes if they are
-  /// known: statuses of an earlier load are a better guess than those that its multipliers and the new gaps suggest.
+  /// Solves from a state nearby, by full steps (or damped ones) without springs, the first one with state.nodes if they
+  /// are known: statuses of an earlier load are a better guess than those that its multipliers and the new gaps
+  /// suggest.
   /// @param mean  whether slip follows the mean direction @returns false if the iteration does not converge quickly
   bool polish(const ContactLoad& load, const Linearization& factored, const Options& options, bool mean,
               FrictionState& state) const;

@@ -15,10 +15,10 @@ namespace {
 // Of the multipliers, and of the forces that make up a resultant: polishing continues from there.
 constexpr double search_tolerance = 1e-7;
 constexpr double strict_tolerance = 1e-12;
-constexpr double least_tolerance = 1e-10;  // of the multipliers
+constexpr double min_tolerance = 1e-10;  // of the multipliers
 constexpr double slow_balance = 1;
-constexpr double round_off_balance = 1e-10;  // what may remain of an iteration that makes no progress
-constexpr double no_motion = 1e-3;           // of the largest amplitude
+constexpr double round_off_balance = 1e-10;    // what may remain of an iteration that makes no progress
+constexpr double min_motion_amplitude = 1e-3;  // of the largest amplitude
 constexpr int max_passes = 60;
 constexpr int stalled_passes = 5;   // after which bodies slide off
 constexpr int many_iterations = 8;  // of GMRES: a factor of the present equations pays
@@ -143,8 +143,8 @@ class FrictionSolver final : public ContactSolver {
     return full(From::statuses) || damped() || full(From::multipliers);
   }
 
-  /// By splitting, with steps of different lengths: slow, for problems that Newton's method does not solve from the
-  /// start. It ends in the steps of Newton's method.
+  /// Solves by splitting, with steps of different lengths: slow, for problems that Newton's method does not solve from
+  /// the start. It ends in the steps of Newton's method.
   bool split(const FrictionState& start, Work& work, FrictionState& state) {
     if (problem_.large != nullptr) return false;
     for (const double scale : {0.1, 0.01, 1.0}) {
@@ -191,8 +191,8 @@ class FrictionSolver final : public ContactSolver {
     return true;
   }
 
-  /// From anywhere. Bodies held by contact alone are held by springs, whose force is iterated to almost zero (method of
-  /// multipliers, Hestenes 1969).
+  /// Solves from any start. Bodies held by contact alone are held by springs, whose force is iterated to almost zero
+  /// (method of multipliers, Hestenes 1969).
   void search(Work& work, double tolerance, FrictionState& state) {
     double last = std::numeric_limits<double>::infinity();
     int stalled = 0;
@@ -208,7 +208,7 @@ class FrictionSolver final : public ContactSolver {
         // Motions that are weakly held converge slowly: polishing is asked before they are said to slide off.
         const double near = tolerance == strict_tolerance ? round_off_balance : slow_balance;
         if (is_balanced(problem_.rigid, state.multiplier, work.load.resultant, near, work.rounding)) return;
-        const Eigen::VectorXd motion = (left.array().abs() > no_motion * size).select(left / size, 0.0);
+        const Eigen::VectorXd motion = (left.array().abs() > min_motion_amplitude * size).select(left / size, 0.0);
         throw UnbalancedLoad{motion, size};
       }
       last = size;
@@ -218,7 +218,7 @@ class FrictionSolver final : public ContactSolver {
 
   FrictionNewton::Options search_options(const Work& work, double tolerance) const {
     // What a change of the motions leaves may be small, and yet unbalanced.
-    return {.tolerance = std::max(tolerance, least_tolerance),
+    return {.tolerance = std::max(tolerance, min_tolerance),
             .rounding = work.rounding,
             .min_iterations = problem_.n_motions() > 0 ? 1 : 0,
             .max_iterations = 50 + 2 * static_cast<int>(problem_.nodes.size())};

@@ -19,8 +19,8 @@ class FrictionSplitting {
   /// Cost: a Cholesky factorisation of all rows.
   FrictionSplitting(const FrictionRows& rows, double scale);
 
-  /// From state.multiplier to a change of `tolerance` of the largest multiplier in an iteration; without convergence
-  /// too the state is that of the last one. Each iteration costs one solution of the linear equations.
+  /// Iterates from state.multiplier to a change of `tolerance` of the largest multiplier in an iteration; without
+  /// convergence too the state is that of the last one. Each iteration costs one solution of the linear equations.
   /// @param record  called with the iteration and its change
   void iterate(const ContactLoad& load, double tolerance, int max_iterations,
                const std::function<void(int, double)>& record, FrictionState& state) const;

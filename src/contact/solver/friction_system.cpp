@@ -14,10 +14,10 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double least_movable = 1e-14;   // of the largest flexibility
-constexpr double relative_spring = 1e-3;  // of the stiffness of the bodies on their rigid-body modes
-constexpr double regularization = 1e-11;  // of the largest flexibility: rows that repeat each other
-constexpr int max_gmres = 40;             // iterations with a factor of equations nearby
+constexpr double min_movable_flexibility = 1e-14;  // of the largest flexibility
+constexpr double relative_spring = 1e-3;           // of the stiffness of the bodies on their rigid-body modes
+constexpr double regularization = 1e-11;           // of the largest flexibility: rows that repeat each other
+constexpr int max_gmres = 40;                      // iterations with a factor of equations nearby
 constexpr int max_gmres_large = 1000;
 constexpr std::size_t n_factors = 2;
 constexpr int power_iterations = 15;
@@ -28,7 +28,7 @@ constexpr double weakest_held_motion_of_friction = 1e-6;  // of a motion that on
 FrictionRows::FrictionRows(const ContactProblem& problem) : problem_(&problem), flexibility_(row_flexibility(problem)) {
   const double largest = flexibility_.size() > 0 ? flexibility_.maxCoeff() : 0.0;
   for (double& flexibility : flexibility_) {
-    movable_.push_back(flexibility > least_movable * largest ? 1 : 0);
+    movable_.push_back(flexibility > min_movable_flexibility * largest ? 1 : 0);
     if (movable_.back() == 0) flexibility = largest > 0 ? largest : 1;
   }
   for (const ContactNode& node : problem.nodes) {
@@ -221,7 +221,7 @@ class FrictionSystem::Factor {
     return particular + columns_ * factor_.solve(rest);
   }
 
-  /// With rigid-body modes only.
+  /// The inverse that balances resultants; exists only with rigid-body modes.
   const BalancedInverse& balanced() const { return *balanced_; }
 
  private:
@@ -253,7 +253,7 @@ const FrictionSystem::Factor& FrictionSystem::factor(const Linearization& at) {
   return *factors_.front();
 }
 
-/// For flexibilities given as operators: rows in contact by the preconditioner of the operator, without slip.
+/// Preconditioner for flexibilities given as operators: rows in contact by that of the operator, without slip.
 Inverse FrictionSystem::approximate_inverse(const Linearization& at) const {
   std::vector<int> closed;
   for (std::size_t i = 0; i < at.size(); ++i) {

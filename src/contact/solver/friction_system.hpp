@@ -97,7 +97,7 @@ class FrictionSystem {
   /// `factored` changes, or if many iterations do not suffice.
   Solution solve_held(const Linearization& at, const Linearization& factored, const Eigen::VectorXd& right,
                       double tolerance);
-  /// The same without springs: multipliers and amplitudes whose left-hand sides are `right`, with N^T multiplier =
+  /// Solution without springs: multipliers and amplitudes whose left-hand sides are `right`, with N^T multiplier =
   /// `resultant`. Amplitudes of motions that the rows in contact do not hold are zero.
   Solution solve(const Linearization& at, const Linearization& factored, const Eigen::VectorXd& right,
                  const Eigen::VectorXd& resultant, double tolerance);

@@ -8,15 +8,16 @@
 namespace creepcontact::contact {
 namespace {
 
-constexpr double no_change = 1e-12;
+constexpr double min_change = 1e-12;
 constexpr double rounding_of_gaps = 1e-13;
 constexpr double rounding_of_forces = 1e-12;
-constexpr double immovable = 1e-14;    // rows that neither body can move along (held on both sides) carry no multiplier
+constexpr double immovable_flexibility =
+    1e-14;                             // rows that neither body can move along (held on both sides) carry no multiplier
 constexpr double fixing_floor = 1e-2;  // of the flexibility of fixing dofs
 
 /// Rows need more than this to be movable.
 double min_flexibility(const Eigen::VectorXd& flexibility) {
-  return flexibility.size() > 0 ? immovable * flexibility.maxCoeff() : 0.0;
+  return flexibility.size() > 0 ? immovable_flexibility * flexibility.maxCoeff() : 0.0;
 }
 
 }  // namespace
@@ -94,7 +95,7 @@ double resultant_rounding(const ContactProblem& problem, const ContactLoad& load
 std::vector<int> updated_set(const ContactProblem& problem, const ContactLoad& load, const std::vector<int>& current,
                              const Eigen::VectorXd& multiplier, const Eigen::VectorXd& gap, double rounding) {
   const double largest = problem.n_rows() > 0 ? multiplier.cwiseAbs().maxCoeff() : 0.0;
-  const double no_matter = std::max(no_change * largest, rounding);
+  const double no_matter = std::max(min_change * largest, rounding);
   const Eigen::VectorXd flexibility = row_flexibility(problem);
   const double least = min_flexibility(flexibility);
   std::vector<int> next;
@@ -116,7 +117,7 @@ std::vector<int> first_set(const ContactProblem& problem, const ContactLoad& loa
   if (warm.multiplier.size() != problem.n_rows() || problem.n_rows() == 0)
     return updated_set(problem, load, {}, Eigen::VectorXd::Zero(problem.n_rows()), load.gap, 0.0);
   if (load.idle.empty()) return warm.active;
-  // Tied rows may have begun or ceased to act since.
+  // The tied rows that act may have changed since.
   const std::vector<int> tied =
       updated_set(problem, load, {}, Eigen::VectorXd::Zero(problem.n_rows()),
                   Eigen::VectorXd::Constant(problem.n_rows(), std::numeric_limits<double>::infinity()), 0.0);

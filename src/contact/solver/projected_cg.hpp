@@ -39,7 +39,7 @@ class ProjectedCg {
   ActiveSet set_;
   std::vector<Block> blocks_;
   std::vector<int> loose_;                 // places without block: diagonal
-  std::unique_ptr<Preconditioner> large_;  // in place of the blocks for flexibilities given as operators
+  std::unique_ptr<Preconditioner> large_;  // instead of the blocks for flexibilities given as operators
   Eigen::MatrixXd carried_;                // M^-1 Q L^-T with L L^T = Q^T M^-1 Q
 };
 

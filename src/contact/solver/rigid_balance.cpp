@@ -26,7 +26,7 @@ void singular_parts(const Eigen::MatrixXd& matrix, Eigen::MatrixXd& left, Eigen:
 RigidBalance::RigidBalance(const ContactProblem& problem, const std::vector<int>& rows)
     : rigid_(problem.n_motions() > 0 ? Eigen::MatrixXd(problem.rigid(rows, Eigen::all))
                                      : Eigen::MatrixXd(rows.size(), 0)),
-      reach_(problem.n_motions() > 0 ? problem.rigid.cwiseAbs().colwise().sum().maxCoeff() : 0.0) {
+      largest_resultant_(problem.n_motions() > 0 ? problem.rigid.cwiseAbs().colwise().sum().maxCoeff() : 0.0) {
   singular_parts(rigid_, basis_, values_, motions_);
 }
 
@@ -65,7 +65,7 @@ Eigen::VectorXd RigidBalance::without_rigid_part(const Eigen::VectorXd& mismatch
 bool RigidBalance::holds(const Eigen::VectorXd& multiplier, const Eigen::VectorXd& resultant, double rounding) const {
   // Loads that round-off alone leaves may be balanced by nothing on these rows.
   return is_balanced(rigid_, multiplier, resultant, balance_error, rounding) ||
-         unbalanced(multiplier, resultant).cwiseAbs().maxCoeff() <= rounding * reach_;
+         unbalanced(multiplier, resultant).cwiseAbs().maxCoeff() <= rounding * largest_resultant_;
 }
 
 }  // namespace creepcontact::contact

@@ -1,6 +1,6 @@
 #pragma once
 /// The coarse problem of bodies held by contact alone, on one set of rows: N^T lambda + resultant = 0 there, and the
-/// rigid motions that a mismatch of the traces contains. A set may hold some of the motions only.
+/// rigid-body modes that a mismatch of the traces contains. A set may hold only some of the modes.
 
 #include "creepcontact/contact/solver/problem.hpp"
 
@@ -35,7 +35,7 @@ class RigidBalance {
 
  private:
   Eigen::MatrixXd rigid_, basis_;  // N; N = basis diag(values) motions^T
-  double reach_ = 0;               // resultant of unit multipliers on all rows of the problem
+  double largest_resultant_ = 0;   // resultant of unit multipliers on all rows of the problem
   Eigen::VectorXd values_;
   Eigen::MatrixXd motions_;
 };

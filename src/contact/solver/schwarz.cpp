@@ -56,7 +56,7 @@ class Schwarz final : public ContactSolver {
  private:
   enum class End { solved, unbalanced, cycling, not_converged };
 
-  /// From the set and the multipliers of result.state, updates the set until it repeats.
+  /// Updates the set, from that of result.state and its multipliers on, until it repeats.
   End iterate(const ContactLoad& load, ContactResult& result) {
     Eigen::VectorXd& multiplier = result.state.multiplier;
     std::vector<int> active = result.state.active;
@@ -76,7 +76,7 @@ class Schwarz final : public ContactSolver {
         result.state.rigid = balance.amplitudes(result.gap(active));
         result.gap.noalias() += problem_.rigid * result.state.rigid;
       }
-      // What the iteration left of the gaps of the set is no opening.
+      // The gaps that remain in the set are errors of the iteration, not openings.
       Eigen::VectorXd opening = result.gap;
       opening(active).setZero();
       std::vector<int> next = updated_set(problem_, load, active, multiplier, opening, rounding);

@@ -10,8 +10,8 @@ namespace {
 
 using Acceleration = SchwarzOptions::Acceleration;
 
-constexpr double growth = 1e6;    // of the change: beyond it the sweeps diverge
-constexpr double gap_left = 100;  // times the tolerance: the sweep's change alone may deceive
+constexpr double growth = 1e6;             // of the change: beyond it the sweeps diverge
+constexpr double max_remaining_gap = 100;  // times the tolerance: the sweep's change alone may deceive
 
 std::span<double> span_of(Eigen::VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
@@ -119,7 +119,7 @@ InnerResult SchwarzSweeps::solve(const ActiveSetLoad& load, const Eigen::VectorX
     const double least = std::max(options_.tolerance * scale, load.rounding);
     if (change <= least) {
       const Eigen::VectorXd left = balance.without_rigid_part(load.gap + set_.gaps(result.multiplier));
-      result.converged = left.cwiseQuotient(set_.diagonal()).cwiseAbs().maxCoeff() <= gap_left * least;
+      result.converged = left.cwiseQuotient(set_.diagonal()).cwiseAbs().maxCoeff() <= max_remaining_gap * least;
     }
     if (first_change == 0) first_change = change;
     return result.converged || result.iterations >= options_.max_iterations || !(change <= growth * first_change);

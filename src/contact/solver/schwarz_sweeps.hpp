@@ -8,7 +8,7 @@
 
 namespace creepcontact::contact {
 
-/// Alternating Schwarz on one active set. Made anew when the set changes.
+/// Alternating Schwarz on one active set. Made again when the set changes.
 /// Even half-sweep: both traces move towards each other by the fraction a of their distance, and Dirichlet problems
 /// give new multipliers; odd half-sweep: the multipliers move towards each other by the fraction b of their
 /// difference, and Neumann problems give new traces. Source: Stankevich (2012), eq. 8 and 9.

@@ -14,7 +14,7 @@ class SpringRegularization {
   /// Tries to go on from a state whose set and multipliers the springs found. @returns true to end the search
   using Attempt = std::function<bool(const ContactState& state)>;
 
-  /// @param problem  with rigid motions; must outlive the object
+  /// @param problem  with rigid-body modes; must outlive the object
   SpringRegularization(const ContactProblem& problem, const StopRequest& stop);
   ~SpringRegularization();
 
@@ -26,7 +26,7 @@ class SpringRegularization {
   class HeldOperator;
 
   const ContactProblem& problem_;
-  ContactProblem held_;  // F + N P N^T, without rigid motions
+  ContactProblem held_;  // F + N P N^T, without rigid-body modes
   Eigen::VectorXd compliance_;
   std::unique_ptr<HeldOperator> operator_;
   std::unique_ptr<ContactSolver> solver_;

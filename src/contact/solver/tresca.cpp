@@ -116,7 +116,7 @@ class Tresca::Iteration {
     std::ranges::sort(active_);
   }
 
-  /// Of closed nodes that slip; decides which do. @pre active_ has no tangential rows
+  /// Shear tractions of the closed nodes that slip; decides which do. @pre active_ has no tangential rows
   Eigen::VectorXd tractions() {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(problem_.n_rows());
     std::ranges::fill(slips_, 0);

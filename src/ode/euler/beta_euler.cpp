@@ -14,8 +14,8 @@ namespace creepcontact::ode {
 namespace {
 
 /// The solution of a relaxing system lies no further from y than G(y) - y is long. An iterate farther from the last
-/// image than this many changes comes of residuals that depend on each other, where the least-squares problem has no
-/// solution of its own: points of equal stress, say, which differ by nothing or by rounding.
+/// image than this many changes results from residuals that depend on each other, where the least-squares problem has
+/// no solution of its own: points of equal stress, say, which differ by nothing or by rounding.
 constexpr double trust_factor = 10;
 /// Adaptive steps: contraction of the plain iterations in the whole step. Longer steps take more iterations than they
 /// save steps (e^-1 would be the best), and the accelerated ones go twice as far.

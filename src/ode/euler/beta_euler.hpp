@@ -17,7 +17,7 @@ namespace creepcontact::ode {
 /// Order 2 for beta = 1/2, else 1. Cost: one rate evaluation per inner iteration; the last one of a step serves as
 /// f(t_n, y_n) of the next. Plain iterations contract only for beta dt |lambda| < 1, lambda the fastest relaxation of
 /// the system, that is for dt < (stable step of explicit Euler) / (2 beta); accelerated ones go some times as far, and
-/// Newton's, each of which takes Jacobian products besides, have no bound.
+/// Newton's, each of which also takes Jacobian products, have no bound.
 class BetaEuler final : public EulerScheme {
  public:
   /// @throws ConfigError for beta < 0.5 (not stable) or > 1, and for settings out of range

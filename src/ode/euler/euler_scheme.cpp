@@ -50,10 +50,10 @@ void EulerScheme::initialize(double t, std::span<const double> y, double step) {
 
 RestartPoint EulerScheme::save() const {
   RestartPoint point = Integrator::save();
-  point.memory["lost_time"] = {clock_.lost()};
+  point.memory.save("lost_time", clock_.lost());
+  point.memory.save("stable_step", stable_);
   point.states["rate"] = current_.rate;
   point.states["load_residual"] = current_.load_residual;  // empty in schemes that leave none
-  if (stable_) point.memory["stable_step"] = {*stable_};
   return point;
 }
 
@@ -65,8 +65,7 @@ void EulerScheme::restore(const RestartPoint& point) {
   begin_ = point.time;
   last_step_ = 0;
   proposal_ = point.next_step;
-  stable_.reset();
-  if (point.memory.contains("stable_step")) stable_ = point.memory.at("stable_step").at(0);
+  point.memory.restore("stable_step", stable_);
   if (doubling_) doubling_->set_scale(system_.scale());
   system_.forget_evaluations();
 }
@@ -81,7 +80,7 @@ void EulerScheme::foresee_stable_step() {
   if (!needs_stable_step()) return;
   try {
     stable_ = stable_step();
-  } catch (const RecoverableError&) {  // the step before it stands; the next one reports what stops it
+  } catch (const RecoverableError&) {  // the step before it remains; the next one reports what stops it
   }
 }
 
@@ -186,7 +185,7 @@ void EulerScheme::accept(const StepClock::Target& target) {
   system_.accept(time(), current_.state);
   if (system_.rate_has_jumped() && current_.load_residual.empty()) try {
       system_.rate(time(), current_.state, current_.rate);
-    } catch (const RecoverableError&) {  // the step before it stands, and so does its rate
+    } catch (const RecoverableError&) {  // the step before it remains, and so does its rate
     }
   if (doubling_) doubling_->set_scale(system_.scale());
   foresee_stable_step();

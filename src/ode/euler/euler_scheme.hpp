@@ -69,7 +69,7 @@ class EulerScheme : public Integrator {
   /// The next adaptive step, after one of length `made` instead of `wanted`.
   void propose(double wanted, double made, double error, bool repeated);
   void accept(const StepClock::Target& target);
-  /// At time(); infinity if nothing creeps. @throws SolverError if it is no step
+  /// At time(); infinity if nothing creeps. @throws SolverError if it is not positive
   double known_stable_step();
   bool needs_stable_step() const;
   /// Right after a step, where it often costs nothing and depends on nothing that is evaluated for outputs later.

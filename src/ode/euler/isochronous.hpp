@@ -1,5 +1,5 @@
 #pragma once
-/// Ageing theory: no rate is integrated, the state is a function of the stress and time of the moment.
+/// Ageing theory: no rate is integrated, the state is a function of the current stress and time.
 
 #include <string>
 #include <vector>

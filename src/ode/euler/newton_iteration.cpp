@@ -19,7 +19,7 @@
 namespace creepcontact::ode {
 
 namespace {
-/// What a linear solve may leave of the residual.
+/// Remaining residual of a linear solve, relative to the first.
 constexpr double forcing = 0.01;
 constexpr int max_krylov_restarts = 10;
 /// Fraction of the decrease of the residual that the linearisation promises.

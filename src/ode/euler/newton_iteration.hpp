@@ -12,7 +12,7 @@
 namespace creepcontact::ode {
 
 /// Each correction solves (I - gamma J) dy = G(y) - y by GMRES (SUNDIALS SPGMR) with System::jacobian_times and
-/// System::precondition; it is halved while the residual does not fall (Armijo). The preconditioner stands on the
+/// System::precondition; it is halved while the residual does not fall (Armijo). The preconditioner is on the
 /// right, other than in the integrators of SUNDIALS, so that GMRES measures the true residual and its norm bounds the
 /// error: on the left it would measure one divided by the stiffness of the step, which creep that changes no stress
 /// does not have. Cost of a correction: one evaluation of G, and a Jacobian product for each Krylov vector.
@@ -31,8 +31,9 @@ class NewtonIteration {
   NewtonIteration(const NewtonIteration&) = delete;
   NewtonIteration& operator=(const NewtonIteration&) = delete;
 
-  /// Iterates until the watch has seen enough. It is told of the last change of y, or of what the linear solver has
-  /// left of the residual if that is more: in a relaxing system either bounds what it has missed of the change.
+  /// Iterates until the watch has seen enough. It is told of the last change of y, or of the remaining
+  /// residual of the linear solver if that is more: in a relaxing system either bounds what it has missed of the
+  /// change.
   /// @param y      first guess, where G was evaluated last; the solution
   /// @param image  G of the first guess
   /// @param rate   f of the solution, as the equation has it

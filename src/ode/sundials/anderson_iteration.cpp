@@ -47,7 +47,7 @@ struct AndersonIteration::Kinsol {
     check(KINSetNumMaxIters(kinsol, std::numeric_limits<int>::max()), "KINSetNumMaxIters");  // the step ends it
     check(KINSetMAA(kinsol, static_cast<long>(std::min<double>(depth, team.sum(static_cast<double>(size))))),
           "KINSetMAA");
-    // Residuals of proportional states are almost parallel; with one orthogonalisation the acceleration begins anew so
+    // Residuals of proportional states are almost parallel; with one orthogonalisation the acceleration begins again so
     // often that it reaches half as far.
     check(KINSetOrthAA(kinsol, KIN_ORTH_CGS2), "KINSetOrthAA");
     // KINSOL judges the accelerated step, which may be short far from the solution: the caller judges instead.
@@ -66,7 +66,7 @@ struct AndersonIteration::Kinsol {
     }
   }
 
-  /// False to end: the step has decided, or the acceleration has to begin anew from the last image.
+  /// False to end: the step has decided, or the acceleration has to begin again from the last image.
   bool next(std::span<const double> y, std::span<double> next_image) {
     if (!std::exchange(plain, false) && !(max_difference(team, y, image) <= trust * change)) return false;
     ended = (*step)(y, image);
@@ -102,7 +102,7 @@ void AndersonIteration::run(std::span<double> y, const Step& step) {
   while (!kinsol.ended) {
     std::ranges::copy(kinsol.image, view(kinsol.iterate.get(), kinsol.image.size()).begin());
     kinsol.plain = true;
-    // Success means that y stands still or is not a number (whose norm KINSOL takes for 0): both begin anew.
+    // Success means that y no longer changes or is not a number (whose norm KINSOL takes for 0): both begin again.
     const int flag = KINSol(kinsol.memory.get(), kinsol.iterate.get(), KIN_FP, kinsol.ones.get(), kinsol.ones.get());
     if (kinsol.failure) std::rethrow_exception(std::exchange(kinsol.failure, nullptr));
     if (flag != KIN_SYSFUNC_FAIL) check(flag, "KINSol");

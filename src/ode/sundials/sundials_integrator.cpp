@@ -17,7 +17,7 @@
 namespace creepcontact::ode {
 
 namespace {
-/// Stands for "no stop time": far beyond any time, yet differences to it do not overflow.
+/// Represents "no stop time": far beyond any time, yet differences to it do not overflow.
 constexpr double never = 1e300;
 /// Relative to the time: an integrator that creeps up to a point with ever smaller steps has failed.
 constexpr double smallest_relative_step = 1e-12;
@@ -49,7 +49,7 @@ void SundialsIntegrator::check(int flag, const char* function) {
 }
 
 void SundialsIntegrator::initialize(double t, std::span<const double> y, double step) {
-  // Methods that begin anew at order 1 lose accuracy with every breakpoint.
+  // Methods that begin again at order 1 lose accuracy with every breakpoint.
   careful_steps_ = begun_ && !restores_exactly() ? steps_of_a_start : 0;
   begun_ = true;
   N_VConst(1.0, weights_.get());
@@ -138,7 +138,7 @@ StepReport SundialsIntegrator::step(double t_limit) {
   if (stopped) stop_set_ = false;
 
   const Statistics now = statistics();
-  // A step cut by the limit says nothing about the step that accuracy allows: the earlier proposal stands.
+  // A step cut by the limit says nothing about the step that accuracy allows: the earlier proposal remains.
   const bool cut = stopped || time_ + now.next_step >= t_limit * (1 - 1e-14);
   proposal_ = cut ? std::max(proposal_, time_ - begin_) : now.next_step;
 

@@ -10,7 +10,7 @@
 
 namespace creepcontact::ode {
 
-/// Weights: those of set_error_weights(), taken anew after every step.
+/// Weights: those of set_error_weights(), taken again after every step.
 class SundialsIntegrator : public Integrator {
  public:
   std::string name() const final { return name_; }
@@ -48,7 +48,7 @@ class SundialsIntegrator : public Integrator {
   virtual int local_errors(N_Vector errors) const = 0;
   virtual double internal_time() const = 0;
   virtual Statistics statistics() const = 0;
-  /// The memory of a package cannot be read, but it can be dropped: after so many steps the method begins anew from
+  /// The memory of a package cannot be read, but it can be dropped: after so many steps the method begins again from
   /// the state and the proposed step alone, in every run, so that a restored one computes the same. 0: never.
   virtual int restart_interval() const { return 0; }
 
@@ -79,7 +79,7 @@ class SundialsIntegrator : public Integrator {
   int steps_since_restart_ = 0;
   bool begun_ = false;
   bool rate_has_jumped_ = false;  ///< after the last step: explicit methods carry its rate on
-  int careful_steps_ = 0;         ///< still to be made with the smaller tolerance of a start anew
+  int careful_steps_ = 0;         ///< still to be made with the smaller tolerance of a new start
   Counters before_;               ///< of all restarts before the last
 };
 

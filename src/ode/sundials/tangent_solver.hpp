@@ -1,6 +1,6 @@
 #pragma once
 /// System's direct solver of Newton systems as the SUNLinearSolver of CVODE and ARKODE. It has no matrix that SUNDIALS
-/// could see, but SUNDIALS decides by one when to factor anew: an empty one stands for it.
+/// could see, but SUNDIALS decides by one when to factor again: it gets an empty one.
 
 #include <sundials/sundials_matrix.h>
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../run_context.hpp"
-#include "creepcontact/io/csv_file.hpp"
-#include "creepcontact/io/summary.hpp"
+#include "creepcontact/io/tables/csv_file.hpp"
+#include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/load_cycles.hpp"
 #include "creepcontact/ode/cycle_extrapolation.hpp"
 #include "creepcontact/run/observer.hpp"

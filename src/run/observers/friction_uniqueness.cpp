@@ -22,7 +22,7 @@ class FrictionUniqueness final : public Observer {
  private:
   void observe(StepView& view, const creep::Equilibrium& at) {
     const contact::CondensedInterface& interface = view.system().solver().interface();
-    const auto kappa = contact::friction_kappa(interface.problem(), interface.friction(at.time), at.contact);
+    const auto kappa = contact::friction_kappa(interface.problem(), interface.rows().friction(at.time), at.contact);
     if (!kappa) return;
     if (*kappa > 1 && !(largest_.value_or(0) > 1))
       log::warning(

@@ -20,17 +20,17 @@ Condensed::Condensed(Bodies bodies_in, std::vector<contact::Pair> pairs_in, doub
 
 contact::ContactLoad Condensed::load(double t, std::vector<std::vector<double>>& y) {
   const std::vector<mechanics::BodyConditions> at = conditions(bodies, t);
-  contact::InterfaceLoad load = interface.initial_load(t, at);
+  contact::InterfaceLoad load = interface.rows().initial_load(t, at);
   y.resize(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     y[b].resize(bodies[b].constraints().n_free());
     bodies[b].right_hand_side(at[b], {}, y[b]);
     bodies[b].clear_fixing_dofs(y[b]);
-    interface.add_resultant(b, at[b], load);
+    interface.rows().add_resultant(b, at[b], load);
     interface.factored(b).solver().forward(y[b], y[b]);
-    interface.add_trace(b, y[b], load.gap);
+    interface.flexibility().add_trace(b, y[b], load.gap);
   }
-  return interface.contact_load(load);
+  return interface.balance().contact_load(load);
 }
 
 ContactEquilibrium Condensed::solve(contact::ContactSolver& solver, double t) {
@@ -39,10 +39,10 @@ ContactEquilibrium Condensed::solve(contact::ContactSolver& solver, double t) {
   state.result = solver.solve(load(t, y), {});
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     std::vector<double> full(3 * bodies[b].mesh().nodes.size());
-    interface.add_multipliers(b, state.result.state.multiplier, y[b]);
+    interface.flexibility().add_multipliers(b, state.result.state.multiplier, y[b]);
     interface.factored(b).solver().backward(y[b], y[b]);
     bodies[b].constraints().expand(y[b], bodies[b].at(t).prescribed, full);
-    interface.add_rigid_motion(b, state.result.state.rigid, full);
+    interface.rows().add_rigid_motion(b, state.result.state.rigid, full);
     state.stress.push_back(stress_of(bodies[b], full, t));
     state.displacement.push_back(std::move(full));
   }

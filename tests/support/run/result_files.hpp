@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "creepcontact/io/csv_table.hpp"
+#include "creepcontact/io/tables/csv_table.hpp"
 
 namespace creepcontact::test {
 

@@ -29,5 +29,15 @@ TEST(RunCounters, AreAddedAndSubtractedFieldByField) {
   EXPECT_EQ(sum - numbered(10), numbered(1));
 }
 
+TEST(RunCounters, AreSavedByName) {
+  Memory memory;
+  memory.save("earlier", RunCounters{.steps = 12, .factorizations = 2});
+  EXPECT_EQ(memory.size(), RunCounters::fields.size());
+  EXPECT_EQ(memory.at("earlier.steps"), std::vector<double>{12});
+  RunCounters found;
+  memory.restore("earlier", found);
+  EXPECT_EQ(found, (RunCounters{.steps = 12, .factorizations = 2}));
+}
+
 }  // namespace
 }  // namespace creepcontact

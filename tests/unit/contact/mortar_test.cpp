@@ -67,7 +67,7 @@ TEST(Mortar, ForcesAreEqualOppositeAndMomentFree) {
   Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
   for (std::size_t b = 0; b < 2; ++b) {
     std::vector<double> forces(3 * assembly.bodies()[b].mesh().nodes.size(), 0.0);
-    assembly.interface().add_contact_forces(b, multiplier, forces);
+    assembly.interface().rows().add_contact_forces(b, multiplier, forces);
     Vector3 own = Vector3::Zero();
     for (std::size_t i = 0; i < forces.size() / 3; ++i) {
       const Vector3 f(forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]);

@@ -51,7 +51,7 @@ TEST_P(Refactorized, InterfaceAndSolversAreThoseOfTheNewStiffness) {
     const auto solver = make(problem_of_changed), exact = make(expected);
     const ContactEquilibrium before = changed.solve(*solver, 0);
     const std::vector<std::size_t> lower{0};
-    changed.interface.refactorize(lower, conditions(changed.bodies, 1));
+    changed.interface.flexibility().refactorize(lower, conditions(changed.bodies, 1));
     solver->flexibility_changed();
     const ContactEquilibrium after = changed.solve(*solver, 1);
     const ContactEquilibrium reference = fresh.solve(*exact, 1);
@@ -63,7 +63,7 @@ TEST_P(Refactorized, InterfaceAndSolversAreThoseOfTheNewStiffness) {
     if (GetParam()) {
       EXPECT_LT((problem_of_changed.total - expected.total).norm(), 1e-12 * expected.total.norm());
     }
-    changed.interface.refactorize(lower, conditions(changed.bodies, 0));
+    changed.interface.flexibility().refactorize(lower, conditions(changed.bodies, 0));
   }
   EXPECT_EQ(changed.interface.is_dense(), GetParam());
 }

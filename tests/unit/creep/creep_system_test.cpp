@@ -281,7 +281,7 @@ TEST(CreepSystemMemory, MakesTheNextEvaluationTheSame) {
   other.rate.restore(memory);
   EXPECT_EQ(rate_at(other, 0, next), rate_at(one, 0, next));
   EXPECT_EQ(one.equilibrium().contact.multiplier, other.equilibrium().contact.multiplier);
-  memory.erase("contact.active");
+  memory.erase("history.contact.active");
   EXPECT_THROW(other.rate.restore(memory), std::out_of_range);
 }
 

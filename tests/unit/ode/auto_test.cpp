@@ -48,7 +48,11 @@ class Auto : public testing::Test {
     integrator.restore({.time = 0,
                         .next_step = 0,
                         .state = Values(size),
-                        .memory = {{"methods", {0}}, {"chosen", {1}}, {"loads_since", {0}}}});
+                        .memory = {{"auto.method", {0}},
+                                   {"auto.chosen", {1}},
+                                   {"auto.starting", {0}},
+                                   {"auto.given_up", {}},
+                                   {"auto.loads_since", {0}}}});
   }
   static void expect_steady(const ParallelBars& bars, std::span<const double> state, double tolerance) {
     const Values stress = bars.stress(state);

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/io/field_writer.hpp"
+#include "creepcontact/io/fields/field_writer.hpp"
 #include "creepcontact/model/temperature.hpp"
 #include "support/run/running.hpp"
 

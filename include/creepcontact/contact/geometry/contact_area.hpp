@@ -20,7 +20,7 @@ class ContactArea {
   /// Area in contact [length^2]. @param closed  1 where a multiplier node of the pair is in contact (closed_nodes),
   /// else 0 @param gap  weighted, of these nodes Cost: O(rows), and the quadrature points near the edge.
   double value(const std::vector<char>& closed, const Eigen::VectorXd& gap) const;
-  /// The same by multiplier node: value() is their sum.
+  /// Areas in contact of the multiplier nodes; value() is their sum.
   Eigen::VectorXd of_nodes(const std::vector<char>& closed, const Eigen::VectorXd& gap) const;
 
  private:

@@ -86,7 +86,7 @@ class Facet {
   /// edges.
   /// @param xi  in: start of the iteration; out: the point, if found @returns false if none was found
   bool unproject(const Plane& plane, const Eigen::Vector2d& p, Vector3& xi) const;
-  /// Likewise for the intersection of the face with the line from `origin` along `direction`.
+  /// Finds the intersection of the face with the line from `origin` along `direction`, as unproject().
   bool meet_line(const Vector3& origin, const Vector3& direction, Vector3& xi) const;
 
  private:

@@ -29,7 +29,8 @@ struct Surface {
   const mechanics::Constraints* constraints = nullptr;
   std::vector<mesh::Face> faces;
   double young_modulus = 0;  ///< a typical value, used to choose the slave
-  /// With cyclic symmetry: the surface continues in the adjacent sectors. The same for both surfaces of a pair.
+  /// With cyclic symmetry: the surface continues in the adjacent sectors. Both surfaces of a pair have
+  /// equal sectors.
   std::optional<Sector> sector = std::nullopt;
   /// Nodes where something else ties or presses the slave: their rows join those of the nearest other nodes, for two
   /// conditions on the same displacement would be one too many. Ascending.
@@ -77,7 +78,7 @@ struct MortarCoupling {
   /// Ties of the last nodes, which are joined to nodes of the master. Their rows are those of node_ties; with axes
   /// along which a node is held on both bodies, whose rows are empty.
   std::vector<NodeTie> ties = {};
-  /// With such ties: the tractions that multipliers mean, 3 n_nodes x n_rows. Nodal forces of quadratic elements are
+  /// The tractions that multipliers mean, with such ties: 3 n_nodes x n_rows. Nodal forces of quadratic elements are
   /// not tractions, so those at corners are means over the faces around, weighted by the hat function of the corner, as
   /// multipliers of the mortar method are; those between are means of corners. Empty: multipliers along the axes.
   RowMatrix tractions = {};

@@ -63,7 +63,7 @@ std::unique_ptr<ContactSolver> schwarz_solver(const ContactProblem& problem, con
 /// Parameters of the solver of contact with friction.
 struct FrictionOptions {
   settings::FrictionMethod method = settings::ContactSettings{}.friction;
-  /// Of the Schwarz iteration, for Tresca's law; its tolerance is that of all methods.
+  /// Options of the Schwarz iteration, which solves Tresca's law; all methods use its tolerance.
   SchwarzOptions schwarz = {};
 };
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/contact/solver/flexibility_operator.hpp"
 
 namespace creepcontact::contact {
@@ -104,6 +105,10 @@ struct NodeLinearization {
   Eigen::Vector2d equation = Eigen::Vector2d::Zero();   ///< a
   double flexibility = 0;                               ///< rho
   bool operator==(const NodeLinearization&) const = default;
+  static constexpr auto members =
+      std::tuple{Member{"status", &NodeLinearization::status}, Member{"friction", &NodeLinearization::friction},
+                 Member{"direction", &NodeLinearization::direction}, Member{"equation", &NodeLinearization::equation},
+                 Member{"flexibility", &NodeLinearization::flexibility}};
 };
 
 /// State of contact. All members empty: nothing known.
@@ -117,6 +122,10 @@ struct ContactState {
   /// Equations whose factor serves later solves as preconditioner; those of some earlier state, or empty.
   std::vector<NodeLinearization> factored = {};
   Eigen::VectorXd image = {};  ///< F multiplier, with friction; empty: not known
+  static constexpr auto members =
+      std::tuple{Member{"multiplier", &ContactState::multiplier}, Member{"rigid", &ContactState::rigid},
+                 Member{"active", &ContactState::active},         Member{"nodes", &ContactState::nodes},
+                 Member{"factored", &ContactState::factored},     Member{"image", &ContactState::image}};
 };
 
 /// Solution of a contact problem, and the work it took.
@@ -125,6 +134,9 @@ struct ContactResult {
   Eigen::VectorXd gap;  ///< weighted gaps of all rows in this state
   int iterations = 0;   ///< Schwarz sweeps or conjugate-gradient iterations; 0 for the active-set method
   int set_changes = 0;  ///< updates of the active set
+  static constexpr auto members =
+      std::tuple{Member{"state", &ContactResult::state}, Member{"gap", &ContactResult::gap},
+                 Member{"iterations", &ContactResult::iterations}, Member{"set_changes", &ContactResult::set_changes}};
 };
 
 /// Thrown if no contact tractions can balance the loads. Not a std::exception: callers translate it. Along `motion`
@@ -158,7 +170,7 @@ double fixing_flexibility(const ContactProblem& problem);
 /// of the load would need, and 1e-12 of those that would carry ContactLoad::force.
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
 
-/// The same for resultants: what may remain unbalanced.
+/// Round-off threshold of resultants: what may remain unbalanced.
 double resultant_rounding(const ContactProblem& problem, const ContactLoad& load);
 
 /// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones that are not idle, ascending. Changes

@@ -1,0 +1,89 @@
+#include "mesher_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "creepcontact/base/log.hpp"
+#include "creepcontact/io/msh/mesher_protocol.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+constexpr std::size_t errors_told = 5, warnings_told = 20, last_told = 3;
+constexpr std::size_t longest_line = 2000;
+
+/// What follows "Error   : " and the like; empty if the line is of another kind.
+std::string text_behind(const std::string& line, const std::string& kind) {
+  if (!line.starts_with(kind)) return "";
+  const std::size_t colon = line.find_first_not_of(' ', kind.size());
+  return colon == std::string::npos || line[colon] != ':' ? "" : line.substr(std::min(colon + 2, line.size()));
+}
+
+/// The text between apostrophes.
+std::string quoted(const std::string& text) {
+  const std::size_t begin = text.find('\''), end = text.rfind('\'');
+  return begin < end ? text.substr(begin + 1, end - begin - 1) : "";
+}
+
+std::string indented(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += "\n  " + line;
+  return text;
+}
+
+}  // namespace
+
+void MesherLog::add(std::string_view bytes) {
+  for (char c : bytes) {
+    if (c == '\n' || c == '\r')
+      end();
+    else if (unfinished_.size() < longest_line)
+      unfinished_ += c;
+  }
+}
+
+void MesherLog::end() {
+  if (!unfinished_.empty()) take(unfinished_);
+  unfinished_.clear();
+}
+
+void MesherLog::take(const std::string& line) {
+  if (line.starts_with(mesher::mark)) {
+    own_.push_back(line.substr(std::string_view(mesher::mark).size()));
+    return;
+  }
+  if (const std::string text = text_behind(line, "Error"); !text.empty()) {
+    lacks_memory_ |= text.starts_with("Out of memory");
+    lacks_descriptors_ |= text.starts_with("Unable to open file '") && std::filesystem::exists(quoted(text));
+    if (++n_errors_ <= errors_told) errors_.push_back(text);
+  } else if (const std::string warning = text_behind(line, "Warning"); !warning.empty()) {
+    if (++n_warnings_ <= warnings_told) log::warning("{}: Gmsh: {}", file_, warning);
+    if (n_warnings_ == warnings_told + 1) log::warning("{}: further warnings of Gmsh are not shown", file_);
+  }
+  extrusions_touch_ |= line.find("extruded node") != std::string::npos;
+  last_.push_back(line);
+  if (last_.size() > last_told) last_.erase(last_.begin());
+}
+
+std::string MesherLog::errors() const {
+  std::string text = indented(errors_);
+  if (n_errors_ > errors_told)
+    text += fmt::format("\n  and {} more, which may follow from these", n_errors_ - errors_told);
+  if (extrusions_touch_)
+    text += "\n  (bodies that touch need SetFactory(\"OpenCASCADE\"): the built-in kernel merges their faces)";
+  if (lacks_descriptors_)
+    text += "\n  (the file exists: if it includes itself, it is opened until the system allows no more open files)";
+  return text;
+}
+
+std::string MesherLog::own_words() const {
+  return indented(own_);
+}
+
+std::string MesherLog::last_words() const {
+  return last_.empty() ? "" : "; its last messages:" + indented(last_);
+}
+
+}  // namespace creepcontact::io

@@ -1,0 +1,146 @@
+#include "creepcontact/io/tables/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "creepcontact/platform/replace_file.hpp"
+
+namespace creepcontact::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* text(Summary::Status status) {
+  switch (status) {
+    case Summary::Status::completed:
+      return "completed";
+    case Summary::Status::ruptured:
+      return "ruptured";
+    case Summary::Status::failed:
+      return "failed";
+    default:
+      return "interrupted";
+  }
+}
+
+Json bodies(const Summary& summary) {
+  Json result = Json::object();
+  for (const auto& [name, body] : summary.bodies) {
+    result[name] = {{"dofs", body.dofs},
+                    {"elements", body.elements},
+                    {"integration_points", body.integration_points},
+                    {"initial_von_mises", body.von_mises.start},
+                    {"largest_von_mises", body.von_mises.largest},
+                    {"final_von_mises", body.von_mises.end}};
+    if (body.von_mises.t_largest > 0) result[name]["t_largest_von_mises"] = body.von_mises.t_largest;
+  }
+  return result;
+}
+
+Json largest(const std::map<std::string, Summary::Largest>& values) {
+  Json result = Json::object();
+  for (const auto& [body, value] : values) result[body] = {{"largest", value.value}, {"place", value.position}};
+  return result;
+}
+
+/// Each only if there is something to tell.
+void add_life(const Summary& summary, Json& json) {
+  if (!summary.damage.empty()) json["damage"] = largest(summary.damage);
+  if (!summary.life_fraction.empty()) json["life_fraction"] = largest(summary.life_fraction);
+  for (const auto& [body, life] : summary.remaining_life)
+    json["remaining_life"][body] = {{"smallest", life.value}, {"place", life.position}};
+  if (!summary.fatigue_fraction.empty()) json["fatigue_fraction"] = largest(summary.fatigue_fraction);
+  if (!summary.creep_fatigue.empty()) json["creep_fatigue"] = largest(summary.creep_fatigue);
+  if (const auto& rupture = summary.rupture)
+    json["rupture"] = {{"time", rupture->time},
+                       {"body", rupture->body},
+                       {"place", rupture->damage.position},
+                       {"damage", rupture->damage.value}};
+  for (const auto& [name, contact] : summary.contacts) {
+    Json& json_contact = json["contacts"][name];
+    json_contact = {{"initial_normal_force", contact.normal_force.start},
+                    {"largest_normal_force", contact.normal_force.largest},
+                    {"final_normal_force", contact.normal_force.end},
+                    {"remaining_fraction", contact.normal_force.remaining()}};
+    if (contact.normal_force.t_largest > 0) json_contact["t_largest_normal_force"] = contact.normal_force.t_largest;
+    if (contact.interference) json_contact["interference"] = *contact.interference;
+    if (contact.dissipated_energy) json_contact["dissipated_energy"] = *contact.dissipated_energy;
+    if (contact.largest_slip) json_contact["largest_slip"] = *contact.largest_slip;
+    if (contact.opened) json_contact["opened"] = *contact.opened;
+    if (contact.openings > 0) json_contact["openings"] = contact.openings;
+  }
+}
+
+/// A number that is not finite becomes null.
+Json cycles_json(const Summary::Cycles& cycles) {
+  Json json{{"completed", cycles.completed},
+            {"computed", cycles.computed},
+            {"jumps", cycles.jumps},
+            {"rejected_jumps", cycles.rejected_jumps},
+            {"longest_jump", cycles.longest_jump}};
+  if (cycles.steady) {
+    json["steady"] = *cycles.steady;
+    json["steady_within"] = cycles.steady_within;
+  }
+  if (cycles.last_change) json["last_change"] = *cycles.last_change;
+  for (const auto& [body, limit] : cycles.to_limit) json["to_limit"][body] = limit;
+  return json;
+}
+
+Json probe_json(const SummaryProbe& probe) {
+  Json json{{"quantity", probe.quantity}, {"label", probe.label}, {"dimension", probe.dimension}};
+  if (!probe.integrated_over.empty()) json["integrated_over"] = probe.integrated_over;
+  if (!probe.expression.empty()) json["expression"] = probe.expression;
+  if (probe.unit) json["unit"] = *probe.unit;
+  if (const auto& course = probe.course) {  // a value that is not finite becomes null
+    json["start"] = course->start;
+    json["end"] = course->end;
+    json["min"] = course->min;
+    json["max"] = course->max;
+    json["t_min"] = course->t_min;
+    json["t_max"] = course->t_max;
+  }
+  return json;
+}
+
+Json accuracy_json(const Summary::Accuracy& accuracy) {
+  Json json{{"tolerance", accuracy.tolerance}};
+  if (accuracy.largest_step_error > 0) {
+    json["mean_step_error"] = accuracy.mean_step_error;
+    json["largest_step_error"] = accuracy.largest_step_error;
+  }
+  if (accuracy.equilibrium_residual) json["equilibrium_residual"] = *accuracy.equilibrium_residual;
+  return json;
+}
+
+}  // namespace
+
+void write_summary(const std::filesystem::path& path, const Summary& summary) {
+  Json json{{"title", summary.title}, {"units", summary.units}, {"version", summary.version}};
+  for (const auto& [name, file] : summary.libraries) json["libraries"][name] = file;
+  for (const auto& [material, sources] : summary.sources) json["sources"][material] = sources;
+  for (const auto& [name, probe] : summary.probes) json["probes"][name] = probe_json(probe);
+  for (const auto& [name, time] : summary.events) json["events"][name] = time ? Json(*time) : Json(nullptr);
+  json["status"] = text(summary.status);
+  if (!summary.message.empty()) json["message"] = summary.message;
+  json["time_reached"] = summary.time_reached;
+  if (summary.last_output) json["last_output"] = *summary.last_output;
+  json["integrator"] = summary.integrator;
+  if (!summary.method.empty()) json["method"] = summary.method;
+  for (const RunCounters::Field& field : RunCounters::fields) json[std::string(field.name)] = summary.*field.value;
+  json["bodies"] = bodies(summary);
+  add_life(summary, json);
+  if (summary.cycles) json["cycles"] = cycles_json(*summary.cycles);
+  if (summary.friction_kappa) json["friction_kappa"] = *summary.friction_kappa;
+  const auto& seconds = summary.wall_seconds;
+  json["wall_seconds"] = {{"total", seconds.total},       {"factorize", seconds.factorize}, {"solve", seconds.solve},
+                          {"material", seconds.material}, {"contact", seconds.contact},     {"output", seconds.output}};
+  json["peak_memory_mb"] = summary.peak_memory_mb;
+  json["accuracy"] = accuracy_json(summary.accuracy);
+  if (!summary.warnings.empty()) json["warnings"] = summary.warnings;
+  // Text that is not UTF-8 (a title in another encoding) must not prevent the summary.
+  platform::replace_file(
+      path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+      summary.status == Summary::Status::interrupted ? platform::Durable::when_synced : platform::Durable::at_once);
+}
+
+}  // namespace creepcontact::io
