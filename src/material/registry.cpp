@@ -1,9 +1,12 @@
 #include "creepcontact/material/registry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ageing.hpp"
 #include "anand.hpp"
+#include "arrhenius.hpp"
 #include "chaboche.hpp"
 #include "expression_law.hpp"
 #include "garofalo.hpp"
@@ -57,6 +60,17 @@ const std::vector<const StateVariable*>& state_variables() {
     return found;
   }();
   return all;
+}
+
+std::unique_ptr<CreepLaw> LawInfo::make(ParameterValues values) const {
+  if (values.size() != parameters.size())
+    throw std::invalid_argument(
+        fmt::format("creep law '{}': {} values for {} parameters", name, values.size(), parameters.size()));
+  return construct(activated(std::move(values), parameters));
+}
+
+bool LawInfo::is_activation_energy(std::size_t parameter) const {
+  return std::ranges::find(parameters, std::optional(parameter), &ParameterInfo::energy) != parameters.end();
 }
 
 const LawInfo* find_creep_law(const std::string& name) {
