@@ -15,9 +15,9 @@
 namespace creepcontact::results {
 namespace {
 
-/// True of displacements, which are nodal: they need no smoothed fields.
+/// True for nodal variables, which need no smoothed fields.
 bool is_nodal(const ProbeQuantity& quantity) {
-  return quantity.variable().name.starts_with("displacement");
+  return quantity.variable().is<AtNodes>();
 }
 
 /// Displacement interpolated in the element, the other fields fitted to the integration points around.
@@ -141,8 +141,6 @@ bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
   return location.distance <= beside * box.diagonal().norm();
 }
 
-}  // namespace
-
 std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,
                                    std::span<const PointLocator> locators) {
   const Vector3 at((*probe.at)[0], (*probe.at)[1], (*probe.at)[2]);
@@ -215,6 +213,22 @@ std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model
   if (!where.is_whole())
     where.require(model.assembly.team().max(places.empty() ? 0 : 1) > 0, fmt::format("body '{}'", body.name()));
   return std::make_unique<VolumeProbe>(b, std::move(places), quantity, probe.reduce);
+}
+
+std::unique_ptr<Probe> field_probe(const ProbeRequest& request) {
+  if (request.probe.at) return point_probe(request.probe, request.model, request.locators);
+  if (request.probe.on.given()) return group_probe(request.probe, request.model);
+  return body_probe(request.probe, request.model);
+}
+
+}  // namespace
+
+std::unique_ptr<Probe> make_probe(const AtNodes& /*nodes*/, const ProbeRequest& request) {
+  return field_probe(request);
+}
+
+std::unique_ptr<Probe> make_probe(const AtPoints& /*points*/, const ProbeRequest& request) {
+  return field_probe(request);
 }
 
 }  // namespace creepcontact::results

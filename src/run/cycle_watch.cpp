@@ -46,11 +46,8 @@ void CycleWatch::see_probes(std::span<const double> values) {
 
 void CycleWatch::see(double t, std::span<const double> y) {
   if (!probes_.empty())
-    see_probes(whole_.look(t, y, [&](results::Snapshot& snapshot) {
-      std::vector<double> values;
-      for (const auto& probe : probes_) values.push_back(snapshot.value(*probe));
-      return values;
-    }));
+    see_probes(
+        whole_.look(t, y, [&](results::Snapshot& snapshot) { return results::probe_values(probes_, snapshot); }));
   const creep::Evaluation& at = system_.evaluate_output(t, y);
   std::vector<mechanics::CreepStrainView> creep;
   system_.layout().views(y, creep);

@@ -17,11 +17,8 @@ void StepExtremes::see(double t, const creep::Evaluation& at) {
   outcome_.see_contacts(t, at.equilibrium);
   strains_.see(t, at);
   if (probes_.empty()) return;
-  values.probes = whole_.look_at(t, at, [&](results::Snapshot& snapshot) {
-    std::vector<double> numbers;
-    for (const auto& probe : probes_) numbers.push_back(snapshot.value(*probe));
-    return numbers;
-  });
+  values.probes =
+      whole_.look_at(t, at, [&](results::Snapshot& snapshot) { return results::probe_values(probes_, snapshot); });
 }
 
 void StepExtremes::see_between(double t, std::span<const double> y) {

@@ -40,6 +40,7 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
       whole_(distribution, system),
       watch_(watch),
       checkpoints_(config, model, distribution, directory),
+      probes_(std::move(probes)),
       observer_(observer),
       life_(system),
       outcome_(model.assembly),
@@ -63,17 +64,17 @@ TimeLoop::TimeLoop(const config::Config& config, const model::Model& model, cons
     checkpoints_.remove();
   }
   together(distribution.team(), [&] {
-    results_ = std::make_unique<results::Results>(config, directory, model.assembly, std::move(probes), continuation,
-                                                  distribution.is_root());
+    results_ =
+        std::make_unique<results::Results>(config, directory, model.assembly, continuation, distribution.is_root());
   });
-  events_.emplace(config, results_->probes());
+  events_.emplace(config, probes_);
   if (resumed_) events_->restore(resumed_->arrays);
   if (model.cycles)
-    cycles_.emplace(config, *model.cycles, system, whole_, results_->probes(), directory, time_,
+    cycles_.emplace(config, *model.cycles, system, whole_, probes_, directory, time_,
                     resumed_ ? &resumed_->arrays : nullptr);
   integrator_ = make_integrator(config.time, model, system);
   preloads_.emplace(system, model.breakpoints, config.time.end, resumed_ ? time_ : -1);
-  extremes_.emplace(whole_, results_->probes(), outcome_, probe_record_, small_strains_, config.time.tolerance);
+  extremes_.emplace(whole_, probes_, outcome_, probe_record_, small_strains_, config.time.tolerance);
   next_output_ = std::upper_bound(config.time.output.begin(), config.time.output.end(), time_);
   breakpoints_ = model.breakpoints;
   if (resumed_)
@@ -174,14 +175,15 @@ void TimeLoop::output(double t, std::span<const double> y) {
     life_.output(own);
     const std::vector<double> values = whole_.look(t, y, [&](results::Snapshot& snapshot) {
       const creep::Equilibrium& at = snapshot.equilibrium();
-      results_->output(snapshot);
-      probe_record_.output(t, results_->last_values());
+      std::vector<double> probe_values = results::probe_values(probes_, snapshot);
+      results_->output(snapshot, probe_values);
+      probe_record_.output(t, probe_values);
       outcome_.output(t, at);
       if (t == 0 || is_end) see_uniqueness(at);
       if (is_end) equilibrium_residual_ = results::equilibrium_residual(snapshot);
       if (is_end) narrow_contacts_ = results::narrow_contacts(model_.assembly, at, "at the end");
       if (is_end) std::ranges::copy(outcome_.narrow_contacts(), std::back_inserter(narrow_contacts_));
-      return results_->last_values();
+      return probe_values;
     });
     if (cycles_) cycles_->see_probes(values);
     last_output_ = t;

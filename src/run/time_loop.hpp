@@ -140,13 +140,14 @@ class TimeLoop {
   Stopwatch& watch_;
   Checkpoints checkpoints_;
   std::unique_ptr<ode::Integrator> integrator_;
+  std::vector<std::unique_ptr<results::Probe>> probes_;
   std::unique_ptr<results::Results> results_;
   RunObserver* observer_;
   results::DamageMonitor life_;
   results::Outcome outcome_;
   results::ProbeRecord probe_record_;
   results::SmallStrainMonitor small_strains_;
-  std::optional<results::EventWatch> events_;  // of the probes that results_ owns
+  std::optional<results::EventWatch> events_;  // of probes_
   std::optional<Cycles> cycles_;               // likewise
   std::optional<GuardedSteps> guard_;          // of integrators with a state
   std::optional<PreloadWatch> preloads_;
