@@ -1,18 +1,22 @@
-"""Draws fields of a run as PNG pictures by VTK, off-screen.
+"""Draws bodies and fields on them as PNG pictures by VTK, off-screen.
 
 usage: python3 -I picture.py JOBS
 
-JOBS is, as JSON, a list of pictures: {"file": .vtu, "contact_file": .vtu of the contact surfaces if the field is theirs, else
-"", "output": .png, "width", "height", "title", "unit", "array", "component" (-1: magnitude), "low", "high" (range of the
-colours; null: that of the values), "displacement": name of the array or "", "warp": factor, "bodies": numbers of the bodies
-shown, empty for all, "colours": [[position, red, green, blue], ...], "mesh": true to colour the bodies instead of a field,
-"flat": true for a section, "view": "iso", "x", "-x", "y", "-y", "z" or "-z"}.
+JOBS is a JSON file with a list of pictures. Each has "kind", "output": .png, "title" and "flat": true for a section.
+
+Of kind "field", and of kind "mesh", which colours the bodies instead: {"file": .vtu, "contact_file": .vtu of the contact surfaces if
+the field is theirs, else "", "width", "height", "unit", "array", "component" (-1: magnitude), "ticks": numbers at the colours, which
+range from the first to the last, "displacement": name of the array or "", "warp": factor, "bodies": numbers of the bodies shown, empty
+for all, "colours": [[position, red, green, blue], ...], "view": "iso", "x", "-x", "y", "-y", "z" or "-z"}.
+
+Of kind "model", bodies with marks on them: {"bodies" and "marks": [[name, [red, green, blue], width of lines], ...], "points":
+[[x, y, z], ...], "facets" and "lines": [[body, mark or -1, point, point, ...], ...], "ticks": numbers along x and along y (sections),
+"length_unit"}.
 
 Without a display a virtual one is started (Xvfb).
 """
 
 import json
-import math
 import os
 import shutil
 import subprocess
@@ -49,18 +53,6 @@ def start_display():
     return server
 
 
-def rounded_ticks(low, high):
-    """Ends of a range and ticks at steps of 1, 2 or 5 times a power of ten."""
-    if not high > low:
-        pad = abs(low) * 0.01 or 1.0
-        low, high = low - pad, high + pad
-    raw = (high - low) / 6
-    decade = 10.0 ** math.floor(math.log10(raw))
-    step = next(decade * factor for factor in (1, 2, 5, 10) if decade * factor >= raw * 0.999)
-    first, last = math.floor(low / step + 1e-6), math.ceil(high / step - 1e-6)
-    return [step * number for number in range(first, last + 1)]
-
-
 def load_vtk():
     """The classes of VTK by their names. The import takes a second, and fails with a sentence where there is no VTK."""
     try:
@@ -84,34 +76,28 @@ def read(file):
 
 
 def add_values(grid, job):
-    """Adds the scalar to be shown as the array "shown", and returns it."""
+    """Adds the scalar to be shown as the array "shown"."""
     array = vtk_to_numpy(grid.GetPointData().GetArray(job["array"]))
     if array.ndim > 1:
         component = job["component"]
         array = numpy.sqrt((array * array).sum(axis=1)) if component < 0 else array[:, component]
-    values = numpy.ascontiguousarray(array, dtype=float)
-    shown = numpy_to_vtk(values, deep=True, array_type=10)  # float
+    shown = numpy_to_vtk(numpy.ascontiguousarray(array, dtype=float), deep=True, array_type=10)  # float
     shown.SetName("shown")
     grid.GetPointData().AddArray(shown)
-    return values
 
 
-def colour_table(values, job):
-    """Colours over rounded numbers, and these."""
-    finite = values[numpy.isfinite(values)]
-    low = job["low"] if job["low"] is not None else (float(finite.min()) if finite.size else 0.0)
-    high = job["high"] if job["high"] is not None else (float(finite.max()) if finite.size else 1.0)
-    ticks = rounded_ticks(low, high)
+def colour_table(job):
+    """Colours from the first to the last tick."""
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(256)
-    table.SetTableRange(ticks[0], ticks[-1])
+    table.SetTableRange(job["ticks"][0], job["ticks"][-1])
     colours = numpy.array(job["colours"], dtype=float)
     for i in range(256):
         rgb = [numpy.interp(i / 255, colours[:, 0], colours[:, c]) for c in (1, 2, 3)]
         table.SetTableValue(i, *rgb, 1)
     table.SetNanColor(*NO_VALUE, 1)
     table.Build()
-    return table, ticks
+    return table
 
 
 def deformed(source, job):
@@ -140,15 +126,10 @@ def lines_of(grid):
     return lines
 
 
-def add_surface(renderer, source, job, table, colour, depth=(2, 200)):
-    """The surface of a part: coloured by the table, or in one colour if that is None. depth: how far behind the lines of the mesh."""
-    surface = source
-    if not source.GetOutputDataObject(0).IsA("vtkPolyData"):
-        surface = vtk.vtkDataSetSurfaceFilter()
-        surface.SetInputConnection(source.GetOutputPort())
-        surface.SetNonlinearSubdivisionLevel(2)
+def add_actor(renderer, source, job, depth):
+    """A lit surface. depth: how far behind the lines of the mesh."""
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputConnection(surface.GetOutputPort())
+    mapper.SetInputConnection(source.GetOutputPort())
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
     mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(*depth)
     actor = vtk.vtkActor()
@@ -156,6 +137,18 @@ def add_surface(renderer, source, job, table, colour, depth=(2, 200)):
     prop = actor.GetProperty()
     prop.SetAmbient(1.0 if job["flat"] else 0.55)
     prop.SetDiffuse(0.0 if job["flat"] else 0.5)
+    renderer.AddActor(actor)
+    return mapper, prop
+
+
+def add_surface(renderer, source, job, table, colour, depth=(2, 200)):
+    """The surface of a part: coloured by the table, or in one colour if that is None."""
+    surface = source
+    if not source.GetOutputDataObject(0).IsA("vtkPolyData"):
+        surface = vtk.vtkDataSetSurfaceFilter()
+        surface.SetInputConnection(source.GetOutputPort())
+        surface.SetNonlinearSubdivisionLevel(2)
+    mapper, prop = add_actor(renderer, surface, job, depth)
     if table is None:
         mapper.ScalarVisibilityOff()
         prop.SetColor(*colour)
@@ -166,7 +159,6 @@ def add_surface(renderer, source, job, table, colour, depth=(2, 200)):
         mapper.UseLookupTableScalarRangeOn()
         mapper.InterpolateScalarsBeforeMappingOn()
         prop.SetLineWidth(7)  # contact along the edge of a section
-    renderer.AddActor(actor)
     return prop
 
 
@@ -228,7 +220,7 @@ def add_bodies(renderer, grid, job, table):
             add_mesh_lines(renderer, source, 0.55 if table is None else 0.35)
 
 
-def add_text(renderer, words, size, x, y, bold=False):
+def add_text(renderer, words, size, x, y, bold=False, centred=False, turned=False):
     actor = vtk.vtkTextActor()
     actor.SetInput(words)
     prop = actor.GetTextProperty()
@@ -236,37 +228,53 @@ def add_text(renderer, words, size, x, y, bold=False):
     prop.SetColor(*INK)
     prop.SetFontFamilyToArial()
     prop.SetBold(bold)
+    if centred:
+        prop.SetJustificationToCentered()
+        prop.SetVerticalJustificationToCentered()
+    if turned:
+        prop.SetOrientation(90)
     actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
     actor.SetPosition(x, y)
     renderer.AddActor2D(actor)
 
 
-def add_legend(renderer, job, table, ticks):
-    """A strip of our own: the ticks of VTK's colour bar are not at round numbers."""
-    width, height = job["width"], job["height"]
-    left, bottom, tall = 0.86, 0.16, 0.64
-    strip, cells, shades, corners = vtk.vtkPolyData(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray(), vtk.vtkPoints()
+def add_shape(renderer, corners, polygons=(), lines=(), colours=()):
+    """Polygons and lines in pixels of the picture, each in its own colour."""
+    shape, points, shades = vtk.vtkPolyData(), vtk.vtkPoints(), vtk.vtkUnsignedCharArray()
     shades.SetNumberOfComponents(3)
+    for x, y in corners:
+        points.InsertNextPoint(x, y, 0)
+    shape.SetPoints(points)
+    for cells, add in ((lines, shape.SetLines), (polygons, shape.SetPolys)):
+        array = vtk.vtkCellArray()
+        for cell in cells:
+            array.InsertNextCell(len(cell))
+            for corner in cell:
+                array.InsertCellPoint(corner)
+        add(array)
+    for rgb in colours:
+        shades.InsertNextTuple3(*(int(255 * value) for value in rgb))
+    shape.GetCellData().SetScalars(shades)
+    mapper = vtk.vtkPolyDataMapper2D()
+    mapper.SetInputData(shape)
+    actor = vtk.vtkActor2D()
+    actor.SetMapper(mapper)
+    renderer.AddActor2D(actor)
+
+
+def add_legend(renderer, job, table):
+    """A strip of our own: the ticks of VTK's colour bar are not at round numbers."""
+    width, height, ticks = job["width"], job["height"], job["ticks"]
+    left, bottom, tall = 0.86, 0.16, 0.64
     steps = 128
+    corners, colours = [], []
     for i in range(steps + 1):
         y = (bottom + tall * i / steps) * height
-        corners.InsertNextPoint(left * width, y, 0)
-        corners.InsertNextPoint((left + 0.022) * width, y, 0)
-        if i < steps:
-            cells.InsertNextCell(4)
-            for corner in (2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2):
-                cells.InsertCellPoint(corner)
-            rgb = [0.0, 0.0, 0.0]
-            table.GetColor(ticks[0] + (ticks[-1] - ticks[0]) * (i + 0.5) / steps, rgb)
-            shades.InsertNextTuple3(*(int(255 * value) for value in rgb))
-    strip.SetPoints(corners)
-    strip.SetPolys(cells)
-    strip.GetCellData().SetScalars(shades)
-    strip_mapper = vtk.vtkPolyDataMapper2D()
-    strip_mapper.SetInputData(strip)
-    strip_actor = vtk.vtkActor2D()
-    strip_actor.SetMapper(strip_mapper)
-    renderer.AddActor2D(strip_actor)
+        corners += [(left * width, y), ((left + 0.022) * width, y)]
+        rgb = [0.0, 0.0, 0.0]
+        table.GetColor(ticks[0] + (ticks[-1] - ticks[0]) * (i + 0.5) / steps, rgb)
+        colours.append(rgb)
+    add_shape(renderer, corners, [(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2) for i in range(steps)], colours=colours[:steps])
     for tick in ticks:
         y = bottom + tall * (tick - ticks[0]) / (ticks[-1] - ticks[0])
         add_text(renderer, f"{tick:.6g}", max(12, height // 48), left + 0.03, y - 0.012)
@@ -323,18 +331,18 @@ def around(bounds):
     return [end + (margin if i % 2 else -margin) for i, end in enumerate(bounds)]
 
 
-def axes_inset(job, camera, direction):
-    width, height = job["width"], job["height"]
+def axes_inset(viewport, layer, letter, camera, direction):
+    """The directions of x, y and z."""
     axes = vtk.vtkAxesActor()
     inset = vtk.vtkRenderer()
-    inset.SetViewport(0.0, 0.0, 0.14, 0.14 * width / height)
-    inset.SetLayer(1)
+    inset.SetViewport(*viewport)
+    inset.SetLayer(layer)
     axes.SetCylinderRadius(0.04)
     axes.SetShaftTypeToCylinder()
     for caption in (axes.GetXAxisCaptionActor2D(), axes.GetYAxisCaptionActor2D(), axes.GetZAxisCaptionActor2D()):
         caption.GetTextActor().SetTextScaleModeToNone()
         prop = caption.GetCaptionTextProperty()
-        prop.SetFontSize(max(12, height // 46))
+        prop.SetFontSize(letter)
         prop.SetColor(*INK)
         prop.BoldOff()
         prop.ItalicOff()
@@ -354,33 +362,7 @@ def axes_inset(job, camera, direction):
     return inset
 
 
-def draw(job):
-    grid = read(job["file"])
-    on_contact = read(job["contact_file"]) if job["contact_file"] else None
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    table = None
-    if not job["mesh"]:
-        table, ticks = colour_table(add_values(on_contact or grid, job), job)
-    add_bodies(renderer, grid, job, table)
-    if on_contact:
-        surface = vtk.vtkTrivialProducer()
-        surface.SetOutput(lines_of(on_contact) if job["flat"] else on_contact)
-        add_surface(renderer, deformed(surface, job), job, table, None, (-1, -100))
-    if table is not None:
-        add_legend(renderer, job, table, ticks)
-    if job["title"]:
-        add_text(renderer, job["title"], max(13, job["height"] // 40), 0.025, 0.945, bold=True)
-    camera, direction = aim(renderer, job, table is not None, on_contact)
-
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(job["width"], job["height"])
-    window.SetNumberOfLayers(2)
-    window.AddRenderer(renderer)
-    if not job["flat"]:
-        window.AddRenderer(axes_inset(job, camera, direction))
+def save(window, job):
     window.Render()
     image = vtk.vtkWindowToImageFilter()
     image.SetInput(window)
@@ -394,11 +376,197 @@ def draw(job):
     window.Finalize()
 
 
+def window_of(width, height, layers):
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(width, height)
+    window.SetNumberOfLayers(layers)
+    return window
+
+
+def draw_field(job):
+    width, height = job["width"], job["height"]
+    grid = read(job["file"])
+    on_contact = read(job["contact_file"]) if job["contact_file"] else None
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    table = None
+    if job["kind"] == "field":
+        add_values(on_contact or grid, job)
+        table = colour_table(job)
+    add_bodies(renderer, grid, job, table)
+    if on_contact:
+        surface = vtk.vtkTrivialProducer()
+        surface.SetOutput(lines_of(on_contact) if job["flat"] else on_contact)
+        add_surface(renderer, deformed(surface, job), job, table, None, (-1, -100))
+    if table is not None:
+        add_legend(renderer, job, table)
+    if job["title"]:
+        add_text(renderer, job["title"], max(13, height // 40), 0.025, 0.945, bold=True)
+    camera, direction = aim(renderer, job, table is not None, on_contact)
+    window = window_of(width, height, 2)
+    window.AddRenderer(renderer)
+    if not job["flat"]:
+        window.AddRenderer(axes_inset((0.0, 0.0, 0.14, 0.14 * width / height), 1, max(12, height // 46), camera, direction))
+    save(window, job)
+
+
+# Pictures of a model, in pixels.
+VIEW_SIZE, FLAT_SIZE, EDGE, TOP, GAP, LETTER, LINE = (430, 360), (720, 800), 84, 48, 12, 15, 21
+FRONT = (1.0, -1.4, 0.9)
+MOST_BODIES_ALONE = 4  # with views of their own
+
+
+def cells_of(job, cells):
+    """Points and cells with the colours of their marks, or else of their bodies."""
+    points, array, shades = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray()
+    points.SetData(numpy_to_vtk(numpy.array(job["points"], dtype=float).reshape(-1, 3), deep=True))
+    shades.SetNumberOfComponents(3)
+    for body, mark, *corners in cells:
+        array.InsertNextCell(len(corners))
+        for corner in corners:
+            array.InsertCellPoint(corner)
+        shades.InsertNextTuple3(*(int(255 * part) for part in (job["marks"][mark] if mark >= 0 else job["bodies"][body])[1]))
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    return data, array, shades
+
+
+def add_cells(renderer, job, cells, kind, width=1, depth=(2, 200)):
+    """kind: "Polys", "Lines" or "Verts" """
+    data, array, shades = cells_of(job, cells)
+    getattr(data, "Set" + kind)(array)
+    data.GetCellData().SetScalars(shades)
+    source = vtk.vtkTrivialProducer()
+    source.SetOutput(data)
+    mapper, prop = add_actor(renderer, source, job, depth)
+    mapper.SetScalarModeToUseCellData()
+    if kind == "Polys":
+        prop.SetBackfaceCulling(not job["flat"])
+        if len(cells) < MOST_CELLS_WITH_LINES:
+            add_mesh_lines(renderer, source, 0.35)
+        return
+    prop.LightingOff()
+    prop.SetLineWidth(width)
+    prop.SetPointSize(10)
+    prop.RenderPointsAsSpheresOn()
+
+
+def add_model(renderer, job, body):
+    """One body, or all of them if it is None."""
+    facets = [facet for facet in job["facets"] if body in (None, facet[0])]
+    add_cells(renderer, job, facets, "Polys")
+    for mark, (_, _, width) in enumerate(job["marks"]):  # later ones are nearer
+        marked = [line for line in job["lines"] if line[1] == mark and body in (None, line[0])]
+        for kind, cells in (("Lines", [line for line in marked if len(line) > 3]), ("Verts", [line for line in marked if len(line) == 3])):
+            if cells:
+                add_cells(renderer, job, cells, kind, width, (-1 - mark, -100 - mark))
+
+
+def look(renderer, job, body, direction, size):
+    """Turns the camera so that the bodies fill a view of this size; returns the camera, and the corner and scale of what it shows."""
+    corners = numpy.array(job["points"], dtype=float)
+    shown = {corner for cell in job["facets"] + job["lines"] if body in (None, cell[0]) for corner in cell[2:]}
+    corners = corners[sorted(shown)] if shown else numpy.zeros((1, 3))
+    eye = numpy.array(direction, dtype=float) / numpy.linalg.norm(direction)
+    above = numpy.array((0, 1, 0) if job["flat"] else (0, 0, 1), dtype=float)
+    right = numpy.cross(above, eye)
+    right /= numpy.linalg.norm(right)
+    up = numpy.cross(eye, right)
+    place = numpy.stack([corners @ right, corners @ up], axis=1)
+    low, high = place.min(axis=0), place.max(axis=0)
+    margin = 0.06 * max(numpy.linalg.norm(high - low), 1e-300)
+    low, high = low - margin, high + margin
+    scale = max((high[0] - low[0]) / size[0], (high[1] - low[1]) / size[1])  # per pixel
+    middle = (low + high) / 2
+    focus = middle[0] * right + middle[1] * up + (corners @ eye).mean() * eye
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*(focus + eye))
+    camera.SetViewUp(*above)
+    renderer.ResetCamera()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*(focus + eye * camera.GetDistance()))
+    camera.SetParallelScale(0.5 * scale * size[1])
+    renderer.ResetCameraClippingRange()
+    return camera, middle - 0.5 * scale * numpy.array(size), scale
+
+
+def add_axes(renderer, job, left, bottom, size, corner, scale, page):
+    """Coordinates around a section."""
+    unit = f" ({job['length_unit']})" if job["length_unit"] else ""
+    corners, lines = [(left, bottom + size[1]), (left, bottom), (left + size[0], bottom)], [(0, 1), (1, 2)]
+    for axis, ticks in enumerate(job["ticks"]):
+        for tick in ticks:
+            at = (tick - corner[axis]) / scale
+            if not 0 <= at <= size[axis]:
+                continue
+            x, y = (left + at, bottom) if axis == 0 else (left, bottom + at)
+            corners += [(x, y), (x, y - 6) if axis == 0 else (x - 6, y)]
+            lines.append((len(corners) - 2, len(corners) - 1))
+            label = (x, y - 18) if axis == 0 else (x - 30, y)
+            add_text(renderer, f"{tick:.6g}", LETTER, label[0] / page[0], label[1] / page[1], centred=True)
+    add_shape(renderer, corners, lines=lines, colours=[INK] * len(lines))
+    add_text(renderer, "x" + unit, LETTER, (left + size[0] / 2) / page[0], (bottom - 42) / page[1], centred=True)
+    add_text(renderer, "y" + unit, LETTER, (left - 66) / page[0], (bottom + size[1] / 2) / page[1], centred=True, turned=True)
+
+
+def flat_size(job):
+    corners = numpy.array(job["points"], dtype=float).reshape(-1, 3)
+    wide, tall = numpy.ptp(corners[:, :2], axis=0) if len(corners) else (1.0, 1.0)
+    ratio = max(tall / max(wide, 1e-300), 1e-6)
+    width = min(max(FLAT_SIZE[1] / ratio, 160), FLAT_SIZE[0])
+    return int(width), int(min(max(width * ratio, 120), FLAT_SIZE[1]))
+
+
+def draw_model(job):
+    """Sections along z with coordinates; solids from the front and from behind, all together and the first ones each alone, since
+    contact surfaces hide each other."""
+    entries = job["bodies"] + job["marks"]
+    bodies = [None]
+    if job["flat"]:
+        size, left, directions, below = flat_size(job), EDGE + GAP, [(0, 0, 1)], EDGE
+    else:
+        size, left, directions, below = VIEW_SIZE, GAP, [FRONT, tuple(-part for part in FRONT)], GAP
+        if len(job["bodies"]) > 1:
+            bodies += range(min(len(job["bodies"]), MOST_BODIES_ALONE))
+    legend = left + len(directions) * (size[0] + GAP)
+    # A letter is about half as wide as the font is high.
+    page = (legend + 3 * GAP + int(0.6 * LETTER * max([len(entry[0]) for entry in entries], default=0)),
+            int(max(TOP + len(bodies) * (size[1] + GAP) + below, TOP + LINE * (len(entries) + 1))))
+    sheet = vtk.vtkRenderer()
+    sheet.SetBackground(1, 1, 1)
+    add_text(sheet, job["title"], LETTER + 3, GAP / page[0], 1 - 30 / page[1], bold=True)
+    for i, (name, colour, _) in enumerate(entries):
+        y = page[1] - TOP - LINE * (i + 1)
+        add_shape(sheet, [(legend, y), (legend + GAP, y), (legend + GAP, y + GAP), (legend, y + GAP)], [(0, 1, 2, 3)], colours=[colour])
+        add_text(sheet, name, LETTER, (legend + 2 * GAP) / page[0], (y - 2) / page[1])
+    window = window_of(*page, 3)
+    window.AddRenderer(sheet)
+    for row, body in enumerate(bodies):
+        for column, direction in enumerate(directions):
+            x, y = left + column * (size[0] + GAP), page[1] - TOP - (row + 1) * (size[1] + GAP) + GAP
+            view = vtk.vtkRenderer()
+            view.SetViewport(x / page[0], y / page[1], (x + size[0]) / page[0], (y + size[1]) / page[1])
+            view.SetLayer(1)
+            add_model(view, job, body)
+            camera, corner, scale = look(view, job, body, direction, size)
+            window.AddRenderer(view)
+            if job["flat"]:
+                add_axes(sheet, job, x, y, size, corner, scale, page)
+            else:
+                inset = (x / page[0], y / page[1], (x + 96) / page[0], (y + 96) / page[1])
+                window.AddRenderer(axes_inset(inset, 2, LETTER - 3, camera, direction))
+    save(window, job)
+
+
 def main(jobs):
     server = start_display()
     try:
         for job in jobs:
-            draw(job)
+            (draw_model if job["kind"] == "model" else draw_field)(job)
     finally:
         if server:
             server.terminate()
@@ -409,4 +577,5 @@ vtk = load_vtk()
 import numpy  # noqa: E402 (VTK brings it)
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 
-main(json.loads(sys.argv[1]))
+with open(sys.argv[1], encoding="utf-8") as file:
+    main(json.load(file))
