@@ -11,7 +11,7 @@
 namespace creepcontact::material {
 namespace {
 
-constexpr double least_resistance = 1e-6;  // of s0: trial states of an integrator below that count as this
+constexpr double min_relative_resistance = 1e-6;  // of s0: trial states of an integrator below that count as this
 
 }  // namespace
 
@@ -21,8 +21,8 @@ Anand::Anand(const ParameterValues& values) : CreepLaw(first(values, n_constants
 
 Anand::Rates Anand::rates(double q, const PointState& at) {
   const std::span<const double> p = at.parameters;
-  const bool vanishes = !(1.0 + at.internal[0] > least_resistance);
-  const double s = p[s0] * (vanishes ? least_resistance : 1.0 + at.internal[0]);
+  const bool vanishes = !(1.0 + at.internal[0] > min_relative_resistance);
+  const double s = p[s0] * (vanishes ? min_relative_resistance : 1.0 + at.internal[0]);
   const double x = p[xi] * q / s;
   const double relative = std::pow(std::sinh(x), 1.0 / p[m]);  // f/A
   Rates r;

@@ -26,7 +26,7 @@ import types
 BODY_COLOURS = [(0.55, 0.67, 0.82), (0.88, 0.74, 0.52), (0.62, 0.75, 0.58), (0.80, 0.62, 0.72), (0.70, 0.70, 0.70), (0.86, 0.80, 0.45)]
 NO_VALUE = (0.80, 0.82, 0.84)
 INK = (0.12, 0.16, 0.20)
-MOST_CELLS_WITH_LINES = 60000  # more lines would cover the colours
+MAX_CELLS_WITH_LINES = 60000  # more lines would cover the colours
 VIEWS = {"iso": (1.0, -1.25, 0.85), "x": (1, 0, 0), "-x": (-1, 0, 0), "y": (0, 1, 0), "-y": (0, -1, 0), "z": (0, 0, 1), "-z": (0, 0, -1)}
 
 
@@ -216,7 +216,7 @@ def add_bodies(renderer, grid, job, table):
             add_outlines(renderer, source)
             continue
         add_surface(renderer, source, job, table, BODY_COLOURS[body % len(BODY_COLOURS)])
-        if grid.GetNumberOfCells() < MOST_CELLS_WITH_LINES:
+        if grid.GetNumberOfCells() < MAX_CELLS_WITH_LINES:
             add_mesh_lines(renderer, source, 0.55 if table is None else 0.35)
 
 
@@ -415,7 +415,7 @@ def draw_field(job):
 # Pictures of a model, in pixels.
 VIEW_SIZE, FLAT_SIZE, EDGE, TOP, GAP, LETTER, LINE = (430, 360), (720, 800), 84, 48, 12, 15, 21
 FRONT = (1.0, -1.4, 0.9)
-MOST_BODIES_ALONE = 4  # with views of their own
+MAX_BODIES_ALONE = 4  # with views of their own
 
 
 def cells_of(job, cells):
@@ -444,7 +444,7 @@ def add_cells(renderer, job, cells, kind, width=1, depth=(2, 200)):
     mapper.SetScalarModeToUseCellData()
     if kind == "Polys":
         prop.SetBackfaceCulling(not job["flat"])
-        if len(cells) < MOST_CELLS_WITH_LINES:
+        if len(cells) < MAX_CELLS_WITH_LINES:
             add_mesh_lines(renderer, source, 0.35)
         return
     prop.LightingOff()
@@ -531,7 +531,7 @@ def draw_model(job):
     else:
         size, left, directions, below = VIEW_SIZE, GAP, [FRONT, tuple(-part for part in FRONT)], GAP
         if len(job["bodies"]) > 1:
-            bodies += range(min(len(job["bodies"]), MOST_BODIES_ALONE))
+            bodies += range(min(len(job["bodies"]), MAX_BODIES_ALONE))
     legend = left + len(directions) * (size[0] + GAP)
     # A letter is about half as wide as the font is high.
     page = (legend + 3 * GAP + int(0.6 * LETTER * max([len(entry[0]) for entry in entries], default=0)),

@@ -220,7 +220,7 @@ void add_values(const Source& source, const std::vector<std::size_t>& entries, c
   }
 }
 
-/// Bytes of packed(), as if nothing could be compressed.
+/// The size of packed() in bytes, as if nothing could be compressed.
 double bytes(std::size_t n_points, const Scene& scene, std::size_t n_times, std::size_t n_fields) {
   const double per_time = static_cast<double>(n_points) * (6.0 + 2.0 * static_cast<double>(n_fields));
   const double raw = 12.0 * static_cast<double>(n_points) + static_cast<double>(n_times) * per_time +

@@ -120,7 +120,7 @@ class VolumeProbe final : public Probe {
 };
 
 /// Share of every node in the area of the faces, so that sums over nodes are area integrals of the interpolated field.
-/// Of edges in sections the area over the depth.
+/// On the edges of sections it is the area over the depth.
 /// @param part  of the faces: where it holds at the points of their rule
 std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
                                                         const ProbePart& part) {
@@ -133,12 +133,12 @@ std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, 
   return {areas.begin(), areas.end()};
 }
 
-constexpr double beside = 1e-3;  // of an element's size: a point on a curved surface, which the mesh only approximates
+constexpr double surface_tolerance = 1e-3;  // of an element's size: meshes only approximate curved surfaces
 
 bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const std::int64_t node : location.nodes) box.extend(mesh.nodes[node]);
-  return location.distance <= beside * box.diagonal().norm();
+  return location.distance <= surface_tolerance * box.diagonal().norm();
 }
 
 std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,

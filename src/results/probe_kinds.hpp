@@ -15,7 +15,7 @@ struct ProbeRequest {
   const config::Probe& probe;
   const Quantity& quantity;
   const model::Model& model;
-  std::span<const PointLocator> locators;  ///< of the bodies, one each, if the probe is at a point
+  std::span<const PointLocator> locators;  ///< one per body, if the probe is at a point
 };
 
 // One maker for each support. @throws ModelError if the model has no such place
@@ -23,7 +23,7 @@ struct ProbeRequest {
 /// At a point of a body (fields interpolated in the element that holds it, or in the nearest one on faceted surfaces),
 /// over a group, or over a whole body from its nodes.
 std::unique_ptr<Probe> make_probe(const AtNodes& nodes, const ProbeRequest& request);
-/// Likewise; over a whole body from its integration points.
+/// The same places; over a whole body the integration points count.
 std::unique_ptr<Probe> make_probe(const AtPoints& points, const ProbeRequest& request);
 /// On a surface of a pair, or on a surface that has faces of one.
 std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request);
@@ -43,7 +43,7 @@ class Reduction {
  public:
   explicit Reduction(config::Reduce kind) : kind_(kind) {}
   void add(double value, double weight);
-  /// Of what all members of the team have added. Collective.
+  /// The reduction of what all members of the team have added. Collective.
   double result(const Team& team) const;
 
  private:

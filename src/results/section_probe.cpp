@@ -37,7 +37,7 @@ std::vector<mesh::Face> supported_faces(const mesh::Mesh& mesh, const std::strin
   }
 }
 
-/// By node of a surface.
+/// Areas beyond the plane, for the nodes of a surface.
 std::map<std::int64_t, FaceArea> areas_beyond(const mechanics::Cut& cut, const std::string& surface) {
   return areas_around(supported_faces(cut.mesh(), surface),
                       [&](const mesh::Face& face) { return area_beyond(cut, face); });

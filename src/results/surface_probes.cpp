@@ -14,7 +14,7 @@
 namespace creepcontact::results {
 namespace {
 
-/// Of the normal rows.
+/// Values in normal rows only, one per multiplier node.
 Eigen::VectorXd of_nodes(const contact::Pair& pair, const Eigen::VectorXd& all_rows) {
   return pair.coupling.first_rows(all_rows.segment(pair.first_row, pair.coupling.n_rows()));
 }

@@ -56,7 +56,7 @@ inline constexpr StateVariable remaining_life{
     .dimension = Dimension::time,
     .is_reciprocal = true};
 
-/// Those of all laws, each once.
+/// The state variables of all laws, each once.
 const std::vector<const StateVariable*>& state_variables();
 
 }  // namespace creepcontact::material

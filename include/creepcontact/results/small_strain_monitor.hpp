@@ -28,7 +28,7 @@ class SmallStrainMonitor {
   void restore(const creep::Memory& memory);
 
  private:
-  /// Of a body, at a place and a time.
+  /// The largest value, with its body, place and time.
   struct Largest {
     double value = 0, body = 0, time = 0;
     std::array<double, 3> place{};
