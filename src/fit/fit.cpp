@@ -29,7 +29,8 @@ constexpr int many_readings = 20000;  // too many for all searches
 constexpr int likely_iterations = 6;  // near the minimum, with what follows it
 constexpr int fewest_to_weight = 4;   // readings of a kind whose scatter is estimated
 
-/// About `n` of the readings: every so many-th of those of each test, or of the tests where there are more tests.
+/// Data with about `n` of the readings: evenly chosen ones of each test, or of the tests if there are more tests than
+/// n.
 TestData thinned(const TestData& data, int n) {
   TestData some = data;
   const auto wanted = static_cast<std::size_t>(n);

@@ -73,7 +73,7 @@ std::vector<Function> values_in(const ParameterInfo& key, std::string text) {
   return values;
 }
 
-/// As the configuration has it.
+/// The values as a configuration writes them.
 std::string toml(const ParameterInfo& key, const std::vector<Function>& values) {
   std::vector<std::string> texts;
   for (const Function& value : values)

@@ -32,7 +32,7 @@ std::vector<Eigen::Index> inner_unknowns(const LeastSquares& problem, const Eige
   return inner;
 }
 
-/// What the data say nothing of.
+/// Unknowns that the data do not determine.
 struct Undetermined {
   std::vector<std::size_t> alone;     ///< unknowns without influence
   std::vector<std::size_t> together;  ///< unknowns of which only combinations have influence

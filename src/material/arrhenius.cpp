@@ -27,7 +27,7 @@ Function activated_function(const Function& A, const Function& Q, const Function
                             });
 }
 
-/// As in the description of the activation energy.
+/// The name of the constant in the description of its activation energy.
 std::string activated_name(const ParameterInfo& constant) {
   if (constant.activation == Activation::time) return fmt::format("1/`{}`", constant.key);
   return (constant.list ? "all of " : "") + constant.key;

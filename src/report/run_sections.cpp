@@ -45,8 +45,8 @@ double last_time(const io::Summary& summary) {
   return summary.last_output.value_or(summary.time_reached);
 }
 
-/// From the start over the largest value to the end. A percentage of a start that hardly carries anything means
-/// nothing.
+/// The course from the start over the largest value to the end. A percentage of a start that hardly carries anything
+/// means nothing.
 std::string force_sentence(const std::string& name, const io::Summary::Course& course, double end,
                            const std::string& force, const std::string& time) {
   constexpr double min_relative_start = 0.01, notable = 1e-3;  // of the largest; beyond start and end

@@ -24,7 +24,7 @@ Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
   return row;
 }
 
-/// Where a value is taken as it is: one integration point, or the mean over some.
+/// A place at which a value is taken: one integration point, or the mean over several.
 struct SamplePlace {
   Vector3 position = Vector3::Zero();
   std::vector<std::pair<std::size_t, double>> points;  // with their shares, which add up to 1
@@ -101,7 +101,7 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   return fem::jacobian(reference, x, gradient);
 }
 
-/// To coordinates in which the elements have the size 1; the mean of their metrics favours none of several.
+/// The map to coordinates in which the elements have the size 1; the mean of their metrics favours none of them.
 Matrix3 to_element_sizes(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
                          std::span<const std::size_t> elements) {
   if (elements.size() == 1) return jacobian_at_centre(discretization, mesh, elements[0]).inverse();

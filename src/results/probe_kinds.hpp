@@ -20,12 +20,12 @@ struct ProbeRequest {
 
 // One maker for each support. @throws ModelError if the model has no such place
 
-/// At a point of a body (fields interpolated in the element that holds it, or in the nearest one on faceted surfaces),
-/// over a group, or over a whole body from its nodes.
+/// Makes a probe at a point of a body (fields interpolated in the element that holds it, or in the nearest one on
+/// faceted surfaces), over a group, or over a whole body from its nodes.
 std::unique_ptr<Probe> make_probe(const AtNodes& nodes, const ProbeRequest& request);
 /// The same places; over a whole body the integration points count.
 std::unique_ptr<Probe> make_probe(const AtPoints& points, const ProbeRequest& request);
-/// On a surface of a pair, or on a surface that has faces of one.
+/// Makes a probe on a surface of a pair, or on a surface that has faces of one.
 std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const OnContactSurface& surface, const ProbeRequest& request);
 std::unique_ptr<Probe> make_probe(const AreaInContact& area, const ProbeRequest& request);

@@ -21,7 +21,7 @@ std::string region_of(const config::Probe& probe) {
   return probe.on.given() ? "surface" : "body";
 }
 
-/// In the words of the configuration; empty if it does not follow from them.
+/// The unit as a word of the configuration; empty if it does not follow from them.
 std::string unit_of_values(const config::Probe& probe, const OutputVariable& variable, const std::string& units) {
   if (probe.scale != 1) return "";
   const bool is_integral = probe.reduce == config::Reduce::sum && !variable.is_sum() && !variable.is<OnCrossSection>();

@@ -52,7 +52,7 @@ void part_of(const Resultant& resultant, double* into) {
   std::ranges::copy(resultant.*part, into);
 }
 
-/// About the z axis.
+/// Sets the cylindrical components of the stress about the z axis.
 void cylindrical(const Sample& sample, double* into) {
   const double r = sample.position.head<2>().norm();
   const Vector3 radial = r > 0 ? Vector3(sample.position.x() / r, sample.position.y() / r, 0) : Vector3(1, 0, 0);

@@ -31,10 +31,10 @@ struct ParameterInfo {
   std::optional<std::vector<Function>> fallback = {};        ///< of an optional key: its value if not given
   std::vector<std::string> variables = {"T"};                ///< allowed in its expressions
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
-  /// Not empty: the value is one of these words, and the number of the word in ParameterValues, from 0 on.
+  /// If not empty, the value is one of these words, and ParameterValues has the number of the word, from 0 on.
   std::vector<std::string> words = {};
   Activation activation = Activation::none;
-  /// With an activation: position of E in LawInfo::parameters. Not given in a row: that of `activation_energy`.
+  /// Position of the activation energy E in LawInfo::parameters; rows that do not give it have `activation_energy`.
   std::optional<std::size_t> energy = {};
 };
 

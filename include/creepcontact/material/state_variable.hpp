@@ -46,7 +46,7 @@ inline constexpr StateVariable creep_fatigue{
         "line; 0 where there are no fatigue data",
     .label = "creep-fatigue usage"};
 
-/// From laws with rupture: 1/(time to rupture).
+/// Laws with rupture give 1/(time to rupture).
 inline constexpr StateVariable remaining_life{
     .name = "remaining_life",
     .description =

@@ -23,7 +23,7 @@ struct MarkedLine {
   int body = 0, mark = 0;
 };
 
-/// What is marked, and its group of colours.
+/// A mark, and the family of its colours.
 struct SolidMark {
   enum class Kind { support, load, contact };
   std::string name;

@@ -93,7 +93,7 @@ struct OutputVariable {
   std::string cell_array = {};   ///< the same of element means
   bool cylindrical = false;      ///< components about the z axis; a probe may turn the sample to another axis
   bool about_origin = false;     ///< a moment: the probe gives its `origin`
-  /// In the field files only if a material has this variable; null: always.
+  /// If not null, field files have the variable only if a material has this one.
   const material::StateVariable* state_variable = nullptr;
 
   template <class Kind>
