@@ -69,6 +69,19 @@ std::unique_ptr<CreepLaw> LawInfo::make(ParameterValues values) const {
   return construct(activated(std::move(values), parameters));
 }
 
+std::unique_ptr<CreepLaw> LawInfo::make_by_key(const std::map<std::string, std::vector<Function>>& given) const {
+  for (const auto& [key, values] : given)
+    if (std::ranges::find(parameters, key, &ParameterInfo::key) == parameters.end())
+      throw ParameterError(key, "a key that the law has not", fmt::format("the keys of '{}'", name));
+  ParameterValues values;
+  for (const ParameterInfo& parameter : parameters) {
+    const auto found = given.find(parameter.key);
+    if (found == given.end() && !parameter.fallback) throw ParameterError(parameter.key, "nothing", "a value");
+    values.push_back(found != given.end() ? found->second : *parameter.fallback);
+  }
+  return make(std::move(values));
+}
+
 bool LawInfo::is_activation_energy(std::size_t parameter) const {
   return std::ranges::find(parameters, std::optional(parameter), &ParameterInfo::energy) != parameters.end();
 }

@@ -71,6 +71,9 @@ struct LawInfo {
   /// @throws ParameterError if the law cannot have these values
   /// @throws std::invalid_argument if their number is not that of the parameters
   std::unique_ptr<CreepLaw> make(ParameterValues values) const;
+  /// Makes the law from values by key; keys that are not given have their fallback.
+  /// @throws ParameterError also if a required key is missing, or if the law has no such key
+  std::unique_ptr<CreepLaw> make_by_key(const std::map<std::string, std::vector<Function>>& given) const;
   /// True if the parameter is the activation energy of another one.
   bool is_activation_energy(std::size_t parameter) const;
 };

@@ -28,6 +28,24 @@ TEST(LawTable, RefusesValuesOfAnotherNumber) {
   EXPECT_THROW(norton->make({{1e-13}, {5.0}}), std::invalid_argument);
 }
 
+TEST(LawTable, ValuesByKeyNeedNoOrder) {
+  const LawInfo* norton = find_creep_law("norton");
+  const auto law = norton->make_by_key({{"n", {5.0}}, {"A", {1e-13}}});
+  ASSERT_EQ(law->n_parameters(), 2);
+  EXPECT_EQ(law->parameters()[0]({}), 1e-13);
+  EXPECT_EQ(law->parameters()[1]({}), 5.0);
+  const auto key_at_fault = [&](const std::map<std::string, std::vector<Function>>& given) -> std::string {
+    try {
+      norton->make_by_key(given);
+    } catch (const ParameterError& error) {
+      return error.key();
+    }
+    return "";
+  };
+  EXPECT_EQ(key_at_fault({{"A", {1e-13}}}), "n");
+  EXPECT_EQ(key_at_fault({{"A", {1e-13}}, {"n", {5.0}}, {"m", {0.5}}}), "m");
+}
+
 TEST(LawTable, EnergiesFollowFromTheRows) {
   const LawInfo& law = *find_creep_law("kachanov_rabotnov");
   std::vector<std::string> energies, activated;
