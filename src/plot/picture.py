@@ -418,10 +418,19 @@ FRONT = (1.0, -1.4, 0.9)
 MAX_BODIES_ALONE = 4  # with views of their own
 
 
+def merge_points(job):
+    """Cells share the points that lie at one place, so that each edge is drawn once."""
+    points, numbers = numpy.unique(numpy.array(job["points"], dtype=float).reshape(-1, 3), axis=0, return_inverse=True)
+    numbers = numbers.ravel().tolist()
+    job["points"] = points
+    for cells in (job["facets"], job["lines"]):
+        cells[:] = [[body, mark, *(numbers[corner] for corner in corners)] for body, mark, *corners in cells]
+
+
 def cells_of(job, cells):
     """Points and cells with the colours of their marks, or else of their bodies."""
     points, array, shades = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkUnsignedCharArray()
-    points.SetData(numpy_to_vtk(numpy.array(job["points"], dtype=float).reshape(-1, 3), deep=True))
+    points.SetData(numpy_to_vtk(job["points"], deep=True))
     shades.SetNumberOfComponents(3)
     for body, mark, *corners in cells:
         array.InsertNextCell(len(corners))
@@ -466,7 +475,7 @@ def add_model(renderer, job, body):
 
 def look(renderer, job, body, direction, size):
     """Turns the camera so that the bodies fill a view of this size; returns the camera, and the corner and scale of what it shows."""
-    corners = numpy.array(job["points"], dtype=float)
+    corners = job["points"]
     shown = {corner for cell in job["facets"] + job["lines"] if body in (None, cell[0]) for corner in cell[2:]}
     corners = corners[sorted(shown)] if shown else numpy.zeros((1, 3))
     eye = numpy.array(direction, dtype=float) / numpy.linalg.norm(direction)
@@ -514,8 +523,7 @@ def add_axes(renderer, job, left, bottom, size, corner, scale, page):
 
 
 def flat_size(job):
-    corners = numpy.array(job["points"], dtype=float).reshape(-1, 3)
-    wide, tall = numpy.ptp(corners[:, :2], axis=0) if len(corners) else (1.0, 1.0)
+    wide, tall = numpy.ptp(job["points"][:, :2], axis=0) if len(job["points"]) else (1.0, 1.0)
     ratio = max(tall / max(wide, 1e-300), 1e-6)
     width = min(max(FLAT_SIZE[1] / ratio, 160), FLAT_SIZE[0])
     return int(width), int(min(max(width * ratio, 120), FLAT_SIZE[1]))
@@ -524,6 +532,7 @@ def flat_size(job):
 def draw_model(job):
     """Sections along z with coordinates; solids from the front and from behind, all together and the first ones each alone, since
     contact surfaces hide each other."""
+    merge_points(job)
     entries = job["bodies"] + job["marks"]
     bodies = [None]
     if job["flat"]:
