@@ -64,7 +64,7 @@ const std::vector<const StateVariable*>& state_variables() {
 
 std::unique_ptr<CreepLaw> LawInfo::make(ParameterValues values) const {
   if (values.size() != parameters.size())
-    throw std::invalid_argument(
+    throw std::out_of_range(
         fmt::format("creep law '{}': {} values for {} parameters", name, values.size(), parameters.size()));
   return construct(activated(std::move(values), parameters));
 }

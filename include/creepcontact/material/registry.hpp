@@ -69,7 +69,7 @@ struct LawInfo {
 
   /// Makes the law. @param values  indexed like `parameters`; those with an activation become functions of T
   /// @throws ParameterError if the law cannot have these values
-  /// @throws std::invalid_argument if their number is not that of the parameters
+  /// @throws std::out_of_range if their number is not that of the parameters
   std::unique_ptr<CreepLaw> make(ParameterValues values) const;
   /// Makes the law from values by key; keys that are not given have their fallback.
   /// @throws ParameterError also if a required key is missing, or if the law has no such key
