@@ -46,15 +46,22 @@ else()
   endforeach()
 endif()
 
-# The files that the program embeds, as macros of src/report/assets.S.
-set(report_assets ${PROJECT_SOURCE_DIR}/src/report/assets.S)
-set(embedded_files ${viewer_files} ${PROJECT_SOURCE_DIR}/src/report/report.css ${PROJECT_SOURCE_DIR}/src/report/picture.py
-                   ${PROJECT_SOURCE_DIR}/web/report/src/colours.json)
-set(embedded_definitions)
-set(embedded_macros VIEWER_SCRIPT VIEWER_STYLE REPORT_STYLE PICTURE_SCRIPT COLOURS)
-foreach(macro file IN ZIP_LISTS embedded_macros embedded_files)
-  list(APPEND embedded_definitions "${macro}=\"${file}\"")
-endforeach()
-set_source_files_properties(${report_assets} PROPERTIES LANGUAGE ASM OBJECT_DEPENDS "${embedded_files}"
-                            COMPILE_DEFINITIONS "${embedded_definitions}" SKIP_UNITY_BUILD_INCLUSION ON)
-target_sources(creepcontact_report PRIVATE ${report_assets})
+# Embeds files in a module, as macros of src/<module>/assets.S: pairs of a macro and a file.
+function(creepcontact_embed module)
+  set(assets ${PROJECT_SOURCE_DIR}/src/${module}/assets.S)
+  set(files)
+  set(definitions)
+  while(ARGN)
+    list(POP_FRONT ARGN macro file)
+    list(APPEND files ${file})
+    list(APPEND definitions "${macro}=\"${file}\"")
+  endwhile()
+  set_source_files_properties(${assets} PROPERTIES LANGUAGE ASM OBJECT_DEPENDS "${files}" COMPILE_DEFINITIONS "${definitions}"
+                              SKIP_UNITY_BUILD_INCLUSION ON)
+  target_sources(creepcontact_${module} PRIVATE ${assets})
+endfunction()
+list(GET viewer_files 0 viewer_script)
+list(GET viewer_files 1 viewer_style)
+creepcontact_embed(report VIEWER_SCRIPT ${viewer_script} VIEWER_STYLE ${viewer_style} REPORT_STYLE
+                   ${PROJECT_SOURCE_DIR}/src/report/report.css COLOURS ${PROJECT_SOURCE_DIR}/web/report/src/colours.json)
+creepcontact_embed(plot PICTURE_SCRIPT ${PROJECT_SOURCE_DIR}/src/plot/picture.py)

@@ -28,7 +28,7 @@ class DataColumns {
     double factor = 1;  ///< from the unit in the file to that of the fit
   };
   const std::optional<Column>& operator[](ColumnRole role) const { return columns_[static_cast<std::size_t>(role)]; }
-  /// Those of the fit: as in the header.
+  /// The units of the fit, as the header of the file gives them.
   const TestUnits& units() const { return units_; }
   const std::vector<std::string>& unused() const { return unused_; }
 

@@ -14,7 +14,7 @@
 namespace creepcontact::fit {
 namespace {
 
-constexpr std::size_t most_mistakes = 20;
+constexpr std::size_t max_mistakes = 20;
 constexpr std::size_t fewest_to_group = 3;  // rows with the same mistake
 
 /// "2-5, 9"
@@ -172,7 +172,7 @@ void RowMistakes::throw_if_any() const {
     const std::vector<const Mistake*>& group = *group_of[i];
     const bool grouped = group.size() >= fewest_to_group;
     if (grouped && group.front() != &mistake) continue;
-    if (shown.size() == most_mistakes) {
+    if (shown.size() == max_mistakes) {
       left_out += grouped ? group.size() : 1;
       continue;
     }

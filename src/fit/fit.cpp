@@ -20,8 +20,8 @@
 namespace creepcontact::fit {
 namespace {
 
-constexpr int most_starts = 8;
-constexpr int most_iterations = 60;
+constexpr int max_starts = 8;
+constexpr int max_iterations = 60;
 constexpr int enough_agreeing = 2;
 constexpr double same_minimum = 1e-3;  // of the sum of squares
 constexpr int weighted_rounds = 3;
@@ -29,7 +29,8 @@ constexpr int many_readings = 20000;  // too many for all searches
 constexpr int likely_iterations = 6;  // near the minimum, with what follows it
 constexpr int fewest_to_weight = 4;   // readings of a kind whose scatter is estimated
 
-/// About `n` of the readings: every so many-th of those of each test, or of the tests where there are more tests.
+/// Data with about `n` of the readings: evenly chosen ones of each test, or of the tests if there are more tests than
+/// n.
 TestData thinned(const TestData& data, int n) {
   TestData some = data;
   const auto wanted = static_cast<std::size_t>(n);
@@ -74,7 +75,7 @@ class Search {
     if (const std::string reason = response_.why_impossible(result.law); !reason.empty())
       throw ConfigError(fmt::format("{}: law '{}': {}", data_.file, choice_.info->name, reason));
     for (int round = 0; round < weighted_rounds && weigh(minimum); ++round)
-      if (auto again = minimize(problem_, minimum.x, most_iterations)) minimum = std::move(*again);
+      if (auto again = minimize(problem_, minimum.x, max_iterations)) minimum = std::move(*again);
     describe(minimum, result);
     return result;
   }
@@ -93,7 +94,7 @@ class Search {
     return residuals;
   }
 
-  /// Of the order of the measured strains.
+  /// A strain of the order of the measured ones.
   double typical_strain() const {
     double largest = 0;
     for (const Test& test : data_.tests)
@@ -101,7 +102,8 @@ class Search {
     return largest > 0 ? largest : 0.01;
   }
 
-  /// Of many readings some are enough to search for the neighbourhood of the minimum, which is then found with all.
+  /// If there are many readings, some of them suffice to find the neighbourhood of the minimum; all of them then refine
+  /// it.
   Minimum first_minimum(FitResult& result) const {
     if (data_.n_readings() <= many_readings) return best_minimum(problem_, result);
     const TestData some = thinned(data_, many_readings / 4);
@@ -123,7 +125,7 @@ class Search {
     const double evaluations = likely_iterations * (2.0 * static_cast<double>(space_.size()) + 1);
     log::info("fit: {} searches have ended; the last one takes all readings, some {:.0f} s ({:.0f} x {:.2f} s)",
               result.n_starts, evaluations * seconds, evaluations, seconds);
-    if (auto found = minimize(problem_, near.x, most_iterations)) return std::move(*found);
+    if (auto found = minimize(problem_, near.x, max_iterations)) return std::move(*found);
     log::info("fit: the law is not defined there for all readings; the search begins again with all of them");
     result.n_starts = result.n_agreeing = 0;
     return best_minimum(problem_, result);
@@ -131,10 +133,10 @@ class Search {
 
   Minimum best_minimum(const LeastSquares& problem, FitResult& result) const {
     std::optional<Minimum> best;
-    const auto starts = best_starts(problem, most_starts, space_.lowest_guess(typical_strain()), space_.highest_guess(),
+    const auto starts = best_starts(problem, max_starts, space_.lowest_guess(typical_strain()), space_.highest_guess(),
                                     space_.amplitude());
     for (const Eigen::VectorXd& start : starts) {
-      auto found = minimize(problem, start, most_iterations);
+      auto found = minimize(problem, start, max_iterations);
       if (!found) continue;
       ++result.n_starts;
       const double old = best ? best->sum_of_squares() : std::numeric_limits<double>::infinity();

@@ -73,7 +73,7 @@ std::vector<Function> values_in(const ParameterInfo& key, std::string text) {
   return values;
 }
 
-/// As the configuration has it.
+/// The values as a configuration writes them.
 std::string toml(const ParameterInfo& key, const std::vector<Function>& values) {
   std::vector<std::string> texts;
   for (const Function& value : values)
@@ -83,10 +83,6 @@ std::string toml(const ParameterInfo& key, const std::vector<Function>& values) 
       texts.push_back(value.is_constant() && number_in(value.text()) ? value.text()
                                                                      : fmt::format("\"{}\"", value.text()));
   return key.list ? fmt::format("[{}]", fmt::join(texts, ", ")) : texts.front();
-}
-
-bool is_energy(const ParameterInfo& key) {
-  return unit_in(key.description) == "energy/mol";
 }
 
 /// Puts a choice together.
@@ -110,7 +106,7 @@ class Chooser {
     set_absolute_zero();
     for (std::size_t i = 0; i < keys().size(); ++i) {
       const ParameterInfo& key = keys()[i];
-      if (is_held_[i] || !is_wanted(key)) continue;
+      if (is_held_[i] || !is_wanted(i)) continue;
       if (key.list || !key.words.empty())
         throw ConfigError(fmt::format("law '{}': '{}' is a list or a word, which is not fitted; give it: --set '{}={}'",
                                       name(), key.key, key.key,
@@ -157,14 +153,16 @@ class Chooser {
     hold(i, values_in(keys()[i], assignment.substr(equals + 1)));
   }
 
-  bool is_wanted(const ParameterInfo& key) const {
-    if (std::ranges::count(wishes_.free, key.key) > 0) return true;
-    if (!key.fallback) return true;
+  bool is_energy(std::size_t key) const { return choice_.info->is_activation_energy(key); }
+
+  bool is_wanted(std::size_t key) const {
+    if (std::ranges::count(wishes_.free, keys()[key].key) > 0) return true;
+    if (!keys()[key].fallback) return true;
     return is_energy(key) && data_.temperatures().size() > 1;
   }
 
   bool fits_energy() const {
-    return std::ranges::any_of(choice_.fitted, [&](std::size_t i) { return is_energy(keys()[i]); });
+    return std::ranges::any_of(choice_.fitted, [&](std::size_t i) { return is_energy(i); });
   }
 
   /// A temperature in another unit than the fallback expects.
@@ -194,7 +192,7 @@ class Chooser {
     for (const std::string& key : wishes_.free) {
       const std::size_t i = position("free", key);
       if (is_held_[i]) throw ConfigError(fmt::format("--free {0}: --set holds '{0}'", key));
-      if (is_energy(keys()[i]) && data_.temperatures().size() < 2)
+      if (is_energy(i) && data_.temperatures().size() < 2)
         throw ConfigError(fmt::format("--free {}: {}; it takes tests at two temperatures at least", key,
                                       data_.has_temperature
                                           ? fmt::format("all tests are at {:g}", data_.temperatures().front())
@@ -214,7 +212,7 @@ class Chooser {
     if (fits_energy()) {
       std::vector<std::string> energies;
       for (const std::size_t i : choice_.fitted)
-        if (is_energy(keys()[i])) energies.push_back(keys()[i].key);
+        if (is_energy(i)) energies.push_back(keys()[i].key);
       choice_.notes.push_back(
           fmt::format("{} temperatures: {} is fitted too", temperatures.size(), fmt::join(energies, ", ")));
       return;
@@ -222,10 +220,9 @@ class Chooser {
     const bool depends = std::ranges::any_of(choice_.held, [](const auto& values) {
       return std::ranges::any_of(values, &Function::depends_on_temperature);
     });
-    const bool energy_held = std::ranges::any_of(keys(), [&](const ParameterInfo& key) {
-      return is_energy(key) && is_held_[static_cast<std::size_t>(&key - keys().data())];
-    });
-    if (depends || energy_held) return;
+    for (std::size_t i = 0; i < keys().size(); ++i)
+      if (is_energy(i) && is_held_[i]) return;
+    if (depends) return;
     throw ConfigError(fmt::format(
         "{}: tests at {} temperatures ({:g} to {:g}), but the law '{}' has no activation energy; fit one "
         "temperature after the other (--temperature {:g}), or give a parameter as a function of T (--set)",

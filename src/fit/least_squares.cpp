@@ -72,7 +72,7 @@ std::optional<Eigen::MatrixXd> difference_jacobian(const LeastSquares& problem, 
   return result;
 }
 
-std::optional<Minimum> minimize(const LeastSquares& problem, const Eigen::VectorXd& start, int most_iterations) {
+std::optional<Minimum> minimize(const LeastSquares& problem, const Eigen::VectorXd& start, int max_iterations) {
   Minimum minimum;
   minimum.x = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   const auto first = problem.residuals(minimum.x);
@@ -83,7 +83,7 @@ std::optional<Minimum> minimize(const LeastSquares& problem, const Eigen::Vector
                                         .n_residuals = static_cast<int>(first->size()),
                                         .lower = problem.lower.data(),
                                         .upper = problem.upper.data(),
-                                        .max_iterations = most_iterations,
+                                        .max_iterations = max_iterations,
                                         .context = &of,
                                         .evaluate = evaluate},
                                        minimum.x.data());

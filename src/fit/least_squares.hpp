@@ -27,7 +27,7 @@ struct Minimum {
 std::optional<Eigen::MatrixXd> difference_jacobian(const LeastSquares& problem, const Eigen::VectorXd& x);
 
 /// A local minimum near `start`: Levenberg-Marquardt with a projection onto the bounds.
-/// @param most_iterations  > 0 @returns nullopt if r is not defined at the start
-std::optional<Minimum> minimize(const LeastSquares& problem, const Eigen::VectorXd& start, int most_iterations);
+/// @param max_iterations  > 0 @returns nullopt if r is not defined at the start
+std::optional<Minimum> minimize(const LeastSquares& problem, const Eigen::VectorXd& start, int max_iterations);
 
 }  // namespace creepcontact::fit

@@ -19,10 +19,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-bool is_energy_key(const material::ParameterInfo& key) {
-  return unit_in(key.description) == "energy/mol";
-}
-
 /// 0.01 of strain at the rate counts as the time of a rate.
 double time_of(const Test& test, const Reading& reading) {
   if (test.kind == TestKind::rupture) return reading.value;
@@ -60,36 +56,22 @@ bool ParameterSpace::has_dimension(std::size_t i) const {
   return unit_uses(unit, "stress") || unit_uses(unit, "time");
 }
 
-/// A law reads parameters that depend on the temperature once it has an activation energy.
 void ParameterSpace::find_activated() {
-  activated_by_.resize(size());
-  for (std::size_t e = 0; e < size(); ++e) {
-    if (!is_energy_key(parameter(e))) continue;
-    Eigen::VectorXd fitted = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(size()));
-    for (std::size_t i = 0; i < size(); ++i)
-      fitted[static_cast<Eigen::Index>(i)] =
-          is_energy_key(parameter(i)) ? 0 : std::clamp(1.0, parameter(i).minimum, parameter(i).maximum);
-    const auto without = choice_.info->make(all_values(fitted));
-    fitted[static_cast<Eigen::Index>(e)] = thermal_energy_;
-    const auto with = choice_.info->make(all_values(fitted));
-    const auto& parameters = with->parameters();
-    for (std::size_t i = 0; i < size(); ++i) {
-      const std::size_t k = choice_.fitted[i];  // laws keep the order of their keys
-      if (i == e || k >= parameters.size()) continue;
-      const double ratio = parameters[k]({.T = temperature_}) / without->parameters()[k]({.T = temperature_});
-      if (std::abs(ratio - std::exp(-1)) < 1e-6) activated_by_[i].push_back(e);
-    }
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto energy = std::ranges::find(choice_.fitted, parameter(i).energy);
+    activated_by_.emplace_back();
+    if (energy != choice_.fitted.end()) activated_by_.back() = energy - choice_.fitted.begin();
   }
 }
 
 double ParameterSpace::activation(std::size_t i, const Eigen::VectorXd& fitted) const {
-  double exponent = 0;
-  for (const std::size_t e : activated_by_[i]) exponent += fitted[static_cast<Eigen::Index>(e)] / thermal_energy_;
-  return std::exp(-exponent);
+  if (!activated_by_[i]) return 1;
+  const double exponent = fitted[static_cast<Eigen::Index>(*activated_by_[i])] / thermal_energy_;
+  return std::exp(parameter(i).activation == material::Activation::time ? exponent : -exponent);
 }
 
 double ParameterSpace::unit(std::size_t i, const Eigen::VectorXd& fitted) const {
-  if (is_energy_key(parameter(i))) return thermal_energy_;
+  if (is_energy(i)) return thermal_energy_;
   const auto word = [&](const std::string& name) -> std::optional<double> {
     if (name == "stress") return stress_;
     if (name == "time") return time_;
@@ -162,7 +144,7 @@ Eigen::VectorXd ParameterSpace::lowest_guess(double strain) const {
     double& guess = result[static_cast<Eigen::Index>(i)];
     if (!is_logarithmic(i))
       guess = -1;
-    else if (is_energy_key(parameter(i)))
+    else if (is_energy(i))
       guess = std::log(15);
     else if (has_dimension(i))
       guess = std::log(0.1 * strain);
@@ -178,7 +160,7 @@ Eigen::VectorXd ParameterSpace::highest_guess() const {
     double& guess = result[static_cast<Eigen::Index>(i)];
     if (!is_logarithmic(i))
       guess = 1;
-    else if (is_energy_key(parameter(i)))
+    else if (is_energy(i))
       guess = std::log(60);
     else
       guess = std::log(has_dimension(i) ? 10 : std::min(parameter(i).maximum, 12.0));

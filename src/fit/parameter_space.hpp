@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "creepcontact/fit/law_choice.hpp"
@@ -11,8 +12,8 @@ namespace creepcontact::fit {
 
 /// The unknowns x of a fit. A parameter p that must not be negative is exp(x) U / f, any other x U / f. U is its unit
 /// at reference values of stress and time in the middle of the data, f its thermal activation exp(-Q/(R (T - zero))) at
-/// a reference temperature: so x belongs to the middle of the data, and an exponent or an activation energy turns the
-/// law about it instead of shifting it by decades.
+/// a reference temperature, or 1/f for times and viscosities: so x belongs to the middle of the data, and an exponent
+/// or an activation energy turns the law about it instead of shifting it by decades.
 class ParameterSpace {
  public:
   /// @param choice, data  must outlive the object
@@ -44,12 +45,13 @@ class ParameterSpace {
   double unit(std::size_t i, const Eigen::VectorXd& fitted) const;
   double activation(std::size_t i, const Eigen::VectorXd& fitted) const;
   bool has_dimension(std::size_t i) const;
+  bool is_energy(std::size_t i) const { return choice_.info->is_activation_energy(choice_.fitted[i]); }
   void find_activated();
 
   const LawChoice& choice_;
-  double stress_ = 1, time_ = 1;                        // references
-  double temperature_ = 0, thermal_energy_ = 1;         // the same, and R (T - zero)
-  std::vector<std::vector<std::size_t>> activated_by_;  // per unknown: those that are its energies
+  double stress_ = 1, time_ = 1;                          // references
+  double temperature_ = 0, thermal_energy_ = 1;           // the same, and R (T - zero)
+  std::vector<std::optional<std::size_t>> activated_by_;  // per unknown: that which is its activation energy
 };
 
 }  // namespace creepcontact::fit

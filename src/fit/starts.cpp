@@ -10,7 +10,7 @@ namespace {
 
 constexpr int n_candidates = 40;
 
-/// In [0, 1), the same on all platforms.
+/// A number in [0, 1), the same on all platforms.
 double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11U) * 0x1p-53;
 }

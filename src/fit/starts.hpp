@@ -12,8 +12,8 @@ namespace creepcontact::fit {
 /// points for the same arguments.
 std::vector<Eigen::VectorXd> latin_hypercube(int n, const Eigen::VectorXd& low, const Eigen::VectorXd& high);
 
-/// The best `n` of many points, best first. @param amplitude  unknown that shifts all residuals alike: it is set so
-/// that their mean is zero; as many as there are unknowns: none
+/// The best `n` of many points, best first. @param amplitude  unknown that shifts all residuals alike, which is
+/// set so that their mean is zero; the number of unknowns: there is none
 std::vector<Eigen::VectorXd> best_starts(const LeastSquares& problem, int n, const Eigen::VectorXd& low,
                                          const Eigen::VectorXd& high, std::size_t amplitude);
 

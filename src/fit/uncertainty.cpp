@@ -17,9 +17,9 @@ namespace {
 
 constexpr double confidence = 0.95;
 constexpr double at_bound = 1e-6;
-constexpr double undetermined = 5e-4;     // ratio of singular values; derivatives are exact to that
-constexpr double least_influence = 1e-9;  // of an unknown on the residuals
-constexpr double wide = 10;               // ends of an interval of a parameter
+constexpr double undetermined = 5e-4;   // ratio of singular values; derivatives are exact to that
+constexpr double min_influence = 1e-9;  // of an unknown on the residuals
+constexpr double wide = 10;             // ends of an interval of a parameter
 constexpr double poor_fit = 0.3;
 constexpr double poor_test = 1.5;  // ratio
 constexpr int fewest_readings = 20;
@@ -32,10 +32,10 @@ std::vector<Eigen::Index> inner_unknowns(const LeastSquares& problem, const Eige
   return inner;
 }
 
-/// What the data say nothing of.
+/// Unknowns that the data do not determine.
 struct Undetermined {
   std::vector<std::size_t> alone;     ///< unknowns without influence
-  std::vector<std::size_t> together;  ///< those of which only combinations have influence
+  std::vector<std::size_t> together;  ///< unknowns of which only combinations have influence
   std::size_t n_together = 0;         ///< how many of these have to be known
 };
 
@@ -60,15 +60,15 @@ struct Undetermined {
   held.resize(std::min(held.size(), unknowns.n_together));
   held.insert(held.begin(), unknowns.alone.begin(), unknowns.alone.end());
   const DataRange range = data.range();
-  std::string reach =
+  std::string tested_range =
       fmt::format("stresses {:g} to {:g}, {} of them", range.stress.low, range.stress.high, data.stresses().size());
   if (data.has_temperature)
-    reach += fmt::format("; temperatures {:g} to {:g}", range.temperature.low, range.temperature.high);
-  if (range.time.high > 0) reach += fmt::format("; times up to {:g}", range.time.high);
+    tested_range += fmt::format("; temperatures {:g} to {:g}", range.temperature.low, range.temperature.high);
+  if (range.time.high > 0) tested_range += fmt::format("; times up to {:g}", range.time.high);
   throw ConfigError(
       fmt::format("{}: the data {} ({}); hold parameters at known values, for example --set {}=..., or take a law with "
                   "fewer parameters",
-                  data.file, fmt::join(found, ", and "), reach, fmt::join(keys(held), "=... --set ")));
+                  data.file, fmt::join(found, ", and "), tested_range, fmt::join(keys(held), "=... --set ")));
 }
 
 /// Covariance of the inner unknowns for a residual deviation of 1.
@@ -81,7 +81,7 @@ Eigen::MatrixXd covariance(const TestData& data, const ParameterSpace& space, co
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index unknown = inner[static_cast<std::size_t>(i)];
     norms[i] = jacobian.col(unknown).norm();
-    const bool has_influence = norms[i] > least_influence;
+    const bool has_influence = norms[i] > min_influence;
     if (!has_influence) unknowns.alone.push_back(static_cast<std::size_t>(unknown));
     columns.col(i) =
         has_influence ? (jacobian.col(unknown) / norms[i]).eval() : Eigen::VectorXd::Zero(jacobian.rows()).eval();
@@ -94,7 +94,7 @@ Eigen::MatrixXd covariance(const TestData& data, const ParameterSpace& space, co
     unknowns.n_together = static_cast<std::size_t>(n_null) - unknowns.alone.size();
     Eigen::VectorXd shares = svd.matrixV().rightCols(n_null).rowwise().norm();
     for (Eigen::Index i = 0; i < n; ++i)
-      if (!(norms[i] > least_influence)) shares[i] = 0;
+      if (!(norms[i] > min_influence)) shares[i] = 0;
     for (Eigen::Index i = 0; i < n; ++i)
       if (unknowns.n_together > 0 && shares[i] > 0.2 * shares.maxCoeff())
         unknowns.together.push_back(static_cast<std::size_t>(inner[static_cast<std::size_t>(i)]));

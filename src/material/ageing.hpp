@@ -3,17 +3,16 @@
 /// 3/2 (A q^n t^m)/q s. Where the stress falls, strain comes back; for stresses that change little.
 /// Source: C. R. Soderberg, Trans. ASME 58 (1936); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
 
-#include "creepcontact/material/registry.hpp"
 #include "flow_law.hpp"
+#include "law_table.hpp"
+#include "power_law.hpp"
 
 namespace creepcontact::material {
 
 class Ageing final : public FlowLaw {
  public:
-  /// @param A  [1/(time^m stress^n)], >= 0
-  /// @param n  [-], >= 1
-  /// @param m  [-], > 0
-  Ageing(Function A, Function n, Function m) : FlowLaw({std::move(A), std::move(n), std::move(m)}) {}
+  /// @param values  by power_law::Constant
+  explicit Ageing(const ParameterValues& values) : FlowLaw(first(values, power_law::n_constants)) {}
   std::string name() const override { return "ageing"; }
   bool is_isochronous() const override { return true; }
   /// @returns the equivalent creep strain, no rate

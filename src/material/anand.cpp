@@ -11,18 +11,18 @@
 namespace creepcontact::material {
 namespace {
 
-constexpr double least_resistance = 1e-6;  // of s0: trial states of an integrator below that count as this
+constexpr double min_relative_resistance = 1e-6;  // of s0: trial states of an integrator below that count as this
 
 }  // namespace
 
-Anand::Anand(std::vector<Function> constants) : CreepLaw(std::move(constants)) {
+Anand::Anand(const ParameterValues& values) : CreepLaw(first(values, n_constants)) {
   require_constant("s0", parameters()[s0], 0.0);
 }
 
 Anand::Rates Anand::rates(double q, const PointState& at) {
   const std::span<const double> p = at.parameters;
-  const bool vanishes = !(1.0 + at.internal[0] > least_resistance);
-  const double s = p[s0] * (vanishes ? least_resistance : 1.0 + at.internal[0]);
+  const bool vanishes = !(1.0 + at.internal[0] > min_relative_resistance);
+  const double s = p[s0] * (vanishes ? min_relative_resistance : 1.0 + at.internal[0]);
   const double x = p[xi] * q / s;
   const double relative = std::pow(std::sinh(x), 1.0 / p[m]);  // f/A
   Rates r;
@@ -79,24 +79,23 @@ bool Anand::evaluate(const StateVariable& variable, const PointState& at, std::s
 }
 
 LawInfo anand_info() {
-  return {"anand",
-          "rate = A sinh(xi q/s)^(1/m), ds = h0 |1-s/s*|^a sign(1-s/s*) d eps, s* = s_hat (rate/A)^n",
-          "L. Anand, 1985; S. B. Brown, K. H. Kim, L. Anand, 1989",
-          with_arrhenius({{"A", "rate factor [1/time]", 0.0, true},
-                          {"xi", "multiplier of the stress [-]", 0.0, true},
-                          {.key = "m", .description = "strain rate sensitivity [-]", .maximum = 1.0},
-                          {"s_hat", "coefficient of the resistance at saturation [stress]", 0.0, true},
-                          {"n", "sensitivity of the resistance at saturation to the rate [-]", 0.0, false},
-                          {"h0", "hardening modulus [stress]", 0.0, false},
-                          {"a", "exponent of the hardening [-]", 1.0, false},
-                          {.key = "s0", .description = "resistance at first [stress]", .variables = {}}}),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated(std::move(p), {Anand::A});
-            std::vector<Function> constants;
-            for (std::size_t i = 0; i < 8; ++i) constants.push_back(p.at(i).at(0));
-            return std::make_unique<Anand>(std::move(constants));
-          },
-          {&drag_stress}};
+  return {
+      "anand",
+      "rate = A sinh(xi q/s)^(1/m), ds = h0 |1-s/s*|^a sign(1-s/s*) d eps, s* = s_hat (rate/A)^n",
+      "L. Anand, 1985; S. B. Brown, K. H. Kim, L. Anand, 1989",
+      with_arrhenius(law_table(
+          Row<Anand::A>{{.key = "A", .description = "rate factor [1/time]", .activation = Activation::rate}},
+          Row<Anand::xi>{{.key = "xi", .description = "multiplier of the stress [-]"}},
+          Row<Anand::m>{{.key = "m", .description = "strain rate sensitivity [-]", .maximum = 1.0}},
+          Row<Anand::s_hat>{{.key = "s_hat", .description = "coefficient of the resistance at saturation [stress]"}},
+          Row<Anand::n>{{.key = "n",
+                         .description = "sensitivity of the resistance at saturation to the rate [-]",
+                         .strict = false}},
+          Row<Anand::h0>{{.key = "h0", .description = "hardening modulus [stress]", .strict = false}},
+          Row<Anand::a>{{.key = "a", .description = "exponent of the hardening [-]", .minimum = 1.0, .strict = false}},
+          Row<Anand::s0>{{.key = "s0", .description = "resistance at first [stress]", .variables = {}}})),
+      construct<Anand>,
+      {&drag_stress}};
 }
 
 }  // namespace creepcontact::material

@@ -5,13 +5,12 @@
 /// Sources: L. Anand, Int. J. Plasticity 1 (1985); S. B. Brown, K. H. Kim, L. Anand, Int. J. Plasticity 5 (1989).
 
 #include "creepcontact/material/creep_law.hpp"
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 
 namespace creepcontact::material {
 
 class Anand final : public CreepLaw {
  public:
-  /// In this order in PointState::parameters.
   enum Constant {
     A,      ///< [1/time], > 0
     xi,     ///< [-], > 0
@@ -20,11 +19,11 @@ class Anand final : public CreepLaw {
     n,      ///< [-], >= 0
     h0,     ///< [stress], >= 0
     a,      ///< [-], >= 1
-    s0      ///< [stress], > 0, the same at all temperatures
+    s0,     ///< [stress], > 0, the same at all temperatures
+    n_constants
   };
-  /// @param constants  8 functions of T in the order above
   /// @throws ParameterError if s0 is not a number
-  explicit Anand(std::vector<Function> constants);
+  explicit Anand(const ParameterValues& values);
   std::string name() const override { return "anand"; }
   int n_internal() const override { return 1; }
   InternalKind internal_kind(int) const override { return InternalKind::fraction; }

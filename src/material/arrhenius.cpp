@@ -1,6 +1,7 @@
 #include "arrhenius.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <limits>
@@ -26,15 +27,33 @@ Function activated_function(const Function& A, const Function& Q, const Function
                             });
 }
 
+/// The name of the constant in the description of its activation energy.
+std::string activated_name(const ParameterInfo& constant) {
+  if (constant.activation == Activation::time) return fmt::format("1/`{}`", constant.key);
+  return (constant.list ? "all of " : "") + constant.key;
+}
+
 }  // namespace
 
-std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own, const std::string& of) {
+Function inverse(const Function& of) {
+  return Function::composed(fmt::format("1/({})", of.text()), {of},
+                            [](const std::vector<double>& values) { return 1.0 / values[0]; });
+}
+
+std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own) {
   const double any = -std::numeric_limits<double>::infinity();
-  own.push_back(
-      {.key = "activation_energy",
-       .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " + of + " [energy/mol]",
-       .strict = false,
-       .fallback = {{0.0}}});
+  const std::size_t energy = own.size() + activation_energy;
+  std::vector<std::string> names;
+  for (ParameterInfo& constant : own) {
+    if (constant.activation == Activation::none || constant.energy) continue;
+    constant.energy = energy;
+    names.push_back(activated_name(constant));
+  }
+  own.push_back({.key = "activation_energy",
+                 .description = "activation energy Q: exp(-Q/(R (T - absolute_zero))) multiplies " +
+                                fmt::format("{}", fmt::join(names, " and ")) + " [energy/mol]",
+                 .strict = false,
+                 .fallback = {{0.0}}});
   own.push_back({.key = "gas_constant",
                  .description = "gas constant R [energy/(mol degree)]",
                  .fallback = {{8.314462618}},
@@ -48,14 +67,24 @@ std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own, const 
   return own;
 }
 
-ParameterValues activated(ParameterValues values, std::initializer_list<std::size_t> numbers,
-                          std::optional<std::size_t> energy) {
-  const std::size_t first = values.size() - 3;  // wraps if there are too few, so that at() throws
-  const Function Q = values.at(energy.value_or(first)).at(0), R = values.at(first + 1).at(0),
-                 zero = values.at(first + 2).at(0);
-  if (Q.is_zero()) return values;
-  for (const std::size_t number : numbers)
-    for (Function& value : values.at(number)) value = activated_function(value, Q, R, zero);
+Function activation_factor(const ParameterValues& values, std::size_t n_constants) {
+  const auto value = [&](ArrheniusConstant constant) { return values.at(n_constants + constant).at(0); };
+  const Function Q = value(activation_energy);
+  return Q.is_zero() ? Function(1.0) : activated_function(1.0, Q, value(gas_constant), value(absolute_zero));
+}
+
+ParameterValues activated(ParameterValues values, const std::vector<ParameterInfo>& table) {
+  const std::size_t n_constants = table.size() - n_arrhenius_constants;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const Activation kind = table[i].activation;
+    if (kind != Activation::rate && kind != Activation::time) continue;
+    const Function Q = values.at(table[i].energy.value()).at(0);
+    if (Q.is_zero()) continue;
+    const Function R = values.at(n_constants + gas_constant).at(0), zero = values.at(n_constants + absolute_zero).at(0);
+    for (Function& value : values.at(i))
+      value = kind == Activation::rate ? activated_function(value, Q, R, zero)
+                                       : inverse(activated_function(inverse(value), Q, R, zero));
+  }
   return values;
 }
 

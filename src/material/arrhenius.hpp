@@ -6,16 +6,21 @@
 
 namespace creepcontact::material {
 
-/// Appends the optional keys activation_energy, gas_constant, absolute_zero.
-/// @param of  the parameters that are activated, for the description
-std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own, const std::string& of = "A");
+/// Constants that follow those of a law.
+enum ArrheniusConstant { activation_energy, gas_constant, absolute_zero, n_arrhenius_constants };
 
-/// Values whose last three belong to the keys of with_arrhenius(): the parameters with these numbers (all of a list)
-/// are multiplied by exp(-Q/(R (T - absolute_zero))). They become functions of T that throw ModelError at or below
-/// absolute zero. With Q = 0 they are as they were.
-/// @param energy  number of the parameter Q; by default activation_energy
-/// @throws std::out_of_range if there are too few values
-ParameterValues activated(ParameterValues values, std::initializer_list<std::size_t> numbers,
-                          std::optional<std::size_t> energy = {});
+/// Appends the rows of ArrheniusConstant to the table of a law, and gives its activated constants without an energy of
+/// their own the activation energy.
+std::vector<ParameterInfo> with_arrhenius(std::vector<ParameterInfo> own);
+
+/// The factor exp(-Q/(R (T - absolute_zero))), a function of T that throws ModelError at or below absolute zero; 1 if
+/// Q = 0. @param values  of a table that with_arrhenius() made @param n_constants  of the law's own
+Function activation_factor(const ParameterValues& values, std::size_t n_constants);
+
+/// The values with the activation that the table gives them. With Q = 0 they are as they were.
+ParameterValues activated(ParameterValues values, const std::vector<ParameterInfo>& table);
+
+/// 1/(the function)
+Function inverse(const Function& of);
 
 }  // namespace creepcontact::material

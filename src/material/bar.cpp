@@ -10,9 +10,9 @@ namespace creepcontact::material {
 namespace {
 
 constexpr double ruptured_damage = 0.99;
-constexpr double largest_strain = 1e6;
-constexpr double shortest_step = 1e-7;  // of the time
-constexpr int most_steps = 20000;
+constexpr double max_strain = 1e6;
+constexpr double min_relative_step = 1e-7;  // of the time
+constexpr int max_steps = 20000;
 constexpr double smallest_unknown = 1e-14;  // whose relative error counts
 
 using Laws = std::span<const std::shared_ptr<const CreepLaw>>;
@@ -139,7 +139,7 @@ BarHistory isochronous_history(const Bar& bar, const BarTest& test, std::span<co
       }
     }
     history.last = {reached[0], test.relaxes() ? test.stress - test.young_modulus * reached[0] : test.stress};
-    history.failed = !reached.allFinite() || std::abs(reached[0]) > largest_strain;
+    history.failed = !reached.allFinite() || std::abs(reached[0]) > max_strain;
     if (history.failed) break;
     history.states.push_back(history.last);
   }
@@ -168,7 +168,7 @@ std::optional<BarHistory> closed_history(const Bar& bar, std::span<const double>
     const Eigen::VectorXd again = first + bar.increment(first_part * t, first, (1 - first_part) * t);
     for (Eigen::Index i = 0; i < whole.size(); ++i)
       if (!(std::abs(again[i] - whole[i]) <= tolerance * (std::abs(whole[i]) + smallest_unknown))) return std::nullopt;
-    if (!(std::abs(whole[0]) <= largest_strain) || bar.is_damaged(t, whole)) return std::nullopt;
+    if (!(std::abs(whole[0]) <= max_strain) || bar.is_damaged(t, whole)) return std::nullopt;
     history.last = bar.state(whole);
     history.states.push_back(history.last);
   }
@@ -205,7 +205,7 @@ BarHistory bar_history(Laws laws, const BarTest& test, std::span<const double> t
   Eigen::VectorXd y = bar.increment(0, bar.virgin(), t);
   auto next = positive;
   for (int n = 0; t < end; ++n) {
-    if (!y.allFinite() || std::abs(y[0]) > largest_strain || n == most_steps) {
+    if (!y.allFinite() || std::abs(y[0]) > max_strain || n == max_steps) {
       history.failed = true;
       return history;
     }
@@ -215,7 +215,7 @@ BarHistory bar_history(Laws laws, const BarTest& test, std::span<const double> t
     const double error = step.is_finite() ? error_of(step, y, tolerance) : 1e9;
     if (error > 1) {
       h *= std::max(0.1, 0.9 * std::pow(error, -0.25));
-      if (h < shortest_step * t) {
+      if (h < min_relative_step * t) {
         history.rupture = t;
         return history;
       }

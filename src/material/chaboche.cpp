@@ -26,31 +26,27 @@ struct Chaboche::Flow {
 
 namespace {
 
-/// Linear recovery where no exponents are given.
-std::vector<Function> exponents_of(const std::vector<Function>& recovery, const std::vector<Function>& given) {
-  return given.empty() ? std::vector<Function>(recovery.size(), 1.0) : given;
-}
-
 void require_partner(const NamedList& given, const NamedList& partner) {
   if (!given.second->empty() && partner.second->empty())
     throw ParameterError(given.first, fmt::format("values without '{}'", partner.first),
                          fmt::format("with '{}' of as many values", partner.first));
 }
 
-std::vector<Function> chaboche_parameters(const Chaboche::Constants& of) {
-  std::vector<Function> all{of.K, of.n, of.yield, of.Q, of.b, of.sinh_rate};
-  require_partner({"C", &of.C}, {"gamma", &of.gamma});
-  require_partner({"gamma", &of.gamma}, {"C", &of.C});
-  require_partner({"recovery_exponent", &of.exponent}, {"recovery", &of.recovery});
-  if (of.C.empty()) return all;
-  std::vector<NamedList> lists{{"C", &of.C}, {"gamma", &of.gamma}};
-  if (!of.recovery.empty()) {
-    lists.emplace_back("recovery", &of.recovery);
-    lists.emplace_back("recovery_exponent", &of.exponent);
-  }
-  const std::vector<Function> joint = joined(lists);
-  all.insert(all.end(), joint.begin(), joint.end());
-  return all;
+/// The constants with exponents of linear recovery where none are given.
+ParameterValues checked(ParameterValues values) {
+  if (values[Chaboche::recovery_exponent].empty())
+    values[Chaboche::recovery_exponent].assign(values[Chaboche::recovery].size(), 1.0);
+  const NamedList C{"C", &values[Chaboche::C]}, gamma{"gamma", &values[Chaboche::gamma]},
+      recovery{"recovery", &values[Chaboche::recovery]},
+      exponent{"recovery_exponent", &values[Chaboche::recovery_exponent]};
+  require_partner(C, gamma);
+  require_partner(gamma, C);
+  require_partner(exponent, recovery);
+  if (C.second->empty()) return values;
+  std::vector<NamedList> lists{C, gamma};
+  if (!recovery.second->empty()) lists.insert(lists.end(), {recovery, exponent});
+  require_one_length(lists);
+  return values;
 }
 
 /// J of X = 2/3 C alpha
@@ -60,32 +56,34 @@ double back_stress_size(double C, const Tensor6& alpha) {
 
 }  // namespace
 
-Chaboche::Chaboche(const Constants& constants)
-    : CreepLaw(chaboche_parameters(constants)),
-      n_back_stresses_(std::ssize(constants.C)),
-      recovers_(!constants.recovery.empty()),
-      hardens_(!constants.Q.is_zero()) {
-  if (constants.C.empty() && recovers_)
+Chaboche::Chaboche(const ParameterValues& values)
+    : CreepLaw(checked(first(values, n_constants))),
+      n_back_stresses_(std::ssize(values[C])),
+      recovers_(!values[recovery].empty()),
+      hardens_(!values[Q].at(0).is_zero()) {
+  if (n_back_stresses_ == 0 && recovers_)
     throw ParameterError("recovery", "recovery of back stresses that are not there",
                          "'C' and 'gamma' of as many back stresses");
-  if (!constants.yield.is_constant() || !constants.Q.is_constant()) return;
-  const double yield = constants.yield({}), Q = constants.Q({});
-  if (yield + Q < 0)
-    throw ParameterError("Q", fmt::format("the number {}, which softens the yield stress {} below zero", Q, yield),
-                         fmt::format("a number >= {}", -yield));
+  const Function &elastic_range = values[yield].at(0), &hardening = values[Q].at(0);
+  if (!elastic_range.is_constant() || !hardening.is_constant()) return;
+  const double size = elastic_range({}), growth = hardening({});
+  if (size + growth < 0)
+    throw ParameterError("Q", fmt::format("the number {}, which softens the yield stress {} below zero", growth, size),
+                         fmt::format("a number >= {}", -size));
 }
 
 Chaboche::Values Chaboche::values(const PointState& at) const {
   const std::span<const double> p = at.parameters;
-  Values of{.K = p[0], .n = p[1], .yield = p[2], .Q = p[3], .b = p[4], .sinh_rate = p[5]};
-  if (n_back_stresses_ == 0) return of;
-  const std::span<const double> lists = p.subspan(6);
-  of.C = list_of(lists, 0, n_back_stresses_);
-  of.gamma = list_of(lists, 1, n_back_stresses_);
-  if (!recovers_) return of;
-  of.recovery = list_of(lists, 2, n_back_stresses_);
-  of.exponent = list_of(lists, 3, n_back_stresses_);
-  return of;
+  return {.K = p[K],
+          .n = p[n],
+          .yield = p[yield],
+          .Q = p[Q],
+          .b = p[b],
+          .sinh_rate = list(sinh_rate, at)[0],
+          .C = list(C, at),
+          .gamma = list(gamma, at),
+          .recovery = list(recovery, at),
+          .exponent = list(recovery_exponent, at)};
 }
 
 Chaboche::Rate Chaboche::flow_rate(const Values& of, double overstress) {
@@ -224,52 +222,57 @@ bool Chaboche::evaluate(const StateVariable& variable, const PointState& at, std
 
 LawInfo chaboche_info() {
   const double any = -std::numeric_limits<double>::infinity();
-  return {"chaboche",
-          "rate = <(J(s-X) - yield - R)/K>^n, dX_i = 2/3 C_i d eps - gamma_i X_i dp, dR = b (Q-R) dp",
-          "J.-L. Chaboche, 1989 and 2008",
-          {{"K", "viscous resistance [stress time^(1/n)]; with sinh_rate [stress]", 0.0, true},
-           {"n", "exponent of the overstress [-]", 1.0, false},
-           {"yield", "size of the elastic range at first [stress]", 0.0, false},
-           {.key = "Q",
-            .description = "isotropic hardening R at saturation; negative: softening [stress]",
-            .minimum = any,
-            .strict = false,
-            .fallback = {{0.0}}},
-           {.key = "b",
-            .description = "rate of the isotropic hardening, per inelastic strain [-]",
-            .strict = false,
-            .fallback = {{0.0}}},
-           {.key = "C",
-            .description = "moduli C_i of the back stresses [stress]; not given: no kinematic hardening",
-            .strict = false,
-            .list = true,
-            .fallback = std::vector<Function>{}},
-           {.key = "gamma",
-            .description = "dynamic recovery gamma_i of the back stresses [-]; each saturates at C_i/gamma_i",
-            .strict = false,
-            .list = true,
-            .fallback = std::vector<Function>{}},
-           {.key = "recovery",
-            .description = "static recovery r_i: dX_i/dt = -r_i J(X_i)^(m_i-1) X_i [1/(time stress^(m_i-1))]",
-            .strict = false,
-            .list = true,
-            .fallback = std::vector<Function>{}},
-           {.key = "recovery_exponent",
-            .description = "exponents m_i of the static recovery [-]; not given: 1, linear",
-            .minimum = 1.0,
-            .strict = false,
-            .list = true,
-            .fallback = std::vector<Function>{}},
-           {.key = "sinh_rate",
-            .description = "if given: rate = sinh_rate sinh(overstress/K)^n instead of the power law [1/time]",
-            .strict = false,
-            .fallback = {{0.0}}}},
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Chaboche>(
-                Chaboche::Constants{p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0), p.at(4).at(0), p.at(5),
-                                    p.at(6), p.at(7), exponents_of(p.at(7), p.at(8)), p.at(9).at(0)});
-          },
-          {&back_stress, &isotropic_hardening, &accumulated_inelastic_strain}};
+  return {
+      "chaboche",
+      "rate = <(J(s-X) - yield - R)/K>^n, dX_i = 2/3 C_i d eps - gamma_i X_i dp, dR = b (Q-R) dp",
+      "J.-L. Chaboche, 1989 and 2008",
+      law_table(Row<Chaboche::K>{{.key = "K",
+                                  .description = "viscous resistance [stress time^(1/n)]; with sinh_rate [stress]"}},
+                Row<Chaboche::n>{
+                    {.key = "n", .description = "exponent of the overstress [-]", .minimum = 1.0, .strict = false}},
+                Row<Chaboche::yield>{
+                    {.key = "yield", .description = "size of the elastic range at first [stress]", .strict = false}},
+                Row<Chaboche::Q>{{.key = "Q",
+                                  .description = "isotropic hardening R at saturation; negative: softening [stress]",
+                                  .minimum = any,
+                                  .strict = false,
+                                  .fallback = {{0.0}}}},
+                Row<Chaboche::b>{{.key = "b",
+                                  .description = "rate of the isotropic hardening, per inelastic strain [-]",
+                                  .strict = false,
+                                  .fallback = {{0.0}}}},
+                Row<Chaboche::C>{
+                    {.key = "C",
+                     .description = "moduli C_i of the back stresses [stress]; not given: no kinematic hardening",
+                     .strict = false,
+                     .list = true,
+                     .fallback = std::vector<Function>{}}},
+                Row<Chaboche::gamma>{
+                    {.key = "gamma",
+                     .description = "dynamic recovery gamma_i of the back stresses [-]; each saturates at C_i/gamma_i",
+                     .strict = false,
+                     .list = true,
+                     .fallback = std::vector<Function>{}}},
+                Row<Chaboche::recovery>{
+                    {.key = "recovery",
+                     .description = "static recovery r_i: dX_i/dt = -r_i J(X_i)^(m_i-1) X_i [1/(time stress^(m_i-1))]",
+                     .strict = false,
+                     .list = true,
+                     .fallback = std::vector<Function>{}}},
+                Row<Chaboche::recovery_exponent>{
+                    {.key = "recovery_exponent",
+                     .description = "exponents m_i of the static recovery [-]; not given: 1, linear",
+                     .minimum = 1.0,
+                     .strict = false,
+                     .list = true,
+                     .fallback = std::vector<Function>{}}},
+                Row<Chaboche::sinh_rate>{
+                    {.key = "sinh_rate",
+                     .description = "if given: rate = sinh_rate sinh(overstress/K)^n instead of the power law [1/time]",
+                     .strict = false,
+                     .fallback = {{0.0}}}}),
+      construct<Chaboche>,
+      {&back_stress, &isotropic_hardening, &accumulated_inelastic_strain}};
 }
 
 }  // namespace creepcontact::material

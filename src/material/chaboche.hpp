@@ -11,28 +11,27 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/material/creep_law.hpp"
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 
 namespace creepcontact::material {
 
 class Chaboche final : public CreepLaw {
  public:
-  /// What a configuration gives, in this order.
-  struct Constants {
-    Function K;                      ///< [stress time^(1/n)]; with sinh_rate [stress], > 0
-    Function n;                      ///< [-], >= 1
-    Function yield;                  ///< [stress], >= 0
-    Function Q;                      ///< [stress]; yield + Q >= 0
-    Function b;                      ///< [-], >= 0
-    std::vector<Function> C;         ///< [stress], >= 0
-    std::vector<Function> gamma;     ///< [-], >= 0
-    std::vector<Function> recovery;  ///< r_i [1/(time stress^(m_i-1))], >= 0; or empty
-    std::vector<Function> exponent;  ///< m_i [-], >= 1; empty as recovery
-    Function sinh_rate;              ///< [1/time], >= 0; 0: the power law
+  enum Constant {
+    K,                  ///< [stress time^(1/n)]; with sinh_rate [stress], > 0
+    n,                  ///< [-], >= 1
+    yield,              ///< [stress], >= 0
+    Q,                  ///< [stress]; yield + Q >= 0
+    b,                  ///< [-], >= 0
+    C,                  ///< list [stress], >= 0
+    gamma,              ///< list [-], >= 0
+    recovery,           ///< list r_i [1/(time stress^(m_i-1))], >= 0; or empty
+    recovery_exponent,  ///< list m_i [-], >= 1; empty: 1
+    sinh_rate,          ///< [1/time], >= 0; 0: the power law
+    n_constants
   };
-
   /// @throws ParameterError if the lists differ in length, or if constant yield and Q leave no elastic range
-  explicit Chaboche(const Constants& constants);
+  explicit Chaboche(const ParameterValues& values);
   std::string name() const override { return "chaboche"; }
   int n_internal() const override { return static_cast<int>(6 * n_back_stresses_) + 1 + (hardens_ ? 1 : 0); }
   InternalKind internal_kind(int variable) const override {

@@ -2,6 +2,13 @@
 
 namespace creepcontact::material {
 
+CreepLaw::CreepLaw(const ParameterValues& constants) {
+  for (const std::vector<Function>& values : constants) {
+    parameters_.insert(parameters_.end(), values.begin(), values.end());
+    first_.push_back(parameters_.size());
+  }
+}
+
 void CreepLaw::increment(const PointState& at, double duration, PointIncrement into) const {
   Tensor6 strain_rate = Tensor6::Zero();
   std::vector<double> internal_rate(n_internal());

@@ -28,7 +28,8 @@ constexpr std::array<double, 3> gauss_weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
 }  // namespace
 
-ExpressionLaw::ExpressionLaw(Function rate) : HardeningLaw({}, rate.depends_on_strain()), rate_(std::move(rate)) {}
+ExpressionLaw::ExpressionLaw(const ParameterValues& values)
+    : HardeningLaw({}, values[rate_expression].at(0).depends_on_strain()), rate_(values[rate_expression].at(0)) {}
 
 double ExpressionLaw::value(double q, double eps, double t, double T) const {
   return rate_({.t = t, .T = T, .q = q, .eps = eps});
@@ -99,18 +100,18 @@ double ExpressionLaw::accumulated(double q, double eps, const PointState& at, do
 }
 
 LawInfo expression_info() {
-  return {"expression",
-          "rate = an expression in q, T, t, eps",
-          "yours",
-          {{.key = "rate",
-            .description = "equivalent creep rate, an expression in the von Mises stress q, temperature T, time t and "
-                           "accumulated equivalent creep strain eps [1/time]",
-            .strict = false,
-            .variables = {"q", "T", "t", "eps"}}},
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<ExpressionLaw>(std::move(p.at(0).at(0)));
-          },
-          {&hardening_strain}};
+  return {
+      "expression",
+      "rate = an expression in q, T, t, eps",
+      "yours",
+      law_table(Row<ExpressionLaw::rate_expression>{
+          {.key = "rate",
+           .description = "equivalent creep rate, an expression in the von Mises stress q, temperature T, time t and "
+                          "accumulated equivalent creep strain eps [1/time]",
+           .strict = false,
+           .variables = {"q", "T", "t", "eps"}}}),
+      construct<ExpressionLaw>,
+      {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

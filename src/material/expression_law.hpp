@@ -5,15 +5,18 @@
 /// number makes the integrator take a smaller step. Rates that are infinite at t = 0 (as t^-0.5) or at eps = 0 (as
 /// eps^-2) start with the closed form of the power law that they tend to there, found numerically.
 
-#include "creepcontact/material/registry.hpp"
 #include "hardening_law.hpp"
+#include "law_table.hpp"
 
 namespace creepcontact::material {
 
 class ExpressionLaw final : public HardeningLaw {
  public:
-  /// @param rate  of q, T, t, eps [1/time]
-  explicit ExpressionLaw(Function rate);
+  enum Constant {
+    rate_expression,  ///< of q, T, t, eps [1/time]
+    n_constants
+  };
+  explicit ExpressionLaw(const ParameterValues& values);
   std::string name() const override { return "expression"; }
   double equivalent_rate(double q, double eps, const PointState& at) const override;
   HardeningRate linearized_rate(double q, double eps, const PointState& at) const override;

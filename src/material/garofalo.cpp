@@ -6,7 +6,7 @@
 namespace creepcontact::material {
 
 EquivalentRate Garofalo::equivalent_rate(double q, const PointState& at) const {
-  const double A = at.parameters[0], alpha = at.parameters[1], n = at.parameters[2];
+  const double A = at.parameters[Constant::A], alpha = at.parameters[Constant::alpha], n = at.parameters[Constant::n];
   const double sinh = std::sinh(alpha * q);
   const double below = A * power(sinh, n - 1.0);
   return {below * sinh, n * alpha * below * std::cosh(alpha * q)};
@@ -14,13 +14,15 @@ EquivalentRate Garofalo::equivalent_rate(double q, const PointState& at) const {
 
 LawInfo garofalo_info() {
   return {"garofalo", "rate = A sinh(alpha q)^n", "F. Garofalo, 1965",
-          with_arrhenius({{"A", "rate where sinh(alpha q) = 1 [1/time]", 0.0, false},
-                          {"alpha", "inverse of the stress where the power law breaks down [1/stress]", 0.0, true},
-                          {"n", "stress exponent at low stress [-]", 1.0, false}}),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated(std::move(p), {0});
-            return std::make_unique<Garofalo>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
-          }};
+          with_arrhenius(law_table(
+              Row<Garofalo::A>{{.key = "A",
+                                .description = "rate where sinh(alpha q) = 1 [1/time]",
+                                .strict = false,
+                                .activation = Activation::rate}},
+              Row<Garofalo::alpha>{
+                  {.key = "alpha", .description = "inverse of the stress where the power law breaks down [1/stress]"}},
+              Row<Garofalo::n>{stress_exponent("n", "stress exponent at low stress [-]")})),
+          construct<Garofalo>};
 }
 
 }  // namespace creepcontact::material

@@ -40,8 +40,7 @@ class HardeningLaw : public CreepLaw {
 
  protected:
   /// @param accumulates  false: f does not depend on eps, and there is no internal variable
-  HardeningLaw(std::vector<Function> parameters, bool accumulates)
-      : CreepLaw(std::move(parameters)), accumulates_(accumulates) {}
+  HardeningLaw(const ParameterValues& constants, bool accumulates) : CreepLaw(constants), accumulates_(accumulates) {}
 
  private:
   double strain(const PointState& at) const;

@@ -3,34 +3,20 @@
 #include "lists.hpp"
 
 namespace creepcontact::material {
-namespace {
 
-/// Fluidity first, then the lists.
-std::vector<Function> all_parameters(const std::vector<Function>& J, const std::vector<Function>& tau,
-                                     const std::vector<Function>& B, const Function& fluidity) {
-  std::vector<Function> all{fluidity};
-  if (J.empty() && tau.empty() && B.empty()) return all;  // a dashpot alone
-  std::vector<NamedList> lists{{"compliances", &J}, {"times", &tau}};
-  if (!B.empty()) lists.emplace_back("volumetric_compliances", &B);
-  const std::vector<Function> chain = joined(lists);
-  all.insert(all.end(), chain.begin(), chain.end());
-  return all;
+Hereditary::Hereditary(std::string name, const ParameterValues& values)
+    : CreepLaw(first(values, n_constants)),
+      name_(std::move(name)),
+      n_elements_(std::ssize(values[compliances])),
+      volumetric_(!values[volumetric_compliances].empty()) {
+  std::vector<NamedList> lists{{"compliances", &values[compliances]}, {"times", &values[times]}};
+  if (volumetric_) lists.emplace_back("volumetric_compliances", &values[volumetric_compliances]);
+  if (n_elements_ > 0 || volumetric_ || !values[times].empty()) require_one_length(lists);
 }
 
-}  // namespace
-
-Hereditary::Hereditary(std::string name, const std::vector<Function>& J, const std::vector<Function>& tau,
-                       const std::vector<Function>& B, const Function& fluidity)
-    : CreepLaw(all_parameters(J, tau, B, fluidity)),
-      name_(std::move(name)),
-      n_elements_(std::ssize(J)),
-      volumetric_(!B.empty()) {}
-
 Hereditary::Chain Hereditary::chain(const PointState& at) const {
-  const std::span<const double> lists = at.parameters.subspan(1);
-  Chain chain{at.parameters[0], list_of(lists, 0, n_elements_), list_of(lists, 1, n_elements_), {}};
-  if (volumetric_) chain.B = list_of(lists, 2, n_elements_);
-  return chain;
+  const std::span<const double> dashpot = list(fluidity, at);
+  return {dashpot.empty() ? 0.0 : dashpot[0], list(compliances, at), list(times, at), list(volumetric_compliances, at)};
 }
 
 Tensor6 Hereditary::Chain::limit(int element, const tensor::ConstMap& stress) const {

@@ -10,7 +10,7 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/material/creep_law.hpp"
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 
 namespace creepcontact::material {
 
@@ -25,13 +25,15 @@ inline constexpr StateVariable kelvin_strain{
 
 class Hereditary final : public CreepLaw {
  public:
-  /// @param J  uniaxial compliances [1/stress], >= 0
-  /// @param tau  times of retardation [time], > 0
-  /// @param B  volumetric compliances [1/stress], >= 0; empty: volume does not creep
-  /// @param fluidity  uniaxial [1/(stress time)], >= 0
+  enum Constant {
+    compliances,             ///< uniaxial J_i [1/stress], >= 0; empty: a dashpot alone
+    times,                   ///< of retardation tau_i [time], > 0
+    volumetric_compliances,  ///< B_i [1/stress], >= 0; empty: volume does not creep
+    fluidity,                ///< uniaxial [1/(stress time)], >= 0; empty: 0
+    n_constants
+  };
   /// @throws ParameterError if the lists differ in length
-  Hereditary(std::string name, const std::vector<Function>& J, const std::vector<Function>& tau,
-             const std::vector<Function>& B, const Function& fluidity);
+  Hereditary(std::string name, const ParameterValues& values);
   std::string name() const override { return name_; }
   int n_internal() const override { return static_cast<int>(6 * n_elements_); }
 

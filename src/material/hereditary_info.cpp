@@ -1,7 +1,5 @@
 /// The names under which linear viscoelastic creep is known.
 
-#include <fmt/format.h>
-
 #include "arrhenius.hpp"
 #include "hereditary.hpp"
 
@@ -9,90 +7,93 @@ namespace creepcontact::material {
 namespace {
 
 ParameterInfo compliance() {
-  return {"compliance", "uniaxial compliance J of the Kelvin element [1/stress]", 0.0, false};
+  return {
+      .key = "compliance", .description = "uniaxial compliance J of the Kelvin element [1/stress]", .strict = false};
 }
 ParameterInfo retardation() {
-  return {"time", "retardation time tau of the Kelvin element [time]", 0.0, true};
+  return {.key = "time",
+          .description = "retardation time tau of the Kelvin element [time]",
+          .activation = Activation::time};
 }
 ParameterInfo viscosity() {
-  return {"viscosity", "uniaxial viscosity of the dashpot in series: rate = q/viscosity [stress time]", 0.0, true};
-}
-
-Function inverse(const Function& of) {
-  return Function::composed(fmt::format("1/({})", of.text()), {of},
-                            [](const std::vector<double>& values) { return 1.0 / values[0]; });
-}
-
-/// Of parameters whose inverse is a rate: viscosities and times.
-ParameterValues activated_inverse(ParameterValues values, std::size_t number) {
-  if (values.at(values.size() - 3).at(0).is_zero()) return values;
-  for (Function& value : values.at(number)) value = inverse(value);
-  values = activated(std::move(values), {number});
-  for (Function& value : values.at(number)) value = inverse(value);
-  return values;
+  return {.key = "viscosity",
+          .description = "uniaxial viscosity of the dashpot in series: rate = q/viscosity [stress time]",
+          .activation = Activation::time};
 }
 
 }  // namespace
 
 LawInfo hereditary_info() {
-  return {
-      "hereditary",
-      "strain at constant stress = sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t)",
-      "L. Boltzmann, 1874; V. Volterra, 1909; R. de Prony, 1795",
-      with_arrhenius(
-          {{.key = "compliances",
-            .description = "uniaxial compliances J_i of the Kelvin elements [1/stress]",
-            .strict = false,
-            .list = true},
-           {.key = "times", .description = "retardation times tau_i [time]", .list = true},
-           {.key = "volumetric_compliances",
-            .description = "volumetric compliances B_i, volumetric strain per mean stress [1/stress]; not given: the "
-                           "volume does not creep",
-            .strict = false,
-            .list = true,
-            .fallback = std::vector<Function>{}},
-           {.key = "fluidity",
-            .description = "uniaxial fluidity of a dashpot in series, rate per stress [1/(stress time)]",
-            .strict = false,
-            .fallback = {{0.0}}}},
-          "all rates: `fluidity` and 1/`times`"),
-      [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-        p = activated_inverse(activated(std::move(p), {3}), 1);
-        return std::make_unique<Hereditary>("hereditary", p.at(0), p.at(1), p.at(2), p.at(3).at(0));
-      },
-      {&kelvin_strain}};
+  using Law = Hereditary;
+  return {"hereditary",
+          "strain at constant stress = sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t)",
+          "L. Boltzmann, 1874; V. Volterra, 1909; R. de Prony, 1795",
+          with_arrhenius(law_table(
+              Row<Law::compliances>{{.key = "compliances",
+                                     .description = "uniaxial compliances J_i of the Kelvin elements [1/stress]",
+                                     .strict = false,
+                                     .list = true}},
+              Row<Law::times>{{.key = "times",
+                               .description = "retardation times tau_i [time]",
+                               .list = true,
+                               .activation = Activation::time}},
+              Row<Law::volumetric_compliances>{
+                  {.key = "volumetric_compliances",
+                   .description =
+                       "volumetric compliances B_i, volumetric strain per mean stress [1/stress]; not given: the "
+                       "volume does not creep",
+                   .strict = false,
+                   .list = true,
+                   .fallback = std::vector<Function>{}}},
+              Row<Law::fluidity>{
+                  {.key = "fluidity",
+                   .description = "uniaxial fluidity of a dashpot in series, rate per stress [1/(stress time)]",
+                   .strict = false,
+                   .fallback = {{0.0}},
+                   .activation = Activation::rate}})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<Hereditary>("hereditary", values);
+          },
+          {&kelvin_strain}};
 }
 
 LawInfo kelvin_voigt_info() {
+  enum KelvinVoigtConstant { J, tau, n_constants };
   return {"kelvin_voigt",
           "strain at constant stress = sigma J (1 - exp(-t/tau))",
           "W. Thomson (Lord Kelvin), 1865; W. Voigt, 1892",
-          with_arrhenius({compliance(), retardation()}, "1/`time`"),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated_inverse(std::move(p), 1);
-            return std::make_unique<Hereditary>("kelvin_voigt", p.at(0), p.at(1), std::vector<Function>{}, 0.0);
+          with_arrhenius(law_table(Row<J>{compliance()}, Row<tau>{retardation()})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            ParameterValues chain(Hereditary::n_constants);
+            chain[Hereditary::compliances] = values[J];
+            chain[Hereditary::times] = values[tau];
+            return std::make_unique<Hereditary>("kelvin_voigt", chain);
           },
           {&kelvin_strain}};
 }
 
 LawInfo maxwell_info() {
-  return {"maxwell", "rate = q/viscosity", "J. C. Maxwell, 1867", with_arrhenius({viscosity()}, "1/`viscosity`"),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated_inverse(std::move(p), 0);
-            const std::vector<Function> none;
-            return std::make_unique<Hereditary>("maxwell", none, none, none, inverse(p.at(0).at(0)));
+  enum MaxwellConstant { eta, n_constants };
+  return {"maxwell", "rate = q/viscosity", "J. C. Maxwell, 1867", with_arrhenius(law_table(Row<eta>{viscosity()})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            ParameterValues dashpot(Hereditary::n_constants);
+            dashpot[Hereditary::fluidity] = {inverse(values[eta].at(0))};
+            return std::make_unique<Hereditary>("maxwell", dashpot);
           }};
 }
 
 LawInfo burgers_info() {
+  enum BurgersConstant { eta, J, tau, n_constants };
   return {"burgers",
           "strain at constant stress = sigma (J (1 - exp(-t/tau)) + t/viscosity)",
           "J. M. Burgers, 1935",
-          with_arrhenius({viscosity(), compliance(), retardation()}, "1/`viscosity` and 1/`time`"),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated_inverse(activated_inverse(std::move(p), 0), 2);
-            return std::make_unique<Hereditary>("burgers", p.at(1), p.at(2), std::vector<Function>{},
-                                                inverse(p.at(0).at(0)));
+          with_arrhenius(law_table(Row<eta>{viscosity()}, Row<J>{compliance()}, Row<tau>{retardation()})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            ParameterValues chain(Hereditary::n_constants);
+            chain[Hereditary::compliances] = values[J];
+            chain[Hereditary::times] = values[tau];
+            chain[Hereditary::fluidity] = {inverse(values[eta].at(0))};
+            return std::make_unique<Hereditary>("burgers", chain);
           },
           {&kelvin_strain}};
 }

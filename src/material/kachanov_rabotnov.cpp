@@ -10,18 +10,15 @@ namespace {
 
 constexpr double min_rest = 1e-14;  // of 1 - D
 
-enum Parameter { A, n, B, r, phi, alpha, damage_energy };
-
 }  // namespace
 
-KachanovRabotnov::KachanovRabotnov(Function A, Function n, Function B, Function r, Function phi, Function alpha)
-    : CreepLaw({std::move(A), std::move(n), std::move(B), std::move(r), std::move(phi), std::move(alpha)}) {
-  const Function& exponent = parameters()[Parameter::phi];
+KachanovRabotnov::KachanovRabotnov(const ParameterValues& values) : CreepLaw(first(values, damage_energy)) {
+  const Function& exponent = parameters()[phi];
   power_ = exponent.is_constant() ? exponent({}) + 1.0 : 1.0;
 }
 
 bool KachanovRabotnov::uses_mean_stress() const {
-  return !parameters()[Parameter::alpha].is_zero();
+  return !parameters()[alpha].is_zero();
 }
 
 KachanovRabotnov::Integrity KachanovRabotnov::integrity(const PointState& at) const {
@@ -78,28 +75,33 @@ bool KachanovRabotnov::evaluate(const StateVariable& variable, const PointState&
 }
 
 LawInfo kachanov_rabotnov_info() {
+  using Law = KachanovRabotnov;
   return {"kachanov_rabotnov",
           "rate = A (q/(1-w))^n, dw/dt = B S^r/(1-w)^phi, S = alpha max(sigma_1, 0) + (1-alpha) q",
           "L. M. Kachanov, 1958; Y. N. Rabotnov, 1969; D. R. Hayhurst, 1972",
-          with_arrhenius({{"A", "rate at unit equivalent stress, undamaged [1/(time stress^n)]", 0.0, false},
-                          {"n", "stress exponent [-]", 1.0, false},
-                          {"B", "damage rate at unit stress, undamaged [1/(time stress^r)]", 0.0, false},
-                          {"r", "stress exponent of damage [-]", 0.0, true},
-                          {"phi", "damage exponent [-]", 0.0, false},
-                          {.key = "alpha",
-                           .description = "weight of the largest principal stress in S [-]",
-                           .strict = false,
-                           .fallback = {{0.0}},
-                           .maximum = 1.0},
-                          {.key = "damage_activation_energy",
-                           .description = "activation energy of `B` [energy/mol]",
-                           .strict = false,
-                           .fallback = {{0.0}}}}),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated(activated(std::move(p), {A}), {B}, damage_energy);
-            return std::make_unique<KachanovRabotnov>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0),
-                                                      p.at(4).at(0), p.at(5).at(0));
-          },
+          with_arrhenius(
+              law_table(Row<Law::A>{{.key = "A",
+                                     .description = "rate at unit equivalent stress, undamaged [1/(time stress^n)]",
+                                     .strict = false,
+                                     .activation = Activation::rate}},
+                        Row<Law::n>{stress_exponent()},
+                        Row<Law::B>{{.key = "B",
+                                     .description = "damage rate at unit stress, undamaged [1/(time stress^r)]",
+                                     .strict = false,
+                                     .activation = Activation::rate,
+                                     .energy = Law::damage_energy}},
+                        Row<Law::r>{{.key = "r", .description = "stress exponent of damage [-]"}},
+                        Row<Law::phi>{{.key = "phi", .description = "damage exponent [-]", .strict = false}},
+                        Row<Law::alpha>{{.key = "alpha",
+                                         .description = "weight of the largest principal stress in S [-]",
+                                         .strict = false,
+                                         .fallback = {{0.0}},
+                                         .maximum = 1.0}},
+                        Row<Law::damage_energy>{{.key = "damage_activation_energy",
+                                                 .description = "activation energy of `B` [energy/mol]",
+                                                 .strict = false,
+                                                 .fallback = {{0.0}}}})),
+          construct<Law>,
           {&damage, &remaining_life}};
 }
 

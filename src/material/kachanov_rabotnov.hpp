@@ -7,19 +7,23 @@
 /// J. Mech. Phys. Solids 20 (1972).
 
 #include "creepcontact/material/creep_law.hpp"
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 
 namespace creepcontact::material {
 
 class KachanovRabotnov final : public CreepLaw {
  public:
-  /// @param A  [1/(time stress^n)], >= 0
-  /// @param n  [-], >= 1
-  /// @param B  [1/(time stress^r)], >= 0
-  /// @param r  [-], > 0
-  /// @param phi  [-], >= 0
-  /// @param alpha  [-], in [0, 1]
-  KachanovRabotnov(Function A, Function n, Function B, Function r, Function phi, Function alpha);
+  enum Constant {
+    A,              ///< [1/(time stress^n)], >= 0
+    n,              ///< [-], >= 1
+    B,              ///< [1/(time stress^r)], >= 0
+    r,              ///< [-], > 0
+    phi,            ///< [-], >= 0
+    alpha,          ///< [-], in [0, 1]
+    damage_energy,  ///< activation energy of B; not evaluated at points
+    n_constants
+  };
+  explicit KachanovRabotnov(const ParameterValues& values);
   std::string name() const override { return "kachanov_rabotnov"; }
   int n_internal() const override { return 1; }
   InternalKind internal_kind(int) const override { return InternalKind::life; }

@@ -5,18 +5,18 @@
 namespace creepcontact::material {
 
 double Lemaitre::equivalent_rate(double q, double eps, const PointState& at) const {
-  const double K = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
+  const double K = at.parameters[Constant::K], n = at.parameters[Constant::n], m = at.parameters[Constant::m];
   return power(q / K * std::pow(eps, -1.0 / m), n);
 }
 
 HardeningRate Lemaitre::linearized_rate(double q, double eps, const PointState& at) const {
-  const double n = at.parameters[1], m = at.parameters[2];
+  const double n = at.parameters[Constant::n], m = at.parameters[Constant::m];
   const double f = equivalent_rate(q, eps, at);
   return {f, f * n / q, -f * n / (m * eps)};
 }
 
 double Lemaitre::accumulated(double q, double eps, const PointState& at, double duration) const {
-  const double K = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
+  const double K = at.parameters[Constant::K], n = at.parameters[Constant::n], m = at.parameters[Constant::m];
   const double root = m / (m + n);
   const double virgin = std::pow(power(q / K, n) * duration / root, root);
   // (eps^(1/root) + virgin^(1/root))^root - eps, from the side that loses no digits.
@@ -26,16 +26,17 @@ double Lemaitre::accumulated(double q, double eps, const PointState& at, double 
 }
 
 LawInfo lemaitre_info() {
-  return {"lemaitre",
-          "rate = (q/(K eps^(1/m)))^n",
-          "J. Lemaitre, J.-L. Chaboche, 1990",
-          {{"K", "resistance: 1/UN_SUR_K of code_aster [stress time^(1/n)]", 0.0, true},
-           {"n", "stress exponent [-]", 1.0, false},
-           {"m", "hardening exponent: 1/UN_SUR_M of code_aster; large: steady creep [-]", 0.0, true}},
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<Lemaitre>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
-          },
-          {&hardening_strain}};
+  return {
+      "lemaitre",
+      "rate = (q/(K eps^(1/m)))^n",
+      "J. Lemaitre, J.-L. Chaboche, 1990",
+      law_table(
+          Row<Lemaitre::K>{{.key = "K", .description = "resistance: 1/UN_SUR_K of code_aster [stress time^(1/n)]"}},
+          Row<Lemaitre::n>{stress_exponent()},
+          Row<Lemaitre::m>{
+              {.key = "m", .description = "hardening exponent: 1/UN_SUR_M of code_aster; large: steady creep [-]"}}),
+      construct<Lemaitre>,
+      {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

@@ -7,7 +7,7 @@
 namespace creepcontact::material {
 namespace {
 
-constexpr double used_up = 1e-14;  // smallest rest of life that counts
+constexpr double min_remaining_life = 1e-14;  // smallest rest of life that counts
 
 }  // namespace
 
@@ -26,7 +26,7 @@ bool LifeFraction::evaluate(const StateVariable& variable, const PointState& at,
   if (&variable == &material::life_fraction) {
     into[0] = at.internal[0];
   } else if (&variable == &material::remaining_life) {
-    const double S = StressMeasure(at.stress, alpha_).value, rest = std::max(1.0 - at.internal[0], used_up);
+    const double S = StressMeasure(at.stress, alpha_).value, rest = std::max(1.0 - at.internal[0], min_remaining_life);
     into[0] = S > 0.0 ? data_->rate(S, at.temperature).value / rest : 0.0;
   } else {
     return false;

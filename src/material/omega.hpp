@@ -8,7 +8,7 @@
 /// with n = d(log rate0)/d(log q), the exponent of Norton's law that has the same slope.
 /// Source: M. Prager, J. Pressure Vessel Technol. 117 (1995), 95-103; API 579-1/ASME FFS-1 (2007), 10.3.5.3, F.7.1.1.
 
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 #include "scalar_state_law.hpp"
 #include "stress_function.hpp"
 
@@ -24,12 +24,20 @@ struct OmegaCorrections {
 
 class Omega final : public ScalarStateLaw<Omega, 1> {
  public:
-  /// @param activation  factor of rate0, of T, >= 0
-  /// @param rate0  rate of the virgin material [1/time], of q and T, >= 0
-  /// @param omega  [-], of q and T, > 0
-  /// @param min_stress  below it rate0 is proportional to q, and omega constant; >= 0
+  enum Constant {
+    rate0,       ///< rate of the virgin material [1/time], of q and T, >= 0
+    omega,       ///< [-], of q and T, > 0
+    min_stress,  ///< below it rate0 is proportional to q, and omega constant; >= 0
+    multiaxial,  ///< 1: OmegaCorrections::multiaxial
+    alpha_omega,
+    beta_omega,
+    delta_sr,
+    delta_cd,
+    n_constants
+  };
+  /// @param values  by Constant, followed by those of ArrheniusConstant
   /// @throws ParameterError if the corrections are multiaxial and min_stress is 0: trace/q has no limit at q = 0
-  Omega(Function activation, Function rate0, Function omega, double min_stress, const OmegaCorrections& corrections);
+  explicit Omega(const ParameterValues& values);
   std::string name() const override { return "omega"; }
   bool uses_mean_stress() const override { return corrections_.multiaxial; }
 
@@ -37,23 +45,25 @@ class Omega final : public ScalarStateLaw<Omega, 1> {
   ScalarRates<Number, 1> rates(const ScalarStress<Number>& stress, const std::array<Number, 1>& eps,
                                const PointState& at) const {
     using std::exp;
-    const Number rate0 = rate_factor_ * at.parameters[0] * rate0_(stress.q, at.temperature);
-    const Number f = rate0 * exp(effective_omega(stress, at.temperature) * eps[0]);
+    const Number virgin = rate_factor_ * at.parameters[activation] * rate0_(stress.q, at.temperature);
+    const Number f = virgin * exp(effective_omega(stress, at.temperature) * eps[0]);
     return {f, {f}};
   }
 
   bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const override;
 
  private:
+  enum PointConstant { activation };  // evaluated at points: the factor of rate0
+
   /// omega, or omega_m. @param stress  q > 0
   template <class Number>
   Number effective_omega(const ScalarStress<Number>& stress, double temperature) const {
     using std::exp;
     using std::log;
-    const Number omega = omega_factor_ * omega_(stress.q, temperature);
-    if (!corrections_.multiaxial) return omega;
+    const Number uncorrected = omega_factor_ * omega_(stress.q, temperature);
+    if (!corrections_.multiaxial) return uncorrected;
     const Number n = rate0_.exponent(stress.q, temperature);
-    const Number difference = omega - n;
+    const Number difference = uncorrected - n;
     // Not std::max, which keeps a NaN or loses it by the order of its arguments.
     const Number uniaxial = difference < smallest_uniaxial ? Number(smallest_uniaxial + 0.0 * difference) : difference;
     const Number q = stress.q < rate0_.min_stress() ? Number(rate0_.min_stress() + 0.0 * stress.q) : stress.q;

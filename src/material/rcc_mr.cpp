@@ -19,12 +19,12 @@ constexpr double rcc_mr_decline = 20;  // exponent of the strain with which the 
 /// end_rate (eps/end_strain)^-k down to the secondary one.
 struct RccMr::Stages {
   Stages(double q, const PointState& at)
-      : C2(at.parameters[1]),
-        n1(at.parameters[2]),
-        n(at.parameters[4]),
-        primary(at.parameters[0] * power(q, n1)),
-        secondary(at.parameters[3] * power(q, n)) {
-    const double C3 = at.parameters[5];
+      : C2(at.parameters[Constant::C2]),
+        n1(at.parameters[Constant::n1]),
+        n(at.parameters[Constant::n]),
+        primary(at.parameters[C1] * power(q, n1)),
+        secondary(at.parameters[C] * power(q, n)) {
+    const double C3 = at.parameters[Constant::C3];
     constexpr double never = std::numeric_limits<double>::infinity();
     if (secondary == 0.0 || (C2 == 1.0 && primary >= secondary))
       end = never;
@@ -32,7 +32,7 @@ struct RccMr::Stages {
       end = std::pow(C2 * primary / secondary, 1.0 / (1.0 - C2));  // both rates are equal
     secondary_strain = end_strain = primary > 0.0 ? primary * std::pow(end, C2) : 0.0;
     if (!(C3 > 0.0) || !(primary > 0.0)) return;
-    n3 = at.parameters[6];
+    n3 = at.parameters[Constant::n3];
     const double given = C3 * std::pow(q, n3);
     if (given >= end) return;
     end = given;
@@ -76,11 +76,8 @@ struct RccMr::Stages {
   double secondary_strain = 0;  ///< from which on creep is secondary
 };
 
-RccMr::RccMr(Function C1, Function C2, Function n1, Function C, Function n, Function C3, Function n3)
-    : HardeningLaw(
-          {std::move(C1), std::move(C2), std::move(n1), std::move(C), std::move(n), std::move(C3), std::move(n3)},
-          true) {
-  require_constant("C2", parameters()[1], 0.0, 1.0);
+RccMr::RccMr(const ParameterValues& values) : HardeningLaw(first(values, n_constants), true) {
+  require_constant("C2", parameters()[C2], 0.0, 1.0);
 }
 
 double RccMr::equivalent_rate(double q, double eps, const PointState& at) const {
@@ -103,37 +100,42 @@ double RccMr::accumulated(double q, double eps, const PointState& at, double dur
 }
 
 double RccMr::start_exponent(const PointState& at) const {
-  return at.parameters[0] > 0.0 ? at.parameters[1] : 1.0;
+  return at.parameters[C1] > 0.0 ? at.parameters[C2] : 1.0;
 }
 
 LawInfo rcc_mr_info() {
   const double any = -std::numeric_limits<double>::infinity();
-  return {"rcc_mr",
-          "strain at constant stress = C1 q^n1 t^C2 up to t_fp = C3 q^n3 or the rate C q^n, then rate = C q^n",
-          "AFCEN, RCC-MR, Appendix A3",
-          with_arrhenius(
-              {{"C1", "primary creep strain at unit equivalent stress and time [1/(time^C2 stress^n1)]", 0.0, false},
-               {.key = "C2", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0},
-               {"n1", "stress exponent of primary creep [-]", 1.0, false},
-               {"C", "secondary rate at unit equivalent stress [1/(time stress^n)]", 0.0, false},
-               {"n", "stress exponent of secondary creep [-]", 1.0, false},
-               {.key = "C3",
-                .description = "end of primary creep at unit equivalent stress [time/stress^n3]; it ends earlier, and "
-                               "with 0 only, when its rate has fallen to the secondary one",
-                .strict = false,
-                .fallback = {{0.0}}},
-               {.key = "n3",
-                .description = "stress exponent of this time [-], usually negative",
-                .minimum = any,
-                .strict = false,
-                .fallback = {{0.0}}}},
-              "C1 and C"),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated(std::move(p), {0, 3});
-            return std::make_unique<RccMr>(p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0), p.at(4).at(0),
-                                           p.at(5).at(0), p.at(6).at(0));
-          },
-          {&hardening_strain}};
+  return {
+      "rcc_mr",
+      "strain at constant stress = C1 q^n1 t^C2 up to t_fp = C3 q^n3 or the rate C q^n, then rate = C q^n",
+      "AFCEN, RCC-MR, Appendix A3",
+      with_arrhenius(law_table(
+          Row<RccMr::C1>{
+              {.key = "C1",
+               .description = "primary creep strain at unit equivalent stress and time [1/(time^C2 stress^n1)]",
+               .strict = false,
+               .activation = Activation::rate}},
+          Row<RccMr::C2>{
+              {.key = "C2", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}},
+          Row<RccMr::n1>{stress_exponent("n1", "stress exponent of primary creep [-]")},
+          Row<RccMr::C>{{.key = "C",
+                         .description = "secondary rate at unit equivalent stress [1/(time stress^n)]",
+                         .strict = false,
+                         .activation = Activation::rate}},
+          Row<RccMr::n>{stress_exponent("n", "stress exponent of secondary creep [-]")},
+          Row<RccMr::C3>{{.key = "C3",
+                          .description =
+                              "end of primary creep at unit equivalent stress [time/stress^n3]; it ends earlier, and "
+                              "with 0 only, when its rate has fallen to the secondary one",
+                          .strict = false,
+                          .fallback = {{0.0}}}},
+          Row<RccMr::n3>{{.key = "n3",
+                          .description = "stress exponent of this time [-], usually negative",
+                          .minimum = any,
+                          .strict = false,
+                          .fallback = {{0.0}}}})),
+      construct<RccMr>,
+      {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

@@ -6,18 +6,25 @@
 /// eps^-20 from there: a jump would let neighbouring stages alternate without end wherever the stress relaxes.
 /// Source: AFCEN, RCC-MR, Appendix A3 (A3.1S, A3.3S); strain in percent there, as a fraction here.
 
-#include "creepcontact/material/registry.hpp"
 #include "hardening_law.hpp"
+#include "law_table.hpp"
 
 namespace creepcontact::material {
 
 class RccMr final : public HardeningLaw {
  public:
-  /// @param C1  [1/(time^C2 stress^n1)], >= 0 @param C2  [-], in (0, 1], the same at all temperatures
-  /// @param n1  [-], >= 1 @param C  [1/(time stress^n)], >= 0 @param n  [-], >= 1
-  /// @param C3  [time/stress^n3], >= 0; 0: see above @param n3  [-]
+  enum Constant {
+    C1,  ///< [1/(time^C2 stress^n1)], >= 0
+    C2,  ///< [-], in (0, 1], the same at all temperatures
+    n1,  ///< [-], >= 1
+    C,   ///< [1/(time stress^n)], >= 0
+    n,   ///< [-], >= 1
+    C3,  ///< [time/stress^n3], >= 0; 0: see above
+    n3,  ///< [-]
+    n_constants
+  };
   /// @throws ParameterError if C2 is not in its range
-  RccMr(Function C1, Function C2, Function n1, Function C, Function n, Function C3, Function n3);
+  explicit RccMr(const ParameterValues& values);
   std::string name() const override { return "rcc_mr"; }
   double equivalent_rate(double q, double eps, const PointState& at) const override;
   HardeningRate linearized_rate(double q, double eps, const PointState& at) const override;

@@ -1,9 +1,12 @@
 #include "creepcontact/material/registry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ageing.hpp"
 #include "anand.hpp"
+#include "arrhenius.hpp"
 #include "chaboche.hpp"
 #include "expression_law.hpp"
 #include "garofalo.hpp"
@@ -57,6 +60,30 @@ const std::vector<const StateVariable*>& state_variables() {
     return found;
   }();
   return all;
+}
+
+std::unique_ptr<CreepLaw> LawInfo::make(ParameterValues values) const {
+  if (values.size() != parameters.size())
+    throw std::out_of_range(
+        fmt::format("creep law '{}': {} values for {} parameters", name, values.size(), parameters.size()));
+  return construct(activated(std::move(values), parameters));
+}
+
+std::unique_ptr<CreepLaw> LawInfo::make_by_key(const std::map<std::string, std::vector<Function>>& given) const {
+  for (const auto& [key, values] : given)
+    if (std::ranges::find(parameters, key, &ParameterInfo::key) == parameters.end())
+      throw ParameterError(key, "a key that the law has not", fmt::format("the keys of '{}'", name));
+  ParameterValues values;
+  for (const ParameterInfo& parameter : parameters) {
+    const auto found = given.find(parameter.key);
+    if (found == given.end() && !parameter.fallback) throw ParameterError(parameter.key, "nothing", "a value");
+    values.push_back(found != given.end() ? found->second : *parameter.fallback);
+  }
+  return make(std::move(values));
+}
+
+bool LawInfo::is_activation_energy(std::size_t parameter) const {
+  return std::ranges::find(parameters, std::optional(parameter), &ParameterInfo::energy) != parameters.end();
 }
 
 const LawInfo* find_creep_law(const std::string& name) {

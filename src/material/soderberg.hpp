@@ -4,40 +4,36 @@
 /// after a fall none until the steady part is all that is left; nothing recovers. f = d eps_p/dt + A q^n. Source: C. R.
 /// Soderberg, Trans. ASME 58 (1936); primary creep that ends exponentially: P. G. McVetty (1934).
 
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 #include "scalar_state_law.hpp"
 
 namespace creepcontact::material {
 
 class Soderberg final : public ScalarStateLaw<Soderberg, 1> {
  public:
-  /// @param C  [1/stress^p], >= 0 @param p  [-], >= 1 @param r  [1/time], > 0 @param A  [1/(time stress^n)], >= 0
-  /// @param n  [-], >= 1
-  Soderberg(Function C, Function p, Function r, Function A, Function n)
-      : ScalarStateLaw({std::move(C), std::move(p), std::move(r), std::move(A), std::move(n)}) {}
+  enum Constant {
+    C,  ///< [1/stress^p], >= 0
+    p,  ///< [-], >= 1
+    r,  ///< [1/time], > 0
+    A,  ///< [1/(time stress^n)], >= 0
+    n,  ///< [-], >= 1
+    n_constants
+  };
+  explicit Soderberg(const ParameterValues& values) : ScalarStateLaw(first(values, n_constants)) {}
   std::string name() const override { return "soderberg"; }
 
   template <class Number>
   ScalarRates<Number, 1> rates(const ScalarStress<Number>& stress, const std::array<Number, 1>& primary,
                                const PointState& at) const {
     const Number& q = stress.q;
-    const auto [C, p, r, A, n] = constants(at);
-    Number growth = r * (C * power(q, p) - primary[0]);
+    const auto& of = at.parameters;
+    Number growth = of[r] * (of[C] * power(q, of[p]) - primary[0]);
     if (growth < 0.0) growth = 0.0 * q;
-    return {growth + A * power(q, n), {growth}};
+    return {growth + of[A] * power(q, of[n]), {growth}};
   }
 
   void increment(const PointState& at, double duration, PointIncrement into) const override;
   bool evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const override;
-
- private:
-  struct Constants {
-    double C, p, r, A, n;
-  };
-  static Constants constants(const PointState& at) {
-    const std::span<const double> p = at.parameters;
-    return {p[0], p[1], p[2], p[3], p[4]};
-  }
 };
 
 LawInfo soderberg_info();

@@ -6,25 +6,25 @@
 
 namespace creepcontact::material {
 
-StrainHardening::StrainHardening(std::string name, Function A, Function n, Function m)
-    : HardeningLaw({std::move(A), std::move(n), std::move(m)}, true), name_(std::move(name)) {
-  require_constant("m", parameters()[2], 0.0, 1.0);
+StrainHardening::StrainHardening(std::string name, const ParameterValues& values)
+    : HardeningLaw(first(values, power_law::n_constants), true), name_(std::move(name)) {
+  require_constant("m", parameters()[power_law::m], 0.0, 1.0);
 }
 
 double StrainHardening::equivalent_rate(double q, double eps, const PointState& at) const {
-  const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
+  const double A = at.parameters[power_law::A], n = at.parameters[power_law::n], m = at.parameters[power_law::m];
   const double strain = A * power(q, n);  // after the unit of time; A^(1/m) alone may underflow
   return m * strain * std::pow(strain / eps, 1.0 / m - 1.0);
 }
 
 HardeningRate StrainHardening::linearized_rate(double q, double eps, const PointState& at) const {
-  const double n = at.parameters[1], m = at.parameters[2];
+  const double n = at.parameters[power_law::n], m = at.parameters[power_law::m];
   const double f = equivalent_rate(q, eps, at);
   return {f, f * n / (m * q), f * (1.0 - 1.0 / m) / eps};
 }
 
 double StrainHardening::accumulated(double q, double eps, const PointState& at, double duration) const {
-  const double A = at.parameters[0], n = at.parameters[1], m = at.parameters[2];
+  const double A = at.parameters[power_law::A], n = at.parameters[power_law::n], m = at.parameters[power_law::m];
   const double strain = A * power(q, n);
   const double virgin = strain * std::pow(duration, m);
   // (eps^(1/m) + strain^(1/m) duration)^m - eps, from the side that loses no digits.
@@ -34,18 +34,18 @@ double StrainHardening::accumulated(double q, double eps, const PointState& at, 
 }
 
 LawInfo strain_hardening_info() {
-  return {"strain_hardening",
-          "rate = m A^(1/m) q^(n/m) eps^(1-1/m)",
-          "A. Nadai, 1937",
-          with_arrhenius(
-              {{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
-               {"n", "stress exponent [-]", 1.0, false},
-               {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}}),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated(std::move(p), {0});
-            return std::make_unique<StrainHardening>("strain_hardening", p.at(0).at(0), p.at(1).at(0), p.at(2).at(0));
-          },
-          {&hardening_strain}};
+  return {
+      "strain_hardening",
+      "rate = m A^(1/m) q^(n/m) eps^(1-1/m)",
+      "A. Nadai, 1937",
+      with_arrhenius(law_table(
+          Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
+          Row<power_law::m>{
+              {.key = "m", .description = "time exponent [-], not a function of T", .variables = {}, .maximum = 1.0}})),
+      [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+        return std::make_unique<StrainHardening>("strain_hardening", values);
+      },
+      {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

@@ -4,24 +4,23 @@
 /// a virgin point (eps = 0) under stress creeps infinitely fast if m < 1.
 /// Source: A. Nadai, J. Appl. Phys. 8 (1937); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
 
-#include "creepcontact/material/registry.hpp"
 #include "hardening_law.hpp"
+#include "law_table.hpp"
+#include "power_law.hpp"
 
 namespace creepcontact::material {
 
 class StrainHardening final : public HardeningLaw {
  public:
-  /// @param A  [1/(time^m stress^n)], >= 0
-  /// @param n  [-], >= 1
-  /// @param m  [-], in (0, 1], the same at all temperatures
+  /// @param values  by power_law::Constant; m in (0, 1], the same at all temperatures
   /// @throws ParameterError if m is not
-  StrainHardening(std::string name, Function A, Function n, Function m);
+  StrainHardening(std::string name, const ParameterValues& values);
   std::string name() const override { return name_; }
   double equivalent_rate(double q, double eps, const PointState& at) const override;
   HardeningRate linearized_rate(double q, double eps, const PointState& at) const override;
   double accumulated(double q, double eps, const PointState& at, double duration) const override;
   /// m: wherever a load begins or jumps, some point may be virgin.
-  double start_exponent(const PointState& at) const override { return at.parameters[2]; }
+  double start_exponent(const PointState& at) const override { return at.parameters[power_law::m]; }
 
  private:
   std::string name_;

@@ -6,12 +6,12 @@
 
 namespace creepcontact::material {
 
-ThetaProjection::ThetaProjection(std::array<Function, 4> theta, double min_stress)
+ThetaProjection::ThetaProjection(const ParameterValues& values)
     : ScalarStateLaw({}),
-      theta_1_(std::move(theta[0]), min_stress, BelowRange::constant),
-      theta_2_(std::move(theta[1]), min_stress, BelowRange::proportional),
-      theta_3_(std::move(theta[2]), min_stress, BelowRange::constant),
-      theta_4_(std::move(theta[3]), min_stress, BelowRange::proportional) {}
+      theta_1_(values[theta_1].at(0), values[min_stress].at(0)({}), BelowRange::constant),
+      theta_2_(values[theta_2].at(0), values[min_stress].at(0)({}), BelowRange::proportional),
+      theta_3_(values[theta_3].at(0), values[min_stress].at(0)({}), BelowRange::constant),
+      theta_4_(values[theta_4].at(0), values[min_stress].at(0)({}), BelowRange::proportional) {}
 
 void ThetaProjection::increment(const PointState& at, double duration, PointIncrement into) const {
   const Deviator now = deviator(at.stress);
@@ -35,20 +35,23 @@ LawInfo theta_projection_info() {
   const auto theta = [](const char* key, const std::string& meaning) {
     return ParameterInfo{.key = key, .description = meaning, .strict = false, .variables = {"q", "T"}};
   };
-  return {"theta_projection",
-          "strain at constant stress = theta_1 (1 - exp(-theta_2 t)) + theta_3 (exp(theta_4 t) - 1)",
-          "R. W. Evans, B. Wilshire, 1985",
-          {theta("theta_1",
-                 "limit of the primary creep strain, a function of the von Mises stress q and temperature T [-]"),
-           theta("theta_2", "rate at which primary creep ends, a function of q and T [1/time]"),
-           theta("theta_3", "scale of the tertiary creep strain, a function of q and T [-]"),
-           theta("theta_4", "rate at which tertiary creep grows, a function of q and T [1/time]"),
-           min_stress_key("`theta_2` and `theta_4` are proportional to q, `theta_1` and `theta_3` constant")},
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            return std::make_unique<ThetaProjection>(
-                std::array<Function, 4>{p.at(0).at(0), p.at(1).at(0), p.at(2).at(0), p.at(3).at(0)}, p.at(4).at(0)({}));
-          },
-          {&hardening_strain}};
+  return {
+      "theta_projection",
+      "strain at constant stress = theta_1 (1 - exp(-theta_2 t)) + theta_3 (exp(theta_4 t) - 1)",
+      "R. W. Evans, B. Wilshire, 1985",
+      law_table(Row<ThetaProjection::theta_1>{theta(
+                    "theta_1",
+                    "limit of the primary creep strain, a function of the von Mises stress q and temperature T [-]")},
+                Row<ThetaProjection::theta_2>{
+                    theta("theta_2", "rate at which primary creep ends, a function of q and T [1/time]")},
+                Row<ThetaProjection::theta_3>{
+                    theta("theta_3", "scale of the tertiary creep strain, a function of q and T [-]")},
+                Row<ThetaProjection::theta_4>{
+                    theta("theta_4", "rate at which tertiary creep grows, a function of q and T [1/time]")},
+                Row<ThetaProjection::min_stress>{
+                    min_stress_key("`theta_2` and `theta_4` are proportional to q, `theta_1` and `theta_3` constant")}),
+      construct<ThetaProjection>,
+      {&hardening_strain}};
 }
 
 }  // namespace creepcontact::material

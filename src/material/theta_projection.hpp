@@ -6,7 +6,7 @@
 /// so that after a change of stress or temperature both go on from the strain reached (strain hardening and softening).
 /// Sources: R. W. Evans, B. Wilshire, Creep of Metals and Alloys (1985); R. W. Evans, J. D. Parker, B. Wilshire (1982).
 
-#include "creepcontact/material/registry.hpp"
+#include "law_table.hpp"
 #include "scalar_state_law.hpp"
 #include "stress_function.hpp"
 
@@ -14,9 +14,16 @@ namespace creepcontact::material {
 
 class ThetaProjection final : public ScalarStateLaw<ThetaProjection, 2> {
  public:
-  /// @param theta  theta_1 to theta_4, of q and T; [-], [1/time], [-], [1/time], all >= 0
-  /// @param min_stress  below it theta_2 and theta_4 are proportional to q, theta_1 and theta_3 constant; >= 0
-  ThetaProjection(std::array<Function, 4> theta, double min_stress);
+  /// All >= 0; theta_i are functions of q and T.
+  enum Constant {
+    theta_1,     ///< [-]
+    theta_2,     ///< [1/time]
+    theta_3,     ///< [-]
+    theta_4,     ///< [1/time]
+    min_stress,  ///< below it theta_2 and theta_4 are proportional to q, theta_1 and theta_3 constant
+    n_constants
+  };
+  explicit ThetaProjection(const ParameterValues& values);
   std::string name() const override { return "theta_projection"; }
 
   template <class Number>

@@ -17,13 +17,15 @@ double growth(double t, double d, double m) {
 
 }  // namespace
 
-TimeHardening::TimeHardening(std::string name, std::vector<Function> A, std::vector<Function> n,
-                             std::vector<Function> m)
-    : FlowLaw(joined({{"A", &A}, {"n", &n}, {"m", &m}})), name_(std::move(name)), n_terms_(std::ssize(A)) {}
+TimeHardening::TimeHardening(std::string name, const ParameterValues& values)
+    : FlowLaw(first(values, power_law::n_constants)),
+      name_(std::move(name)),
+      n_terms_(std::ssize(values[power_law::A])) {
+  require_one_length({{"A", &values[power_law::A]}, {"n", &values[power_law::n]}, {"m", &values[power_law::m]}});
+}
 
 TimeHardening::Terms TimeHardening::terms(const PointState& at) const {
-  return {list_of(at.parameters, 0, n_terms_), list_of(at.parameters, 1, n_terms_),
-          list_of(at.parameters, 2, n_terms_)};
+  return {list(power_law::A, at), list(power_law::n, at), list(power_law::m, at)};
 }
 
 EquivalentRate TimeHardening::equivalent_rate(double q, const PointState& at) const {
@@ -58,26 +60,28 @@ void TimeHardening::increment(const PointState& at, double duration, PointIncrem
 
 LawInfo time_hardening_info() {
   return {"time_hardening", "rate = A q^n m t^(m-1)", "P. G. McVetty, 1934; flow theory",
-          with_arrhenius({{"A", "creep strain at unit equivalent stress and time [1/(time^m stress^n)]", 0.0, false},
-                          {"n", "stress exponent [-]", 1.0, false},
-                          {"m", "time exponent [-]; below 1: primary creep", 0.0, true}}),
-          [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-            p = activated(std::move(p), {0});
-            return std::make_unique<TimeHardening>("time_hardening", p.at(0), p.at(1), p.at(2));
+          with_arrhenius(
+              law_table(Row<power_law::A>{power_law::factor()}, Row<power_law::n>{stress_exponent()},
+                        Row<power_law::m>{{.key = "m", .description = "time exponent [-]; below 1: primary creep"}})),
+          [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+            return std::make_unique<TimeHardening>("time_hardening", values);
           }};
 }
 
 LawInfo graham_walles_info() {
   return {
       "graham_walles", "rate = sum of A_i q^n_i m_i t^(m_i-1)", "A. Graham, K. F. A. Walles, 1955",
-      with_arrhenius(
-          {{.key = "A", .description = "factors [1/(time^m stress^n)]", .minimum = 0.0, .strict = false, .list = true},
-           {.key = "n", .description = "stress exponents [-]", .minimum = 1.0, .strict = false, .list = true},
-           {.key = "m", .description = "time exponents [-], for example 1/3, 1, 3", .minimum = 0.0, .list = true}},
-          "all of A"),
-      [](ParameterValues p) -> std::unique_ptr<CreepLaw> {
-        p = activated(std::move(p), {0});
-        return std::make_unique<TimeHardening>("graham_walles", p.at(0), p.at(1), p.at(2));
+      with_arrhenius(law_table(
+          Row<power_law::A>{{.key = "A",
+                             .description = "factors [1/(time^m stress^n)]",
+                             .strict = false,
+                             .list = true,
+                             .activation = Activation::rate}},
+          Row<power_law::n>{
+              {.key = "n", .description = "stress exponents [-]", .minimum = 1.0, .strict = false, .list = true}},
+          Row<power_law::m>{{.key = "m", .description = "time exponents [-], for example 1/3, 1, 3", .list = true}})),
+      [](const ParameterValues& values) -> std::unique_ptr<CreepLaw> {
+        return std::make_unique<TimeHardening>("graham_walles", values);
       }};
 }
 

@@ -7,19 +7,17 @@
 /// (1955).
 
 #include "creepcontact/base/index.hpp"
-#include "creepcontact/material/registry.hpp"
 #include "flow_law.hpp"
+#include "law_table.hpp"
+#include "power_law.hpp"
 
 namespace creepcontact::material {
 
 class TimeHardening final : public FlowLaw {
  public:
-  /// Terms as lists of one length.
-  /// @param A  [1/(time^m stress^n)], >= 0
-  /// @param n  [-], >= 1
-  /// @param m  [-], > 0
+  /// @param values  by power_law::Constant; the terms as lists of one length
   /// @throws ParameterError if the lists differ in length
-  TimeHardening(std::string name, std::vector<Function> A, std::vector<Function> n, std::vector<Function> m);
+  TimeHardening(std::string name, const ParameterValues& values);
   std::string name() const override { return name_; }
   EquivalentRate equivalent_rate(double q, const PointState& at) const override;
   double start_exponent(const PointState& at) const override;

@@ -13,14 +13,14 @@ inline constexpr StateVariable back_stress{
     .label = "back stress",
     .is_tensor = true,
     .of_several = StateVariable::OfSeveralLaws::sum,
-    .dimension = "stress"};
+    .dimension = Dimension::stress};
 inline constexpr StateVariable isotropic_hardening{
     .name = "isotropic_hardening",
     .description = "growth R of the elastic range by isotropic hardening of `chaboche`; negative: softening",
     .label = "isotropic hardening R",
     .of_several = StateVariable::OfSeveralLaws::sum,
     .minimum = -std::numeric_limits<double>::infinity(),
-    .dimension = "stress"};
+    .dimension = Dimension::stress};
 inline constexpr StateVariable accumulated_inelastic_strain{
     .name = "accumulated_inelastic_strain",
     .description = "length p of the path of the inelastic strain in `chaboche`, which grows with every cycle",
@@ -29,6 +29,6 @@ inline constexpr StateVariable accumulated_inelastic_strain{
 inline constexpr StateVariable drag_stress{.name = "drag_stress",
                                            .description = "deformation resistance s of `anand`",
                                            .label = "deformation resistance s",
-                                           .dimension = "stress"};
+                                           .dimension = Dimension::stress};
 
 }  // namespace creepcontact::material

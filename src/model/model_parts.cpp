@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/material/creep_fatigue.hpp"
@@ -65,9 +66,9 @@ material::Material make_material(const config::Material& from) {
     result.thermal_expansion = alpha.front();
   result.reference_temperature = from.reference_temperature;
   for (const config::CreepMechanism& mechanism : from.creep) {
-    material::ParameterValues values;
-    for (const config::CreepParameter& parameter : mechanism.parameters) values.push_back(parameter.values);
-    result.creep.push_back(material::find_creep_law(mechanism.law)->make(std::move(values)));
+    std::map<std::string, std::vector<Function>> values;
+    for (const config::CreepParameter& parameter : mechanism.parameters) values[parameter.key] = parameter.values;
+    result.creep.push_back(material::find_creep_law(mechanism.law)->make_by_key(values));
   }
   const auto life = from.rupture ? make_life_fraction(*from.rupture) : nullptr;
   if (from.fatigue)

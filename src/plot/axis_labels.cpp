@@ -6,7 +6,7 @@ namespace {
 
 QuantityKind without_unit(const io::SummaryProbe& probe) {
   if (probe.label.empty()) return {"value", Dimension::none};
-  const Dimension dimension = dimension_of(probe.dimension);
+  const Dimension dimension = probe.dimension;
   const bool is_total = dimension == Dimension::force || dimension == Dimension::area || dimension == Dimension::moment;
   if (probe.integrated_over.empty() || is_total) return {probe.label, dimension};
   if (dimension == Dimension::stress && probe.integrated_over == "surface") return {"force", Dimension::force};

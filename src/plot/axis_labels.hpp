@@ -24,7 +24,7 @@ QuantityKind kind_of(const io::SummaryProbe& probe, const std::string& units);
 
 /// "stress (MPa)", or the name alone if the unit is not known.
 std::string labelled(const std::string& name, Dimension dimension, const std::string& units);
-/// The same with the unit itself, which may be empty.
+/// "stress (MPa)" with this unit, or the name alone if it is empty.
 std::string with_unit(const std::string& name, const std::string& unit);
 
 }  // namespace creepcontact::plot

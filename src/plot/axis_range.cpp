@@ -8,10 +8,10 @@ namespace creepcontact::plot {
 namespace {
 
 // Beyond these magnitudes decades and margins are not numbers any more.
-constexpr double greatest = 1e250, least = 1e-250;
+constexpr double max_magnitude = 1e250, min_magnitude = 1e-250;
 constexpr double rounding = 1e-6;  // of the values: what differs by less is the same on paper
 
-/// Of the coordinate `pick(x, y)` of all points that are drawn; [0, 1] if there are none.
+/// Extends the range by the coordinate `pick(x, y)` of all points that are drawn.
 template <class Pick>
 void extend(Range& range, const Panel& panel, const Axis& x_axis, Pick pick) {
   for (const Series& series : panel.series)
@@ -50,9 +50,9 @@ Range with_margin(Range range) {
 
 bool is_drawn(double x, double y, const Axis& x_axis, const Axis& y_axis) {
   // A NaN is not at most anything.
-  if (!(std::abs(x) <= greatest && std::abs(y) <= greatest)) return false;
-  const bool x_fits = !x_axis.logarithmic || x >= least || (x == 0 && x_axis.zero_at_left);
-  return x_fits && (!y_axis.logarithmic || y >= least);
+  if (!(std::abs(x) <= max_magnitude && std::abs(y) <= max_magnitude)) return false;
+  const bool x_fits = !x_axis.logarithmic || x >= min_magnitude || (x == 0 && x_axis.zero_at_left);
+  return x_fits && (!y_axis.logarithmic || y >= min_magnitude);
 }
 
 Range value_range(const Panel& panel, const Axis& x_axis) {

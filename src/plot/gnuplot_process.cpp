@@ -20,7 +20,8 @@ std::string without_blank_ends(const std::string& text) {
   return begin == std::string::npos ? "it gave no message" : text.substr(begin, end - begin + 1);
 }
 
-/// In `directory`, without a shell, without settings in files and without those of the environment that name files.
+/// Runs gnuplot in `directory`, without a shell, without settings in files and without those of the environment that
+/// name files.
 void run_gnuplot(const std::filesystem::path& directory, const std::vector<std::string>& arguments) {
   const std::filesystem::path program = platform::find_on_path("gnuplot");
   if (program.empty())

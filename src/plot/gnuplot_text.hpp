@@ -1,19 +1,19 @@
 #pragma once
-/// Text of a user's in gnuplot's commands.
+/// Text that users give, in the commands of gnuplot.
 
 #include <string>
 #include <string_view>
 
 namespace creepcontact::plot {
 
-/// In single quotes, where gnuplot neither runs commands nor expands anything. Control characters become spaces,
-/// bytes that are no UTF-8 a question mark: an SVG file holds neither.
+/// Puts the text in single quotes, where gnuplot neither runs commands nor expands anything. Control characters become
+/// spaces, bytes that are no UTF-8 a question mark: an SVG file holds neither.
 std::string gnuplot_quoted(std::string_view text);
 
 /// Number of characters, not of bytes.
 std::size_t text_width(std::string_view text);
 
-/// With an ellipsis if it is longer than `width` characters.
+/// Cuts the text and adds an ellipsis if it is longer than `width` characters.
 std::string shortened(std::string_view text, std::size_t width);
 
 }  // namespace creepcontact::plot

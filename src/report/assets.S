@@ -10,6 +10,5 @@ creepcontact_##name##_end: .byte 0
 ASSET(viewer_script, VIEWER_SCRIPT)
 ASSET(viewer_style, VIEWER_STYLE)
 ASSET(report_style, REPORT_STYLE)
-ASSET(picture_script, PICTURE_SCRIPT)
 ASSET(colours, COLOURS)
         .section .note.GNU-stack, "", %progbits

@@ -13,5 +13,4 @@
 CREEPCONTACT_ASSET(viewer_script)
 CREEPCONTACT_ASSET(viewer_style)
 CREEPCONTACT_ASSET(report_style)
-CREEPCONTACT_ASSET(picture_script)
 CREEPCONTACT_ASSET(colours)

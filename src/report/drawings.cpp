@@ -13,7 +13,7 @@
 namespace creepcontact::report {
 namespace {
 
-constexpr std::size_t most_bodies = 8;  // with a mesh figure of their own
+constexpr std::size_t max_bodies = 8;  // with a mesh figure of their own
 
 }  // namespace
 
@@ -71,7 +71,7 @@ std::vector<Drawings::Still> Drawings::meshes(const RunData& run) {
   };
   if (run.scene->bodies.size() != 1) add({}, "Mesh of all bodies");
   for (const SceneBody& body : run.scene->bodies)
-    if (names.size() < most_bodies) add({body.name}, fmt::format("Mesh of body {}", body.name));
+    if (names.size() < max_bodies) add({body.name}, fmt::format("Mesh of body {}", body.name));
   std::vector<Still> result = stills(run, pictures);
   for (std::size_t i = 0; i < result.size(); ++i) result[i].title = names[i];
   return result;

@@ -12,7 +12,8 @@ namespace creepcontact::report {
 /// A scalar of a file: a record whose array has the name that the file uses ("von_mises [MPa]").
 using Field = io::RecordedField;
 
-/// Those of the file, the ones that matter most to strength first: von Mises stress, contact pressure, creep strain,
+/// The scalars of the file; those that matter most to strength come first: von Mises stress, contact pressure, creep
+/// strain,
 /// ...
 /// @param known  labels and units; arrays that are not among them are called as in the file
 std::vector<Field> fields_of(const io::FieldFile& file, const std::vector<io::RecordedField>& known);

@@ -1,7 +1,6 @@
 #include "creepcontact/report/picture.hpp"
 
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +12,10 @@
 #include "creepcontact/base/suggestion.hpp"
 #include "creepcontact/base/units.hpp"
 #include "creepcontact/io/tables/summary.hpp"
-#include "creepcontact/platform/child_process.hpp"
 #include "creepcontact/platform/private_directory.hpp"
 #include "creepcontact/platform/replace_file.hpp"
+#include "creepcontact/plot/rounded_ticks.hpp"
+#include "creepcontact/plot/vtk_process.hpp"
 #include "fields.hpp"
 #include "run_directory.hpp"
 #include "surfaces.hpp"
@@ -61,23 +61,22 @@ class Run {
     drawn.title = is_mesh ? "Mesh" : capitalized(field.label);
     if (!is_mesh || picture.warp != 0) drawn.title += fmt::format(" at t = {:.6g}{}", entry.time, time_unit());
     if (picture.warp != 0) drawn.title += fmt::format(", deformation x {:.6g}", picture.warp);
-    job = {{"file", std::filesystem::absolute(entry.file).string()},
-           {"contact_file", field.is_on_contact && !contact_.empty()
-                                ? std::filesystem::absolute(nearest(contact_, entry.time).file).string()
-                                : ""},
+    const bool on_contact = field.is_on_contact && !contact_.empty();
+    const std::filesystem::path& coloured = on_contact ? nearest(contact_, entry.time).file : entry.file;
+    job = {{"kind", is_mesh ? "mesh" : "field"},
+           {"file", std::filesystem::absolute(entry.file).string()},
+           {"contact_file", on_contact ? std::filesystem::absolute(coloured).string() : ""},
            {"width", picture.width},
            {"height", picture.height},
            {"title", picture.titled ? drawn.title : ""},
            {"unit", field.unit},
            {"array", field.array},
            {"component", field.component},
-           {"low", picture.range ? Json(picture.range->first) : Json()},
-           {"high", picture.range ? Json(picture.range->second) : Json()},
+           {"ticks", is_mesh ? Json() : Json(ticks(picture, field, coloured))},
            {"displacement", displacement_},
            {"warp", picture.warp},
            {"bodies", Json::array()},
            {"colours", Json::parse(colours())},
-           {"mesh", is_mesh},
            {"flat", flat_},
            {"view", picture.view}};
     for (const std::string& name : picture.bodies) {
@@ -95,6 +94,16 @@ class Run {
     // "von Mises" has its own capitals.
     if (!text.empty() && !text.starts_with("von ")) text[0] = static_cast<char>(std::toupper(text[0]));
     return text;
+  }
+
+  /// Round numbers over the range of the colours, whose ends are the first and the last.
+  static std::vector<double> ticks(const Picture& picture, const Field& field, const std::filesystem::path& file) {
+    if (picture.range) return plot::rounded_ticks(picture.range->first, picture.range->second);
+    std::vector<double> values = values_of(field, io::FieldFile(file));
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return plot::rounded_ticks(0, 1);
+    const auto [low, high] = std::ranges::minmax(values);
+    return plot::rounded_ticks(low, high);
   }
 
   static const io::FieldEntry& nearest(const std::vector<io::FieldEntry>& entries, std::optional<double> time) {
@@ -117,33 +126,6 @@ class Run {
   std::vector<Field> fields_;
   std::string displacement_;
 };
-
-/// The system's Python has its VTK; another one on the PATH may have its own.
-std::filesystem::path python() {
-  for (const char* place : {"/usr/bin/python3", "/usr/local/bin/python3"})
-    if (::access(place, X_OK) == 0) return place;
-  throw ConfigError(
-      "pictures of fields are drawn by VTK in Python, which is not installed (Debian: apt-get install "
-      "python3-vtk9 xvfb)");
-}
-
-/// Isolated (-I), and in a directory of its own: neither modules that lie in the working directory or in a directory of
-/// results nor those of the user's settings and environment are imported.
-void run_python(const std::string& jobs, const std::filesystem::path& place) {
-  platform::Pipe pipe;
-  platform::ChildProcess process(
-      {.program = python(),
-       .arguments = {"-I", "-c", std::string(picture_script()), jobs},
-       .descriptors = {{pipe.writing_end(), STDOUT_FILENO}, {pipe.writing_end(), STDERR_FILENO}},
-       .directory = place});
-  pipe.close_writing_end();
-  std::string messages = platform::read_to_end(pipe);
-  if (process.wait() == 0) return;
-  while (!messages.empty() && messages.back() == '\n') messages.pop_back();
-  const std::string last = messages.substr(messages.rfind('\n') + 1);
-  if (messages.find("apt-get install") != std::string::npos) throw ConfigError(fmt::format("no picture: {}", last));
-  throw Error(fmt::format("no picture: the process that draws it failed: {}", last.empty() ? "no message" : last), 4);
-}
 
 }  // namespace
 
@@ -168,7 +150,7 @@ std::vector<DrawnPicture> draw_pictures(const std::filesystem::path& directory, 
     if (!parent.empty()) std::filesystem::create_directories(parent, failure);
     if (failure) throw ConfigError(fmt::format("directory {}: {}", parent.string(), failure.message()));
   }
-  if (!pictures.empty()) run_python(jobs.dump(), place.path());
+  if (!pictures.empty()) plot::draw_by_vtk(jobs.dump(), place.path());
   // Not by the process itself, which would follow a link.
   for (std::size_t i = 0; i < pictures.size(); ++i)
     platform::replace_file(pictures[i].output, read_file(drawn_at(i)).bytes);

@@ -1,5 +1,5 @@
 #pragma once
-/// What tells whether a path is the output directory of a run.
+/// Tells whether a path is the output directory of a run.
 
 #include <filesystem>
 

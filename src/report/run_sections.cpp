@@ -45,14 +45,14 @@ double last_time(const io::Summary& summary) {
   return summary.last_output.value_or(summary.time_reached);
 }
 
-/// From the start over the largest value to the end. A percentage of a start that hardly carries anything means
-/// nothing.
+/// The course from the start over the largest value to the end. A percentage of a start that hardly carries anything
+/// means nothing.
 std::string force_sentence(const std::string& name, const io::Summary::Course& course, double end,
                            const std::string& force, const std::string& time) {
-  constexpr double least_start = 0.01, notable = 1e-3;  // of the largest; beyond start and end
+  constexpr double min_relative_start = 0.01, notable = 1e-3;  // of the largest; beyond start and end
   std::string text = fmt::format("The normal force of contact {} goes from {} at the start to {} at t = {}", name,
                                  with_unit(course.start, force), with_unit(course.end, force), with_unit(end, time));
-  if (course.start > least_start * course.largest)
+  if (course.start > min_relative_start * course.largest)
     text += fmt::format(", which is {:.0f}\u00a0% of the start", 100 * course.end / course.start);
   if (course.largest > (1 + notable) * std::max(course.start, course.end))
     text += fmt::format("; its largest value is {} at t = {}", with_unit(course.largest, force),

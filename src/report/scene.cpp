@@ -118,7 +118,7 @@ class Numbering {
   std::vector<std::size_t> points_;
 };
 
-/// For surfaces with too many points: each cell of a grid keeps one of its points, for each body.
+/// Thins surfaces with too many points: each cell of a grid keeps one of its points, for each body.
 class Merging {
  public:
   Merging(const Source& source, std::size_t most) : representative_(source.mesh.points.size()) {
@@ -220,7 +220,7 @@ void add_values(const Source& source, const std::vector<std::size_t>& entries, c
   }
 }
 
-/// Bytes of packed(), as if nothing could be compressed.
+/// The size of packed() in bytes, as if nothing could be compressed.
 double bytes(std::size_t n_points, const Scene& scene, std::size_t n_times, std::size_t n_fields) {
   const double per_time = static_cast<double>(n_points) * (6.0 + 2.0 * static_cast<double>(n_fields));
   const double raw = 12.0 * static_cast<double>(n_points) + static_cast<double>(n_times) * per_time +
@@ -228,7 +228,7 @@ double bytes(std::size_t n_points, const Scene& scene, std::size_t n_times, std:
   return raw * 4 / 3;  // base64
 }
 
-/// From everything to little; the last ones always fit.
+/// Attempts from everything to little; the last ones always fit.
 std::vector<Detail> details(double limit_bytes) {
   const auto points = [&](std::size_t times, std::size_t fields) {
     const double per_point = 12 + 24 + static_cast<double>(times) * (6 + 2 * static_cast<double>(fields));

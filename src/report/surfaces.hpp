@@ -9,7 +9,7 @@
 
 namespace creepcontact::report {
 
-/// Of one body; numbers are those of the points of the mesh.
+/// What shows one body. Numbers refer to the points of the mesh.
 struct BodyShape {
   std::vector<std::array<std::int64_t, 3>> triangles;   ///< of the surface, outward; of a section the section itself
   std::vector<std::array<std::int64_t, 2>> edges;       ///< edges of the elements there, each once

@@ -40,7 +40,7 @@ struct SurfacePart {
   std::map<std::int64_t, FaceArea> areas() const {
     return areas_around(faces, [&](const mesh::Face& face) { return area(face); });
   }
-  /// By node: on a selected face, where the condition holds.
+  /// Marks the nodes of selected faces at which the condition holds.
   std::vector<char> nodes_within() const {
     std::vector<char> within(mesh.nodes.size(), 0);
     for (const FaceNodes& face : selected)
@@ -95,7 +95,7 @@ ContactPart part_of(std::size_t number, const contact::Pair& pair, bool is_slave
   return part;
 }
 
-/// Of all of a surface.
+/// The part that is the whole surface.
 ContactPart whole(std::size_t number, const contact::Pair& pair, bool is_slave, const mesh::Mesh& mesh) {
   const std::size_t n = pair.coupling.nodes.size();
   return {.pair = number,

@@ -14,9 +14,9 @@ struct ContactPart {
   std::size_t pair = 0;
   std::size_t body = 0;  ///< on this side
   bool is_slave = false;
-  std::vector<double> multiplier_shares;  ///< by multiplier node, 0 to 1
-  std::vector<char> lies_within;          ///< by multiplier node: whether it counts in extremes
-  std::vector<double> node_shares;        ///< by node of the body, 0 to 1: of its contact force
+  std::vector<double> multiplier_shares;  ///< indexed by multiplier node, 0 to 1
+  std::vector<char> lies_within;          ///< indexed by multiplier node: whether it counts in extremes
+  std::vector<double> node_shares;        ///< indexed by node of the body: share of its contact force, 0 to 1
 };
 
 /// The parts of all pairs that the probe's surface and condition select.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/mesh/cell_faces.hpp"
+#include "creepcontact/results/quantities.hpp"
 
 namespace creepcontact::results {
 namespace {
@@ -34,6 +36,20 @@ void fill_between_corners(const mesh::Face& face, std::vector<ContactValues>& va
   for (std::size_t k = corners; k < std::min(2 * corners, face.nodes.size()); ++k)
     value(k) = mean({value(k - corners), value((k - corners + 1) % corners)});
   if (face.type == mesh::CellType::quad9) value(8) = mean({value(0), value(1), value(2), value(3)});
+}
+
+bool has_friction(const creep::Equilibrium& at) {
+  return at.friction.slip.size() > 0;
+}
+
+/// The output variables of contact surfaces that the files of this model have.
+std::vector<const OutputVariable*> variables_of(const creep::Equilibrium& at) {
+  std::vector<const OutputVariable*> found;
+  for (const OutputVariable& variable : output_variables()) {
+    const auto* multipliers = std::get_if<AtMultipliers>(&variable.support);
+    if (multipliers != nullptr && (!multipliers->with_friction_only || has_friction(at))) found.push_back(&variable);
+  }
+  return found;
 }
 
 }  // namespace
@@ -100,24 +116,25 @@ io::FieldMesh ContactSurfaces::mesh() const {
 }
 
 std::vector<io::FieldData> ContactSurfaces::point_arrays(const creep::Equilibrium& at) const {
-  io::FieldData displacement{"displacement", 3, {}}, pressure{"contact_pressure", 1, {}}, gap{"gap", 1, {}};
-  io::FieldData traction{"contact_traction", 3, {}}, shear{"contact_shear", 1, {}}, slip{"slip", 1, {}},
-      status{"contact_status", 1, {}};
+  io::FieldData displacement{"displacement", 3, {}}, traction{"contact_traction", 3, {}};
+  Values all;
   for (const Surface& surface : surfaces_) {
     const std::vector<double>& moved = at.bodies[pair(surface).slave_body].displacement;
     for (const std::int64_t node : surface.nodes)
       displacement.values.insert(displacement.values.end(), moved.begin() + 3 * node, moved.begin() + 3 * node + 3);
     for (const ContactValues& here : values(surface, at)) {
-      pressure.values.push_back(here.pressure);
-      gap.values.push_back(here.gap);
+      all.push_back(here);
       traction.values.insert(traction.values.end(), here.traction.begin(), here.traction.end());
-      shear.values.push_back(here.shear);
-      slip.values.push_back(here.slip);
-      status.values.push_back(here.status);
     }
   }
-  std::vector<io::FieldData> arrays{displacement, pressure, gap};
-  if (at.friction.slip.size() > 0) arrays.insert(arrays.end(), {traction, shear, slip, status});
+  std::vector<io::FieldData> arrays{std::move(displacement)};
+  bool has_traction = !has_friction(at);
+  for (const OutputVariable* variable : variables_of(at)) {
+    const auto& multipliers = std::get<AtMultipliers>(variable->support);
+    if (multipliers.with_friction_only && !std::exchange(has_traction, true)) arrays.push_back(std::move(traction));
+    io::FieldData& array = arrays.emplace_back(io::FieldData{variable->name, 1, {}});
+    for (const ContactValues& here : all) array.values.push_back(here.*multipliers.value);
+  }
   return arrays;
 }
 
@@ -135,25 +152,27 @@ std::vector<io::FieldData> ContactSurfaces::on_bodies(const creep::Equilibrium& 
     first_node.push_back(count);
     count += body.mesh().n_cell_nodes();
   }
-  io::FieldData pressure{"contact_pressure", 1, std::vector<double>(count)}, gap{"gap", 1, std::vector<double>(count)};
-  io::FieldData shear{"contact_shear", 1, std::vector<double>(count)}, slip{"slip", 1, std::vector<double>(count)};
+  Values shown(count);
   std::vector<bool> known(count);
   for (const Surface& surface : surfaces_) {
     const Values on_surface = values(surface, at);
     for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
       const std::size_t node = first_node[pair(surface).slave_body] + static_cast<std::size_t>(surface.nodes[i]);
-      const ContactValues& here = on_surface[i];
+      ContactValues here = on_surface[i];
       if (std::isnan(here.gap) && here.pressure == 0) continue;
-      if (known[node] && std::abs(here.pressure) <= std::abs(pressure.values[node])) continue;
+      if (known[node] && std::abs(here.pressure) <= std::abs(shown[node].pressure)) continue;
       known[node] = true;
-      pressure.values[node] = here.pressure;
-      gap.values[node] = std::isnan(here.gap) ? 0.0 : here.gap;
-      shear.values[node] = here.shear;
-      slip.values[node] = here.slip;
+      if (std::isnan(here.gap)) here.gap = 0.0;
+      shown[node] = here;
     }
   }
-  std::vector<io::FieldData> arrays{pressure, gap};
-  if (at.friction.slip.size() > 0) arrays.insert(arrays.end(), {shear, slip});
+  std::vector<io::FieldData> arrays;
+  for (const OutputVariable* variable : variables_of(at)) {
+    const auto& multipliers = std::get<AtMultipliers>(variable->support);
+    if (!multipliers.in_body_files) continue;
+    io::FieldData& array = arrays.emplace_back(io::FieldData{variable->name, 1, {}});
+    for (const ContactValues& here : shown) array.values.push_back(here.*multipliers.value);
+  }
   return arrays;
 }
 

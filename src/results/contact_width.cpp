@@ -11,8 +11,8 @@
 namespace creepcontact::results {
 namespace {
 
-constexpr int enough = 4;          // elements across
-constexpr double no_matter = 0.1;  // of the force: zones that carry less
+constexpr int min_width = 4;             // elements across
+constexpr double min_force_share = 0.1;  // of the force: zones that carry less
 
 /// Rows that can be reached from the first ones, each with its distance in steps.
 std::vector<std::pair<int, int>> reached(const contact::ContactGrid& grid, const std::vector<int>& first,
@@ -39,7 +39,7 @@ std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen
   for (int row = 0; row < n_rows; ++row) closed[row] = force_of_row[row] > 0 ? 1 : 0;
   const auto is_open = [&](int row) { return closed[row] == 0; };
   const std::vector<char> all_closed = closed;
-  const double least = no_matter * force_of_row.sum();
+  const double least = min_force_share * force_of_row.sum();
 
   std::optional<int> narrowest;
   for (int row = 0; row < n_rows; ++row) {
@@ -75,12 +75,12 @@ std::optional<int> elements_across(const creep::Assembly& assembly, const contac
 }
 
 std::string narrow_contact_text(const contact::Pair& pair, int width, const std::string& when) {
-  if (width >= enough) return "";
+  if (width >= min_width) return "";
   return fmt::format(
       "contact '{}': {} the contact zone is about {} element{} wide at its narrowest (elements "
       "of the slave surface '{}'), too few for the pressures and stresses near it. Refine '{}' there: at "
       "least {} elements are needed, eight are better",
-      pair.name, when, width, width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, enough);
+      pair.name, when, width, width == 1 ? "" : "s", pair.slave_surface, pair.slave_surface, min_width);
 }
 
 std::vector<std::string> narrow_contacts(const creep::Assembly& assembly, const creep::Equilibrium& at,

@@ -22,7 +22,7 @@ struct FaceArea {
   double part = 0, whole = 0;
 };
 
-/// Of every node of the faces: the sum over the faces around it.
+/// For every node of the faces, the sum over the faces around it.
 std::map<std::int64_t, FaceArea> areas_around(const std::vector<mesh::Face>& faces,
                                               const std::function<FaceArea(const mesh::Face&)>& area);
 

@@ -6,7 +6,7 @@
 namespace creepcontact::results {
 namespace {
 
-/// Those that the field files have, each with its array; the name of the array is a member of OutputVariable.
+/// The variables that the field files have, each with its array, which a member of OutputVariable names.
 class Arrays {
  public:
   Arrays(std::string OutputVariable::*name, const Snapshot& snapshot)

@@ -15,9 +15,9 @@
 namespace creepcontact::results {
 namespace {
 
-/// True of displacements, which are nodal: they need no smoothed fields.
+/// True for nodal variables, which need no smoothed fields.
 bool is_nodal(const ProbeQuantity& quantity) {
-  return quantity.variable().name.starts_with("displacement");
+  return quantity.variable().is<AtNodes>();
 }
 
 /// Displacement interpolated in the element, the other fields fitted to the integration points around.
@@ -120,7 +120,7 @@ class VolumeProbe final : public Probe {
 };
 
 /// Share of every node in the area of the faces, so that sums over nodes are area integrals of the interpolated field.
-/// Of edges in sections the area over the depth.
+/// On the edges of sections it is the area over the depth.
 /// @param part  of the faces: where it holds at the points of their rule
 std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, const std::vector<mesh::Face>& faces,
                                                         const ProbePart& part) {
@@ -133,15 +133,13 @@ std::vector<std::pair<std::size_t, double>> nodal_areas(const mesh::Mesh& mesh, 
   return {areas.begin(), areas.end()};
 }
 
-constexpr double beside = 1e-3;  // of an element's size: a point on a curved surface, which the mesh only approximates
+constexpr double surface_tolerance = 1e-3;  // of an element's size: meshes only approximate curved surfaces
 
 bool lies_in(const PointLocation& location, const mesh::Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const std::int64_t node : location.nodes) box.extend(mesh.nodes[node]);
-  return location.distance <= beside * box.diagonal().norm();
+  return location.distance <= surface_tolerance * box.diagonal().norm();
 }
-
-}  // namespace
 
 std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,
                                    std::span<const PointLocator> locators) {
@@ -215,6 +213,22 @@ std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model
   if (!where.is_whole())
     where.require(model.assembly.team().max(places.empty() ? 0 : 1) > 0, fmt::format("body '{}'", body.name()));
   return std::make_unique<VolumeProbe>(b, std::move(places), quantity, probe.reduce);
+}
+
+std::unique_ptr<Probe> field_probe(const ProbeRequest& request) {
+  if (request.probe.at) return point_probe(request.probe, request.model, request.locators);
+  if (request.probe.on.given()) return group_probe(request.probe, request.model);
+  return body_probe(request.probe, request.model);
+}
+
+}  // namespace
+
+std::unique_ptr<Probe> make_probe(const AtNodes& /*nodes*/, const ProbeRequest& request) {
+  return field_probe(request);
+}
+
+std::unique_ptr<Probe> make_probe(const AtPoints& /*points*/, const ProbeRequest& request) {
+  return field_probe(request);
 }
 
 }  // namespace creepcontact::results

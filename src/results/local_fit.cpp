@@ -12,11 +12,11 @@
 namespace creepcontact::results {
 namespace {
 
-/// Of a monomial's part that others do not represent. Far less than that comes of the curvature of the elements alone
-/// (a single layer of them around a pipe) and would magnify what little the field differs from the fit.
+/// A monomial is kept if at least this share of it is not represented by the others. Smaller shares come from the
+/// curvature of the elements alone (a single layer around a pipe) and would magnify small deviations of the field.
 constexpr double rank_threshold = 3e-2;
-/// Of the constant's: smaller monomials are rounding, in directions in which the places do not differ.
-constexpr double no_extent = 1e-6;
+/// Monomials smaller than this share of the constant are rounding, in directions in which the places do not differ.
+constexpr double min_extent = 1e-6;
 
 Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
   Eigen::Matrix<double, 1, 10> row;
@@ -24,7 +24,7 @@ Eigen::Matrix<double, 1, 10> monomials(const Vector3& x) {
   return row;
 }
 
-/// Where a value is taken as it is: one integration point, or the mean over some.
+/// A place at which a value is taken: one integration point, or the mean over several.
 struct SamplePlace {
   Vector3 position = Vector3::Zero();
   std::vector<std::pair<std::size_t, double>> points;  // with their shares, which add up to 1
@@ -73,7 +73,7 @@ void add_samples(const mechanics::Discretization& discretization, const mesh::Me
   }
 }
 
-/// Those of the elements and of every element that shares a node with one of them.
+/// Places in these elements and in every element that shares a node with one of them.
 std::vector<SamplePlace> samples_around(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
                                         std::span<const std::size_t> elements) {
   std::set<std::int64_t> nodes;
@@ -101,7 +101,7 @@ Matrix3 jacobian_at_centre(const mechanics::Discretization& discretization, cons
   return fem::jacobian(reference, x, gradient);
 }
 
-/// To coordinates in which the elements have the size 1; the mean of their metrics favours none of several.
+/// The map to coordinates in which the elements have the size 1; the mean of their metrics favours none of them.
 Matrix3 to_element_sizes(const mechanics::Discretization& discretization, const mesh::Mesh& mesh,
                          std::span<const std::size_t> elements) {
   if (elements.size() == 1) return jacobian_at_centre(discretization, mesh, elements[0]).inverse();
@@ -123,7 +123,7 @@ Eigen::VectorXd row_of_constant(const Eigen::MatrixXd& matrix) {
     const auto before = basis.leftCols(rank);
     Eigen::VectorXd rest = matrix.col(k) - before * (before.transpose() * matrix.col(k));
     rest -= before * (before.transpose() * rest);  // twice is enough for orthogonality
-    if (rest.norm() <= std::max(rank_threshold * matrix.col(k).norm(), no_extent * matrix.col(0).norm())) continue;
+    if (rest.norm() <= std::max(rank_threshold * matrix.col(k).norm(), min_extent * matrix.col(0).norm())) continue;
     upper.col(rank).head(rank) = before.transpose() * matrix.col(k);
     upper(rank, rank) = rest.norm();
     basis.col(rank++) = rest.normalized();
@@ -160,10 +160,10 @@ std::vector<std::pair<std::size_t, double>> local_fit(const mechanics::Discretiz
 }
 
 std::vector<std::size_t> elements_at(const mechanics::Discretization& discretization, const PointLocation& place) {
-  constexpr double no_weight = 1e-6;  // of a node that the place is not on
+  constexpr double min_weight = 1e-6;  // of a node that the place is not on
   std::vector<std::int64_t> on;
   for (std::size_t i = 0; i < place.nodes.size(); ++i)
-    if (std::abs(place.weights[i]) > no_weight) on.push_back(place.nodes[i]);
+    if (std::abs(place.weights[i]) > min_weight) on.push_back(place.nodes[i]);
   std::vector<std::size_t> elements;
   for (std::size_t e = 0; e < discretization.n_elements(); ++e) {
     const auto nodes = discretization.element_nodes(e);

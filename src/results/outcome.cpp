@@ -14,9 +14,9 @@ namespace creepcontact::results {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
-constexpr double lost = 1e-9;        // of the largest force: a contact that carries no more is open
-constexpr double no_stress = 1e-12;  // of the largest stress of all bodies: round-off
-constexpr double grown = 1.1;        // force, relative to that at which the width of a contact was last taken
+constexpr double lost = 1e-9;                  // of the largest force: a contact that carries no more is open
+constexpr double min_relative_stress = 1e-12;  // of the largest stress of all bodies: round-off
+constexpr double grown = 1.1;                  // force, relative to that at which the width of a contact was last taken
 
 /// Tied contacts without preload have no normal force of interest.
 bool has_normal_force(const contact::Pair& pair) {
@@ -42,7 +42,7 @@ void output(double time, double value, bool is_first, io::Summary::Course& cours
   course.end = value;
 }
 
-/// The same, where rounding counts as nothing.
+/// The course with values below `rounding` set to zero.
 io::Summary::Course rounded(io::Summary::Course course, double rounding) {
   for (double* value : {&course.start, &course.largest, &course.end})
     if (std::abs(*value) <= rounding) *value = 0;
@@ -183,7 +183,7 @@ void Outcome::fill(io::Summary& summary, std::optional<double> cycle) const {
   for (const io::Summary::Course& stress : stresses_) largest = std::max(largest, stress.largest);
   for (std::size_t b = 0; b < stresses_.size(); ++b)
     summary.bodies[assembly_.bodies()[b].name()].von_mises =
-        rounded(stresses_[b], std::max(no_stress * largest, round_off_strain * moduli_[b]));
+        rounded(stresses_[b], std::max(min_relative_stress * largest, round_off_strain * moduli_[b]));
   for (std::size_t p = 0; p < forces_.size(); ++p) {
     const contact::Pair& pair = assembly_.pairs()[p];
     if (!has_normal_force(pair)) continue;

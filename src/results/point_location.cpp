@@ -9,7 +9,7 @@
 namespace creepcontact::results {
 namespace {
 
-constexpr double reach = 0.1;  // of an element's size, for points outside the mesh
+constexpr double max_extrapolation = 0.1;  // of an element's size, for points outside the mesh
 
 /// Nearest place of the reference domain.
 Vector3 clamp(const Vector3& xi, mesh::CellType type) {
@@ -42,7 +42,7 @@ std::vector<Eigen::AlignedBox3d> boxes_in_reach(const mesh::Mesh& mesh) {
     if (!mesh.is_bulk(block.type)) continue;
     for (std::size_t cell = 0; cell < block.size(); ++cell) {
       const Eigen::AlignedBox3d box = box_of(mesh, block.cell(cell));
-      const Vector3 margin = Vector3::Constant(rounding * reach * box.diagonal().norm());
+      const Vector3 margin = Vector3::Constant(rounding * max_extrapolation * box.diagonal().norm());
       boxes.emplace_back(box.min() - margin, box.max() + margin);
     }
   }
@@ -56,7 +56,7 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
   const auto nodes = block.cell(cell);
   const Eigen::AlignedBox3d box = box_of(mesh, nodes);
   const double size = box.diagonal().norm();
-  if (box.exteriorDistance(at) > reach * size) return std::nullopt;
+  if (box.exteriorDistance(at) > max_extrapolation * size) return std::nullopt;
 
   const int n = element.n_nodes();
   Eigen::VectorXd shape(n);
@@ -79,7 +79,7 @@ std::optional<PointLocation> locate_in(const mesh::Mesh& mesh, const mesh::CellB
   result.weights.assign(shape.begin(), shape.end());
   result.position = at;
   result.distance = (at - x * shape).norm();
-  if (result.distance > reach * size) return std::nullopt;
+  if (result.distance > max_extrapolation * size) return std::nullopt;
   return result;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// One maker for each kind of place a probe can have.
+/// One maker of probes for each support of output variables.
 
 #include <limits>
 #include <span>
@@ -10,35 +10,40 @@
 
 namespace creepcontact::results {
 
-/// At a point of a body: fields interpolated in the element that holds it, or in the nearest one on faceted surfaces.
-/// @param locators  of the bodies, one each
-std::unique_ptr<Probe> point_probe(const config::Probe& probe, const model::Model& model,
-                                   std::span<const PointLocator> locators);
-/// Over a surface, curve or point group.
-std::unique_ptr<Probe> group_probe(const config::Probe& probe, const model::Model& model);
-/// Over a whole body, from its integration points (displacements: nodes).
-std::unique_ptr<Probe> body_probe(const config::Probe& probe, const model::Model& model);
-/// Contact pressure, gap, area, force and moment on a surface of a pair, or on a surface that has faces of one.
-std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Model& model);
-/// Reactions on a group.
-std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model);
+/// What a probe is made of.
+struct ProbeRequest {
+  const config::Probe& probe;
+  const Quantity& quantity;
+  const model::Model& model;
+  std::span<const PointLocator> locators;  ///< one per body, if the probe is at a point
+};
 
-/// Force or moment that passes a plane through a body.
-std::unique_ptr<Probe> section_probe(const config::Probe& probe, const model::Model& model);
+// One maker for each support. @throws ModelError if the model has no such place
+
+/// Makes a probe at a point of a body (fields interpolated in the element that holds it, or in the nearest one on
+/// faceted surfaces), over a group, or over a whole body from its nodes.
+std::unique_ptr<Probe> make_probe(const AtNodes& nodes, const ProbeRequest& request);
+/// The same places; over a whole body the integration points count.
+std::unique_ptr<Probe> make_probe(const AtPoints& points, const ProbeRequest& request);
+/// Makes a probe on a surface of a pair, or on a surface that has faces of one.
+std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const OnContactSurface& surface, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const AreaInContact& area, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const OnSupports& supports, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const OnCrossSection& section, const ProbeRequest& request);
+std::unique_ptr<Probe> make_probe(const OnPlane& plane, const ProbeRequest& request);
+
 /// A value of other probes. @param all  the probes of the configuration; those that the expression names exist already
 /// @param probes  their configurations, in the same order
 std::unique_ptr<Probe> expression_probe(const config::Probe& probe, std::span<const config::Probe> probes,
                                         std::span<const std::unique_ptr<Probe>> all);
-
-/// Axial strain or force of a body. @throws ModelError unless the model is in generalised plane strain
-std::unique_ptr<Probe> axial_probe(const config::Probe& probe, const model::Model& model);
 
 /// Weighted values to one number. Where processes share a model, each adds its own values.
 class Reduction {
  public:
   explicit Reduction(config::Reduce kind) : kind_(kind) {}
   void add(double value, double weight);
-  /// Of what all members of the team have added. Collective.
+  /// The reduction of what all members of the team have added. Collective.
   double result(const Team& team) const;
 
  private:

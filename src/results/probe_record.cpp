@@ -19,13 +19,12 @@ std::string region_of(const config::Probe& probe) {
   return probe.on.given() ? "surface" : "body";
 }
 
-/// In the words of the configuration; empty if it does not follow from them.
+/// The unit as a word of the configuration; empty if it does not follow from them.
 std::string unit_of_values(const config::Probe& probe, const OutputVariable& variable, const std::string& units) {
   if (probe.scale != 1) return "";
-  const Dimension dimension = dimension_of(variable.dimension);
-  const bool is_integral = probe.reduce == config::Reduce::sum && !variable.is_resultant() && !variable.is_axial();
-  if (!is_integral) return unit_of(dimension, units);
-  return dimension == Dimension::stress && probe.on.given() ? unit_of(Dimension::force, units) : "";
+  const bool is_integral = probe.reduce == config::Reduce::sum && !variable.is_sum() && !variable.is<OnCrossSection>();
+  if (!is_integral) return unit_of(variable.dimension, units);
+  return variable.dimension == Dimension::stress && probe.on.given() ? unit_of(Dimension::force, units) : "";
 }
 
 io::SummaryProbe described(const config::Probe& probe, const std::string& units) {

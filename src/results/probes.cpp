@@ -71,15 +71,9 @@ std::unique_ptr<Probe> scaled(std::unique_ptr<Probe> probe, double factor) {
 
 std::unique_ptr<Probe> quantity_probe(const config::Probe& probe, const model::Model& model,
                                       std::span<const PointLocator> locators) {
-  using Location = OutputVariable::Location;
-  const OutputVariable& variable = *quantity(probe.quantity).variable;
-  if (variable.is_axial()) return axial_probe(probe, model);
-  if (variable.is_of_section()) return section_probe(probe, model);
-  if (variable.location == Location::reaction) return reaction_probe(probe, model);
-  if (variable.location != Location::field) return contact_probe(probe, model);
-  if (probe.at) return point_probe(probe, model, locators);
-  if (probe.on.given()) return group_probe(probe, model);
-  return body_probe(probe, model);
+  const ProbeRequest request{probe, quantity(probe.quantity), model, locators};
+  return std::visit([&](const auto& support) { return make_probe(support, request); },
+                    request.quantity.variable->support);
 }
 
 }  // namespace
@@ -104,6 +98,12 @@ std::vector<std::unique_ptr<Probe>> make_probes(const config::Config& config, co
   };
   for (std::size_t i = 0; i < probes.size(); ++i) make(i);
   return result;
+}
+
+std::vector<double> probe_values(std::span<const std::unique_ptr<Probe>> probes, Snapshot& snapshot) {
+  std::vector<double> values;
+  for (const auto& probe : probes) values.push_back(snapshot.value(*probe));
+  return values;
 }
 
 }  // namespace creepcontact::results

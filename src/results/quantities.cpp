@@ -4,12 +4,11 @@
 #include <array>
 #include <stdexcept>
 
+#include "cross_section.hpp"
+
 namespace creepcontact::results {
 namespace {
 
-using Location = OutputVariable::Location;
-
-constexpr std::size_t max_components = 6;
 constexpr double smallest_reciprocal = 1e-30;  // of a state variable whose output would be infinite
 
 const std::vector<std::string> vector_components{"x", "y", "z"};
@@ -43,12 +42,17 @@ OutputVariable of_state_variable(const material::StateVariable& variable, std::s
           .description = variable.description,
           .label = variable.label,
           .dimension = variable.dimension,
-          .evaluate = evaluate,
+          .support = AtPoints{evaluate},
           .point_array = variable.name,
           .state_variable = &variable};
 }
 
-/// About the z axis.
+template <Vector3 Resultant::*part>
+void part_of(const Resultant& resultant, double* into) {
+  std::ranges::copy(resultant.*part, into);
+}
+
+/// Sets the cylindrical components of the stress about the z axis.
 void cylindrical(const Sample& sample, double* into) {
   const double r = sample.position.head<2>().norm();
   const Vector3 radial = r > 0 ? Vector3(sample.position.x() / r, sample.position.y() / r, 0) : Vector3(1, 0, 0);
@@ -70,73 +74,67 @@ std::vector<OutputVariable> make_variables() {
                  .components = vector_components,
                  .description = "displacement",
                  .label = "displacement",
-                 .dimension = "length",
-                 .evaluate = [](const Sample& at, double* into) { std::ranges::copy(at.displacement, into); },
+                 .dimension = Dimension::length,
+                 .support = AtNodes{[](const Sample& at, double* into) { std::ranges::copy(at.displacement, into); }},
                  .point_array = "displacement"});
   all.push_back({.name = "displacement_magnitude",
-                 .components = {},
                  .description = "magnitude of the displacement",
                  .label = "displacement",
-                 .dimension = "length",
-                 .evaluate = [](const Sample& at, double* into) { *into = at.displacement.norm(); }});
+                 .dimension = Dimension::length,
+                 .support = AtNodes{[](const Sample& at, double* into) { *into = at.displacement.norm(); }}});
   all.push_back({.name = "stress",
                  .components = tensor_components,
                  .description = "stress",
                  .label = "stress",
-                 .dimension = "stress",
-                 .evaluate = cartesian<&Sample::stress>,
+                 .dimension = Dimension::stress,
+                 .support = AtPoints{cartesian<&Sample::stress>},
                  .point_array = "stress",
                  .cell_array = "stress"});
   all.push_back({.name = "stress",
                  .components = {"r", "theta", "rtheta"},
                  .description = "stress in cylindrical components about the probe's `axis`, by default z",
                  .label = "stress",
-                 .dimension = "stress",
-                 .evaluate = cylindrical,
+                 .dimension = Dimension::stress,
+                 .support = AtPoints{cylindrical},
                  .point_array = "stress_cylindrical",
                  .cylindrical = true});
   all.push_back({.name = "von_mises",
-                 .components = {},
                  .description = "von Mises equivalent stress",
                  .label = "von Mises stress",
-                 .dimension = "stress",
-                 .evaluate = [](const Sample& at, double* into) { *into = tensor::von_mises(at.stress); },
+                 .dimension = Dimension::stress,
+                 .support = AtPoints{[](const Sample& at, double* into) { *into = tensor::von_mises(at.stress); }},
                  .point_array = "von_mises",
                  .cell_array = "von_mises"});
   all.push_back({.name = "principal",
                  .components = {"1", "2", "3"},
                  .description = "principal stress; 1: largest, 3: smallest",
                  .label = "principal stress",
-                 .dimension = "stress",
-                 .evaluate = principal,
+                 .dimension = Dimension::stress,
+                 .support = AtPoints{principal},
                  .point_array = "principal_stress"});
   all.push_back({.name = "hydrostatic",
-                 .components = {},
                  .description = "mean stress",
                  .label = "mean stress",
-                 .dimension = "stress",
-                 .evaluate = [](const Sample& at, double* into) { *into = tensor::trace(at.stress) / 3; }});
+                 .dimension = Dimension::stress,
+                 .support = AtPoints{[](const Sample& at, double* into) { *into = tensor::trace(at.stress) / 3; }}});
   all.push_back({.name = "strain",
                  .components = tensor_components,
                  .description = "total strain, tensor components",
                  .label = "strain",
-                 .dimension = "",
-                 .evaluate = cartesian<&Sample::strain>});
+                 .support = AtPoints{cartesian<&Sample::strain>}});
   all.push_back({.name = "creep_strain",
                  .components = tensor_components,
                  .description = "creep strain, tensor components",
                  .label = "creep strain",
-                 .dimension = "",
-                 .evaluate = cartesian<&Sample::creep_strain>,
+                 .support = AtPoints{cartesian<&Sample::creep_strain>},
                  .point_array = "creep_strain",
                  .cell_array = "creep_strain"});
-  all.push_back({.name = "creep_strain_equivalent",
-                 .components = {},
-                 .description = "equivalent creep strain sqrt(2/3 e:e)",
-                 .label = "creep strain",
-                 .dimension = "",
-                 .evaluate = [](const Sample& at, double* into) { *into = tensor::equivalent_strain(at.creep_strain); },
-                 .point_array = "creep_strain_equivalent"});
+  all.push_back(
+      {.name = "creep_strain_equivalent",
+       .description = "equivalent creep strain sqrt(2/3 e:e)",
+       .label = "creep strain",
+       .support = AtPoints{[](const Sample& at, double* into) { *into = tensor::equivalent_strain(at.creep_strain); }},
+       .point_array = "creep_strain_equivalent"});
   // The same with the word for laws of creep and plasticity in one. Field files have one array of both.
   for (const std::size_t creep : {all.size() - 2, all.size() - 1}) {
     OutputVariable inelastic = all[creep];
@@ -149,11 +147,10 @@ std::vector<OutputVariable> make_variables() {
     all.push_back(std::move(inelastic));
   }
   all.push_back({.name = "temperature",
-                 .components = {},
                  .description = "temperature",
                  .label = "temperature",
-                 .dimension = "temperature",
-                 .evaluate = [](const Sample& at, double* into) { *into = at.temperature; },
+                 .dimension = Dimension::temperature,
+                 .support = AtPoints{[](const Sample& at, double* into) { *into = at.temperature; }},
                  .point_array = "temperature"});
   std::size_t first = 0;
   for (const material::StateVariable* variable : material::state_variables()) {
@@ -162,86 +159,78 @@ std::vector<OutputVariable> make_variables() {
   }
 
   all.push_back({.name = "contact_pressure",
-                 .components = {},
                  .description = "contact pressure (multiplier); the same on both surfaces of a pair",
                  .label = "contact pressure",
-                 .dimension = "stress",
-                 .location = Location::contact_pressure});
+                 .dimension = Dimension::stress,
+                 .support = AtMultipliers{&ContactValues::pressure}});
   all.push_back({.name = "gap",
-                 .components = {},
                  .description = "normal distance of the surfaces; zero up to rounding where closed",
                  .label = "gap",
-                 .dimension = "length",
-                 .location = Location::contact_gap});
+                 .dimension = Dimension::length,
+                 .support = AtMultipliers{&ContactValues::gap}});
   all.push_back({.name = "contact_shear",
-                 .components = {},
                  .description = "magnitude of the tangential traction in contact; the same on both surfaces of a pair",
                  .label = "contact shear",
-                 .dimension = "stress",
-                 .location = Location::contact_shear});
+                 .dimension = Dimension::stress,
+                 .support = AtMultipliers{&ContactValues::shear, true}});
   all.push_back({.name = "slip",
-                 .components = {},
                  .description = "accumulated slip of contacts with friction: length of the path along which the "
                                 "surfaces have slid while in contact",
                  .label = "slip",
-                 .dimension = "length",
-                 .location = Location::contact_slip});
+                 .dimension = Dimension::length,
+                 .support = AtMultipliers{&ContactValues::slip, true}});
   all.push_back({.name = "contact_status",
-                 .components = {},
                  .description = "0: open, 1: sticks, 2: slips (always, where there is no friction)",
                  .label = "contact status",
-                 .dimension = "",
-                 .location = Location::contact_status});
+                 .support = AtMultipliers{&ContactValues::status, true, false}});
   all.push_back({.name = "contact_area",
-                 .components = {},
                  .description = "area in contact; its edge is located between the nodes",
                  .label = "contact area",
-                 .dimension = "area",
-                 .location = Location::contact_area});
+                 .dimension = Dimension::area,
+                 .support = AreaInContact{}});
   all.push_back({.name = "contact_force",
                  .components = vector_components,
                  .description = "resultant contact force on the body of this surface",
                  .label = "contact force",
-                 .dimension = "force",
-                 .location = Location::contact_force});
+                 .dimension = Dimension::force,
+                 .support = OnContactSurface{part_of<&Resultant::force>}});
   all.push_back({.name = "contact_moment",
                  .components = vector_components,
                  .description = "resultant moment of the contact forces on the body of this surface about the probe's "
                                 "`origin`, with the nodes where they are in the mesh",
                  .label = "contact moment",
-                 .dimension = "moment",
-                 .location = Location::contact_moment});
+                 .dimension = Dimension::moment,
+                 .support = OnContactSurface{part_of<&Resultant::moment>},
+                 .about_origin = true});
   all.push_back({.name = "reaction",
                  .components = vector_components,
                  .description = "resultant force of the supports on the body",
                  .label = "reaction",
-                 .dimension = "force",
-                 .location = Location::reaction});
+                 .dimension = Dimension::force,
+                 .support = OnSupports{[](const Vector3& force, double* into) { std::ranges::copy(force, into); }}});
   all.push_back({.name = "axial_strain",
-                 .components = {},
                  .description = "axial strain in generalised plane strain, the same in all bodies",
                  .label = "axial strain",
-                 .dimension = "",
-                 .location = Location::axial_strain});
+                 .support = OnCrossSection{axial_strain}});
   all.push_back({.name = "axial_force",
-                 .components = {},
                  .description = "axial force on the cross-section of a body in generalised plane strain",
                  .label = "axial force",
-                 .dimension = "force",
-                 .location = Location::axial_force});
+                 .dimension = Dimension::force,
+                 .support = OnCrossSection{axial_force}});
   all.push_back({.name = "section_force",
                  .components = vector_components,
                  .description = "force that passes the plane `section` through a body: of the material on the side of "
                                 "the normal on the rest, tension along the normal positive",
                  .label = "section force",
-                 .dimension = "force",
-                 .location = Location::section_force});
+                 .dimension = Dimension::force,
+                 .support = OnPlane{part_of<&Resultant::force>}});
   all.push_back({.name = "section_moment",
                  .components = vector_components,
                  .description = "moment of that force about the `origin` of the probe or of its `section`",
                  .label = "section moment",
-                 .dimension = "moment",
-                 .location = Location::section_moment});
+                 .dimension = Dimension::moment,
+                 .support = OnPlane{part_of<&Resultant::moment>},
+                 .about_origin = true});
   return all;
 }
 
@@ -263,10 +252,11 @@ const std::vector<OutputVariable>& output_variables() {
   return all;
 }
 
-double Quantity::value(const Sample& sample) const {
-  std::array<double, max_components> components;
-  variable->evaluate(sample, components.data());
-  return components[component];
+void OutputVariable::evaluate(const Sample& sample, double* into) const {
+  if (const auto* points = std::get_if<AtPoints>(&support))
+    points->evaluate(sample, into);
+  else
+    std::get<AtNodes>(support).evaluate(sample, into);
 }
 
 const std::vector<Quantity>& quantities() {

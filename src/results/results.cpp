@@ -19,7 +19,7 @@ namespace {
 std::map<std::string, std::string> names_with_units(const std::string& units) {
   std::map<std::string, std::string> names;
   for (const OutputVariable& variable : output_variables())
-    if (const std::string unit = unit_of(dimension_of(variable.dimension), units); !unit.empty())
+    if (const std::string unit = unit_of(variable.dimension, units); !unit.empty())
       for (const std::string& name : {variable.name, variable.point_array, variable.cell_array})
         names[name] = fmt::format("{} [{}]", name, unit);
   names["contact_traction"] =
@@ -31,8 +31,8 @@ std::map<std::string, std::string> names_with_units(const std::string& units) {
 }  // namespace
 
 Results::Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
-                 std::span<const std::unique_ptr<Probe>> probes, io::Continuation continuation, bool writes)
-    : probes_(probes), surfaces_(assembly), field_times_(config.output.field_times) {
+                 io::Continuation continuation, bool writes)
+    : surfaces_(assembly), field_times_(config.output.field_times) {
   if (!writes) return;
   std::vector<std::string> names;
   for (const config::Probe& probe : config.probes) names.push_back(probe.name);
@@ -63,10 +63,8 @@ Results::Results(const config::Config& config, const std::filesystem::path& dire
 
 Results::~Results() = default;
 
-void Results::output(Snapshot& snapshot) {
-  std::vector<double> values;
-  for (const auto& probe : probes_) values.push_back(snapshot.value(*probe));
-  history_->write(snapshot.time(), values);
+void Results::output(Snapshot& snapshot, std::span<const double> probe_values) {
+  history_->write(snapshot.time(), probe_values);
   if ((!fields_ && !frd_) || (field_times_ && !std::ranges::binary_search(*field_times_, snapshot.time()))) return;
   std::vector<io::FieldData> at_points = point_arrays(snapshot), on_surfaces;
   if (!surfaces_.empty())

@@ -31,7 +31,7 @@ CellType revolved(CellType type) {
   }
 }
 
-/// Where a node of the solid cell comes from: a node of the section's cell, and 0, 1 or 2 half segments.
+/// The origin of a node of the solid cell: a node of the section's cell, and 0, 1 or 2 half segments.
 struct Origin {
   int node = 0;
   int layer = 0;
@@ -74,7 +74,7 @@ std::vector<Origin> origins(CellType type) {
 
 RevolvedSection::RevolvedSection(const io::FieldMesh& section, int segments) : section_(section), segments_(segments) {}
 
-/// To the direction of a layer: the section's x becomes radial, its z the hoop direction.
+/// The rotation to the direction of a layer: the section's x becomes radial, its z the hoop direction.
 Matrix3 RevolvedSection::turn(double layer) const {
   const double angle = 2 * std::numbers::pi * layer / n_layers(), c = std::cos(angle), s = std::sin(angle);
   return (Matrix3() << c, 0, -s, 0, 1, 0, s, 0, c).finished();

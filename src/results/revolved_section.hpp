@@ -15,7 +15,7 @@ class RevolvedSection {
   /// Values at the points of mesh() from those at the points of the section. Vectors and tensors turn with the section;
   /// arrays with component names of their own, such as principal stresses, do not.
   std::vector<io::FieldData> at_points(const std::vector<io::FieldData>& section) const;
-  /// The same for cells.
+  /// Values of the cells of mesh() from those of the cells of the section.
   std::vector<io::FieldData> at_cells(const std::vector<io::FieldData>& section) const;
 
  private:

@@ -37,7 +37,7 @@ std::vector<mesh::Face> supported_faces(const mesh::Mesh& mesh, const std::strin
   }
 }
 
-/// By node of a surface.
+/// Areas beyond the plane, for the nodes of a surface.
 std::map<std::int64_t, FaceArea> areas_beyond(const mechanics::Cut& cut, const std::string& surface) {
   return areas_around(supported_faces(cut.mesh(), surface),
                       [&](const mesh::Face& face) { return area_beyond(cut, face); });
@@ -81,11 +81,11 @@ std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, cons
 /// the plane. By equilibrium this is what the part exerts on the rest.
 class SectionProbe final : public Probe {
  public:
-  SectionProbe(const mechanics::Cut& cut, std::size_t body, const model::Model& model, bool is_moment, int component,
-               const Vector3& about)
+  SectionProbe(const mechanics::Cut& cut, std::size_t body, const model::Model& model, const OnPlane& plane,
+               const Quantity& quantity, const Vector3& about)
       : body_(body),
-        is_moment_(is_moment),
-        component_(component),
+        plane_(plane),
+        quantity_(quantity),
         about_(about),
         at_nodes_(shares_beyond(cut, {})),
         at_supports_(reactions_beyond(cut, model.bodies()[body])),
@@ -115,8 +115,7 @@ class SectionProbe final : public Probe {
           rows.transpose() * at.contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
       add_nodes(snapshot, forces, contact.shares, common);
     }
-    const Vector3 result = is_moment_ ? own.moment : own.force, of_contact = is_moment_ ? common.moment : common.force;
-    return snapshot.assembly().team().sum(result[component_]) + of_contact[component_];
+    return snapshot.assembly().team().sum(component(own)) + component(common);
   }
 
  private:
@@ -125,14 +124,14 @@ class SectionProbe final : public Probe {
     bool is_slave;
     std::vector<double> shares;
   };
-  struct Resultant {
-    Vector3 force = Vector3::Zero(), moment = Vector3::Zero();
+  static void add(const Vector3& arm, const Vector3& force, Resultant& into) {
+    into.force += force;
+    into.moment += arm.cross(force);
+  }
 
-    void add(const Vector3& arm, const Vector3& own) {
-      force += own;
-      moment += arm.cross(own);
-    }
-  };
+  double component(const Resultant& resultant) const {
+    return quantity_.of([&](double* into) { plane_.evaluate(resultant, into); });
+  }
 
   void add_reactions(Snapshot& snapshot, Resultant& into) const {
     const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
@@ -140,8 +139,8 @@ class SectionProbe final : public Probe {
     for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
       const Eigen::Map<const Vector3> reaction(reactions.data() + 3 * i);
       const auto support = at_supports_.find(static_cast<std::int64_t>(i));
-      into.add(mesh.nodes[i] - about_,
-               support != at_supports_.end() ? Vector3(support->second * reaction) : Vector3(at_nodes_[i] * reaction));
+      add(mesh.nodes[i] - about_,
+          support != at_supports_.end() ? Vector3(support->second * reaction) : Vector3(at_nodes_[i] * reaction), into);
     }
   }
 
@@ -150,13 +149,13 @@ class SectionProbe final : public Probe {
     const mesh::Mesh& mesh = snapshot.assembly().bodies()[body_].mesh();
     for (std::size_t i = 0; i < mesh.n_cell_nodes(); ++i) {
       if (shares[i] == 0) continue;
-      into.add(mesh.nodes[i] - about_, shares[i] * forces.segment<3>(3 * static_cast<Index>(i)));
+      add(mesh.nodes[i] - about_, shares[i] * forces.segment<3>(3 * static_cast<Index>(i)), into);
     }
   }
 
   std::size_t body_;
-  bool is_moment_;
-  int component_;
+  OnPlane plane_;
+  const Quantity& quantity_;
   Vector3 about_;
   std::vector<double> at_nodes_;  // shares of forces that act at their node
   std::map<std::int64_t, Matrix3> at_supports_;
@@ -170,14 +169,13 @@ Vector3 to_vector(const std::array<double, 3>& numbers) {
 
 }  // namespace
 
-std::unique_ptr<Probe> section_probe(const config::Probe& probe, const model::Model& model) {
+std::unique_ptr<Probe> make_probe(const OnPlane& plane, const ProbeRequest& request) {
+  const config::Probe& probe = request.probe;
+  const model::Model& model = request.model;
   const std::size_t body = model::find_body(model.bodies(), probe.body.name);
-  const Quantity& wanted = quantity(probe.quantity);
   const mechanics::Cut cut(model.bodies()[body].mesh(), to_vector(probe.section->origin),
                            to_vector(probe.section->normal));
-  return std::make_unique<SectionProbe>(cut, body, model,
-                                        wanted.variable->location == OutputVariable::Location::section_moment,
-                                        wanted.component, to_vector(probe.origin));
+  return std::make_unique<SectionProbe>(cut, body, model, plane, request.quantity, to_vector(probe.origin));
 }
 
 }  // namespace creepcontact::results

@@ -11,8 +11,8 @@
 namespace creepcontact::results {
 namespace {
 
-constexpr double least_strain = 0.05;
-constexpr double least_rotation = 10 * std::numbers::pi / 180;
+constexpr double min_reported_strain = 0.05;
+constexpr double min_reported_rotation = 10 * std::numbers::pi / 180;
 constexpr double clearly_grown = 1.001;  // a new largest value: fewer are not told apart
 const std::string strain_begin = "the strain is not small: ", rotation_begin = "the rotation is not small: ";
 
@@ -58,11 +58,11 @@ void SmallStrainMonitor::observe(double time, const creep::Evaluation& at) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const creep::BodyState& state = at.equilibrium.bodies[b];
     const PointStrain strain =
-        largest_strain(bodies[b], at.equilibrium.conditions[b], state.stress, creep[b], least_strain);
-    take(strain_, least_strain, strain.value, b, time,
+        largest_strain(bodies[b], at.equilibrium.conditions[b], state.stress, creep[b], min_reported_strain);
+    take(strain_, min_reported_strain, strain.value, b, time,
          [&] { return bodies[b].discretization().point_coordinates()[strain.point]; });
     const mechanics::ElementRotation rotation = mechanics::largest_rotation(bodies[b], state.displacement);
-    take(rotation_, least_rotation, rotation.angle, b, time, [&] { return rotation.position; });
+    take(rotation_, min_reported_rotation, rotation.angle, b, time, [&] { return rotation.position; });
   }
 }
 
@@ -79,14 +79,14 @@ std::vector<std::string> SmallStrainMonitor::warnings() const {
         "{}it reaches {:.3g} % {}. The program takes displacements and strains as small; the error of this in stress "
         "and strain is of the order of the strain itself, which is below {:g} % where nothing is said. Check loads, "
         "units and constants, or take results as estimates where strains are large",
-        strain_begin, 100 * strain_.value, where(strain_), 100 * least_strain));
+        strain_begin, 100 * strain_.value, where(strain_), 100 * min_reported_strain));
   if (rotation_.value > 0)
     texts.push_back(fmt::format(
         "{}it reaches {:.4g} degrees {}. The program takes rotations as small; a rotation by the angle a, in radians, "
         "makes an error of a^2/2 in the strain, here {:.2g} %, and turns no stress and no load. Nothing is said below "
         "{:g} degrees",
         rotation_begin, rotation_.value * 180 / std::numbers::pi, where(rotation_),
-        50 * rotation_.value * rotation_.value, least_rotation * 180 / std::numbers::pi));
+        50 * rotation_.value * rotation_.value, min_reported_rotation * 180 / std::numbers::pi));
   return texts;
 }
 

@@ -46,7 +46,7 @@ std::vector<double> to_nodes(const mechanics::Discretization& discretization, co
   return at_nodes;
 }
 
-/// Those variables that are known, each with its first column in rows of all.
+/// The variables that are known, each with its first column in rows of all variables.
 std::vector<std::pair<std::size_t, const PointState*>> columns(const std::vector<PointState>& variables) {
   std::vector<std::pair<std::size_t, const PointState*>> result;
   std::size_t first = 0;

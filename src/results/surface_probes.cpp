@@ -14,7 +14,7 @@
 namespace creepcontact::results {
 namespace {
 
-/// Of the normal rows.
+/// Values in normal rows only, one per multiplier node.
 Eigen::VectorXd of_nodes(const contact::Pair& pair, const Eigen::VectorXd& all_rows) {
   return pair.coupling.first_rows(all_rows.segment(pair.first_row, pair.coupling.n_rows()));
 }
@@ -47,76 +47,69 @@ class AreaProbe final : public Probe {
   std::deque<contact::ContactArea> areas_;  // which are not to be moved
 };
 
-/// Values at multiplier nodes, force and moment.
-class ContactProbe final : public Probe {
+/// Values at multiplier nodes.
+class MultiplierProbe final : public Probe {
  public:
-  ContactProbe(std::vector<ContactPart> sides, const Quantity& quantity, const config::Probe& probe)
-      : sides_(std::move(sides)),
-        quantity_(quantity),
-        reduce_(probe.reduce),
-        origin_(Eigen::Map<const Vector3>(probe.origin.data())) {}
+  MultiplierProbe(std::vector<ContactPart> sides, const AtMultipliers& multipliers, config::Reduce reduce)
+      : sides_(std::move(sides)), multipliers_(multipliers), reduce_(reduce) {}
 
   double value(Snapshot& snapshot) const override {
-    const bool is_field = quantity_.variable->is_contact_field();
+    const bool is_extreme = reduce_ == config::Reduce::max || reduce_ == config::Reduce::min;
     Reduction reduction(reduce_);
-    double resultant = 0;
     for (const ContactPart& side : sides_) {
       const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
-      if (is_field)
-        add_nodes(snapshot, pair, side, reduction);
-      else
-        resultant += this->resultant(snapshot, pair, side);
+      for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
+        if (is_extreme ? side.lies_within[i] == 0 : side.multiplier_shares[i] == 0) continue;
+        reduction.add(contact_values(pair, i, snapshot.equilibrium()).*multipliers_.value,
+                      side.multiplier_shares[i] * pair.coupling.area[i]);
+      }
     }
     // All members of a team know the state of the contacts.
-    return is_field ? reduction.result(serial_team()) : resultant;
+    return reduction.result(serial_team());
   }
 
  private:
-  using Location = OutputVariable::Location;
-  static double value_of(Location location, const ContactValues& values) {
-    switch (location) {
-      case Location::contact_pressure:
-        return values.pressure;
-      case Location::contact_shear:
-        return values.shear;
-      case Location::contact_slip:
-        return values.slip;
-      case Location::contact_status:
-        return values.status;
-      default:
-        return values.gap;
-    }
+  std::vector<ContactPart> sides_;
+  AtMultipliers multipliers_;
+  config::Reduce reduce_;
+};
+
+/// Force and moment of the contact on the body of a surface.
+class ContactResultantProbe final : public Probe {
+ public:
+  ContactResultantProbe(std::vector<ContactPart> sides, const OnContactSurface& surface, const ProbeRequest& request)
+      : sides_(std::move(sides)),
+        surface_(surface),
+        quantity_(request.quantity),
+        origin_(Eigen::Map<const Vector3>(request.probe.origin.data())) {}
+
+  double value(Snapshot& snapshot) const override {
+    double sum = 0;
+    for (const ContactPart& side : sides_)
+      sum += quantity_.of([&](double* into) { surface_.evaluate(resultant(snapshot, side), into); });
+    return sum;
   }
 
-  void add_nodes(Snapshot& snapshot, const contact::Pair& pair, const ContactPart& side, Reduction& reduction) const {
-    const bool is_extreme = reduce_ == config::Reduce::max || reduce_ == config::Reduce::min;
-    for (std::size_t i = 0; i < pair.coupling.nodes.size(); ++i) {
-      if (is_extreme ? side.lies_within[i] == 0 : side.multiplier_shares[i] == 0) continue;
-      reduction.add(value_of(quantity_.variable->location, contact_values(pair, i, snapshot.equilibrium())),
-                    side.multiplier_shares[i] * pair.coupling.area[i]);
-    }
-  }
-
-  double resultant(Snapshot& snapshot, const contact::Pair& pair, const ContactPart& side) const {
+ private:
+  Resultant resultant(const Snapshot& snapshot, const ContactPart& side) const {
+    const contact::Pair& pair = snapshot.assembly().pairs()[side.pair];
     const contact::RowMatrix& rows = side.is_slave ? pair.coupling.slave_rows : pair.coupling.master_rows;
     const Eigen::VectorXd forces =
         rows.transpose() * snapshot.equilibrium().contact.multiplier.segment(pair.first_row, pair.coupling.n_rows());
     const std::vector<Vector3>& nodes = snapshot.assembly().bodies()[side.body].mesh().nodes;
-    const bool is_moment = quantity_.variable->location == Location::contact_moment;
-    Vector3 sum = Vector3::Zero();
+    Resultant sum;
     for (Index i = 0; i < forces.size(); i += 3) {
       const Vector3 force = side.node_shares[i / 3] * forces.segment<3>(i);
-      if (is_moment && !force.isZero(0))
-        sum += (nodes[i / 3] - origin_).cross(force);
-      else
-        sum += force;
+      if (force.isZero(0)) continue;
+      sum.force += force;
+      sum.moment += (nodes[i / 3] - origin_).cross(force);
     }
-    return sum[quantity_.component];
+    return sum;
   }
 
   std::vector<ContactPart> sides_;
+  OnContactSurface surface_;
   const Quantity& quantity_;
-  config::Reduce reduce_;
   Vector3 origin_;
 };
 
@@ -126,8 +119,8 @@ struct NodalSum {
   std::vector<std::pair<std::int64_t, Matrix3>> nodes;
 };
 
-/// What supports exert on these nodes. What a sector exerts on the next one is no reaction: forces at nodes that follow
-/// others by cyclic symmetry count there.
+/// The forces of supports on these nodes. What a sector exerts on the next one is no reaction: forces at nodes that
+/// follow others by cyclic symmetry count there.
 NodalSum reactions_at(std::size_t body, const mechanics::NodeLinks& links, const std::vector<std::int64_t>& nodes) {
   NodalSum sum{body, {}};
   std::set<std::int64_t> own(nodes.begin(), nodes.end());
@@ -141,34 +134,43 @@ NodalSum reactions_at(std::size_t body, const mechanics::NodeLinks& links, const
 
 class ReactionProbe final : public Probe {
  public:
-  ReactionProbe(std::vector<NodalSum> sums, int component) : sums_(std::move(sums)), component_(component) {}
+  ReactionProbe(std::vector<NodalSum> sums, const OnSupports& supports, const Quantity& quantity)
+      : sums_(std::move(sums)), supports_(supports), quantity_(quantity) {}
 
   double value(Snapshot& snapshot) const override {
-    double sum = 0;
+    Vector3 sum = Vector3::Zero();
     for (const auto& [body, nodes] : sums_) {
       const std::vector<double>& forces = snapshot.reactions(body);
       for (const auto& [node, rotation] : nodes)
-        sum += rotation.row(component_).dot(Eigen::Map<const Vector3>(forces.data() + 3 * node));
+        for (int k = 0; k < 3; ++k) sum[k] += rotation.row(k).dot(Eigen::Map<const Vector3>(forces.data() + 3 * node));
     }
-    return snapshot.assembly().team().sum(sum);
+    return snapshot.assembly().team().sum(quantity_.of([&](double* into) { supports_.evaluate(sum, into); }));
   }
 
  private:
   std::vector<NodalSum> sums_;
-  int component_;
+  OnSupports supports_;
+  const Quantity& quantity_;
 };
 
 }  // namespace
 
-std::unique_ptr<Probe> contact_probe(const config::Probe& probe, const model::Model& model) {
-  std::vector<ContactPart> sides = contact_parts(probe, model);
-  const Quantity& wanted = quantity(probe.quantity);
-  if (wanted.variable->location == OutputVariable::Location::contact_area)
-    return std::make_unique<AreaProbe>(std::move(sides), model);
-  return std::make_unique<ContactProbe>(std::move(sides), wanted, probe);
+std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request) {
+  return std::make_unique<MultiplierProbe>(contact_parts(request.probe, request.model), multipliers,
+                                           request.probe.reduce);
 }
 
-std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::Model& model) {
+std::unique_ptr<Probe> make_probe(const OnContactSurface& surface, const ProbeRequest& request) {
+  return std::make_unique<ContactResultantProbe>(contact_parts(request.probe, request.model), surface, request);
+}
+
+std::unique_ptr<Probe> make_probe(const AreaInContact& /*area*/, const ProbeRequest& request) {
+  return std::make_unique<AreaProbe>(contact_parts(request.probe, request.model), request.model);
+}
+
+std::unique_ptr<Probe> make_probe(const OnSupports& supports, const ProbeRequest& request) {
+  const config::Probe& probe = request.probe;
+  const model::Model& model = request.model;
   std::vector<NodalSum> sums;
   const ProbePart where(probe);
   double found = 0;
@@ -180,7 +182,7 @@ std::unique_ptr<Probe> reaction_probe(const config::Probe& probe, const model::M
     sums.push_back(reactions_at(b, model.bodies()[b].constraints().links(), held));
   }
   if (!where.is_whole()) where.require(model.assembly.team().max(found) > 0, fmt::format("'{}'", probe.on.name));
-  return std::make_unique<ReactionProbe>(std::move(sums), quantity(probe.quantity).component);
+  return std::make_unique<ReactionProbe>(std::move(sums), supports, request.quantity);
 }
 
 }  // namespace creepcontact::results

@@ -109,17 +109,12 @@ Table elements() {
 }
 
 Table quantity_table() {
-  using Location = results::OutputVariable::Location;
   Table table{{"quantity", "where", "dimension", "what"}, {}};
   for (const results::Quantity& quantity : results::quantities()) {
     const results::OutputVariable& variable = *quantity.variable;
-    table.rows.push_back({quantity.name,
-                          variable.location == Location::field      ? "point, group, body"
-                          : variable.location == Location::reaction ? "supported group"
-                          : variable.is_axial()                     ? "body"
-                          : variable.is_of_section()                ? "plane through a body"
-                                                                    : "contact surface",
-                          variable.dimension.empty() ? "-" : variable.dimension, variable.description});
+    table.rows.push_back({quantity.name, std::string(variable.places()),
+                          variable.dimension == Dimension::none ? "-" : name_of(variable.dimension),
+                          variable.description});
   }
   return table;
 }

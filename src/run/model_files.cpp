@@ -231,8 +231,8 @@ std::vector<fs::path> write_model_view(const config::Config& config, const model
   std::vector<fs::path> files{directory / "model.pvd", directory / "groups.pvd"};
   try {
     platform::make_inner_directory(directory / "plots");
-    plot::draw(picture_of(config, model, all), directory / "plots", "model");
-    files.insert(files.end(), {directory / "plots/model.svg", directory / "plots/model.png"});
+    plot::draw(picture_of(config, model, all), directory / "plots/model.png");
+    files.push_back(directory / "plots/model.png");
   } catch (const Error& error) {
     log::warning("no picture: {}", error.what());
   }

@@ -344,11 +344,11 @@ std::vector<io::RecordedField> fields(const std::string& units) {
   std::vector<io::RecordedField> all;
   for (const results::Quantity& quantity : results::quantities()) {
     const results::OutputVariable& variable = *quantity.variable;
-    const bool is_on_contact = variable.is_contact_field();
+    const bool is_on_contact = variable.is<results::AtMultipliers>();
     if (variable.point_array.empty() && !is_on_contact) continue;
     io::RecordedField field{quantity.name,
                             variable.label,
-                            unit_of(dimension_of(variable.dimension), units),
+                            unit_of(variable.dimension, units),
                             is_on_contact ? variable.name : variable.point_array,
                             quantity.component,
                             is_on_contact};

@@ -39,8 +39,8 @@ std::vector<mesh::Face> outer_faces(const mesh::Mesh& mesh);
 /// The corners of a face, which identify it.
 std::set<std::int64_t> corners_of(const mesh::Face& face);
 
-/// Writes `model.pvd`, `groups.pvd` with their files, and the pictures `plots/model.svg` and `.png` into a directory.
-/// Without gnuplot there is a warning and no picture.
+/// Writes `model.pvd`, `groups.pvd` with their files, and the picture `plots/model.png` into a directory.
+/// Without VTK there is a warning and no picture.
 /// @returns the files for people to open @throws ConfigError if the directory cannot be made; Error if the disk is full
 std::vector<std::filesystem::path> write_model_view(const config::Config& config, const model::Model& model,
                                                     const std::filesystem::path& directory);

@@ -40,11 +40,8 @@ std::vector<double> StepView::with_snapshot(const std::function<std::vector<doub
 const std::vector<double>& StepView::probe_values() {
   if (observed_.probes().empty()) return probe_values_ ? *probe_values_ : probe_values_.emplace();
   if (!probe_values_)
-    probe_values_ = with_snapshot([&](results::Snapshot& snapshot) {
-      std::vector<double> values;
-      for (const auto& probe : observed_.probes()) values.push_back(snapshot.value(*probe));
-      return values;
-    });
+    probe_values_ =
+        with_snapshot([&](results::Snapshot& snapshot) { return results::probe_values(observed_.probes(), snapshot); });
   return *probe_values_;
 }
 

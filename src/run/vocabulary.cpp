@@ -77,17 +77,16 @@ config::Vocabulary vocabulary() {
     result.integrators.push_back(info.name);
     if (!info.tables.empty()) result.tables[info.name] = info.tables;
   }
-  using Location = results::OutputVariable::Location;
   for (const results::Quantity& quantity : results::quantities()) {
-    const Location location = quantity.variable->location;
+    const results::OutputVariable& variable = *quantity.variable;
     config::Quantity entry;
     entry.name = quantity.name;
-    entry.section = quantity.variable->is_of_section();
-    entry.body_only = quantity.variable->is_axial() || entry.section;
-    entry.surface_only = location != Location::field && !entry.body_only;
-    entry.sum_only = quantity.variable->is_resultant();
-    entry.moment = location == Location::contact_moment || location == Location::section_moment;
-    entry.cylindrical = quantity.variable->cylindrical;
+    entry.section = variable.is<results::OnPlane>();
+    entry.body_only = variable.is<results::OnCrossSection>() || entry.section;
+    entry.surface_only = !variable.is_field() && !entry.body_only;
+    entry.sum_only = variable.is_sum();
+    entry.moment = variable.about_origin;
+    entry.cylindrical = variable.cylindrical;
     result.quantities.push_back(entry);
   }
   return result;

@@ -149,11 +149,7 @@ creep::Assembly assembly_of(const Shape& shape, const material::Material& materi
 
 material::Material norton() {
   material::Material material = elastic_material(young, 0.3);
-  const material::LawInfo* law = material::find_creep_law("norton");
-  material::ParameterValues values{{A}, {n}};
-  for (std::size_t i = values.size(); i < law->parameters.size(); ++i)
-    values.push_back(law->parameters[i].fallback.value());
-  material.creep.push_back(law->make(values));
+  material.creep.push_back(material::find_creep_law("norton")->make_by_key({{"A", {A}}, {"n", {n}}}));
   return material;
 }
 

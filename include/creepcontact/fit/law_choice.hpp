@@ -10,7 +10,7 @@
 
 namespace creepcontact::fit {
 
-/// As on the command line.
+/// The wishes of the command line.
 struct LawWishes {
   std::string law;
   std::vector<std::string> set;   ///< "key=value": held at this value

@@ -68,7 +68,7 @@ struct TestData {
   /// "100 MPa, 600 degC"
   std::string load(double stress, double temperature) const;
   std::vector<double> stresses() const;      ///< distinct, increasing; those within 1 % count as one
-  std::vector<double> temperatures() const;  ///< likewise, within 2 degrees
+  std::vector<double> temperatures() const;  ///< distinct, increasing; those within 2 degrees count as one
   DataRange range() const;
 };
 
@@ -83,7 +83,7 @@ struct ReadOptions {
 /// is allowed; one for rows with the same mistake), for columns that are missing, for units that cannot be what they
 /// should be, and for a Young's modulus with an elastic strain above 10 %
 TestData read_test_data(const std::filesystem::path& path, const ReadOptions& options);
-/// Likewise, from text. @param name  of the file, for messages
+/// Reads test data from text. @param name  of the file, for messages
 TestData parse_test_data(std::string_view text, const std::string& name, const ReadOptions& options);
 
 }  // namespace creepcontact::fit

@@ -11,7 +11,7 @@
 
 namespace creepcontact::material {
 
-/// What is done to the bar.
+/// A test of a bar: stress, temperature, and whether it relaxes.
 struct BarTest {
   double stress = 0;  ///< constant; of a relaxation test: at t = 0
   double temperature = 0;
@@ -27,7 +27,7 @@ struct BarState {
   double stress = 0;
 };
 
-/// What follows from a test.
+/// The course of a test.
 struct BarHistory {
   std::vector<BarState> states;  ///< at the first of the times asked for: those before rupture or a failure
   /// Time at which the damage is 0.99, or the rate grows without limit.

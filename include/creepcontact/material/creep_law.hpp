@@ -13,6 +13,9 @@
 
 namespace creepcontact::material {
 
+/// The constants of a law, indexed by the enumeration of the law; one function each, or several for a list.
+using ParameterValues = std::vector<std::vector<Function>>;
+
 /// What a law sees at one integration point. Views of numbers that the caller owns; tensors are six numbers in Mandel
 /// order (base/tensor.hpp). Units of stress, time and temperature are those of the user.
 struct PointState {
@@ -75,7 +78,7 @@ class CreepLaw {
   virtual int n_internal() const { return 0; }
   virtual InternalKind internal_kind(int /*variable*/) const { return InternalKind::strain; }
   int n_parameters() const { return static_cast<int>(parameters_.size()); }
-  /// All parameters in order, lists expanded; PointState::parameters has the same order.
+  /// The constants that are evaluated at points, lists expanded; PointState::parameters has the same order.
   const std::vector<Function>& parameters() const { return parameters_; }
 
   /// Adds the creep strain rate to into.creep_strain, and sets the rates of the internal variables.
@@ -127,10 +130,19 @@ class CreepLaw {
   }
 
  protected:
-  explicit CreepLaw(std::vector<Function> parameters) : parameters_(std::move(parameters)) {}
+  /// @param constants  those that are evaluated at points. PointState::parameters has the value of a constant at the
+  /// place that its enumerator gives, unless a list comes before it.
+  explicit CreepLaw(const ParameterValues& constants);
+
+  /// The values at a point of a constant that is a list, or comes after one.
+  std::span<const double> list(std::size_t constant, const PointState& at) const {
+    const std::size_t* const first = first_.data() + constant;
+    return {at.parameters.data() + first[0], first[1] - first[0]};
+  }
 
  private:
   std::vector<Function> parameters_;
+  std::vector<std::size_t> first_{0};  // number of the first function of every constant, and that of all
 };
 
 }  // namespace creepcontact::material

@@ -13,6 +13,14 @@
 
 namespace creepcontact::material {
 
+/// How a constant depends on the temperature through an activation energy E: f = exp(-E/(R (T - absolute_zero))).
+enum class Activation {
+  none,
+  rate,   ///< f multiplies the constant
+  time,   ///< f divides the constant: a time or a viscosity
+  by_law  ///< f multiplies the constant, but the law does so itself
+};
+
 /// One key of a law in the configuration.
 struct ParameterInfo {
   std::string key;          ///< as in the configuration
@@ -23,8 +31,11 @@ struct ParameterInfo {
   std::optional<std::vector<Function>> fallback = {};        ///< of an optional key: its value if not given
   std::vector<std::string> variables = {"T"};                ///< allowed in its expressions
   double maximum = std::numeric_limits<double>::infinity();  ///< largest allowed value, inclusive
-  /// Not empty: the value is one of these words, and the number of the word in ParameterValues, from 0 on.
+  /// If not empty, the value is one of these words, and ParameterValues has the number of the word, from 0 on.
   std::vector<std::string> words = {};
+  Activation activation = Activation::none;
+  /// Position of the activation energy E in LawInfo::parameters; rows that do not give it have `activation_energy`.
+  std::optional<std::size_t> energy = {};
 };
 
 /// Thrown for values that are within their ranges but not possible for the law.
@@ -45,18 +56,26 @@ class ParameterError : public std::invalid_argument {
   std::string key_, found_, allowed_;
 };
 
-/// Values per key, in the order of LawInfo::parameters; one value each, or several for a list.
-using ParameterValues = std::vector<std::vector<Function>>;
-
 /// One creep law that a configuration may name.
 struct LawInfo {
   std::string name;
   std::string formula;  ///< one line, plain text
   std::string source;   ///< author, year
+  /// Indexed by the enumeration of the law's constants; the keys of thermal activation follow, if it has them.
   std::vector<ParameterInfo> parameters;
-  /// @throws ParameterError if the law cannot have these values
-  std::unique_ptr<CreepLaw> (*make)(ParameterValues values);
+  /// Constructs the law from values that are activated already; make() is for callers.
+  std::unique_ptr<CreepLaw> (*construct)(const ParameterValues& values);
   std::vector<const StateVariable*> state_variables = {};  ///< that its laws may have
+
+  /// Makes the law. @param values  indexed like `parameters`; those with an activation become functions of T
+  /// @throws ParameterError if the law cannot have these values
+  /// @throws std::out_of_range if their number is not that of the parameters
+  std::unique_ptr<CreepLaw> make(ParameterValues values) const;
+  /// Makes the law from values by key; keys that are not given have their fallback.
+  /// @throws ParameterError also if a required key is missing, or if the law has no such key
+  std::unique_ptr<CreepLaw> make_by_key(const std::map<std::string, std::vector<Function>>& given) const;
+  /// True if the parameter is the activation energy of another one.
+  bool is_activation_energy(std::size_t parameter) const;
 };
 
 /// All laws.

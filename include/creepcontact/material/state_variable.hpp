@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "creepcontact/base/units.hpp"
+
 namespace creepcontact::material {
 
 /// An output variable computed by laws from the state of a point. A law with a variable of its own declares it and
@@ -17,7 +19,7 @@ struct StateVariable {
   bool is_tensor = false;  ///< six numbers in Mandel order instead of one
   OfSeveralLaws of_several = OfSeveralLaws::largest;
   double minimum = 0, maximum = std::numeric_limits<double>::infinity();  ///< of a scalar; extrapolation stays within
-  const char* dimension = "";                                             ///< of the output: "time", ...
+  Dimension dimension = Dimension::none;                                  ///< of the output
   /// True: laws give the reciprocal of the output, which is smooth where the output may be infinite.
   bool is_reciprocal = false;
 
@@ -44,17 +46,17 @@ inline constexpr StateVariable creep_fatigue{
         "line; 0 where there are no fatigue data",
     .label = "creep-fatigue usage"};
 
-/// From laws with rupture: 1/(time to rupture).
+/// Laws with rupture give 1/(time to rupture).
 inline constexpr StateVariable remaining_life{
     .name = "remaining_life",
     .description =
         "time to rupture if stress and temperature stay as they are, from `kachanov_rabotnov`, `omega` and "
         "rupture data; 1e30 where no life is consumed",
     .label = "remaining life",
-    .dimension = "time",
+    .dimension = Dimension::time,
     .is_reciprocal = true};
 
-/// Those of all laws, each once.
+/// The state variables of all laws, each once.
 const std::vector<const StateVariable*>& state_variables();
 
 }  // namespace creepcontact::material

@@ -38,7 +38,7 @@ struct RunTables {
 /// Reads the tables in the output directory of a run; without summary.json there are a warning, no title and no units.
 /// @throws ConfigError if the directory or its history.csv does not exist or cannot be read
 RunTables read_run_tables(const std::filesystem::path& run);
-/// The same with a heading that the caller has.
+/// Reads the tables with a heading that the caller has.
 RunTables read_run_tables(const std::filesystem::path& run, io::SummaryHeading heading);
 
 /// A figure and the name of its files.

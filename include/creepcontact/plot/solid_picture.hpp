@@ -23,7 +23,7 @@ struct MarkedLine {
   int body = 0, mark = 0;
 };
 
-/// What is marked, and its group of colours.
+/// A mark, and the family of its colours.
 struct SolidMark {
   enum class Kind { support, load, contact };
   std::string name;
@@ -40,13 +40,11 @@ struct SolidPicture {
   std::vector<MarkedLine> lines = {};
 };
 
-/// The gnuplot commands that draw `<stem>.svg`, or `<stem>.png` with format='png'. Solids have two views of all bodies,
-/// one from the front and one from behind, and the same of each body alone, since contact surfaces hide each other (of
-/// the first four). Painter's algorithm: facets that face away are left out, the others are painted from back to front.
-std::string gnuplot_script(const SolidPicture& picture, const std::string& stem);
+/// The job that draws it, as in src/plot/picture.py. Solids are seen from the front and from behind, all bodies and
+/// each body alone (of the first four), since contact surfaces hide each other.
+std::string picture_job(const SolidPicture& picture, const std::filesystem::path& output);
 
-/// Writes `<stem>.gp` and draws `<stem>.svg` and `<stem>.png`. Makes the directory if necessary.
-/// @throws as draw(Figure)
-void draw(const SolidPicture& picture, const std::filesystem::path& directory, const std::string& stem);
+/// Draws it as a PNG file. The directory must exist. @throws as draw_by_vtk()
+void draw(const SolidPicture& picture, const std::filesystem::path& file);
 
 }  // namespace creepcontact::plot

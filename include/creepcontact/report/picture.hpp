@@ -25,7 +25,7 @@ struct Picture {
 /// Directions from which solids are seen: "iso", "x", "-x", "y", "-y", "z", "-z".
 const std::vector<std::string>& views();
 
-/// What was drawn.
+/// A picture that was drawn.
 struct DrawnPicture {
   std::filesystem::path file;
   std::string title;  ///< "von Mises stress at t = 1e+06 h, deformation x 20"

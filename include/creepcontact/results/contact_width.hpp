@@ -21,7 +21,7 @@ namespace creepcontact::results {
 /// @returns nullopt if nothing is in contact, or no zone has an edge since the contact covers the surface
 std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row);
 
-/// The same of a unilateral pair in some state.
+/// The width of the contact zone of a unilateral pair in this state.
 std::optional<int> elements_across(const creep::Assembly& assembly, const contact::Pair& pair,
                                    const creep::Equilibrium& at);
 

@@ -28,7 +28,7 @@ class DamageMonitor {
   /// Records a rupture.
   void rupture(double time, const creep::CreepSystem::Extreme& where) { rupture_ = {time, where}; }
 
-  /// To be called at every output time.
+  /// Must be called at every output time.
   void output(const creep::Evaluation& at);
   /// Warns, once each, if creep strains are no longer small, or if life is used up. Collective.
   /// @param at  evaluation of this state or of one close to it

@@ -24,9 +24,9 @@ class EventWatch {
   /// Numbers of the events that have not happened and whose condition holds in this state. Evaluates only the probes
   /// that these conditions name. Collective.
   std::vector<std::size_t> holding(Snapshot& snapshot) const;
-  /// Of one event.
+  /// True if the condition of one event holds in this state.
   bool holds(std::size_t event, Snapshot& snapshot) const;
-  /// Keeps the time, and says so in the log.
+  /// Keeps the time and reports it in the log.
   void happened(std::size_t event, double time);
   bool stops(std::size_t event) const { return events_[event].stop; }
 

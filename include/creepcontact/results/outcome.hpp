@@ -37,7 +37,7 @@ class Outcome {
   std::vector<std::string> narrow_contacts() const;
   /// Time of the last output; 0 before the first one.
   double last_output() const { return last_output_; }
-  /// At the end of a run: warns of unilateral contacts that never carried a force.
+  /// Warns at the end of a run of unilateral contacts that never carried a force.
   void warn_of_open_contacts() const;
 
   /// Normal forces of unilateral and preloaded contacts, largest von Mises stress of each body (at integration points).

@@ -20,7 +20,8 @@ class ProbeExpression {
   ProbeExpression(const std::string& text, std::span<const config::Probe> probes,
                   std::span<const std::unique_ptr<Probe>> all);
 
-  /// Of a condition 1 or 0. Evaluates the probes that the text names, once per snapshot. Collective.
+  /// The value of the expression; a condition gives 1 or 0. Evaluates the probes that the text names, once per
+  /// snapshot. Collective.
   double value(Snapshot& snapshot) const;
 
   /// Numbers of the probes that a text names.

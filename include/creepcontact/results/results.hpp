@@ -15,7 +15,7 @@
 #include "creepcontact/ode/integrator.hpp"
 #include "creepcontact/platform/background.hpp"
 #include "creepcontact/results/contact_surfaces.hpp"
-#include "creepcontact/results/probes.hpp"
+#include "creepcontact/results/snapshot.hpp"
 
 namespace creepcontact::results {
 
@@ -24,19 +24,18 @@ class RevolvedSection;  // pictures of axisymmetric models (implementation)
 /// Writer of history.csv, steps.csv and the field files.
 class Results {
  public:
-  /// @param assembly  must outlive the object @param probes  as made by make_probes() for this configuration; must
-  /// outlive the object
-  /// @param continuation  of an interrupted run; default: a new one
+  /// @param assembly  must outlive the object @param continuation  of an interrupted run; default: a new one
   /// @param writes  false: this process writes no results, another one does
   /// @throws ConfigError if a file cannot be opened or, when resuming, does not fit
   Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
-          std::span<const std::unique_ptr<Probe>> probes, io::Continuation continuation, bool writes = true);
+          io::Continuation continuation, bool writes = true);
   ~Results();
 
   /// Writes a row of history.csv. The field files of bodies and contact surfaces, if their time is one of those wanted,
   /// are compressed and written while the caller goes on.
+  /// @param probe_values  in the order of the configuration
   /// @throws Error if the disk is full, for field files with the next call of output(), wait() or sync()
-  void output(Snapshot& snapshot);
+  void output(Snapshot& snapshot, std::span<const double> probe_values);
   /// True while field files are being written.
   bool is_writing() const { return background_.busy(); }
   /// Waits until the field files are written. @throws Error if the disk is full
@@ -50,7 +49,6 @@ class Results {
   /// The arrays under the names that they have in the files.
   std::vector<io::FieldData> named(std::vector<io::FieldData> arrays) const;
 
-  std::span<const std::unique_ptr<Probe>> probes_;
   std::unique_ptr<io::HistoryWriter> history_;
   std::unique_ptr<io::StepWriter> steps_;
   ContactSurfaces surfaces_;

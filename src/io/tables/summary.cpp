@@ -87,7 +87,9 @@ Json cycles_json(const Summary::Cycles& cycles) {
 }
 
 Json probe_json(const SummaryProbe& probe) {
-  Json json{{"quantity", probe.quantity}, {"label", probe.label}, {"dimension", probe.dimension}};
+  Json json{{"quantity", probe.quantity},
+            {"label", probe.label},
+            {"dimension", probe.dimension == Dimension::none ? "" : name_of(probe.dimension)}};
   if (!probe.integrated_over.empty()) json["integrated_over"] = probe.integrated_over;
   if (!probe.expression.empty()) json["expression"] = probe.expression;
   if (probe.unit) json["unit"] = *probe.unit;

@@ -84,7 +84,7 @@ void read_probes(const nlohmann::json& json, Summary& summary) {
   if (probes == json.end()) return;
   for (const auto& [name, probe] : probes->items()) {
     SummaryProbe& read = summary.probes[name];
-    read = {probe.value("quantity", ""), probe.value("label", ""), probe.value("dimension", ""),
+    read = {probe.value("quantity", ""), probe.value("label", ""), dimension_of(probe.value("dimension", "")),
             probe.value("integrated_over", "")};
     if (probe.contains("unit")) read.unit = probe.value("unit", "");
     read.expression = probe.value("expression", "");
@@ -190,7 +190,7 @@ SummaryHeading parse_summary_heading(std::string_view content, const std::string
   if (const auto probes = json.find("probes"); probes != json.end() && probes->is_object())
     for (const auto& [key, probe] : probes->items())
       if (probe.is_object()) {
-        heading.probes[key] = {text(probe, "quantity"), text(probe, "label"), text(probe, "dimension"),
+        heading.probes[key] = {text(probe, "quantity"), text(probe, "label"), dimension_of(text(probe, "dimension")),
                                text(probe, "integrated_over")};
         if (probe.contains("unit")) heading.probes[key].unit = text(probe, "unit");
         heading.probes[key].expression = text(probe, "expression");

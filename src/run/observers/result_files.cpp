@@ -11,7 +11,7 @@ class ResultFiles final : public Observer {
   explicit ResultFiles(const RunContext& context) : context_(context) {
     together(context.team(), [&] {
       results_ = std::make_unique<results::Results>(
-          context.config, context.directory, context.assembly(), context.observed.probes(),
+          context.config, context.directory, context.assembly(),
           io::Continuation{.resume = context.resumed != nullptr, .last_time = context.begin},
           context.observed.is_root());
     });
@@ -28,9 +28,9 @@ class ResultFiles final : public Observer {
   }
   void output(StepView& view) override {
     if (context_.resumed != nullptr && view.time() <= context_.begin) return;  // is there already
-    view.probe_values();
+    const std::vector<double>& probes = view.probe_values();
     view.with_snapshot([&](results::Snapshot& snapshot) {
-      results_->output(snapshot);
+      results_->output(snapshot, probes);
       return std::vector<double>{};
     });
   }

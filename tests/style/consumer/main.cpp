@@ -3,7 +3,7 @@
 #include <cmath>
 #include <creepcontact/config/reader.hpp>
 #include <creepcontact/creep/creep_system.hpp>
-#include <creepcontact/io/csv_table.hpp>
+#include <creepcontact/io/tables/csv_table.hpp>
 #include <creepcontact/material/registry.hpp>
 #include <creepcontact/ode/integrator.hpp>
 #include <creepcontact/results/snapshot.hpp>
@@ -37,13 +37,7 @@ bool bar_creeps_as_it_should() {
   material.name = "steel";
   material.young_modulus = young;
   material.poisson_ratio = 0.3;
-  const material::LawInfo* law = material::find_creep_law("norton");
-  material::ParameterValues values;
-  for (const material::ParameterInfo& parameter : law->parameters)
-    values.push_back(parameter.key == "A"   ? std::vector<Function>{A}
-                     : parameter.key == "n" ? std::vector<Function>{n}
-                                            : parameter.fallback.value());
-  material.creep.push_back(law->make(values));
+  material.creep.push_back(material::find_creep_law("norton")->make_by_key({{"A", {A}}, {"n", {n}}}));
 
   const mesh::Mesh mesh = cube();
   std::vector<mechanics::Support> supports;

@@ -98,7 +98,7 @@ TEST(MaterialPoints, ParametersFollowTheTemperature) {
 /// Creeps by its parameters in xx, by its variables in yy, and its variables grow by twice what they are.
 class Witness final : public material::CreepLaw {
  public:
-  Witness(std::vector<Function> parameters, int n_internal) : CreepLaw(std::move(parameters)), n_(n_internal) {}
+  Witness(std::vector<Function> parameters, int n_internal) : CreepLaw({std::move(parameters)}), n_(n_internal) {}
   std::string name() const override { return "witness"; }
   int n_internal() const override { return n_; }
   void rate(const material::PointState& at, material::PointRate into) const override {

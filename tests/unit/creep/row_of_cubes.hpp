@@ -36,16 +36,9 @@ inline material::Material damaging_material() {
   material.young_modulus = Function::expression("2e5-60*T", {"T"});
   material.poisson_ratio = 0.3;
   material.thermal_expansion = 1e-5;
-  material::ParameterValues values;
-  const material::LawInfo* law = material::find_creep_law("kachanov_rabotnov");
-  for (const material::ParameterInfo& parameter : law->parameters)
-    values.push_back(parameter.key == "A"     ? std::vector<Function>{1e-12}
-                     : parameter.key == "n"   ? std::vector<Function>{3.0}
-                     : parameter.key == "B"   ? std::vector<Function>{1e-7}
-                     : parameter.key == "chi" ? std::vector<Function>{3.0}
-                     : parameter.key == "phi" ? std::vector<Function>{3.0}
-                                              : parameter.fallback.value_or(std::vector<Function>{1.0}));
-  material.creep.push_back(law->make(values));
+  material.creep.push_back(
+      material::find_creep_law("kachanov_rabotnov")
+          ->make_by_key({{"A", {1e-12}}, {"n", {3.0}}, {"B", {1e-7}}, {"r", {1.0}}, {"phi", {3.0}}}));
   return material;
 }
 

@@ -12,7 +12,7 @@ namespace {
 const std::vector<double> parameters{1e-13, 5.0, 1e-12, 4.0, 6.0, 0.0};
 
 KachanovRabotnov law(const std::vector<double>& p) {
-  return {p[0], p[1], p[2], p[3], p[4], p[5]};
+  return KachanovRabotnov(single_values(p));
 }
 
 struct Rate {
@@ -61,7 +61,9 @@ TEST(KachanovRabotnov, DamageObeysItsOwnEquation) {
 }
 
 TEST(KachanovRabotnov, AnExponentThatDependsOnTheTemperatureMakesDamageItselfTheVariable) {
-  const KachanovRabotnov by_temperature(1e-13, 5.0, 1e-12, 4.0, Function::expression("6 + 0*T", {"T"}), 0.0);
+  ParameterValues values = single_values(parameters);
+  values[KachanovRabotnov::phi] = {Function::expression("6 + 0*T", {"T"})};
+  const KachanovRabotnov by_temperature(values);
   const Tensor6 stress = diagonal(100, 0, 0);
   const double w = 0.2;
   const PointState at{.stress = tensor::view(stress), .internal = {&w, 1}, .parameters = parameters};

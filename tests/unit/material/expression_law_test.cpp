@@ -8,6 +8,7 @@
 #include "../../../src/material/norton.hpp"
 #include "../../../src/material/strain_hardening.hpp"
 #include "../../../src/material/time_hardening.hpp"
+#include "unit/material/with_defaults.hpp"
 
 namespace creepcontact::material {
 namespace expression_law_tests {
@@ -16,7 +17,7 @@ namespace {
 const Tensor6 uniaxial = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
 
 ExpressionLaw law(const std::string& rate) {
-  return ExpressionLaw(Function::expression(rate, {"q", "T", "t", "eps"}));
+  return ExpressionLaw(ParameterValues{{Function::expression(rate, {"q", "T", "t", "eps"})}});
 }
 
 struct Result {
@@ -52,7 +53,7 @@ TEST(ExpressionLaw, NortonWrittenOutIsNorton) {
   const std::vector<double> parameters{3.125e-14, 5.0};
   const Tensor6 stress = (Tensor6() << 120, -30, 14, 50, -20, 5).finished();
   const PointState at{.stress = tensor::view(stress), .parameters = parameters};
-  const Norton norton(parameters[0], parameters[1]);
+  const Norton norton(single_values(parameters));
   const Result expected = rate(norton, at);
   EXPECT_LT((rate(law("3.125e-14*q^5"), at).strain - expected.strain).norm(), 1e-14 * expected.strain.norm());
   const StressTangent a = law("3.125e-14*q^5").stress_tangent(at), b = norton.stress_tangent(at);
@@ -70,7 +71,7 @@ TEST(ExpressionLaw, ARateBelowZeroOrUndefinedIsNoNumber) {
 
 TEST(ExpressionLaw, AStartSingularInTimeIsTimeHardening) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
-  const TimeHardening built_in("time_hardening", {parameters[0]}, {parameters[1]}, {parameters[2]});
+  const TimeHardening built_in("time_hardening", single_values(parameters));
   const PointState at{.stress = tensor::view(uniaxial), .parameters = parameters};
   const ExpressionLaw written = law("0.5*3.125e-14*q^5*t^-0.5");
   EXPECT_NEAR(written.start_exponent(at), 0.5, 1e-12);
@@ -94,7 +95,7 @@ TEST(ExpressionLaw, WhatIsAddedToASingularTermIsNotLost) {
 
 TEST(ExpressionLaw, AStartSingularInStrainIsStrainHardening) {
   const std::vector<double> parameters{3.125e-14, 5.0, 1.0 / 3};
-  const StrainHardening built_in("strain_hardening", parameters[0], parameters[1], parameters[2]);
+  const StrainHardening built_in("strain_hardening", single_values(parameters));
   const double virgin = 0;
   const PointState at{
       .stress = tensor::view(uniaxial), .internal = {&virgin, 1}, .parameters = parameters, .time = 8.0};

@@ -6,6 +6,7 @@
 #include "../../../src/material/strain_hardening.hpp"
 #include "../../../src/material/time_hardening.hpp"
 #include "support/says.hpp"
+#include "unit/material/with_defaults.hpp"
 
 namespace creepcontact::material {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 const Tensor6 uniaxial = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
 
 TimeHardening time_law(const std::vector<double>& parameters) {
-  return {"time_hardening", {parameters[0]}, {parameters[1]}, {parameters[2]}};
+  return {"time_hardening", single_values(parameters)};
 }
 
 TEST(TimeHardening, PrimaryCreepOfNafems) {
@@ -53,7 +54,7 @@ TEST(TimeHardening, AShortStepLateLosesNoDigits) {
 TEST(GrahamWalles, AddsItsTerms) {
   // 1e-8 q^2 t^(1/3) + 1e-13 q^5 t + 1e-15 q^5 t^3 at q = 200, t = 8.
   const std::vector<double> parameters{1e-8, 1e-13, 1e-15, 2.0, 5.0, 5.0, 1.0 / 3, 1.0, 3.0};
-  const TimeHardening law("graham_walles", {1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0});
+  const TimeHardening law("graham_walles", {{1e-8, 1e-13, 1e-15}, {2.0, 5.0, 5.0}, {1.0 / 3, 1.0, 3.0}});
   Tensor6 strain = Tensor6::Zero(), rate = Tensor6::Zero();
   law.increment({.stress = tensor::view(uniaxial), .parameters = parameters}, 8.0, {tensor::writable(strain)});
   EXPECT_NEAR(strain[0], 1e-8 * 4e4 * 2 + 1e-13 * 3.2e11 * 8 + 1e-15 * 3.2e11 * 512, 1e-13);
@@ -64,13 +65,13 @@ TEST(GrahamWalles, AddsItsTerms) {
 
 TEST(GrahamWalles, ListsThatDifferAreNamed) {
   try {
-    TimeHardening("graham_walles", {1e-8, 1e-13}, {2.0, 5.0}, {1.0});
+    TimeHardening("graham_walles", {{1e-8, 1e-13}, {2.0, 5.0}, {1.0}});
     FAIL() << "accepted";
   } catch (const ParameterError& error) {
     EXPECT_EQ(error.key(), "m");
     EXPECT_TRUE(creepcontact::test::says(error.what(), {"list of 1", "'A'", "2"}));
   }
-  EXPECT_THROW(TimeHardening("graham_walles", {}, {}, {}), ParameterError);
+  EXPECT_THROW(TimeHardening("graham_walles", {{}, {}, {}}), ParameterError);
 }
 
 TEST(StrainHardening, PrimaryCreepOfNafems) {
@@ -79,7 +80,7 @@ TEST(StrainHardening, PrimaryCreepOfNafems) {
   const double eps = 0.1;
   Tensor6 rate = Tensor6::Zero();
   double own = 7;
-  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", single_values(parameters));
   law.rate({.stress = tensor::view(uniaxial), .internal = {&eps, 1}, .parameters = parameters},
            {tensor::writable(rate), {&own, 1}});
   EXPECT_NEAR(rate[0], 0.0005, 1e-16);
@@ -88,7 +89,7 @@ TEST(StrainHardening, PrimaryCreepOfNafems) {
 
 TEST(StrainHardening, VirginMaterialFollowsTheClosedForm) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
-  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", single_values(parameters));
   double own = 0;
   const double virgin = 0;
   Tensor6 strain = Tensor6::Zero();
@@ -102,7 +103,7 @@ TEST(StrainHardening, VirginMaterialFollowsTheClosedForm) {
 
 TEST(StrainHardening, NegativeAndVirginStrainCountAsTheFloor) {
   const std::vector<double> parameters{3.125e-14, 5.0, 0.5};
-  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", single_values(parameters));
   double expected = 0;
   for (const double eps : {PointState{}.min_strain, 0.0, -1e-3}) {
     Tensor6 rate = Tensor6::Zero();
@@ -119,18 +120,18 @@ TEST(StrainHardening, ASteepLawNeitherOverflowsNorUnderflows) {
   // n/m = 20 at q = 300; A^(1/m) alone would be 1e-600.
   const std::vector<double> parameters{1e-30, 1.0, 0.05};
   const double eps = 1e-28;
-  const StrainHardening law("strain_hardening", parameters[0], parameters[1], parameters[2]);
+  const StrainHardening law("strain_hardening", single_values(parameters));
   const double f = law.equivalent_rate(300.0, eps, {.parameters = parameters});
   const double expected = 0.05 * 3e-28 * std::pow(3.0, 19.0);
   EXPECT_NEAR(f, expected, 1e-12 * expected);
 }
 
 TEST(StrainHardening, TheTimeExponentIsANumberInItsRange) {
-  EXPECT_THROW(StrainHardening("strain_hardening", 1e-13, 5.0, 1.1), ParameterError);
-  EXPECT_THROW(StrainHardening("strain_hardening", 1e-13, 5.0, 0.0), ParameterError);
-  EXPECT_THROW(StrainHardening("strain_hardening", 1e-13, 5.0, std::nan("")), ParameterError);
+  EXPECT_THROW(StrainHardening("strain_hardening", {{1e-13}, {5.0}, {1.1}}), ParameterError);
+  EXPECT_THROW(StrainHardening("strain_hardening", {{1e-13}, {5.0}, {0.0}}), ParameterError);
+  EXPECT_THROW(StrainHardening("strain_hardening", {{1e-13}, {5.0}, {std::nan("")}}), ParameterError);
   try {
-    StrainHardening("strain_hardening", 1e-13, 5.0, Function::expression("0.3 + T/1e4", {"T"}));
+    StrainHardening("strain_hardening", {{1e-13}, {5.0}, {Function::expression("0.3 + T/1e4", {"T"})}});
     FAIL() << "accepted";
   } catch (const ParameterError& error) {
     EXPECT_EQ(error.key(), "m");

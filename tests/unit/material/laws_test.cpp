@@ -39,7 +39,7 @@ TEST(Norton, UniaxialTestOfNafems) {
   const Tensor6 stress = (Tensor6() << 200, 0, 0, 0, 0, 0).finished();
   const PointState point{.stress = tensor::view(stress), .parameters = parameters};
   Tensor6 rate = Tensor6::Zero();
-  Norton(parameters[0], parameters[1]).rate(point, {tensor::writable(rate)});
+  Norton(single_values(parameters)).rate(point, {tensor::writable(rate)});
   const Tensor6 expected = (Tensor6() << 0.01, -0.005, -0.005, 0, 0, 0).finished();
   EXPECT_LT((rate - expected).norm(), 1e-15);
 }
@@ -51,7 +51,7 @@ TEST(Norton, PureShear) {
   const Tensor6 stress = (Tensor6() << 0, 0, 0, tensor::sqrt2 * tau, 0, 0).finished();
   const PointState point{.stress = tensor::view(stress), .parameters = parameters};
   Tensor6 rate = Tensor6::Zero();
-  Norton(parameters[0], parameters[1]).rate(point, {tensor::writable(rate)});
+  Norton(single_values(parameters)).rate(point, {tensor::writable(rate)});
   const double expected = 1.5 * 1e-10 * std::pow(q, 2.5) * tau;
   EXPECT_NEAR(tensor::to_matrix(rate)(0, 1), expected, 1e-13 * expected);
 }
@@ -60,21 +60,21 @@ TEST(Norton, LinearCreepHasItsTangentAtZeroStress) {
   const std::vector<double> parameters{1e-12, 1.0};
   const Tensor6 stress = Tensor6::Zero();
   const PointState point{.stress = tensor::view(stress), .parameters = parameters};
-  const StressTangent c = Norton(parameters[0], parameters[1]).stress_tangent(point);
+  const StressTangent c = Norton(single_values(parameters)).stress_tangent(point);
   EXPECT_DOUBLE_EQ(c.deviatoric, 1.5e-12);
   EXPECT_EQ(c.radial, 0.0);
 }
 
 TEST(Norton, TooLargeAStressGivesInfinity) {
   const std::vector<double> parameters{1e-14, 7.0};
-  const EquivalentRate f = Norton(parameters[0], parameters[1]).equivalent_rate(1e60, at(parameters));
+  const EquivalentRate f = Norton(single_values(parameters)).equivalent_rate(1e60, at(parameters));
   EXPECT_EQ(f.value, std::numeric_limits<double>::infinity());
   EXPECT_EQ(f.slope, std::numeric_limits<double>::infinity());
 }
 
 TEST(Garofalo, IsNortonAtLowStressAndExponentialAtHighStress) {
   const std::vector<double> parameters{1e-6, 0.02, 5.0};
-  const Garofalo law(parameters[0], parameters[1], parameters[2]);
+  const Garofalo law(single_values(parameters));
   const double low = 1e-6 * std::pow(0.02 * 0.01, 5);
   EXPECT_NEAR(law.equivalent_rate(0.01, at(parameters)).value, low, 1e-6 * low);
   const double high = 1e-6 * std::exp(5 * 0.02 * 1000) / 32;
@@ -84,7 +84,7 @@ TEST(Garofalo, IsNortonAtLowStressAndExponentialAtHighStress) {
 TEST(Ageing, IsAStrainOfTheMoment) {
   // 1e-13 100^5 4^0.5 = 2e-3, back at nothing with the stress
   const std::vector<double> parameters{1e-13, 5.0, 0.5};
-  const Ageing law(parameters[0], parameters[1], parameters[2]);
+  const Ageing law(single_values(parameters));
   EXPECT_TRUE(law.is_isochronous());
   EXPECT_NEAR(law.equivalent_rate(100.0, {.parameters = parameters, .time = 4.0}).value, 2e-3, 1e-17);
   EXPECT_EQ(law.equivalent_rate(100.0, {.parameters = parameters, .time = 0.0}).value, 0.0);

@@ -41,7 +41,7 @@ TEST(Material, StateIsTheCreepStrainAndTheLawsOwnVariables) {
   Material m;
   EXPECT_FALSE(m.creeps());
   EXPECT_EQ(m.n_state(), 0);
-  m.creep.push_back(std::make_shared<Norton>(1e-20, 7.0));
+  m.creep.push_back(std::make_shared<Norton>(ParameterValues{{1e-20}, {7.0}}));
   EXPECT_TRUE(m.creeps());
   EXPECT_EQ(m.n_state(), 6);
   m.creep.push_back(std::make_shared<TwoVariables>());

@@ -34,7 +34,7 @@ std::unique_ptr<CreepLaw> named(const std::string& name, ParameterValues values)
 const Tensor6 uniaxial = (Tensor6() << 10, 0, 0, 0, 0, 0).finished();
 
 TEST(Hereditary, UniaxialCreepFollowsThePronySeries) {
-  const Hereditary law("hereditary", {1e-4, 3e-4}, {2.0, 50.0}, {}, 1e-6);
+  const Hereditary law("hereditary", {{1e-4, 3e-4}, {2.0, 50.0}, {}, {1e-6}});
   for (const double t : {0.1, 3.0, 80.0}) {
     const double expected = 10 * (1e-4 * (1 - std::exp(-t / 2)) + 3e-4 * (1 - std::exp(-t / 50)) + 1e-6 * t);
     const Tensor6 strain = creep(law, uniaxial, t);
@@ -44,7 +44,7 @@ TEST(Hereditary, UniaxialCreepFollowsThePronySeries) {
 }
 
 TEST(Hereditary, VolumeCreepsUnderTheMeanStress) {
-  const Hereditary law("hereditary", {1e-4}, {2.0}, {6e-5}, 0.0);
+  const Hereditary law("hereditary", {{1e-4}, {2.0}, {6e-5}, {0.0}});
   const Tensor6 strain = creep(law, -30.0 * tensor::identity(), 1.0);
   EXPECT_NEAR(tensor::trace(strain), -30 * 6e-5 * (1 - std::exp(-0.5)), 1e-17);
   EXPECT_LT(tensor::deviator(strain).norm(), 1e-17);
@@ -53,7 +53,7 @@ TEST(Hereditary, VolumeCreepsUnderTheMeanStress) {
 }
 
 TEST(Hereditary, TheIncrementSolvesTheRateEquation) {
-  const Hereditary law("hereditary", {1e-4}, {2.0}, {6e-5}, 1e-5);
+  const Hereditary law("hereditary", {{1e-4}, {2.0}, {6e-5}, {1e-5}});
   const std::vector<double> parameters = values_of(law);
   Tensor6 own = Tensor6::Zero(), strain = Tensor6::Zero();
   const int n = 200000;
@@ -69,7 +69,7 @@ TEST(Hereditary, TheIncrementSolvesTheRateEquation) {
 }
 
 TEST(Hereditary, SpecialCasesAreTheSameLaw) {
-  const Hereditary burgers("", {2e-4}, {5.0}, {}, 1 / 4e5), kelvin("", {2e-4}, {5.0}, {}, 0.0);
+  const Hereditary burgers("", {{2e-4}, {5.0}, {}, {1 / 4e5}}), kelvin("", {{2e-4}, {5.0}, {}, {0.0}});
   const Tensor6 stress = (Tensor6() << 10, -5, 3, 2, 7, -1).finished();
   EXPECT_LT((creep(*named("burgers", {{4e5}, {2e-4}, {5.0}}), stress, 7) - creep(burgers, stress, 7)).norm(), 1e-18);
   EXPECT_LT((creep(*named("kelvin_voigt", {{2e-4}, {5.0}}), stress, 7) - creep(kelvin, stress, 7)).norm(), 1e-18);
@@ -88,13 +88,13 @@ TEST(Hereditary, ViscosityMayDependOnTheTemperature) {
 
 TEST(Hereditary, ListsThatDifferAreNamed) {
   try {
-    Hereditary("hereditary", {1e-4, 2e-4}, {2.0, 3.0}, {1e-5}, 0.0);
+    Hereditary("hereditary", {{1e-4, 2e-4}, {2.0, 3.0}, {1e-5}, {0.0}});
     FAIL() << "accepted";
   } catch (const ParameterError& error) {
     EXPECT_EQ(error.key(), "volumetric_compliances");
   }
-  EXPECT_THROW(Hereditary("hereditary", {1e-4}, {}, {}, 0.0), ParameterError);
-  EXPECT_THROW(Hereditary("hereditary", {}, {}, {1e-5}, 0.0), ParameterError);
+  EXPECT_THROW(Hereditary("hereditary", {{1e-4}, {}, {}, {0.0}}), ParameterError);
+  EXPECT_THROW(Hereditary("hereditary", {{}, {}, {1e-5}, {0.0}}), ParameterError);
 }
 
 }  // namespace

@@ -15,8 +15,10 @@ RunTables run_with(const std::vector<std::string>& probes, double end = 4) {
     run.history.columns.push_back({3, 2, 1});
   }
   run.heading.units = "mm, MPa, h";
-  run.heading.probes["p"] = {
-      .quantity = "contact_pressure", .label = "contact pressure", .dimension = "stress", .integrated_over = ""};
+  run.heading.probes["p"] = {.quantity = "contact_pressure",
+                             .label = "contact pressure",
+                             .dimension = Dimension::stress,
+                             .integrated_over = ""};
   return run;
 }
 

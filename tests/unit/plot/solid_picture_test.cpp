@@ -2,71 +2,67 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
-
-#include "unit/io/temporary_directory.hpp"
+#include <nlohmann/json.hpp>
 
 namespace creepcontact::plot {
 namespace {
 
-using io::test::contains;
+using Json = nlohmann::json;
 
-/// The faces of a box from the origin to (1, 1, 1), moved along x, the face z = 1 marked.
-void add_box(double x, int body, SolidPicture& picture) {
-  const auto corner = [&](int i) { return Vector3(x + (i & 1), (i >> 1) & 1, (i >> 2) & 1); };
-  const std::vector<std::array<int, 4>> faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                              {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    Facet facet{{}, body, f == 1 ? 0 : -1};
-    for (const int i : faces[f]) facet.corners.push_back(corner(i));
-    picture.facets.push_back(facet);
+/// A square and an edge of each of two bodies; the square of the second one is marked.
+SolidPicture two_plates() {
+  SolidPicture picture{.title = "it's", .flat = true, .length_unit = "mm", .bodies = {"left", "right"}};
+  picture.marks = {{"fixed", SolidMark::Kind::support}, {"pushed", SolidMark::Kind::load}};
+  for (const int body : {0, 1}) {
+    const double x = 3.0 * body;
+    picture.facets.push_back({{{x, 0, 0}, {x + 2, 0, 0}, {x + 2, 1, 0}, {x, 1, 0}}, body, body == 1 ? 1 : -1});
+    picture.lines.push_back({{{x, 0, 0}, {x, 1, 0}}, body, 0});
   }
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
-
-SolidPicture two_boxes() {
-  SolidPicture picture{.title = "boxes", .bodies = {"left", "right"}, .marks = {{"top_face", SolidMark::Kind::load}}};
-  add_box(0, 0, picture);
-  add_box(1, 1, picture);
   return picture;
 }
 
-TEST(SolidPicture, FacesThatLookAwayAreLeftOut) {
-  const std::string script = gnuplot_script(two_boxes(), "model");
-  // Two views of both boxes and two of each alone, three of the six faces of a box in each.
-  EXPECT_EQ(count(script, "set object polygon"), 2u * (6 + 3 + 3));
-  EXPECT_EQ(count(script, "title 'top_face'"), 1u);
-  EXPECT_EQ(count(script, "title 'left'"), 1u);
+Json job_of(const SolidPicture& picture) {
+  return Json::parse(picture_job(picture, "/place/model.png")).at(0);
 }
 
-TEST(SolidPicture, WhatIsNearerIsPaintedLater) {
-  SolidPicture picture{.bodies = {"far", "near"}};
-  for (const int body : {1, 0})
-    picture.facets.push_back({{{0, 2.0 - 2 * body, 0}, {1, 2.0 - 2 * body, 0}, {1, 2.0 - 2 * body, 1}}, body});
-  const std::string script = gnuplot_script(picture, "model");
-  const std::size_t far = script.find("fillcolor rgb"), near = script.find("fillcolor rgb", far + 1);
-  EXPECT_NE(script.substr(far, 24), script.substr(near, 24));
-  EXPECT_TRUE(std::regex_search(script.substr(far, 24), std::regex("#[89a-f].[89a-f].[a-f].")))
-      << "the bluish first body";
+TEST(SolidPicture, CellsReferToTheirPointsBodiesAndMarks) {
+  const Json job = job_of(two_plates());
+  EXPECT_EQ(job["output"], "/place/model.png");
+  EXPECT_EQ(job["title"], "it's");
+  ASSERT_EQ(job["facets"].size(), 2U);
+  const Json& facet = job["facets"][1];
+  EXPECT_EQ(facet[0], 1);
+  EXPECT_EQ(facet[1], 1);
+  ASSERT_EQ(facet.size(), 6U);
+  EXPECT_EQ(job["points"].at(facet[4].get<std::size_t>()), Json({5.0, 1.0, 0.0}));
+  ASSERT_EQ(job["lines"].size(), 2U);
+  EXPECT_EQ(job["lines"][0].size(), 4U);
+  EXPECT_EQ(job["points"].at(job["lines"][1][3].get<std::size_t>()), Json({3.0, 1.0, 0.0}));
+  EXPECT_EQ(job["ticks"][0], Json({0.0, 1.0, 2.0, 3.0, 4.0, 5.0}));
 }
 
-TEST(SolidPicture, SectionsHaveAxesAndMarkedLines) {
-  const io::test::TemporaryDirectory directory;
-  SolidPicture picture{.title = "it's", .flat = true, .length_unit = "mm", .bodies = {"plate"}};
-  picture.marks = {{"fixed", SolidMark::Kind::support}, {"point", SolidMark::Kind::load}};
-  picture.facets.push_back({{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}});
-  picture.lines = {{{{0, 0, 0}, {0, 1, 0}}, 0, 0}, {{{2, 1, 0}}, 0, 1}};
-  const std::string script = gnuplot_script(picture, "model");
-  EXPECT_TRUE(contains(script, "set xlabel 'x (mm)'")) << script;
-  EXPECT_TRUE(contains(script, "$lines0 << EOD\n0 0\n0 1\n") && contains(script, "$points1 << EOD\n2 1\n")) << script;
-  draw(picture, directory.path(), "model");
-  EXPECT_TRUE(contains(io::test::read_text(directory / "model.svg"), "fixed"));
-  EXPECT_EQ(io::test::read_text(directory / "model.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+TEST(SolidPicture, SupportsAreBlueLoadsRedAndFurtherOnesDiffer) {
+  SolidPicture picture = two_plates();
+  picture.marks.push_back({"pulled", SolidMark::Kind::load});
+  const Json marks = job_of(picture)["marks"];
+  const auto colour = [&](int mark) { return marks.at(mark).at(1).get<std::vector<double>>(); };
+  EXPECT_GT(colour(0)[2], 1.5 * colour(0)[0]);
+  EXPECT_GT(colour(1)[0], 1.5 * colour(1)[2]);
+  EXPECT_NE(colour(1), colour(2));
+}
+
+TEST(SolidPicture, TheSecondSurfaceOfAContactIsDrawnWithinTheFirst) {
+  SolidPicture picture;
+  picture.marks = {{"slave", SolidMark::Kind::contact}, {"master", SolidMark::Kind::contact}};
+  const Json job = job_of(picture);
+  EXPECT_GT(job["marks"][0][2], job["marks"][1][2]);
+}
+
+TEST(SolidPicture, LongNamesAndBytesThatAreNoTextDoNotStopIt) {
+  SolidPicture picture = two_plates();
+  picture.title = std::string(500, 'x');
+  picture.bodies[0] = "\xff";
+  EXPECT_LT(job_of(picture)["title"].get<std::string>().size(), 100U);
 }
 
 }  // namespace

@@ -221,10 +221,9 @@ TEST(FieldProbes, CreepStrainsOfTheState) {
 TEST(FieldProbes, EveryQuantityHasAValueWhereItMayStand) {
   std::vector<ProbeTable> probes;
   for (const Quantity& info : quantities()) {
-    if (info.variable->is_axial()) continue;          // of sections
-    if (info.name.starts_with("section_")) continue;  // have a plane
+    if (info.variable->is<OnCrossSection>() || info.variable->is<OnPlane>()) continue;  // need more than a place
     probes.push_back({"on_" + info.name, info.name, "on = 'lower_top'"});
-    if (info.variable->location != OutputVariable::Location::field) continue;
+    if (!info.variable->is_field()) continue;
     probes.push_back({"at_" + info.name, info.name, "at = [1, 0.5, 0.5]"});
     probes.push_back({"in_" + info.name, info.name, "body = 'upper'"});
   }

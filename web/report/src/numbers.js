@@ -12,10 +12,11 @@ export function withUnit(value, unit, digits = 5) {
   return text(value, digits) + (unit ? " " + unit : "");
 }
 
-// Ticks at steps of 1, 2 or 5 times a power of ten that cover a range.
+// Ticks at steps of 1, 2 or 5 times a power of ten that cover a range: rounded_ticks of the program, in its src/plot.
 export function roundedTicks(low, high, about = 6) {
-  if (!(high > low)) {
-    const pad = Math.abs(low) * 0.01 || 1;
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (!(high - low > 1e-9 * size)) {
+    const pad = size > 0 ? 0.01 * size : 1;
     low -= pad;
     high += pad;
   }

@@ -13,14 +13,15 @@
 
 #include "creepcontact/base/memory.hpp"
 #include "creepcontact/base/run_counters.hpp"
+#include "creepcontact/base/units.hpp"
 
 namespace creepcontact::io {
 
 /// What a column of history.csv contains.
 struct SummaryProbe {
   std::string quantity = {};
-  std::string label = {};            ///< for axes: "contact pressure"
-  std::string dimension = {};        ///< "stress", "length", ...; empty: none
+  std::string label = {};  ///< for axes: "contact pressure"
+  Dimension dimension = Dimension::none;
   std::string integrated_over = {};  ///< "surface" or "body" if the values are sums over it; else empty
   /// Unit of the values as they are in history.csv, "" if they have none or it is not known; nullopt: a file without
   /// it.

@@ -66,8 +66,8 @@ TEST_F(SummaryFile, IsReadBackWhole) {
   summary.life_fraction["ring"] = {0.25, {4, 5, 6}};
   summary.rupture = {9.5, "ring", {0.99, {7, 8, 9}}};
   summary.probes["p"] = {
-      "von_mises", "von Mises stress", "stress", "", "MPa", "", SummaryProbe::Course{1, 2, 0, 3, 4, 5}};
-  summary.probes["q"] = {"", "", "", "", "", "2*p", {}};
+      "von_mises", "von Mises stress", Dimension::stress, "", "MPa", "", SummaryProbe::Course{1, 2, 0, 3, 4, 5}};
+  summary.probes["q"] = {"", "", Dimension::none, "", "", "2*p", {}};
   summary.events = {{"leak", 12.0}, {"never", std::nullopt}};
   summary.friction_kappa = 0.3;
   summary.wall_seconds = {1, 2, 3, 4, 5, 6};
@@ -131,7 +131,7 @@ TEST_F(SummaryFile, HeadingIsReadBack) {
   summary.title = "Fit";
   summary.units = "mm, N";
   summary.status = Summary::Status::failed;
-  summary.probes["p"] = {"contact_pressure", "contact pressure", "stress", "surface"};
+  summary.probes["p"] = {"contact_pressure", "contact pressure", Dimension::stress, "surface"};
   write_summary(directory_ / "summary.json", summary);
   const SummaryHeading heading = read_summary_heading(directory_ / "summary.json");
   EXPECT_EQ(heading.title, "Fit");
@@ -145,7 +145,7 @@ TEST_F(SummaryFile, ProbesAndEvents) {
   EXPECT_FALSE(written(summary).contains("events"));
   summary.probes["p"] = {.quantity = "gap",
                          .label = "gap",
-                         .dimension = "length",
+                         .dimension = Dimension::length,
                          .unit = "mm",
                          .course = SummaryProbe::Course{1, 2, NAN, 4, 5, 6}};
   summary.probes["e"] = {.label = "e", .unit = "", .expression = "2*p"};
