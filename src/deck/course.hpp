@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "creepcontact/base/function.hpp"
+
 namespace creepcontact::deck {
 
 class Course {
@@ -22,9 +24,9 @@ class Course {
   std::vector<std::pair<double, double>> points() const { return tidied(); }
   bool operator==(const Course&) const = default;
   /// Number, or table in t.
-  std::string toml() const;
-  /// The same as an expression of the value: "sqrt(<value>)" with wrap = "sqrt". Jumps are conditions on t.
-  std::string toml(const std::string& wrap) const;
+  Function function() const;
+  /// The same as an expression of the value: sqrt(<value>) with wrap = "sqrt". Jumps are conditions on t.
+  Function function(const std::string& wrap) const;
   Course scaled(double factor) const;
   /// The sum of both. A course without points is 0.
   Course plus(const Course& other) const;
