@@ -1,5 +1,3 @@
-#include "creepcontact/config/complete.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "creepcontact/base/overload.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "section_checks.hpp"
 #include "tables.hpp"
 

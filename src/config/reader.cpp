@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "creepcontact/base/error.hpp"
-#include "creepcontact/config/complete.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "cross_checks.hpp"
 #include "overrides.hpp"
 #include "section_checks.hpp"
@@ -14,7 +14,7 @@ namespace creepcontact::config {
 
 namespace {
 
-/// Before dozens of keys are reported that are unknown or missing.
+/// Refuses a study before dozens of keys are reported that are unknown or missing.
 void require_no_study(const toml::table& document, const std::filesystem::path& file) {
   if (!document.contains("base") || document.contains("mesh") || document.contains("bodies")) return;
   throw ConfigError(

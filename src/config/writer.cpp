@@ -25,14 +25,15 @@ class TomlWriter final : public Visitor {
     const std::string outer_key = std::exchange(key_, key_.empty() ? key.name : key_ + '.' + key.name);
     const std::string outer_path =
         std::exchange(path_, path_.empty() ? toml_key(key.name) : path_ + '.' + toml_key(key.name));
-    if (key.is_meaningful && (has_comments() || !key.is_default())) {
-      const Form form = key.info != nullptr ? key.info->form : Form::table;
-      if (form == Form::value)
-        write_value(key.name, value);
-      else if (form == Form::table)
-        write_table('[' + path_ + ']', value);
-      else
+    const Form form = key.info != nullptr ? key.info->form : Form::table;
+    const bool is_several = form == Form::tables || form == Form::named;  // none: nothing is written
+    if (key.is_meaningful && (is_several || has_comments() || !key.is_default())) {
+      if (is_several)
         value(*this);
+      else if (form == Form::value)
+        write_value(key.name, value);
+      else
+        write_table('[' + path_ + ']', value);
     }
     key_ = outer_key;
     path_ = outer_path;
@@ -53,7 +54,7 @@ class TomlWriter final : public Visitor {
   std::string text() const { return section_.text(); }
 
  private:
-  /// Of the key that is visited, or below it.
+  /// Returns true if the key that is visited, or one below it, has a comment.
   bool has_comments() const {
     for (const auto* all : {&comments_.beside, &comments_.above})
       for (auto next = all->lower_bound(key_); next != all->end() && next->first.starts_with(key_); ++next)

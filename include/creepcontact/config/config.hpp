@@ -364,7 +364,7 @@ struct GeneralizedPlaneStrain {
   bool per_body = false;           ///< each body has its own axial strain, which follows from Body::axial_force
 };
 
-/// A configuration that has been read and checked, or made in code and completed (complete.hpp).
+/// A configuration that has been read and checked, or made in code and completed (writer.hpp).
 struct Config {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
