@@ -28,7 +28,7 @@ LawValue allowed(const LawKey& key) {
   return {several.type, several.brief, several.json, {}};
 }
 
-/// As it is written in a file.
+/// Returns a default as it is written in a file.
 std::string default_of(const LawKey& key) {
   if (key.fallback.empty()) return "";
   if (key.words.empty()) return key.fallback.front().text();
@@ -128,7 +128,7 @@ bool check_lengths(const CreepMechanism& mechanism, const Law& law, Context& con
   return right;
 }
 
-/// The law's own opinion, once every value is there.
+/// Asks the law to check its constants, once every value is there.
 void validate(CreepMechanism& mechanism, const Law& law, Context& context) {
   if (!law.validate || mechanism.parameters.size() != law.keys.size()) return;
   std::vector<std::vector<Function>> values;

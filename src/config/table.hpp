@@ -59,21 +59,21 @@ struct Field {
 bool known_keys_only(const Item& table, const std::vector<std::string>& keys, Context& context);
 /// Names the required keys that are missing.
 void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& context);
-/// `keys` below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
+/// Appends `keys` with paths below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
 void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all);
 
-/// Of a table without keys, to which they are added: no others are allowed.
+/// Makes the schema of a table without keys, to which keys are added: no others are allowed.
 Json schema_of_table();
 /// Adds a key with its meaning and default. @param value  schema of its value
 void add_key(const KeyInfo& key, Json value, Json& table);
 /// @param size  number of entries; 0: any
 Json schema_of_list(const Json& entry, int size = 0);
 
-/// A table written with one bracket too few or too many, [supports] or [[time]]: reports it.
+/// Reports a table written with one bracket too few or too many, [supports] or [[time]].
 /// @returns true if it is one. @param form  how the key is written
 bool has_wrong_brackets(const Item& item, Form form, Context& context);
 
-/// KeyInfo::brief
+/// Makes KeyInfo::brief of a type.
 std::string brief_type(const std::string& type, const std::string& brief);
 
 /// The value of a member that is a T, or an optional; null: not given.
@@ -173,7 +173,7 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
   return value;
 }
 
-/// A table that is written among the keys around it: rotation = { ... }
+/// Lets a table be written among the keys around it: rotation = { ... }
 template <class S>
 Value<S> written_inline(Value<S> table) {
   table.form = Form::value;
@@ -239,12 +239,12 @@ Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dro
   return value;
 }
 
-/// References, a single one without a list too. @param what  one of them
+/// Reads references; a single one needs no list. @param what  one of them
 Value<std::vector<Reference>> one_or_more(const std::string& what);
-/// Texts that are not empty, a single one without a list too. @param what  one of them
+/// Reads texts that are not empty; a single one needs no list. @param what  one of them
 Value<std::vector<std::string>> one_or_more_texts(const std::string& what);
 
-/// [[array.of.tables]]
+/// Reads [[array.of.tables]].
 template <class T>
 Value<std::vector<T>> tables(const Value<T>& entry) {
   Value<std::vector<T>> value = list(entry, Partial::kept);
@@ -288,7 +288,7 @@ inline Visitor::Key user_key(const std::string& name) {
   return {.name = name, .info = nullptr, .has_keys = true, .is_meaningful = true, .is_default = never};
 }
 
-/// Tables by a name of the user's, in the order of the file. T has members name and location.
+/// Reads tables whose names are the user's, in the order of the file. T has members name and location.
 template <class T>
 Value<std::vector<T>> named(const Value<T>& entry) {
   Value<std::vector<T>> value{.type = "tables by name", .read = {}, .form = Form::named, .json = [json = entry.json] {

@@ -101,7 +101,7 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
   return Time(std::move(keys));
 }
 
-/// Without the times that are always among the outputs.
+/// Leaves out the times that are always among the outputs.
 TimeKeys keys_of_time(const Time& time) {
   std::vector<PlacedTime> further;
   for (const double t : time.output)

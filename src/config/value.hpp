@@ -75,7 +75,7 @@ inline Range at_least(double min) {
 Value<std::string> text();
 /// A string that is not empty. @param what  it names, in messages
 Value<std::string> name(const std::string& what);
-/// The same with its place.
+/// A string that is not empty, with its place.
 Value<Reference> reference(const std::string& what);
 /// @param type  not given: from the range
 Value<double> number(Range range = {}, const std::string& type = {});
@@ -85,21 +85,21 @@ struct WordOrNumber {
   double number = 0;
 };
 Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range range);
-/// A word that stands for "not given", or a number.
+/// Reads a number, or a word that stands for "not given".
 Value<std::optional<double>> word_or_number(const std::string& word, Range range);
 Value<bool> boolean();
-/// Made relative to the working directory.
+/// Reads a path and makes it relative to the working directory.
 Value<std::filesystem::path> path();
 /// @param variables  that an expression may use
 /// @param range      of constants and of the values of tables
 Value<Function> function(const std::vector<std::string>& variables, Range range = {});
 
-/// One of some words. @param what  in messages: "unknown <what> 'abc'"
+/// Reads one of some words. @param what  in messages: "unknown <what> 'abc'"
 std::optional<std::size_t> read_choice(const Item& item, Context& context, const std::string& what,
                                        const std::vector<std::string>& names);
 Value<std::string> choice(const std::string& what, const std::vector<std::string>& names);
 
-/// One of the names that the enumeration declares (settings/enum_names.hpp).
+/// Reads one of the names that the enumeration declares (settings/enum_names.hpp).
 template <class Enum>
 Value<Enum> choice(const std::string& what) {
   std::vector<std::string> names;

@@ -33,7 +33,7 @@ std::vector<double> engineering_constants(const std::vector<double>& row) {
   return result;
 }
 
-/// With rows in between: what is linear in the temperature there is not so in other constants.
+/// Adds rows in between: what is linear in the temperature there is not so in other constants.
 std::vector<std::vector<double>> refined(const std::vector<std::vector<double>>& rows) {
   constexpr int steps = 20;  // between two rows
   std::vector<std::vector<double>> result{rows.front()};

@@ -83,7 +83,7 @@ class ContactMaker {
     own_->friction.add(time, coefficient.value_or(0));
   }
 
-  /// Of a surface, or of a set of nodes; empty if it cannot be.
+  /// Returns the faces of a surface, or of a set of nodes; none if that cannot be.
   std::vector<ElementFace> faces(const RawCard& raw, const std::string& name) {
     const Deck& deck = draft_.deck;
     const std::string upper = upper_case(name);

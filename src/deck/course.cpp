@@ -62,7 +62,7 @@ Course Course::scaled(double factor) const {
   return result;
 }
 
-/// At most two points at one time; what happens within t = 0 has happened before the run.
+/// Keeps at most two points at one time; what happens within t = 0 has happened before the run.
 std::vector<std::pair<double, double>> Course::tidied() const {
   std::vector<std::pair<double, double>> result;
   for (const auto& point : points_) {

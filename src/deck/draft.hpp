@@ -59,13 +59,13 @@ struct Draft {
   bool is_section() const { return analysis != settings::Analysis::solid; }
   bool is_used(std::int64_t node) const { return std::ranges::binary_search(used, node); }
   const Vector3& position(std::int64_t node) const { return deck.positions[deck.node_of_number.at(node)]; }
-  /// Of the first card with a name; none: of nothing.
+  /// Returns the place of the first card with a name; empty if there is none.
   Place first(const std::string& card) const;
-  /// Bodies that have a node; by the names in the configuration.
+  /// Returns the names of the bodies that have a node.
   const std::vector<std::string>& bodies_at(std::int64_t node);
-  /// The name of a set with these members alone, or a general one.
+  /// Returns the name of a set with these members alone, or a general one.
   std::string name_for(const Numbers& nodes, const std::string& general) const;
-  /// Cards with this name before and within the steps.
+  /// Returns the cards with this name before and within the steps.
   std::vector<const RawCard*> cards(const std::string& card) const;
 
  private:

@@ -98,7 +98,7 @@ void make_head(Draft& draft) {
     draft.impossible.push_back({Place(), "SOLID SECTION", "sections of different thickness"});
 }
 
-/// Without the mesh.
+/// Makes the configuration, without the mesh.
 Import make(Draft& draft) {
   refuse_what_changes_the_model(draft);
   draft.bodies = find_bodies(draft.deck, draft.impossible);

@@ -325,7 +325,7 @@ class Joiner {
     }
   }
 
-  /// At a jump, of two points at one time, the value after it.
+  /// Returns the value after a jump, which is two points at one time.
   static double factor(const Amplitude& amplitude, double time) {
     const auto& points = amplitude.points;
     if (time < points.front().first) return points.front().second;

@@ -28,7 +28,7 @@ bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t
   return true;
 }
 
-/// Of the *STATIC steps before the first *VISCO step, which take no time here.
+/// Returns the time of the *STATIC steps before the first *VISCO step, which take no time here.
 double time_before_creep(Draft& draft) {
   double time = 0;
   bool creeps = false;

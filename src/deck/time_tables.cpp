@@ -83,7 +83,7 @@ std::set<double> sudden_times(const Loading& loading) {
 
 }  // namespace
 
-/// At the ends of the steps; where the next one begins with a jump, just before it.
+/// Puts outputs at the ends of the steps; where the next one begins with a jump, just before it.
 void make_time(Draft& draft) {
   constexpr double just_before = 1e-9;  // of the time
   std::set<double> times(draft.loading.step_ends.begin(), draft.loading.step_ends.end());

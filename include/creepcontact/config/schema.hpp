@@ -43,7 +43,7 @@ std::vector<KeyInfo> schema(const Vocabulary& vocabulary);
 /// All keys of a study.
 std::vector<KeyInfo> study_schema();
 
-/// The same as JSON Schema (draft 7), for editors: types, bounds, words, defaults and descriptions.
+/// Writes the keys as JSON Schema (draft 7), for editors: types, bounds, words, defaults and descriptions.
 std::string json_schema(const Vocabulary& vocabulary);
 std::string study_json_schema();
 

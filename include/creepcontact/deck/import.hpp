@@ -1,5 +1,5 @@
 #pragma once
-/// From a deck to a configuration and its mesh.
+/// Makes a configuration and its mesh of a deck.
 
 #include <string>
 #include <vector>
