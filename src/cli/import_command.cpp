@@ -12,6 +12,7 @@
 #include "creepcontact/deck/import.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/platform/replace_file.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 #include "import_check.hpp"
 
 namespace creepcontact::cli {
@@ -67,7 +68,8 @@ int import(const Command& self, const Arguments& arguments) {
                     directory.string(), reason));
   std::vector<std::pair<std::string, std::string>> files{{name + ".msh", std::move(made.msh)}};
   if (!made.temperatures.empty()) files.emplace_back(name + "_temperature.csv", std::move(made.temperatures));
-  files.emplace_back(name + ".toml", std::move(made.toml));
+  files.emplace_back(name + ".toml", config::to_toml(made.config, run::vocabulary(), made.comments));
+  made.config = {};  // large decks: its memory, before the check
   for (const auto& [file, content] : files)
     if (path_exists(directory / file))
       throw ConfigError(fmt::format("{} exists already; remove it, or choose another directory with --output",

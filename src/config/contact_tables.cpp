@@ -26,7 +26,10 @@ Value<Gap> gap_value() {
     if (!found) return std::nullopt;
     return Gap{false, *found};
   };
-  value.show = [given](const Gap& shown) { return shown.geometric ? "\"geometric\"" : given.show(shown.function); };
+  value.visit = [given](const Gap& gap, Visitor& to) {
+    if (!gap.geometric) return given.visit(gap.function, to);
+    to.leaf([] { return toml_of(std::string("geometric")); });
+  };
   return value;
 }
 
@@ -57,7 +60,13 @@ Value<Alpha> alpha_value(Range range) {
     alpha.all = *found;
     return alpha;
   };
-  value.show = [single](const Alpha& shown) { return single.show(shown.all); };
+  value.visit = [=](const Alpha& alpha, Visitor& to) {
+    if (alpha.of_body.empty()) return single.visit(alpha.all, to);
+    to.table([&] {
+      for (const Alpha::OfBody& one : alpha.of_body)
+        to.key(user_key(one.body.name), [&](Visitor& inner) { number_of_body.visit(one.value, inner); });
+    });
+  };
   return value;
 }
 
@@ -96,7 +105,7 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
   if (!keys.between[0].given()) return std::nullopt;  // reported
   const std::string& first = keys.between[0].name;
   const std::string& second = keys.between[1].name;
-  if (keys.name.empty()) keys.name = first + '-' + second;
+  if (keys.name.empty()) keys.name = default_name(keys);
   if (keys.slave_name == first) keys.slave = 0;
   if (keys.slave_name == second) keys.slave = 1;
   if (keys.slave < 0 && keys.slave_name != "auto") {
@@ -106,7 +115,18 @@ std::optional<Contact> make_contact(ContactKeys keys, const Item& item, Context&
   return Contact(std::move(keys));
 }
 
+ContactKeys keys_of_contact(const Contact& contact) {
+  ContactKeys keys{contact};
+  if (contact.slave >= 0) keys.slave_name = contact.between.at(static_cast<std::size_t>(contact.slave)).name;
+  if (contact.name == default_name(contact)) keys.name.clear();
+  return keys;
+}
+
 }  // namespace
+
+std::string default_name(const Contact& contact) {
+  return contact.between[0].name + '-' + contact.between[1].name;
+}
 
 Value<std::array<Reference, 2>> two_surfaces() {
   const std::string type = "two physical surfaces (in sections curves)";
@@ -124,6 +144,9 @@ Value<std::array<Reference, 2>> two_surfaces() {
       context.errors.add(item.location, fmt::format("'{}' is given twice", (*found)[0].name), type);
     }
     return std::array{(*found)[0], (*found)[1]};
+  };
+  value.visit = [](const std::array<Reference, 2>& both, Visitor& to) {
+    list(reference("a physical surface")).visit({both[0], both[1]}, to);
   };
   return value;
 }
@@ -152,7 +175,7 @@ Value<Contact> contact_table() {
       field<ContactKeys>("friction", &ContactKeys::friction, function({"x", "y", "z", "t", "T"}, at_least(0)),
                          "coefficient of Coulomb friction; unilateral contacts only"),
   });
-  return converted<Contact>(keys, make_contact);
+  return converted<Contact>(keys, make_contact, keys_of_contact);
 }
 
 Value<ContactSolver> contact_solver_table() {

@@ -59,7 +59,8 @@ bool by_temperature(const Rupture& rupture) {
   return !rupture.stress.empty() && !rupture.parameter.empty();
 }
 
-/// Without [temperature] a material is at its reference temperature, which must then be the user's choice.
+/// Requires a choice: without [temperature] a material is at its reference temperature, which must then be the user's
+/// choice.
 void check_temperature(const Config& config, const Item& root, Diagnostics& errors) {
   if (root.has("temperature")) return;
   for (const Contact& contact : config.contacts)

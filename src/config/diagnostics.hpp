@@ -19,7 +19,7 @@ class Diagnostics {
   void add_unknown(const Location& where, const std::string& found, const std::string& name,
                    const std::vector<std::string>& names, const std::string& allowed = {});
 
-  /// The same for a key that its table does not have. @param where  with the key itself
+  /// Reports a key that its table does not have. @param where  with the key itself
   void add_unknown_key(const Location& where, const std::string& name, const std::vector<std::string>& names);
 
   bool empty() const { return problems_.empty(); }

@@ -149,12 +149,8 @@ Value<Function> function(const std::vector<std::string>& variables, Range range)
                         .brief = allowed.brief("function", "number"),
                         .plural = allowed.brief("functions", "numbers"),
                         .json = [allowed] { return allowed.json(); }};
-  value.read = [allowed](const Item& item, Context& context) {
-    std::optional<Function> found = read_function(item, allowed, context);
-    if (found) context.functions.push_back({item.location.key, *found, allowed.variables});
-    return found;
-  };
-  value.show = [](const Function& shown) { return shown.text(); };
+  value.read = [allowed](const Item& item, Context& context) { return read_function(item, allowed, context); };
+  value.visit = [variables](const Function& one, Visitor& to) { to.function(one, variables); };
   return value;
 }
 

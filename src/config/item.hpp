@@ -29,7 +29,7 @@ Location locate(const toml::source_region& source, const std::string& key, const
 /// "string 'abc'", "number 3", "a list", ...
 std::string describe(const toml::node& node);
 
-/// As the schema writes a key: "materials.steel.creep[0].law" -> "materials.<name>.creep[].law".
+/// Returns a key as the schema writes it: "materials.steel.creep[0].law" -> "materials.<name>.creep[].law".
 std::string schema_path(const std::string& key);
 
 /// "runs[0].axes" -> "runs.axes", as in headings

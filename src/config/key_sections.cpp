@@ -5,7 +5,7 @@
 namespace creepcontact::config {
 namespace {
 
-/// As headings have it: without the marks of lists.
+/// Returns a path as headings have it, without the marks of lists.
 std::string heading(std::string path) {
   for (std::size_t at = path.find("[]"); at != std::string::npos; at = path.find("[]")) path.erase(at, 2);
   return path;

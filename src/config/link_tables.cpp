@@ -12,7 +12,9 @@ using Components = std::array<std::optional<Function>, 3>;
 
 Value<Components> components(const std::string& what, const std::string& unit) {
   const auto component = [](std::size_t i) {
-    return [i](Components& into) -> std::optional<Function>& { return into[i]; };
+    return [i](auto& into) -> auto& {
+      return into[i];
+    };
   };
   const Value<Function> value = function({"t"});
   return written_inline(table<Components>({
@@ -80,7 +82,11 @@ Value<Rigid> rigid_table() {
 
 Value<Equation> equation_table() {
   using Term = Equation::Term;
-  const auto coefficient = [](std::size_t k) { return [k](Term& term) -> double& { return term.coefficient[k]; }; };
+  const auto coefficient = [](std::size_t k) {
+    return [k](auto& term) -> auto& {
+      return term.coefficient[k];
+    };
+  };
   const auto term = converted<Term>(
       table<Term>({
           field<Term>("node", &Term::node, integer(1), "number of the node in the mesh file", Presence::required),

@@ -28,16 +28,32 @@ LawValue allowed(const LawKey& key) {
   return {several.type, several.brief, several.json, {}};
 }
 
-/// As it is written in a file.
+/// Returns a default as it is written in a file.
 std::string default_of(const LawKey& key) {
   if (key.fallback.empty()) return "";
   if (key.words.empty()) return key.fallback.front().text();
   return fmt::format("\"{}\"", key.words.at(static_cast<std::size_t>(key.fallback.front()({}))));
 }
 
+}  // namespace
+
+void describe_parameter(const LawKey& key, CreepParameter& parameter) {
+  parameter.is_list = key.list;
+  parameter.variables = key.variables;
+}
+
+CreepParameter default_parameter(const LawKey& key, const Location& location) {
+  CreepParameter parameter{.key = key.name, .values = key.fallback, .location = location, .given = false};
+  describe_parameter(key, parameter);
+  return parameter;
+}
+
+namespace {
+
 std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key, Context& context) {
   const Value<Function> value = value_of(key);
-  CreepParameter parameter{key.name, {}, item.location, true};
+  CreepParameter parameter{.key = key.name, .values = {}, .location = item.location};
+  describe_parameter(key, parameter);
   if (!key.words.empty()) {
     const auto number = read_choice(item, context, key.name, key.words);
     if (!number) return std::nullopt;
@@ -76,6 +92,7 @@ Value<Interval> interval() {
     context.errors.add(item.location, fmt::format("[{}]", fmt::join(*found, ", ")), type);
     return std::nullopt;
   };
+  value.visit = [numbers](const Interval& one, Visitor& to) { numbers.visit({one.low, one.high}, to); };
   return value;
 }
 
@@ -111,7 +128,7 @@ bool check_lengths(const CreepMechanism& mechanism, const Law& law, Context& con
   return right;
 }
 
-/// The law's own opinion, once every value is there.
+/// Asks the law to check its constants, once every value is there.
 void validate(CreepMechanism& mechanism, const Law& law, Context& context) {
   if (!law.validate || mechanism.parameters.size() != law.keys.size()) return;
   std::vector<std::vector<Function>> values;
@@ -141,7 +158,7 @@ std::optional<CreepMechanism> read_law(const Item& item, const Law& law, Context
   for (const LawKey& key : law.keys) {
     const Item found = item.child(key.name);
     if (!found.node) {
-      if (!key.required) mechanism.parameters.push_back({key.name, key.fallback, item.location, false});
+      if (!key.required) mechanism.parameters.push_back(default_parameter(key, item.location));
       continue;
     }
     if (auto parameter = read_parameter(found, key, context)) mechanism.parameters.push_back(std::move(*parameter));
@@ -199,6 +216,33 @@ Json laws_schema(const std::vector<Law>& laws, const std::vector<std::string>& n
   return table;
 }
 
+void visit_parameter(const CreepParameter& parameter, Visitor& to) {
+  if (!parameter.word.empty()) return to.leaf([&] { return toml_of(parameter.word); });
+  if (!parameter.is_list && parameter.values.size() == 1)
+    return to.function(parameter.values.front(), parameter.variables);
+  to.list([&] {
+    for (std::size_t i = 0; i < parameter.values.size(); ++i)
+      to.element(i, [&](Visitor& inner) { inner.function(parameter.values[i], parameter.variables); });
+  });
+}
+
+/// The constants are those of the struct; a default that is a word is the number of it.
+void visit_law(const CreepMechanism& mechanism, Visitor& to) {
+  const auto never = [] { return false; };
+  KeyInfo info;
+  info.path = "law";
+  to.key({info.path, &info, false, true, never},
+         [&](Visitor& inner) { inner.leaf([&] { return toml_of(mechanism.law); }); });
+  for (const Field<CreepMechanism>& key : common_keys()) key.visit(key, mechanism, to);
+  for (const CreepParameter& parameter : mechanism.parameters) {
+    if (parameter.values.empty()) continue;
+    info.path = parameter.key;
+    info.default_value = parameter.values.front().text();
+    const auto is_default = [&] { return !parameter.given; };
+    to.key({info.path, &info, false, true, is_default}, [&](Visitor& inner) { visit_parameter(parameter, inner); });
+  }
+}
+
 /// The keys depend on `law`, so this is no plain table.
 Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   std::vector<std::string> names;
@@ -208,6 +252,7 @@ Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
       .type = "a table", .read = {}, .keys = law_keys(laws, names), .form = Form::table, .json = [=] {
         return laws_schema(laws, names);
       }};
+  value.visit = [](const CreepMechanism& mechanism, Visitor& to) { to.table([&] { visit_law(mechanism, to); }); };
   value.read = [=](const Item& item, Context& context) -> std::optional<CreepMechanism> {
     if (!item.node->is_table()) {
       context.errors.add(item.location, describe(*item.node), "a table");
@@ -261,7 +306,10 @@ Value<std::vector<Function>> one_or_three(const Value<Function>& one) {
     if (!found) return std::nullopt;
     return std::vector{*found};
   };
-  value.show = [one](const std::vector<Function>& shown) { return one.show(shown.front()); };
+  value.visit = [one](const std::vector<Function>& all, Visitor& to) {
+    if (all.size() == 1) return one.visit(all.front(), to);
+    list(one).visit(all, to);
+  };
   return value;
 }
 
@@ -281,12 +329,15 @@ Value<Hill> hill_table() {
 Value<Material> material_table(const Vocabulary& vocabulary) {
   const std::vector<std::string> T{"T"};
   const Range compressible{.min = -1.0, .max = 0.5, .open_min = true, .open_max = true};
+  const auto is_isotropic = [](const Material& material) { return !material.orthotropic; };
   const std::vector<Field<Material>> isotropic{
       field<Material>("young_modulus", &Material::young_modulus, function(T, greater(0)), "Young's modulus")
           .otherwise("required without `orthotropic`")
+          .needed_if(is_isotropic)
           .in("stress"),
       field<Material>("poisson_ratio", &Material::poisson_ratio, function(T, compressible), "Poisson's ratio")
-          .otherwise("required without `orthotropic`"),
+          .otherwise("required without `orthotropic`")
+          .needed_if(is_isotropic),
   };
   const auto keys = table<Material>({
       isotropic[0],

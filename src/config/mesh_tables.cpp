@@ -27,6 +27,12 @@ Value<std::map<std::string, double>> numbers_by_name() {
     }
     return all;
   };
+  value.visit = [](const Map& all, Visitor& to) {
+    to.table([&] {
+      for (const auto& [name, one] : all)
+        to.key(user_key(name), [&, value = one](Visitor& inner) { number().visit(value, inner); });
+    });
+  };
   return value;
 }
 

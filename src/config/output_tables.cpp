@@ -40,7 +40,10 @@ Value<FieldFiles> field_files() {
     const bool any = !found->empty();
     return FieldFiles{any, std::move(*found)};
   };
-  value.show = [=](const FieldFiles& shown) { return either.show(shown.written); };
+  value.visit = [=](const FieldFiles& files, Visitor& to) {
+    if (files.times) return times.visit(*files.times, to);
+    either.visit(files.written, to);
+  };
   return value;
 }
 
@@ -73,6 +76,13 @@ std::optional<Output> make_output(OutputKeys keys, const Item& item, Context& co
   return Output(std::move(keys));
 }
 
+OutputKeys keys_of_output(const Output& output) {
+  OutputKeys keys{output, {output.fields, output.field_times}};
+  if (output.csv.separator != ',') keys.separator = output.csv.separator == ';' ? Separator::semicolon : Separator::tab;
+  if (output.csv.decimal == ',') keys.decimal = Decimal::comma;
+  return keys;
+}
+
 }  // namespace
 
 Value<Output> output_table() {
@@ -101,9 +111,7 @@ Value<Output> output_table() {
                         "wall time between checkpoints for `--resume`; 0: one after every step")
           .in("seconds"),
   });
-  return converted<Output>(keys, [](OutputKeys read, const Item& item, Context& context) {
-    return make_output(std::move(read), item, context);
-  });
+  return converted<Output>(keys, make_output, keys_of_output);
 }
 
 }  // namespace creepcontact::config

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "creepcontact/base/overload.hpp"
 #include "table.hpp"
 
 namespace creepcontact::config {
@@ -50,9 +52,12 @@ std::vector<double> points(const OutputSeries& series, double end) {
 }  // namespace
 
 Value<OutputTimes> output_times() {
-  const auto times = list(converted<PlacedTime>(number(at_least(0)), [](double time, const Item& item, Context&) {
-    return std::optional(PlacedTime{time, item.location});
-  }));
+  const auto times = list(converted<PlacedTime>(
+      number(at_least(0)),
+      [](double time, const Item& item, Context&) {
+        return std::optional(PlacedTime{time, item.location});
+      },
+      [](const PlacedTime& placed) { return placed.time; }));
   const auto series = series_table();
   Value<OutputTimes> value{.type = "a list of times, or { first, count, spacing }",
                            .read = {},
@@ -73,30 +78,36 @@ Value<OutputTimes> output_times() {
     }
     return std::nullopt;
   };
-  value.show = [](const OutputTimes&) { return std::string("[]"); };
+  value.visit = [=](const OutputTimes& wanted, Visitor& to) {
+    std::visit(Overload{[&](const std::vector<PlacedTime>& all) { times.visit(all, to); },
+                        [&](const OutputSeries& one) { series.visit(one, to); }},
+               wanted);
+  };
   return value;
 }
 
 std::vector<double> resolve(const OutputTimes& times, double end, const Location& where, Context& context) {
   std::vector<double> all{0.0, end};
   const std::string allowed = Range{.min = 0, .max = end}.describe("times");
-  if (const auto* series = std::get_if<OutputSeries>(&times)) {
-    if (series->first && *series->first >= end) {
-      Location first = where;
-      first.key = join_key(where.key, "first");
-      context.errors.add(first, fmt::format("number {}", *series->first), fmt::format("before time.end = {}", end));
-      return all;
-    }
-    const std::vector<double> inner = points(*series, end);
-    all.insert(all.end(), inner.begin(), inner.end());
-  } else {
-    for (const PlacedTime& placed : std::get<std::vector<PlacedTime>>(times)) {
-      if (placed.time > end) {
-        context.errors.add(placed.location, fmt::format("number {} is beyond time.end", placed.time), allowed);
-      }
-      all.push_back(placed.time);
-    }
-  }
+  std::visit(Overload{[&](const OutputSeries& series) {
+                        if (!series.first || *series.first < end) {
+                          std::ranges::copy(points(series, end), std::back_inserter(all));
+                          return;
+                        }
+                        Location first = where;
+                        first.key = join_key(where.key, "first");
+                        context.errors.add(first, fmt::format("number {}", *series.first),
+                                           fmt::format("before time.end = {}", end));
+                      },
+                      [&](const std::vector<PlacedTime>& list) {
+                        for (const PlacedTime& placed : list) {
+                          if (placed.time > end)
+                            context.errors.add(placed.location,
+                                               fmt::format("number {} is beyond time.end", placed.time), allowed);
+                          all.push_back(placed.time);
+                        }
+                      }},
+             times);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

@@ -43,7 +43,8 @@ Value<std::string> column_name() {
 Value<Function> part() {
   const std::string type = "a condition on x, y, z, as in \"x*x + z*z < 40^2 && y > 0\"";
   return converted<Function>(
-      name(type), [type](const std::string& found, const Item& item, Context& context) -> std::optional<Function> {
+      name(type),
+      [type](const std::string& found, const Item& item, Context& context) -> std::optional<Function> {
         try {
           Function condition = Function::expression(found, {"x", "y", "z"});
           if (!condition.is_constant()) return condition;
@@ -52,7 +53,8 @@ Value<Function> part() {
           context.errors.add(item.location, error.what(), type);
         }
         return std::nullopt;
-      });
+      },
+      [](const Function& condition) -> const std::string& { return condition.text(); });
 }
 
 Value<SectionPlane> section_plane() {
@@ -147,6 +149,12 @@ void check_expression(const Item& item, Context& context) {
 
 Value<Probe> probe_table(const Vocabulary& vocabulary) {
   const auto reduce = choice<Reduce>("reduction");
+  const auto is = [all = vocabulary.quantities](auto property) {
+    return [all, property](const Probe& probe) {
+      const auto found = std::ranges::find(all, probe.quantity, &Quantity::name);
+      return found != all.end() && property(*found);
+    };
+  };
   const auto keys = table<Probe>({
       field<Probe>("name", &Probe::name, column_name(), "heading of its column in `history.csv`; unique",
                    Presence::required),
@@ -161,16 +169,20 @@ Value<Probe> probe_table(const Vocabulary& vocabulary) {
                    "such as `\"x*x + z*z < 40^2 && y > 0\"`"),
       field<Probe>("reduce", &Probe::reduce, reduce,
                    "how the values over a group or body become one: `\"mean\"` is weighted by area or volume, "
-                   "`\"sum\"` is the integral; areas and forces allow only `\"sum\"`"),
+                   "`\"sum\"` is the integral; areas and forces allow only `\"sum\"`")
+          .only_if(is([](const Quantity& quantity) { return !quantity.body_only; })),
       field<Probe>(
           "axis", &Probe::axis, triple(number()),
           "direction of the axis of cylindrical components (`stress_r`, `stress_theta`, `stress_rtheta`), of any "
-          "length; in an axisymmetric model always y"),
+          "length; in an axisymmetric model always y")
+          .only_if(is([](const Quantity& quantity) { return quantity.cylindrical; })),
       field<Probe>(
           "origin", &Probe::origin, triple(number()),
           "a point of that axis; with `contact_moment_x|y|z` and `section_moment_x|y|z` the point that moments "
           "refer to, by default the `origin` of the `section`")
-          .in("length"),
+          .in("length")
+          .needed_if([](const Probe& probe) { return probe.section.has_value(); })
+          .only_if(is([](const Quantity& quantity) { return quantity.cylindrical || quantity.moment; })),
       field<Probe>("section", &Probe::section, section_plane(),
                    "the plane of `section_force_x|y|z` and `section_moment_x|y|z`, through the body `body`"),
       field<Probe>("expression", &Probe::expression, reference("an expression of names of probes and t"),

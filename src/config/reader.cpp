@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
-#include "configured_values.hpp"
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "cross_checks.hpp"
 #include "overrides.hpp"
 #include "section_checks.hpp"
@@ -17,21 +14,13 @@ namespace creepcontact::config {
 
 namespace {
 
-/// Before dozens of keys are reported that are unknown or missing.
+/// Refuses a study before dozens of keys are reported that are unknown or missing.
 void require_no_study(const toml::table& document, const std::filesystem::path& file) {
   if (!document.contains("base") || document.contains("mesh") || document.contains("bodies")) return;
   throw ConfigError(
       fmt::format("{0}: this file describes a study, many runs of one configuration ('base'); compute it with: "
                   "creepcontact study {0}",
                   file.string()));
-}
-
-/// Fields are written with the other results of their time.
-void include_field_times(Config& config) {
-  if (!config.output.field_times) return;
-  std::vector<double> all;
-  std::ranges::set_union(config.time.output, *config.output.field_times, std::back_inserter(all));
-  config.time.output = std::move(all);
 }
 
 }  // namespace
@@ -44,16 +33,12 @@ Config parse(const std::string& text, const std::filesystem::path& file, const V
   for (const std::string& one : overrides) apply_override(one, document, context.errors);
   context.end = document["time"]["end"].value<double>().value_or(0.0);
   const Item root{&document, {.file = file.string(), .line = 1, .column = 1}};
-  const Value<Config> table = config_table(vocabulary);
-  Config config = table.read(root, context).value();
+  Config config = config_table(vocabulary).read(root, context).value();
   set_section_defaults(root, config);
   cross_check(config, root, context.errors);
   context.errors.throw_if_any();
-  include_field_times(config);
   config.file = file;
-  config.functions = std::move(context.functions);
-  config.values = configured_values(document, table.keys);
-  if (config.output.directory.empty()) config.output.directory = file.parent_path() / "results" / file.stem();
+  complete(config, vocabulary);
   return config;
 }
 

@@ -4,14 +4,13 @@
 
 #include <string>
 
+#include "creepcontact/base/overload.hpp"
 #include "tables.hpp"
 
 namespace creepcontact::config {
 namespace {
 
 using settings::Analysis;
-
-constexpr std::array<double, 3> y_axis{0, 1, 0};
 
 /// @param work  called with the item of every entry and the entry itself
 template <class T, class Work>
@@ -92,22 +91,26 @@ class SectionChecks {
 
   void check_load(const Item& item, const Load& load) {
     if (is_solid()) return;
-    if (const auto* traction = std::get_if<Traction>(&load.kind))
-      require_in_plane(item.child("traction"), traction->value[2].is_zero());
-    if (const auto* force = std::get_if<BodyForce>(&load.kind))
-      require_in_plane(item.child("body_force"), force->value[2].is_zero());
-    if (const auto* force = std::get_if<PointForce>(&load.kind)) {
-      require_in_plane(item.child("force"), force->value[2].is_zero());
-      if (force->at) require_in_plane(item.child("at"), (*force->at)[2] == 0);
-    }
-    const auto* rotation = std::get_if<Rotation>(&load.kind);
-    if (rotation && analysis_ == Analysis::axisymmetric)
-      require_axis(item.child("rotation"), rotation->axis, rotation->origin);
-    else if (rotation && is_triple(item.child("rotation").child("axis")) &&
-             (rotation->axis[0] != 0 || rotation->axis[1] != 0))
-      errors_.add(item.child("rotation").child("axis").location,
+    std::visit(
+        Overload{
+            [](const Pressure&) {},
+            [&](const Traction& traction) { require_in_plane(item.child("traction"), traction.value[2].is_zero()); },
+            [&](const PointForce& force) {
+              require_in_plane(item.child("force"), force.value[2].is_zero());
+              if (force.at) require_in_plane(item.child("at"), (*force.at)[2] == 0);
+            },
+            [&](const BodyForce& force) { require_in_plane(item.child("body_force"), force.value[2].is_zero()); },
+            [&](const Rotation& rotation) { check_rotation(item.child("rotation"), rotation); }},
+        load.kind);
+  }
+
+  void check_rotation(const Item& item, const Rotation& rotation) {
+    if (analysis_ == Analysis::axisymmetric)
+      require_axis(item, rotation.axis, rotation.origin);
+    else if (is_triple(item.child("axis")) && (rotation.axis[0] != 0 || rotation.axis[1] != 0))
+      errors_.add(item.child("axis").location,
                   fmt::format("[{}, {}, {}] with analysis = \"{}\": the centrifugal force would change along z",
-                              rotation->axis[0], rotation->axis[1], rotation->axis[2], name_),
+                              rotation.axis[0], rotation.axis[1], rotation.axis[2], name_),
                   "[0, 0, 1], or leave it out: the axis is z");
   }
 
@@ -174,8 +177,11 @@ void set_section_defaults(const Item& root, Config& config) {
     if (!item.has("axis")) probe.axis = y_axis;
   });
   for_each_entry(root, "loads", config.loads, [](const Item& item, Load& load) {
-    if (auto* rotation = std::get_if<Rotation>(&load.kind); rotation && !item.child("rotation").has("axis"))
-      rotation->axis = y_axis;
+    std::visit(Overload{[](Pressure&) {}, [](Traction&) {}, [](PointForce&) {}, [](BodyForce&) {},
+                        [&](Rotation& rotation) {
+                          if (!item.child("rotation").has("axis")) rotation.axis = y_axis;
+                        }},
+               load.kind);
   });
 }
 

@@ -7,6 +7,9 @@
 
 namespace creepcontact::config {
 
+/// The axis of axisymmetric models.
+inline constexpr std::array<double, 3> y_axis{0, 1, 0};
+
 /// Axes that are not given are y in an axisymmetric model.
 void set_section_defaults(const Item& root, Config& config);
 

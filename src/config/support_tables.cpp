@@ -22,10 +22,13 @@ constexpr auto names_of(ThousandsSign) {
                                                            {"'", ThousandsSign::apostrophe}});
 }
 
+constexpr std::array<const char*, 6> column_keys{"x", "y", "z", "r", "t", "T"};
+using ColumnNames = std::array<std::optional<std::string>, column_keys.size()>;
+
 struct TemperatureKeys : Temperature {
   std::optional<ThousandsSign> separator;
   std::optional<Function> given;
-  std::map<std::string, std::optional<std::string>> names;
+  ColumnNames names;
 };
 
 /// One path or a list of them.
@@ -42,21 +45,33 @@ Value<std::vector<std::filesystem::path>> paths() {
     if (!found) return std::nullopt;
     return std::vector{std::move(*found)};
   };
+  value.visit = [=](const std::vector<std::filesystem::path>& all, Visitor& to) {
+    if (all.empty()) return;  // no file has an empty list of them
+    if (all.size() == 1) return one.visit(all.front(), to);
+    several.visit(all, to);
+  };
   return value;
 }
 
-using ColumnNames = std::map<std::string, std::optional<std::string>>;
-
 Value<ColumnNames> column_names() {
-  const auto of = [](const char* key, const char* meaning) {
+  const auto of = [](std::size_t i, const char* meaning) {
     return field<ColumnNames>(
-        key, [key](ColumnNames& names) -> std::optional<std::string>& { return names[key]; },
-        name("the name of a column"), meaning);
+        column_keys[i], [i](auto& names) -> auto& { return names[i]; }, name("the name of a column"), meaning);
   };
-  return written_inline(
-      table<ColumnNames>({of("x", "column of x"), of("y", "column of y"), of("z", "column of z"),
-                          of("r", "column of the distance from the axis"), of("t", "column of the time"),
-                          of("T", "column, or array of a `.vtu`, of the temperature")}));
+  return written_inline(table<ColumnNames>({of(0, "column of x"), of(1, "column of y"), of(2, "column of z"),
+                                            of(3, "column of the distance from the axis"), of(4, "column of the time"),
+                                            of(5, "column, or array of a `.vtu`, of the temperature")}));
+}
+
+TemperatureKeys keys_of_temperature(const Temperature& temperature) {
+  TemperatureKeys keys{temperature, {}, {}, {}};
+  if (temperature.files.empty()) keys.given = temperature.value;
+  for (const auto& [name, sign] : names_of(ThousandsSign{}))
+    if (name == temperature.thousands) keys.separator = sign;
+  for (std::size_t i = 0; i < column_keys.size(); ++i)
+    if (const auto found = temperature.columns.find(column_keys[i]); found != temperature.columns.end())
+      keys.names[i] = found->second;
+  return keys;
 }
 
 void check_files(const TemperatureKeys& keys, const Item& item, Context& context) {
@@ -85,10 +100,14 @@ void check_files(const TemperatureKeys& keys, const Item& item, Context& context
 Value<Displacement> displacement_table() {
   const Value<Function> value = function(position_and_time);
   const auto component = [](std::size_t i) {
-    return [i](Displacement& into) -> std::optional<Function>& { return into.components[i]; };
+    return [i](auto& into) -> auto& {
+      return into.components[i];
+    };
   };
   const auto cylindrical = [](std::size_t i) {
-    return [i](Displacement& into) -> std::optional<Function>& { return into.cylindrical[i]; };
+    return [i](auto& into) -> auto& {
+      return into.cylindrical[i];
+    };
   };
   const auto keys = written_inline(table<Displacement>({
       field<Displacement>("x", component(0), value, "displacement along x").in("length"),
@@ -164,15 +183,20 @@ Value<Support> support_table() {
           "relative", &SupportKeys::relative, boolean(),
           "the displacement counts from what is reached at `from`: with 0 the nodes stay where they are"),
   });
-  return converted<Support>(keys, [](SupportKeys found, const Item& item, Context& context) -> std::optional<Support> {
-    found.displacement = std::move(found.prescribed.components);
-    found.normal = std::move(found.prescribed.normal);
-    found.cylindrical = std::move(found.prescribed.cylindrical);
-    found.along = std::move(found.prescribed.along);
-    found.location = item.location;
-    check_directions(found, item, context);
-    return Support(std::move(found));
-  });
+  return converted<Support>(
+      keys,
+      [](SupportKeys found, const Item& item, Context& context) -> std::optional<Support> {
+        found.displacement = std::move(found.prescribed.components);
+        found.normal = std::move(found.prescribed.normal);
+        found.cylindrical = std::move(found.prescribed.cylindrical);
+        found.along = std::move(found.prescribed.along);
+        found.location = item.location;
+        check_directions(found, item, context);
+        return Support(std::move(found));
+      },
+      [](const Support& support) {
+        return SupportKeys{support, {support.displacement, support.cylindrical, support.normal, support.along}};
+      });
 }
 
 Value<GeneralizedPlaneStrain> generalized_plane_strain_table() {
@@ -242,7 +266,8 @@ Value<Temperature> temperature_table() {
           .changeable(),
   });
   return converted<Temperature>(
-      keys, [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
+      keys,
+      [](TemperatureKeys found, const Item& item, Context& context) -> std::optional<Temperature> {
         const std::vector<std::string> given = given_keys(item, {"value", "file"});
         if (given.size() != 1)
           context.errors.add(item.location, given.empty() ? "no temperature" : "both 'value' and 'file'",
@@ -250,11 +275,12 @@ Value<Temperature> temperature_table() {
         check_files(found, item, context);
         if (found.separator) found.thousands = settings::name_of(*found.separator);
         found.value = found.given.value_or(Function());
-        for (auto& [key, name] : found.names)
-          if (name) found.columns[key] = std::move(*name);
+        for (std::size_t i = 0; i < column_keys.size(); ++i)
+          if (found.names[i]) found.columns[column_keys[i]] = std::move(*found.names[i]);
         found.location = item.location;
         return Temperature(std::move(found));
-      });
+      },
+      keys_of_temperature);
 }
 
 }  // namespace creepcontact::config

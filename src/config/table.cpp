@@ -99,6 +99,11 @@ Value<std::vector<T>> one_or_more_of(Value<T> (*entry)(const std::string&), cons
     context.errors.add(item.location, describe(*item.node), type);
     return std::nullopt;
   };
+  value.visit = [=](const std::vector<T>& all, Visitor& to) {
+    if (all.empty()) return;  // no file has an empty list of them
+    if (all.size() == 1) return entry(what).visit(all.front(), to);
+    list(entry(what)).visit(all, to);
+  };
   return value;
 }
 

@@ -20,7 +20,11 @@ struct Field {
   KeyInfo info;
   std::vector<KeyInfo> keys;  ///< below it
   std::function<void(const Item&, Context&, S&)> read;
-  MakeJson json;  ///< of the value
+  /// Visits the key of a struct that exists, unless the struct does not have it.
+  std::function<void(const Field&, const S&, Visitor&)> visit;
+  MakeJson json;                                     ///< of the value
+  std::function<bool(const S&)> is_meaningful = {};  ///< not given: always
+  std::function<bool(const S&)> is_needed = {};      ///< even with its default; not given: never
 
   /// @param words  what holds if the key is not given, where that is no default to be written
   Field otherwise(const std::string& words) && {
@@ -31,6 +35,16 @@ struct Field {
   /// @param dimension  KeyInfo::dimension
   Field in(const std::string& dimension) && {
     info.dimension = dimension;
+    return std::move(*this);
+  }
+  /// @param condition  of the struct: else a file must not have the key
+  Field only_if(std::function<bool(const S&)> condition) && {
+    is_meaningful = std::move(condition);
+    return std::move(*this);
+  }
+  /// @param condition  of the struct: a file without the key would be wrong, or mean something else than its default
+  Field needed_if(std::function<bool(const S&)> condition) && {
+    is_needed = std::move(condition);
     return std::move(*this);
   }
   /// It, and all below it, may differ between a run and the one that goes on from its checkpoint.
@@ -45,24 +59,36 @@ struct Field {
 bool known_keys_only(const Item& table, const std::vector<std::string>& keys, Context& context);
 /// Names the required keys that are missing.
 void require_keys(const Item& table, const std::vector<KeyInfo>& keys, Context& context);
-/// `keys` below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
+/// Appends `keys` with paths below `parent`: "end" -> "time.end", "[].name" -> "probes[].name"
 void append_below(const std::string& parent, const std::vector<KeyInfo>& keys, std::vector<KeyInfo>& all);
 
-/// Of a table without keys, to which they are added: no others are allowed.
+/// Makes the schema of a table without keys, to which keys are added: no others are allowed.
 Json schema_of_table();
 /// Adds a key with its meaning and default. @param value  schema of its value
 void add_key(const KeyInfo& key, Json value, Json& table);
 /// @param size  number of entries; 0: any
 Json schema_of_list(const Json& entry, int size = 0);
 
-/// A table written with one bracket too few or too many, [supports] or [[time]]: reports it.
+/// Reports a table written with one bracket too few or too many, [supports] or [[time]].
 /// @returns true if it is one. @param form  how the key is written
 bool has_wrong_brackets(const Item& item, Form form, Context& context);
 
-/// KeyInfo::brief
+/// Makes KeyInfo::brief of a type.
 std::string brief_type(const std::string& type, const std::string& brief);
 
-/// @param member  of S, or a callable from S& to a reference; a T or an optional<T>
+/// The value of a member that is a T, or an optional; null: not given.
+template <class T, class Member>
+const T* value_in(const Member& member) {
+  if constexpr (std::is_convertible_v<const Member&, const T&>)
+    return &static_cast<const T&>(member);
+  else
+    return member ? &*member : nullptr;
+}
+
+/// What an empty string is in a file: a default that says nothing.
+inline constexpr const char* no_text = "\"\"";
+
+/// @param member  of S, or a callable from S& and from const S& to a reference; a T or an optional<T>
 template <class S, class Member, class T>
 Field<S> field(const std::string& name, Member member, const Value<T>& value, const std::string& description,
                Presence presence = Presence::optional) {
@@ -76,16 +102,34 @@ Field<S> field(const std::string& name, Member member, const Value<T>& value, co
                  .words = value.words},
                 value.keys,
                 {},
+                {},
                 value.json};
   made.read = [member, read = value.read](const Item& item, Context& context, S& into) {
     if (auto found = read(item, context)) std::invoke(member, into) = std::move(*found);
   };
   S defaults{};
   const auto& initial = std::invoke(member, defaults);
-  if constexpr (std::is_convertible_v<decltype(initial), const T&>) {
-    if (presence == Presence::optional) made.info.default_value = value.show(initial);
-    made.info.implied = value.form == Form::table;
+  constexpr bool is_always_there = std::is_convertible_v<decltype(initial), const T&>;
+  std::string fallback;  // as a file would have it
+  if constexpr (is_always_there) {
+    if (presence == Presence::optional && value.visit) fallback = inline_text(value.visit, T(initial));
+    if (value.form == Form::value && fallback != no_text && !fallback.starts_with('{'))
+      made.info.default_value = fallback;
   }
+  made.visit = [member, visit = value.visit, presence, fallback](const Field<S>& own, const S& from, Visitor& to) {
+    const T* const found = value_in<T>(std::invoke(member, from));
+    if (found == nullptr) return;
+    const auto is_default = [&] {
+      return is_always_there && presence == Presence::optional && !(own.is_needed && own.is_needed(from)) &&
+             inline_text(visit, *found) == fallback;
+    };
+    to.key({.name = own.info.path,
+            .info = &own.info,
+            .has_keys = !own.keys.empty(),
+            .is_meaningful = !own.is_meaningful || own.is_meaningful(from),
+            .is_default = is_default},
+           [&](Visitor& inner) { visit(*found, inner); });
+  };
   return made;
 }
 
@@ -106,6 +150,11 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
     for (const Field<S>& entry : *shared) add_key(entry.info, entry.json(), schema);
     return schema;
   };
+  value.visit = [shared](const S& from, Visitor& to) {
+    to.table([&] {
+      for (const Field<S>& entry : *shared) entry.visit(entry, from, to);
+    });
+  };
   value.read = [shared, names, own, type](const Item& item, Context& context) -> std::optional<S> {
     if (has_wrong_brackets(item, Form::table, context)) return std::nullopt;
     if (!item.node->is_table()) {
@@ -124,16 +173,18 @@ Value<S> table(const std::vector<Field<S>>& fields, const std::string& type = "a
   return value;
 }
 
-/// A table that is written among the keys around it: rotation = { ... }
+/// Lets a table be written among the keys around it: rotation = { ... }
 template <class S>
 Value<S> written_inline(Value<S> table) {
   table.form = Form::value;
   return table;
 }
 
-/// Reads an A, then makes the B of it. @param convert  (A, Item, Context&) -> optional<B>
-template <class B, class A, class Convert>
-Value<B> converted(const Value<A>& from, Convert convert) {
+/// Reads an A, then makes the B of it.
+/// @param convert  (A, Item, Context&) -> optional<B>
+/// @param back     (const B&) -> A, or a reference to it
+template <class B, class A, class Convert, class Back>
+Value<B> converted(const Value<A>& from, Convert convert, Back back) {
   Value<B> value{.type = from.type,
                  .read = {},
                  .keys = from.keys,
@@ -147,7 +198,14 @@ Value<B> converted(const Value<A>& from, Convert convert) {
     if (!found) return std::nullopt;
     return convert(std::move(*found), item, context);
   };
+  if (from.visit) value.visit = [visit = from.visit, back](const B& one, Visitor& to) { visit(back(one), to); };
   return value;
+}
+
+/// Checks what has been read, and completes it. @param convert  (A, Item, Context&) -> optional<A>
+template <class A, class Convert>
+Value<A> converted(const Value<A>& from, Convert convert) {
+  return converted<A>(from, convert, [](const A& one) -> const A& { return one; });
 }
 
 /// What a list with a wrong entry yields: nothing, or the entries that are right (so that checks go on with those).
@@ -173,20 +231,20 @@ Value<std::vector<T>> list(const Value<T>& entry, Partial partial = Partial::dro
     if (partial == Partial::dropped && all.size() != array->size()) return std::nullopt;
     return all;
   };
-  value.show = [show = entry.show](const std::vector<T>& shown) {
-    std::string text;
-    for (const T& one : shown) text += (text.empty() ? "" : ", ") + show(one);
-    return '[' + text + ']';
+  value.visit = [visit = entry.visit](const std::vector<T>& all, Visitor& to) {
+    to.list([&] {
+      for (std::size_t i = 0; i < all.size(); ++i) to.element(i, [&](Visitor& inner) { visit(all[i], inner); });
+    });
   };
   return value;
 }
 
-/// References, a single one without a list too. @param what  one of them
+/// Reads references; a single one needs no list. @param what  one of them
 Value<std::vector<Reference>> one_or_more(const std::string& what);
-/// Texts that are not empty, a single one without a list too. @param what  one of them
+/// Reads texts that are not empty; a single one needs no list. @param what  one of them
 Value<std::vector<std::string>> one_or_more_texts(const std::string& what);
 
-/// [[array.of.tables]]
+/// Reads [[array.of.tables]].
 template <class T>
 Value<std::vector<T>> tables(const Value<T>& entry) {
   Value<std::vector<T>> value = list(entry, Partial::kept);
@@ -195,7 +253,6 @@ Value<std::vector<T>> tables(const Value<T>& entry) {
     if (has_wrong_brackets(item, Form::tables, context)) return std::nullopt;
     return read(item, context);
   };
-  value.show = [](const std::vector<T>&) { return std::string(); };
   return value;
 }
 
@@ -217,13 +274,21 @@ Value<std::array<T, 3>> triple(const Value<T>& entry, const std::string& what = 
     if (!found) return std::nullopt;
     return std::array<T, 3>{(*found)[0], (*found)[1], (*found)[2]};
   };
-  value.show = [entry](const std::array<T, 3>& shown) {
-    return fmt::format("[{}, {}, {}]", entry.show(shown[0]), entry.show(shown[1]), entry.show(shown[2]));
+  value.visit = [visit = entry.visit](const std::array<T, 3>& all, Visitor& to) {
+    to.list([&] {
+      for (std::size_t i = 0; i < all.size(); ++i) to.element(i, [&](Visitor& inner) { visit(all[i], inner); });
+    });
   };
   return value;
 }
 
-/// Tables by a name of the user's, in the order of the file. T has members name and location.
+/// A key whose name is the user's.
+inline Visitor::Key user_key(const std::string& name) {
+  static constexpr auto never = [] { return false; };
+  return {.name = name, .info = nullptr, .has_keys = true, .is_meaningful = true, .is_default = never};
+}
+
+/// Reads tables whose names are the user's, in the order of the file. T has members name and location.
 template <class T>
 Value<std::vector<T>> named(const Value<T>& entry) {
   Value<std::vector<T>> value{.type = "tables by name", .read = {}, .form = Form::named, .json = [json = entry.json] {
@@ -249,6 +314,11 @@ Value<std::vector<T>> named(const Value<T>& entry) {
       return std::pair(a.location.line, a.location.column) < std::pair(b.location.line, b.location.column);
     });
     return all;
+  };
+  value.visit = [visit = entry.visit](const std::vector<T>& all, Visitor& to) {
+    to.table([&] {
+      for (const T& one : all) to.key(user_key(one.name), [&](Visitor& inner) { visit(one, inner); });
+    });
   };
   return value;
 }

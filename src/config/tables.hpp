@@ -11,6 +11,10 @@ namespace creepcontact::config {
 Value<Mesh> mesh_table();
 Value<Body> body_table();
 Value<Material> material_table(const Vocabulary& vocabulary);
+/// A constant of a law that is not given.
+CreepParameter default_parameter(const LawKey& key, const Location& location);
+/// Sets what the law says of a constant beside its values.
+void describe_parameter(const LawKey& key, CreepParameter& parameter);
 Value<DataRange> data_range_table();
 Value<Rupture> rupture_table(const Vocabulary& vocabulary);
 Value<Fatigue> fatigue_table(const Vocabulary& vocabulary);
@@ -19,6 +23,7 @@ Value<Load> load_table();
 Value<Temperature> temperature_table();
 Value<GeneralizedPlaneStrain> generalized_plane_strain_table();
 Value<Contact> contact_table();
+std::string default_name(const Contact& contact);
 Value<Cyclic> cyclic_table();
 Value<Rigid> rigid_table();
 Value<Equation> equation_table();

@@ -34,9 +34,9 @@ Value<settings::StepChoice> time_step() {
       if (name == found->word) return mode;
     return found->number;
   };
-  value.show = [=](const settings::StepChoice& step) {
+  value.visit = [=](const settings::StepChoice& step, Visitor& to) {
     const std::string word(settings::name_of(step.mode));
-    return given.show(word.empty() ? WordOrNumber{{}, step.length} : WordOrNumber{word, 0});
+    given.visit(word.empty() ? WordOrNumber{{}, step.length} : WordOrNumber{word, 0}, to);
   };
   return value;
 }
@@ -101,6 +101,14 @@ std::optional<Time> make_time(TimeKeys keys, const Vocabulary& vocabulary, const
   return Time(std::move(keys));
 }
 
+/// Leaves out the times that are always among the outputs.
+TimeKeys keys_of_time(const Time& time) {
+  std::vector<PlacedTime> further;
+  for (const double t : time.output)
+    if (t != 0 && t != time.end) further.push_back({t, {}});
+  return TimeKeys{time, further};
+}
+
 }  // namespace
 
 Value<Time> time_table(const Vocabulary& vocabulary) {
@@ -162,9 +170,12 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
       field<TimeKeys>("jump_tolerance", &TimeKeys::jump_tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
                       "allowed relative error of the stress by a jump over cycles"),
   });
-  return converted<Time>(keys, [vocabulary](TimeKeys read, const Item& item, Context& context) {
-    return make_time(std::move(read), vocabulary, item, context);
-  });
+  return converted<Time>(
+      keys,
+      [vocabulary](TimeKeys read, const Item& item, Context& context) {
+        return make_time(std::move(read), vocabulary, item, context);
+      },
+      keys_of_time);
 }
 
 }  // namespace creepcontact::config

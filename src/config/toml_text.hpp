@@ -1,5 +1,5 @@
 #pragma once
-/// Nodes of a document as text.
+/// Writes nodes of a document as text.
 
 #include <toml++/toml.h>
 
@@ -9,13 +9,13 @@
 
 namespace creepcontact::config {
 
-/// A name that needs quotation marks in a path gets them; a path with marks of its own keeps those.
+/// Gives a name the quotation marks that it needs in a path; a path with marks of its own keeps those.
 std::string path_part(std::string_view key);
 
-/// As toml++ prints a node that is neither a list nor a table.
+/// Returns a node that is neither a list nor a table as toml++ prints it.
 std::string printed(const toml::node& leaf);
 
-/// In one line; tables sorted by key.
+/// Writes a node in one line, tables sorted by key.
 /// @param leaf_text  of what is neither a list nor a table
 std::string toml_text(const toml::node& node, const std::function<std::string(const toml::node&)>& leaf_text);
 

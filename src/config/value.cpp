@@ -56,7 +56,7 @@ Value<std::string> text() {
     context.errors.add(item.location, describe(*item.node), type);
     return std::nullopt;
   };
-  value.show = [](const std::string& string) { return string.empty() ? string : '"' + string + '"'; };
+  value.visit = [](const std::string& string, Visitor& to) { to.leaf([&] { return toml_of(string); }); };
   return value;
 }
 
@@ -80,6 +80,7 @@ Value<Reference> reference(const std::string& what) {
     context.errors.add(item.location, string ? "an empty string" : describe(*item.node), what);
     return std::nullopt;
   };
+  value.visit = [](const Reference& one, Visitor& to) { to.leaf([&] { return toml_of(one.name); }); };
   return value;
 }
 
@@ -95,7 +96,7 @@ Value<double> number(Range range, const std::string& type) {
     context.errors.add(item.location, describe(*item.node), type);
     return std::nullopt;
   };
-  value.show = [](const double& shown) { return fmt::format("{}", shown); };
+  value.visit = [](const double& one, Visitor& to) { to.leaf([&] { return toml_of(one); }); };
   return value;
 }
 
@@ -113,7 +114,7 @@ Value<int> integer(int min, int max) {
     context.errors.add(item.location, describe(*item.node), type);
     return std::nullopt;
   };
-  value.show = [](const int& shown) { return fmt::format("{}", shown); };
+  value.visit = [](const int& one, Visitor& to) { to.leaf([&] { return fmt::format("{}", one); }); };
   return value;
 }
 
@@ -130,7 +131,7 @@ Value<bool> boolean() {
     context.errors.add(item.location, describe(*item.node), type);
     return std::nullopt;
   };
-  value.show = [](const bool& shown) { return fmt::format("{}", shown); };
+  value.visit = [](const bool& one, Visitor& to) { to.leaf([&] { return fmt::format("{}", one); }); };
   return value;
 }
 
@@ -144,7 +145,7 @@ Value<std::filesystem::path> path() {
     if (!name) return std::nullopt;
     return (context.directory / name->name).lexically_normal();
   };
-  value.show = [](const std::filesystem::path& shown) { return shown.string(); };
+  value.visit = [](const std::filesystem::path& one, Visitor& to) { to.path(one); };
   return value;
 }
 
@@ -195,8 +196,8 @@ Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range
     context.errors.add_unknown(item.location, fmt::format("unknown value '{}'", text->get()), text->get(), words, type);
     return std::nullopt;
   };
-  value.show = [=](const WordOrNumber& shown) {
-    return shown.word.empty() ? given.show(shown.number) : '"' + shown.word + '"';
+  value.visit = [](const WordOrNumber& one, Visitor& to) {
+    to.leaf([&] { return one.word.empty() ? toml_of(one.number) : toml_of(one.word); });
   };
   return value;
 }
@@ -210,8 +211,8 @@ Value<std::optional<double>> word_or_number(const std::string& word, Range range
     if (!found) return std::nullopt;
     return found->word.empty() ? std::optional(found->number) : std::optional<double>();
   };
-  value.show = [=](const std::optional<double>& shown) {
-    return either.show(shown ? WordOrNumber{{}, *shown} : WordOrNumber{word, 0});
+  value.visit = [=](const std::optional<double>& one, Visitor& to) {
+    either.visit(one ? WordOrNumber{{}, *one} : WordOrNumber{word, 0}, to);
   };
   return value;
 }

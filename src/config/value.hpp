@@ -1,5 +1,5 @@
 #pragma once
-/// Kinds of values: what is allowed, how it is read, how a default of it is written. They combine into tables
+/// Kinds of values: what is allowed, how it is read from a file, what it is made of. They combine into tables
 /// (table.hpp).
 
 #include <fmt/format.h>
@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "creepcontact/base/function.hpp"
-#include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/schema.hpp"
 #include "creepcontact/settings/enum_names.hpp"
 #include "diagnostics.hpp"
 #include "item.hpp"
+#include "visitor.hpp"
 
 namespace creepcontact::config {
 
@@ -30,7 +30,6 @@ using MakeJson = std::function<Json()>;
 struct Context {
   std::filesystem::path directory;  ///< of the configuration file
   Diagnostics errors;
-  std::vector<ConfiguredFunction> functions = {};  ///< all that were read
   double end = 0;  ///< time.end, as far as it is a number: what repeats is bounded by it
 };
 
@@ -39,7 +38,8 @@ struct Value {
   std::string type;  ///< what is allowed, in words
   /// nullopt if it is wrong: the error then stands in the context
   std::function<std::optional<T>(const Item&, Context&)> read;
-  std::function<std::string(const T&)> show = [](const T&) { return std::string(); };
+  /// Tells what a value has, as `read` finds it in a file.
+  std::function<void(const T&, Visitor&)> visit = {};
   std::vector<KeyInfo> keys = {};  ///< of a table
   std::string brief = {};          ///< KeyInfo::brief; empty: the type without its article
   std::string plural = {};         ///< brief of several: "numbers > 0"; may be empty
@@ -75,7 +75,7 @@ inline Range at_least(double min) {
 Value<std::string> text();
 /// A string that is not empty. @param what  it names, in messages
 Value<std::string> name(const std::string& what);
-/// The same with its place.
+/// A string that is not empty, with its place.
 Value<Reference> reference(const std::string& what);
 /// @param type  not given: from the range
 Value<double> number(Range range = {}, const std::string& type = {});
@@ -85,21 +85,21 @@ struct WordOrNumber {
   double number = 0;
 };
 Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range range);
-/// A word that stands for "not given", or a number.
+/// Reads a number, or a word that stands for "not given".
 Value<std::optional<double>> word_or_number(const std::string& word, Range range);
 Value<bool> boolean();
-/// Made relative to the working directory.
+/// Reads a path and makes it relative to the working directory.
 Value<std::filesystem::path> path();
 /// @param variables  that an expression may use
 /// @param range      of constants and of the values of tables
 Value<Function> function(const std::vector<std::string>& variables, Range range = {});
 
-/// One of some words. @param what  in messages: "unknown <what> 'abc'"
+/// Reads one of some words. @param what  in messages: "unknown <what> 'abc'"
 std::optional<std::size_t> read_choice(const Item& item, Context& context, const std::string& what,
                                        const std::vector<std::string>& names);
 Value<std::string> choice(const std::string& what, const std::vector<std::string>& names);
 
-/// One of the names that the enumeration declares (settings/enum_names.hpp).
+/// Reads one of the names that the enumeration declares (settings/enum_names.hpp).
 template <class Enum>
 Value<Enum> choice(const std::string& what) {
   std::vector<std::string> names;
@@ -111,7 +111,9 @@ Value<Enum> choice(const std::string& what) {
     if (!index) return std::nullopt;
     return names_of(Enum{})[*index].value;
   };
-  value.show = [](const Enum& shown) { return fmt::format("\"{}\"", settings::name_of(shown)); };
+  value.visit = [](const Enum& one, Visitor& to) {
+    to.leaf([&] { return toml_of(std::string(settings::name_of(one))); });
+  };
   return value;
 }
 

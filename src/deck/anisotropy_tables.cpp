@@ -33,7 +33,7 @@ std::vector<double> engineering_constants(const std::vector<double>& row) {
   return result;
 }
 
-/// With rows in between: what is linear in the temperature there is not so in other constants.
+/// Adds rows in between: what is linear in the temperature there is not so in other constants.
 std::vector<std::vector<double>> refined(const std::vector<std::vector<double>>& rows) {
   constexpr int steps = 20;  // between two rows
   std::vector<std::vector<double>> result{rows.front()};
@@ -48,10 +48,10 @@ std::vector<std::vector<double>> refined(const std::vector<std::vector<double>>&
   return result;
 }
 
-std::string three(const Table& table, const std::array<std::size_t, 3>& columns) {
-  return fmt::format("[{}, {}, {}]", function_of_temperature(table, columns[0], of_temperature),
-                     function_of_temperature(table, columns[1], of_temperature),
-                     function_of_temperature(table, columns[2], of_temperature));
+std::array<Function, 3> three(const Table& table, const std::array<std::size_t, 3>& columns) {
+  return {function_of_temperature(table, columns[0], of_temperature),
+          function_of_temperature(table, columns[1], of_temperature),
+          function_of_temperature(table, columns[2], of_temperature)};
 }
 
 /// Axes 1, 2, 3 as columns, of axes by two points.
@@ -67,7 +67,7 @@ Matrix3 rectangular_axes(const Orientation& orientation) {
 
 }  // namespace
 
-void write_orthotropic(Draft& draft, const Material& material) {
+void make_orthotropic(Draft& draft, const Material& material, config::Material& made) {
   Table table = *material.elastic;
   const auto refuse = [&](const std::string& why) { draft.impossible.push_back({table.place, "ELASTIC", why}); };
   if (std::ranges::any_of(table.rows, [](const auto& row) { return row.size() < n_constants; }))
@@ -79,27 +79,27 @@ void write_orthotropic(Draft& draft, const Material& material) {
     if (std::ranges::any_of(table.rows, [](const auto& row) { return row.empty(); }))
       return refuse("the matrix of D1111, D1122, ... is not positive definite");
   }
-  draft.add(
-      fmt::format("orthotropic.young_moduli = {}{}\northotropic.poisson_ratios = {}    # nu12, nu23, nu13\n"
-                  "orthotropic.shear_moduli = {}    # G12, G23, G13\n",
-                  three(table, {0, 1, 2}), by_matrix ? "    # from the matrix of D1111, D1122, ..." : "",
-                  three(table, {3, 5, 4}), three(table, {6, 8, 7})));
+  made.orthotropic = {three(table, {0, 1, 2}), three(table, {3, 5, 4}), three(table, {6, 8, 7})};
+  const std::string key = fmt::format("materials.{}.orthotropic", made.name);
+  draft.comment(key, table.place.text() + (by_matrix ? ": from the matrix of D1111, D1122, ..." : ""));
+  draft.comment(key + ".poisson_ratios", "nu12, nu23, nu13");
+  draft.comment(key + ".shear_moduli", "G12, G23, G13");
 }
 
-void write_hill(Draft& draft, const Material& material) {
+void make_hill(Draft& draft, const Material& material, config::Material& made) {
   const Table& table = *material.potential;
   const auto refuse = [&](const std::string& why) { draft.impossible.push_back({table.place, "POTENTIAL", why}); };
   if (table.rows.size() != 1) return refuse("ratios that depend on the temperature are not known; one line is");
   const std::vector<double>& R = table.rows.front();  // 11, 22, 33, 12, 13, 23
   if (std::ranges::any_of(R.begin(), R.begin() + 6, [](double ratio) { return !(ratio > 0); }))
     return refuse("R11, R22, R33, R12, R13 and R23 must be positive");
-  draft.add(fmt::format(
-      "hill.normal = [{:.15g}, {:.15g}, {:.15g}]    # *POTENTIAL\nhill.shear = [{:.15g}, {:.15g}, {:.15g}]    # R12, "
-      "R23, R13\n",
-      R[0], R[1], R[2], R[3], R[5], R[4]));
+  made.hill = {{rounded(R[0]), rounded(R[1]), rounded(R[2])}, {rounded(R[3]), rounded(R[5]), rounded(R[4])}};
+  const std::string key = fmt::format("materials.{}.hill", made.name);
+  draft.comment(key, table.place.text() + ": *POTENTIAL");
+  draft.comment(key + ".shear", "R12, R23, R13");
 }
 
-void write_axes(Draft& draft, const DeckBody& body) {
+void make_axes(Draft& draft, const DeckBody& body, config::Body& made) {
   const auto found = draft.deck.orientations.find(body.orientation);
   if (found == draft.deck.orientations.end()) {
     draft.impossible.push_back(
@@ -107,6 +107,7 @@ void write_axes(Draft& draft, const DeckBody& body) {
     return;
   }
   const Orientation& orientation = found->second;
+  const std::string key = fmt::format("bodies.{}.material_axes", body.name);
   const auto refuse = [&](const std::string& why) {
     draft.impossible.push_back({orientation.place, "ORIENTATION", why});
   };
@@ -114,14 +115,15 @@ void write_axes(Draft& draft, const DeckBody& body) {
   if (orientation.is_cylindrical) {
     if (orientation.a == orientation.b) return refuse("the two points of the axis are one");
     if (orientation.turned_by != 0) return refuse("cylindrical axes that are turned by an angle are not known");
-    return draft.add(fmt::format("material_axes.cylindrical = {{ axis = {}, origin = {} }}    # {}\n",
-                                 toml_vector(orientation.b - orientation.a), toml_vector(orientation.a),
-                                 orientation.place.text()));
+    made.material_axes.emplace().cylindrical = {rounded(orientation.b - orientation.a), rounded(orientation.a)};
+    return draft.comment(key, orientation.place.text());
   }
   if (orientation.a.cross(orientation.b).isZero(0)) return refuse("the two points give no directions");
   const Matrix3 axes = rectangular_axes(orientation);
-  draft.add(fmt::format("material_axes = {{ first = {}, second = {} }}    # {}\n", toml_vector(axes.col(0)),
-                        toml_vector(axes.col(1)), orientation.place.text()));
+  config::MaterialAxes& directions = made.material_axes.emplace();
+  std::ranges::copy(rounded(axes.col(0)), directions.first.begin());
+  std::ranges::copy(rounded(axes.col(1)), directions.second.begin());
+  draft.comment(key, orientation.place.text());
 }
 
 }  // namespace creepcontact::deck

@@ -5,11 +5,11 @@
 
 namespace creepcontact::deck {
 
-/// Elasticity within the table of a material. Precondition: it is not isotropic, and has rows
-void write_orthotropic(Draft& draft, const Material& material);
-/// *POTENTIAL, within the table of a material.
-void write_hill(Draft& draft, const Material& material);
-/// *ORIENTATION, within the table of a body that has one.
-void write_axes(Draft& draft, const DeckBody& body);
+/// Sets the elasticity. Precondition: it is not isotropic, and has rows
+void make_orthotropic(Draft& draft, const Material& material, config::Material& made);
+/// Sets the ratios of *POTENTIAL.
+void make_hill(Draft& draft, const Material& material, config::Material& made);
+/// Sets the axes of a body that has an *ORIENTATION.
+void make_axes(Draft& draft, const DeckBody& body, config::Body& made);
 
 }  // namespace creepcontact::deck

@@ -52,7 +52,7 @@ const char* const of_shifted_time = "a total time that is set anew is not known"
 List of_table() {
   return only("DEPENDENCIES", {"0"}) + refused({"USER"}, of_users);
 }
-/// Of loads and supports, which an amplitude multiplies.
+/// The parameters of loads and supports, which an amplitude multiplies.
 List of_loads() {
   return taken({"AMPLITUDE"}) + one_of("OP", {"NEW", "MOD"}) + only("LOAD CASE", {"1"}) + ignored({"REAL"}) +
          refused({"TIME DELAY"}, "amplitudes that begin later are not known; give their table shifted in time") +

@@ -48,7 +48,7 @@ std::string without_blanks(std::string_view text) {
   return result;
 }
 
-/// At commas outside of quotes.
+/// Splits a line at commas outside of quotes.
 std::vector<std::string_view> split(std::string_view line) {
   std::vector<std::string_view> fields;
   bool quoted = false;

@@ -10,30 +10,52 @@
 namespace creepcontact::deck {
 namespace {
 
-/// "x = 0, y = 1": components that are prescribed at a node.
-std::string components(const std::map<int, Course>& directions, const std::array<const char*, 3>& names, int n) {
-  std::string text;
+/// Components that are prescribed at a node.
+std::array<std::optional<Function>, 3> components(const std::map<int, Course>& directions, int n) {
+  std::array<std::optional<Function>, 3> result;
   for (const auto& [direction, course] : directions)
-    if (direction <= n)
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", names[static_cast<std::size_t>(direction) - 1],
-                          course.toml());
-  return text;
+    if (direction <= n) result[static_cast<std::size_t>(direction) - 1] = course.function();
+  return result;
 }
 
-struct SupportText {
-  std::string displacement, more;
-  auto operator<=>(const SupportText&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
-};
+/// Tells supports from each other that are alike but for their places.
+std::string text_of(const config::Support& support) {
+  std::string text;
+  const auto add = [&](const char* name, const std::optional<Function>& value) {
+    if (value) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value->text());
+  };
+  constexpr std::array names{"x", "y", "z"}, cylindrical{"radial", "tangential", "axial"};
+  for (std::size_t i = 0; i < 3; ++i) add(names[i], support.displacement[i]);
+  for (std::size_t i = 0; i < 3; ++i) add(cylindrical[i], support.cylindrical[i]);
+  add("along", support.along);
+  for (const auto& vector : {support.axis, support.origin, support.direction.value_or(std::array<double, 3>{})})
+    for (const double component : vector) text += fmt::format("\n{}", component);
+  for (const auto& time : {support.from, support.until}) text += time ? fmt::format("\n{}", *time) : "\n";
+  return text + (support.relative ? "\nrelative" : "");
+}
 
-/// What holds a node: one table, or along turned directions one per direction.
-std::vector<SupportText> support_texts(Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
+bool holds_something(const config::Support& support) {
+  const auto is_given = [](const std::optional<Function>& value) { return value.has_value(); };
+  return support.along || std::ranges::any_of(support.displacement, is_given) ||
+         std::ranges::any_of(support.cylindrical, is_given);
+}
+
+/// What holds a node: one support, or along turned directions one per direction.
+std::vector<config::Support> supports_of(Draft& draft, std::int64_t node, const std::map<int, Course>& directions) {
   const int n = draft.is_section() ? 2 : 3;
   const Transform* transform = draft.frames.of(node);
-  if (transform == nullptr) return {{components(directions, {"x", "y", "z"}, n), ""}};
+  config::Support support;
+  if (transform == nullptr) {
+    support.displacement = components(directions, n);
+    return {support};
+  }
   const bool is_on_axis = transform->is_on_axis(draft.position(node));
-  if (transform->is_cylindrical && !is_on_axis)
-    return {{components(directions, {"radial", "tangential", "axial"}, n),
-             fmt::format("axis = {}\norigin = {}\n", toml_vector(transform->axis()), toml_vector(transform->a))}};
+  if (transform->is_cylindrical && !is_on_axis) {
+    support.cylindrical = components(directions, n);
+    support.axis = rounded(transform->axis());
+    support.origin = rounded(transform->a);
+    return {support};
+  }
   // On the axis any two directions across it are as good, if the node is held in both.
   const auto holds = [&](int direction) {
     const auto found = directions.find(direction);
@@ -48,16 +70,18 @@ std::vector<SupportText> support_texts(Draft& draft, std::int64_t node, const st
                      node)});
     return {};
   }
-  std::vector<SupportText> result;
+  std::vector<config::Support> result;
   const Matrix3 axes = transform->directions(draft.position(node));
-  for (const auto& [direction, course] : directions)
-    if (direction <= n)
-      result.push_back({fmt::format("along = {}", course.toml()),
-                        fmt::format("direction = {}\n", toml_vector(axes.col(direction - 1)))});
+  for (const auto& [direction, course] : directions) {
+    if (direction > n) continue;
+    support.along = course.function();
+    support.direction = rounded(axes.col(direction - 1));
+    result.push_back(support);
+  }
   return result;
 }
 
-void write(Draft& draft, const Loading::Body& load) {
+void make_body_load(Draft& draft, const Loading::Body& load) {
   for (const DeckBody& body : draft.bodies.bodies) {
     Numbers common;
     std::ranges::set_intersection(load.elements, body.elements, std::back_inserter(common));
@@ -91,35 +115,37 @@ void write(Draft& draft, const Loading::Body& load) {
                    : "CENTRIF of a plane section about an axis in its plane: the force would change along z");
         continue;
       }
-      draft.add(
-          fmt::format("\n[[loads]]                    # *DLOAD, CENTRIF\nbody = {}\nrotation = {{ axis = {}, origin = "
-                      "{}, angular_velocity = {}, density = {:.15g} }}\n",
-                      toml_string(body.name), toml_vector({g[3], g[4], g[5]}), toml_vector({g[0], g[1], g[2]}),
-                      load.course.toml("sqrt"), density));
+      const config::Rotation rotation{rounded(Vector3(g[3], g[4], g[5])), rounded(Vector3(g[0], g[1], g[2])),
+                                      load.course.function("sqrt"), rounded(density)};
+      draft.add(draft.config.loads, {{}, {body.name}, rotation, {}}, "loads", "*DLOAD, CENTRIF");
       continue;
     }
     const double length = std::hypot(g[0], g[1], g[2]);
-    std::array<std::string, 3> force;
-    for (std::size_t k = 0; k < 3; ++k) force[k] = load.course.scaled(length > 0 ? density * g[k] / length : 0).toml();
-    draft.add(fmt::format("\n[[loads]]                    # *DLOAD, GRAV\nbody = {}\nbody_force = [{}, {}, {}]\n",
-                          toml_string(body.name), force[0], force[1], force[2]));
+    config::BodyForce force;
+    for (std::size_t k = 0; k < 3; ++k)
+      force.value[k] = load.course.scaled(length > 0 ? density * g[k] / length : 0).function();
+    draft.add(draft.config.loads, {{}, {body.name}, force, {}}, "loads", "*DLOAD, GRAV");
   }
 }
 
-void write_pressures(Draft& draft) {
-  std::map<std::string, std::vector<ElementFace>> pressures;  // by the pressure
+void make_pressures(Draft& draft) {
+  std::map<std::string, std::pair<Function, std::vector<ElementFace>>> pressures;  // by the text of the pressure
   for (const auto& [face, course] : draft.loading.pressures) {
     if (deck::face(element_cell(draft.deck, face.element), face.face) == nullptr) {
       draft.impossible.push_back(
           {draft.first("DLOAD"), "DLOAD", fmt::format("element {} has no face P{}", face.element, face.face)});
       return;
     }
-    pressures[course.toml()].push_back(face);
+    auto& [pressure, faces] = pressures[course.function().text()];
+    pressure = course.function();
+    faces.push_back(face);
   }
   int number = 0;
-  for (const auto& [pressure, faces] : pressures)
-    draft.add(fmt::format("\n[[loads]]                    # *DLOAD\non = {}\npressure = {}\n",
-                          toml_string(draft.mesh.add_faces(fmt::format("pressure_{}", ++number), faces)), pressure));
+  for (const auto& [text, one] : pressures) {
+    const auto& [pressure, faces] = one;
+    const std::string on = draft.mesh.add_faces(fmt::format("pressure_{}", ++number), faces);
+    draft.add(draft.config.loads, {{on}, {}, config::Pressure{pressure}, {}}, "loads", "*DLOAD");
+  }
 }
 
 /// Whether a node gives its rotation to a rigid body.
@@ -137,67 +163,65 @@ void refuse_rotation(Draft& draft, std::int64_t node, const std::map<int, Course
 
 }  // namespace
 
-void write_supports(Draft& draft) {
-  std::map<SupportText, Numbers> nodes_of;
-  const auto add = [&](std::int64_t node, const std::map<int, Course>& directions, const std::string& window) {
-    for (SupportText& text : support_texts(draft, node, directions)) {
-      if (text.displacement.empty()) continue;
-      text.more += window;
-      nodes_of[text].push_back(node);
+void make_supports(Draft& draft) {
+  std::map<std::string, std::pair<config::Support, Numbers>> alike;
+  const auto add = [&](std::int64_t node, const std::map<int, Course>& directions, const Window& window) {
+    for (config::Support& support : supports_of(draft, node, directions)) {
+      if (!holds_something(support)) continue;
+      if (window.from) support.from = rounded(*window.from);
+      if (window.until) support.until = rounded(*window.until);
+      support.relative = window.is_relative;
+      auto& [first, nodes] = alike[text_of(support)];
+      if (nodes.empty()) first = support;
+      nodes.push_back(node);
     }
   };
   for (const auto& [node, directions] : draft.loading.supports) {
     if (!draft.is_used(node)) continue;
     refuse_rotation(draft, node, directions);
     std::map<int, Course> always = directions;
-    std::map<std::string, std::map<int, Course>> for_a_time;
+    std::map<Window, std::map<int, Course>> for_a_time;
     for (const auto& [direction, course] : directions) {
       const auto windows = draft.loading.windows.find({node, direction});
       if (windows == draft.loading.windows.end()) continue;
       always.erase(direction);
-      for (const Window& window : windows->second) {
-        std::string text;
-        if (window.from) text += fmt::format("from = {:.15g}\n", *window.from);
-        if (window.is_relative) text += "relative = true              # FIXED\n";
-        if (window.until) text += fmt::format("until = {:.15g}\n", *window.until);
-        for_a_time[text][direction] = course;
-      }
+      for (const Window& window : windows->second) for_a_time[window][direction] = course;
     }
-    add(node, always, "");
+    add(node, always, {});
     for (const auto& [window, of_window] : for_a_time) add(node, of_window, window);
   }
   int number = 0;
-  for (const auto& [text, nodes] : nodes_of) {
+  for (auto& [text, one] : alike) {
+    auto& [support, nodes] = one;
     const std::string general = fmt::format("support_{}", ++number);
-    draft.add(fmt::format("\n[[supports]]                 # *BOUNDARY\non = {}\ndisplacement = {{ {} }}\n{}",
-                          toml_string(draft.mesh.add_nodes(draft.name_for(nodes, general), nodes)), text.displacement,
-                          text.more));
+    support.on.name = draft.mesh.add_nodes(draft.name_for(nodes, general), nodes);
+    const std::string key = draft.add(draft.config.supports, support, "supports", "*BOUNDARY");
+    if (support.relative) draft.comment(key + ".relative", "FIXED");
   }
 }
 
-void write_loads(Draft& draft) {
+void make_loads(Draft& draft) {
   for (const auto& [node, directions] : draft.loading.forces) {
     if (!draft.is_used(node)) {
       draft.impossible.push_back(
           {draft.first("CLOAD"), "CLOAD", fmt::format("a force at node {}, which no element has", node)});
       continue;
     }
-    std::array<std::string, 3> force{"0", "0", "0"};
+    config::PointForce force;
     bool acts = false;
     for (const auto& [direction, course] : directions)
       if (direction > 3 && !course.is_zero() && !turns(draft, node))
         draft.impossible.push_back({draft.first("CLOAD"), "CLOAD",
                                     fmt::format("a moment at node {}: nodes of solids have no rotation", node)});
       else if (direction <= 3 && !course.is_zero()) {
-        force[static_cast<std::size_t>(direction) - 1] = course.toml();
+        force.value[static_cast<std::size_t>(direction) - 1] = course.function();
         acts = true;
       }
-    if (acts)
-      draft.add(fmt::format("\n[[loads]]                    # *CLOAD\nnode = {}\nforce = [{}, {}, {}]\n", node,
-                            force[0], force[1], force[2]));
+    force.node = static_cast<int>(node);
+    if (acts) draft.add(draft.config.loads, {{}, {}, force, {}}, "loads", "*CLOAD");
   }
-  write_pressures(draft);
-  for (const Loading::Body& load : draft.loading.bodies) write(draft, load);
+  make_pressures(draft);
+  for (const Loading::Body& load : draft.loading.bodies) make_body_load(draft, load);
 }
 
 }  // namespace creepcontact::deck

@@ -18,11 +18,11 @@ struct Interaction {
   bool tied = false;
 };
 
-class ContactWriter {
+class ContactMaker {
  public:
-  explicit ContactWriter(Draft& draft) : draft_(draft) {}
+  explicit ContactMaker(Draft& draft) : draft_(draft) {}
 
-  void write() {
+  void make() {
     read_interactions();
     for (const RawCard* raw : draft_.cards("CONTACT PAIR")) contact_pair(*raw);
     general_contact();
@@ -83,7 +83,7 @@ class ContactWriter {
     own_->friction.add(time, coefficient.value_or(0));
   }
 
-  /// Of a surface, or of a set of nodes; empty if it cannot be.
+  /// Returns the faces of a surface, or of a set of nodes; none if that cannot be.
   std::vector<ElementFace> faces(const RawCard& raw, const std::string& name) {
     const Deck& deck = draft_.deck;
     const std::string upper = upper_case(name);
@@ -114,10 +114,24 @@ class ContactWriter {
                draft_.mesh.add_faces(surface != draft_.deck.surfaces.end() ? surface->second.name : name, found);
   }
 
-  void head(const Place& place, const std::string& card, const std::string& slave, const std::string& master) {
-    draft_.add(
-        fmt::format("\n[[contacts]]                 # {}: *{}\nname = \"contact_{}\"\nbetween = [{}, {}]\nslave = {}\n",
-                    place.text(), card, ++count_, toml_string(slave), toml_string(master), toml_string(slave)));
+  config::Contact contact(const std::string& slave, const std::string& master) {
+    config::Contact made;
+    made.name = fmt::format("contact_{}", draft_.config.contacts.size() + 1);
+    made.between = {{{slave}, {master}}};
+    made.slave = 0;
+    return made;
+  }
+
+  void tied(const Place& place, const std::string& card, const std::string& slave, const std::string& master,
+            std::optional<config::Preload> preload = {}) {
+    config::Contact made = contact(slave, master);
+    made.type = config::ContactType::tied;
+    made.preload = preload;
+    add(std::move(made), place, card);
+  }
+
+  std::string add(config::Contact made, const Place& place, const std::string& card) {
+    return draft_.add(draft_.config.contacts, std::move(made), "contacts", fmt::format("{}: *{}", place.text(), card));
   }
 
   /// Whether a pair is new. One that repeats another, or turns it round, says nothing more.
@@ -136,14 +150,15 @@ class ContactWriter {
   void pair(const RawCard& raw, const std::string& slave, const std::string& master, const Interaction& interaction,
             const std::string& kind) {
     if (!is_new_pair(raw, slave, master, kind)) return;
-    head(raw.card.place, raw.card.name, surface(raw, slave), surface(raw, master));
+    const std::string other = surface(raw, master), own = surface(raw, slave);
     if (interaction.tied || raw.card.has("TIED")) {
       require_near(raw, slave, master);
-      draft_.add("type = \"tied\"\n");
-      return;
+      return tied(raw.card.place, raw.card.name, own, other);
     }
-    draft_.add(gap(raw, slave, master));
-    if (!interaction.friction.is_zero()) draft_.add(fmt::format("friction = {}\n", interaction.friction.toml()));
+    config::Contact made = contact(own, other);
+    const std::string why = set_gap(raw, slave, master, made);
+    if (!interaction.friction.is_zero()) made.friction = interaction.friction.function();
+    draft_.comment(add(std::move(made), raw.card.place, raw.card.name) + ".gap", why);
   }
 
   void contact_pair(const RawCard& raw) {
@@ -198,23 +213,24 @@ class ContactWriter {
     return property;
   }
 
-  std::string gap(const RawCard& raw, const std::string& slave, const std::string& master) {
+  /// @returns what the gap is made of
+  std::string set_gap(const RawCard& raw, const std::string& slave, const std::string& master, config::Contact& made) {
     for (const RawCard* clearance : draft_.cards("CLEARANCE")) {
       if (upper_case(clearance->card.value("SLAVE")) != upper_case(slave) ||
           upper_case(clearance->card.value("MASTER")) != upper_case(master))
         continue;
       const auto value = number(clearance->card.value("VALUE"));
       if (!value) draft_.refuse(*clearance, "VALUE is missing: one clearance of the whole surface");
-      return fmt::format("gap = {:.15g}                # {}: *CLEARANCE\n", value.value_or(0),
-                         clearance->card.place.text());
+      made.gap = rounded(value.value_or(0));
+      return clearance->card.place.text() + ": *CLEARANCE";
     }
-    std::string of_mesh = "gap = \"geometric\"            # that of the mesh\n";
-    if (!raw.card.has("ADJUST")) return of_mesh;
-    const auto adjusted = reach(raw, slave, master);
-    if (!adjusted) return of_mesh;
-    if (adjusted->all_near()) return "gap = 0                      # ADJUST: the surfaces touch\n";
-    return fmt::format("gap = \"geometric\"            # ADJUST has moved {} of {} nodes onto the surface\n",
-                       adjusted->near.size(), adjusted->n_nodes);
+    made.geometric_gap = true;
+    const auto adjusted = raw.card.has("ADJUST") ? reach(raw, slave, master) : std::nullopt;
+    if (!adjusted) return "that of the mesh";
+    made.geometric_gap = !adjusted->all_near();
+    return made.geometric_gap ? fmt::format("ADJUST has moved {} of {} nodes onto the surface", adjusted->near.size(),
+                                            adjusted->n_nodes)
+                              : "ADJUST: the surfaces touch";
   }
 
   std::optional<Reach> reach(const RawCard& raw, const std::string& slave, const std::string& master) {
@@ -264,8 +280,8 @@ class ContactWriter {
         continue;
       }
       if (!is_new_pair(raw, line[0], line[1], "TIE")) continue;
-      head(raw.card.place, raw.card.name, surface(raw, line[0]), surface(raw, line[1]));
-      draft_.add("type = \"tied\"\n");
+      const std::string other = surface(raw, line[1]), own = surface(raw, line[0]);
+      tied(raw.card.place, raw.card.name, own, other);
     }
   }
 
@@ -277,15 +293,14 @@ class ContactWriter {
       draft_.impossible.push_back({section.place, "PRE-TENSION SECTION", why});
     };
     if (!(locked->second.force > 0)) return refuse("a bolt that is held before a tension is applied");
-    write_preload(section, locked->second.force, locked->second.time);
+    preload(section, locked->second.force, locked->second.time);
     draft_.loading.forces.erase(section.reference);
   }
 
-  void write_preload(const PretensionSection& section, double force, double time) {
+  void preload(const PretensionSection& section, double force, double time) {
     const std::string own = draft_.mesh.add_faces("bolt_section", section.faces);
     const std::string other = draft_.mesh.add_faces("bolt_section_opposite", section.opposite);
-    head(section.place, "PRE-TENSION SECTION", own, other);
-    draft_.add(fmt::format("type = \"tied\"\npreload = {{ force = {:.15g}, at = {:.15g} }}\n", force, time));
+    tied(section.place, "PRE-TENSION SECTION", own, other, config::Preload{rounded(force), rounded(time)});
   }
 
   Draft& draft_;
@@ -293,13 +308,12 @@ class ContactWriter {
   std::map<std::string, std::string> surfaces_;  // written, by name in upper case: name of the group
   std::map<std::pair<std::string, std::string>, std::string> pairs_;  // of surfaces, in upper case: their contact
   Interaction* own_ = nullptr;                                        // to which *FRICTION belongs
-  int count_ = 0;
 };
 
 }  // namespace
 
-void write_contacts(Draft& draft) {
-  ContactWriter(draft).write();
+void make_contacts(Draft& draft) {
+  ContactMaker(draft).make();
 }
 
 }  // namespace creepcontact::deck

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "values.hpp"
+
 namespace creepcontact::deck {
 
 void Course::add(double time, double value) {
@@ -60,7 +62,7 @@ Course Course::scaled(double factor) const {
   return result;
 }
 
-/// At most two points at one time; what happens within t = 0 has happened before the run.
+/// Keeps at most two points at one time; what happens within t = 0 has happened before the run.
 std::vector<std::pair<double, double>> Course::tidied() const {
   std::vector<std::pair<double, double>> result;
   for (const auto& point : points_) {
@@ -77,19 +79,21 @@ std::vector<std::pair<double, double>> Course::tidied() const {
   return result;
 }
 
-std::string Course::toml() const {
-  if (points_.empty()) return "0";
-  if (is_constant()) return fmt::format("{:.15g}", last());
-  std::string times, values;
+Function Course::function() const {
+  if (points_.empty() || is_constant()) return rounded(last());
+  std::vector<double> times, values;
   for (const auto& [time, value] : tidied()) {
-    times += fmt::format("{}{:.15g}", times.empty() ? "" : ", ", time);
-    values += fmt::format("{}{:.15g}", values.empty() ? "" : ", ", value);
+    times.push_back(rounded(time));
+    values.push_back(rounded(value));
   }
-  return fmt::format("{{ t = [{}], values = [{}] }}", times, values);
+  return Function::table("t", std::move(times), std::move(values));
 }
 
-std::string Course::toml(const std::string& wrap) const {
-  if (points_.empty() || is_constant()) return fmt::format("\"{}({:.15g})\"", wrap, last());
+Function Course::function(const std::string& wrap) const {
+  const auto of_time = [&](const std::string& value) {
+    return Function::expression(fmt::format("{}({})", wrap, value), {"t"});
+  };
+  if (points_.empty() || is_constant()) return of_time(fmt::format("{:.15g}", last()));
   const auto points = tidied();
   std::string text = fmt::format("{:.15g}", points.back().second);
   for (std::size_t i = points.size(); i-- > 1;) {
@@ -99,7 +103,7 @@ std::string Course::toml(const std::string& wrap) const {
                                       : fmt::format("{:.15g}", v0);
     text = fmt::format("(t < {:.15g} ? {} : {})", t1, piece, text);
   }
-  return fmt::format("\"{}(max(0, {}))\"", wrap, text);
+  return of_time(fmt::format("max(0, {})", text));
 }
 
 }  // namespace creepcontact::deck

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "creepcontact/base/function.hpp"
+
 namespace creepcontact::deck {
 
 class Course {
@@ -14,17 +16,18 @@ class Course {
   /// Appends a point; times do not decrease.
   void add(double time, double value);
   bool is_zero() const;
-  /// Before the first point its value, after the last one that; at a jump the value after it.
+  /// Returns the value at a time: before the first point and after the last one it is theirs, at a jump the value after
+  /// it.
   double at(double time) const;
-  /// At a jump the value before it.
+  /// Returns the limit from the left, which differs at a jump.
   double before(double time) const;
-  /// Without the points that count for nothing: at most two at one time.
+  /// Returns the points that count: at most two at one time.
   std::vector<std::pair<double, double>> points() const { return tidied(); }
   bool operator==(const Course&) const = default;
-  /// Number, or table in t.
-  std::string toml() const;
-  /// The same as an expression of the value: "sqrt(<value>)" with wrap = "sqrt". Jumps are conditions on t.
-  std::string toml(const std::string& wrap) const;
+  /// Makes a number, or a table in t.
+  Function function() const;
+  /// Makes an expression of the value: sqrt(<value>) with wrap = "sqrt". Jumps are conditions on t.
+  Function function(const std::string& wrap) const;
   Course scaled(double factor) const;
   /// The sum of both. A course without points is 0.
   Course plus(const Course& other) const;

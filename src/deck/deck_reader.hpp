@@ -39,7 +39,7 @@ class DeckReader {
     std::size_t most_fields = 0;  ///< in a line of data that is kept; 0: any number
   };
   static const std::map<std::string, Rule>& rules();
-  /// With its name as it is usually written.
+  /// Returns the rule of a card with its name as it is usually written; null: the card is not known.
   static const std::pair<const std::string, Rule>* rule_or_null(const std::string& name);
 
  private:
@@ -95,7 +95,7 @@ class DeckReader {
   void add_node(const DataLine& line, Set* set);
   void add_to_element(const DataLine& line);
   void finish_card();
-  /// Of sets in `into_`.
+  /// Adds members to the sets of `into_` that were named before they were defined.
   void add_late_members();
   void merge_instance();
   std::string required(const Card& card, const std::string& parameter);

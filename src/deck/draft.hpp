@@ -1,6 +1,6 @@
 #pragma once
-/// The model that is being made of a deck: what is known of it, and the text so far. Each part of the configuration is
-/// written by a function of its own.
+/// The model that is being made of a deck: what is known of it, and its configuration so far. Each part of the
+/// configuration is made by a function of its own.
 
 #include <fmt/format.h>
 
@@ -11,12 +11,13 @@
 #include <vector>
 
 #include "bodies.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "linear_equations.hpp"
 #include "mesh_output.hpp"
 #include "node_frames.hpp"
 #include "pretension.hpp"
 #include "rigid_groups.hpp"
-#include "toml_text.hpp"
+#include "values.hpp"
 
 namespace creepcontact::deck {
 
@@ -38,35 +39,46 @@ struct Draft {
   settings::Analysis analysis = settings::Analysis::solid;
   Numbers used;         ///< nodes that elements have, ascending
   bool varies = false;  ///< a material depends on the temperature
-  std::string text, temperatures;
+  config::Config config;
+  config::Comments comments;
+  std::string temperatures;
 
-  void add(const std::string& more) { text += more; }
+  /// Says what a key is made of. @param key  full
+  void comment(const std::string& key, const std::string& text) { comments.beside[key] = text; }
+  /// Adds an entry to a list of the configuration. @param from  what it is made of @returns its key: "loads[0]"
+  template <class T>
+  std::string add(std::vector<T>& list, T entry, const std::string& name, const std::string& from) {
+    list.push_back(std::move(entry));
+    const std::string key = fmt::format("{}[{}]", name, list.size() - 1);
+    if (!from.empty()) comment(key, from);
+    return key;
+  }
   void refuse(const RawCard& raw, const std::string& why) {
     impossible.push_back({raw.card.place, raw.card.name, why});
   }
   bool is_section() const { return analysis != settings::Analysis::solid; }
   bool is_used(std::int64_t node) const { return std::ranges::binary_search(used, node); }
   const Vector3& position(std::int64_t node) const { return deck.positions[deck.node_of_number.at(node)]; }
-  /// Of the first card with a name; none: of nothing.
+  /// Returns the place of the first card with a name; empty if there is none.
   Place first(const std::string& card) const;
-  /// Bodies that have a node; by the names in the configuration.
+  /// Returns the names of the bodies that have a node.
   const std::vector<std::string>& bodies_at(std::int64_t node);
-  /// The name of a set with these members alone, or a general one.
+  /// Returns the name of a set with these members alone, or a general one.
   std::string name_for(const Numbers& nodes, const std::string& general) const;
-  /// Cards with this name before and within the steps.
+  /// Returns the cards with this name before and within the steps.
   std::vector<const RawCard*> cards(const std::string& card) const;
 
  private:
   std::unordered_map<std::int64_t, std::vector<std::string>> bodies_at_;  // made when it is first asked for
 };
 
-void write_bodies_and_materials(Draft& draft);
-void write_supports(Draft& draft);
-void write_loads(Draft& draft);
-void write_contacts(Draft& draft);
-void write_links(Draft& draft);
-void write_temperature(Draft& draft);
-void write_time(Draft& draft);
-void write_probes(Draft& draft);
+void make_bodies_and_materials(Draft& draft);
+void make_supports(Draft& draft);
+void make_loads(Draft& draft);
+void make_contacts(Draft& draft);
+void make_links(Draft& draft);
+void make_temperature(Draft& draft);
+void make_time(Draft& draft);
+void make_probes(Draft& draft);
 
 }  // namespace creepcontact::deck

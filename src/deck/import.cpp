@@ -6,7 +6,6 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/fem/reference_element.hpp"
 #include "creepcontact/io/msh/msh_writer.hpp"
-#include "creepcontact/settings/enum_names.hpp"
 #include "draft.hpp"
 #include "matching_ties.hpp"
 
@@ -68,66 +67,67 @@ void understand(Draft& draft) {
       append_equations(section, draft.is_section() ? 2 : 3, draft.equations);
 }
 
-/// What stands above all else, known at last.
-std::string comments(const Draft& draft) {
-  std::string text = fmt::format("# Made of {} by creepcontact import. The units are those of the deck.\n",
-                                 toml_string(draft.name + ".inp"));
-  for (const Note& note : draft.left_out)
-    text += fmt::format("# Left out: {}*{}: {}\n", prefix(note.place), note.card, note.consequence);
-  return text;
-}
-
-void write_head(Draft& draft) {
-  draft.add(fmt::format("title = {}\n", toml_string(draft.name)));
-  if (draft.is_section()) draft.add(fmt::format("analysis = \"{}\"\n", settings::name_of(draft.analysis)));
+void make_head(Draft& draft) {
+  config::Config& config = draft.config;
+  config.file = draft.name + ".toml";
+  config.title = draft.name;
+  config.analysis = draft.analysis;
   if (std::ranges::any_of(draft.deck.steps, &Step::nonlinear_geometry))
-    draft.add(
-        "remarks = [\"NLGEOM of the deck is left out: displacements, strains and rotations are taken as small\"]\n");
-  draft.add(fmt::format("\n[mesh]\nfile = {}\n", toml_string(draft.name + ".msh")));
-  if (std::ranges::any_of(draft.deck.elements,
-                          [](const ElementBlock& block) { return fem::reference_element(block.type.cell).locks(); }))
-    draft.add("allow_locking = true      # of linear triangles, tetrahedra or wedges, as in the deck\n");
+    config.remarks = {"NLGEOM of the deck is left out: displacements, strains and rotations are taken as small"};
+  config.mesh.file = draft.name + ".msh";
+  config.mesh.allow_locking = std::ranges::any_of(
+      draft.deck.elements, [](const ElementBlock& block) { return fem::reference_element(block.type.cell).locks(); });
+  if (config.mesh.allow_locking)
+    draft.comment("mesh.allow_locking", "of linear triangles, tetrahedra or wedges, as in the deck");
   const bool is_reduced = std::ranges::any_of(draft.deck.elements, [](const ElementBlock& block) {
     const bool is_plane =
         block.type.cell == mesh::CellType::quad8 && block.type.analysis != settings::Analysis::axisymmetric;
     return (is_plane || block.type.cell == mesh::CellType::hex20) && block.type.variant.find('R') != std::string::npos;
   });
-  if (is_reduced) draft.add("project_distorted = false # plain reduced integration, as in the deck\n");
+  config.mesh.project_distorted = !is_reduced;
+  if (is_reduced) draft.comment("mesh.project_distorted", "plain reduced integration, as in the deck");
   const std::vector<DeckBody>& bodies = draft.bodies.bodies;
-  if (draft.bodies.share_nodes)
-    draft.add("share_nodes = \"tie\"       # sections of different materials that share nodes\n");
+  if (draft.bodies.share_nodes) {
+    config.mesh.share_nodes = config::SharedNodes::tie;
+    draft.comment("mesh.share_nodes", "sections of different materials that share nodes");
+  }
   if (!draft.is_section() || draft.analysis == settings::Analysis::axisymmetric || bodies.empty()) return;
   const double thickness = bodies.front().thickness;
-  draft.add(fmt::format("thickness = {:.15g}\n", thickness));
+  config.mesh.thickness = rounded(thickness);
   if (std::ranges::any_of(bodies, [&](const DeckBody& body) { return body.thickness != thickness; }))
     draft.impossible.push_back({Place(), "SOLID SECTION", "sections of different thickness"});
 }
 
-/// Without the mesh.
+/// Makes the configuration, without the mesh.
 Import make(Draft& draft) {
   refuse_what_changes_the_model(draft);
   draft.bodies = find_bodies(draft.deck, draft.impossible);
   raise(draft);  // without bodies the rest has no meaning
   understand(draft);
-  write_head(draft);
-  write_bodies_and_materials(draft);
-  write_contacts(draft);  // while the loads of bolts are known
+  make_head(draft);
+  make_bodies_and_materials(draft);
+  make_contacts(draft);  // while the loads of bolts are known
   for (const auto& [key, windows] : draft.loading.windows)
     if (!draft.is_used(key.first))
       draft.impossible.push_back({draft.deck.steps.back().place, "BOUNDARY",
                                   fmt::format("the reference node {} is held in some steps only", key.first)});
   eliminate_reference_nodes(draft.equations, draft.used, draft.loading);
-  write_links(draft);
-  write_supports(draft);
-  write_loads(draft);
-  write_temperature(draft);
-  write_time(draft);
-  write_probes(draft);
+  make_links(draft);
+  make_supports(draft);
+  make_loads(draft);
+  make_temperature(draft);
+  make_time(draft);
+  make_probes(draft);
   raise(draft);
   sort(draft.left_out);
-  Import result{comments(draft) + draft.text, "", draft.temperatures, {}};
-  for (const Note& note : draft.left_out)
+  Import result{std::move(draft.config), std::move(draft.comments), "", std::move(draft.temperatures), {}};
+  std::string& heading = result.comments.above[""];
+  heading = fmt::format("Made of {} by creepcontact import. The units are those of the deck.",
+                        config::toml_string(draft.name + ".inp"));
+  for (const Note& note : draft.left_out) {
     result.left_out.push_back(fmt::format("{}*{}: {}", prefix(note.place), note.card, note.consequence));
+    heading += "\nLeft out: " + result.left_out.back();
+  }
   return result;
 }
 

@@ -171,7 +171,7 @@ class EquationReader {
 
 using Unknown = std::pair<std::int64_t, int>;
 
-/// Of a node without elements: the value that is prescribed, or none.
+/// Returns the value that is prescribed at a node without elements, if there is one.
 const Course* prescribed(const Loading& loading, const Unknown& unknown) {
   const auto node = loading.supports.find(unknown.first);
   if (node == loading.supports.end()) return nullptr;

@@ -12,7 +12,7 @@ namespace creepcontact::deck {
 namespace {
 
 /// The two faces of a sector, from its tie.
-void write_cyclic(Draft& draft, const RawCard& model) {
+void make_cyclic(Draft& draft, const RawCard& model) {
   Vector3 a = Vector3::Zero(), b = Vector3::Zero();
   for (std::size_t i = 0; i < 6 && !model.data.empty() && i < model.data[0].size(); ++i)
     (i < 3 ? a : b)[static_cast<Eigen::Index>(i % 3)] = number(model.data[0][i]).value_or(0);
@@ -48,39 +48,32 @@ void write_cyclic(Draft& draft, const RawCard& model) {
     std::array<std::string, 2> names;
     for (const std::size_t side : {first, 1 - first})
       names[side] = draft.mesh.add_faces(draft.deck.surfaces.at(upper_case(tie->data[0][side])).name, faces[side]);
-    draft.add(
-        fmt::format("\n[[cyclic]]                   # {}: *CYCLIC SYMMETRY MODEL\nbetween = [{}, {}]\naxis = "
-                    "{}\norigin = {}\nangle = {:.15g}\n",
-                    model.card.place.text(), toml_string(names[first]), toml_string(names[1 - first]),
-                    toml_vector(axis), toml_vector(a), 360 / *sectors));
+    const config::Cyclic cyclic{
+        {{{names[first]}, {names[1 - first]}}}, rounded(axis), rounded(a), rounded(360 / *sectors), {}};
+    draft.add(draft.config.cyclic, cyclic, "cyclic", model.card.place.text() + ": *CYCLIC SYMMETRY MODEL");
   }
 }
 
-/// Three components of one kind: those that are given, or nothing.
-std::string three(const std::map<std::int64_t, std::map<int, Course>>& of, std::int64_t node, int first) {
-  std::string text;
-  const auto found = of.find(node);
-  if (found == of.end()) return text;
-  for (int k = 0; k < 3; ++k)
-    if (const auto own = found->second.find(first + k); own != found->second.end())
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", "xyz"[k], own -> second.toml());
-  return text;
+/// Three components of one kind, those that are given.
+std::array<std::optional<Function>, 3> three(const std::map<std::int64_t, std::map<int, Course>>& of, std::int64_t node,
+                                             int first) {
+  std::array<std::optional<Function>, 3> all;
+  if (const auto found = of.find(node); found != of.end())
+    for (int k = 0; k < 3; ++k)
+      if (const auto own = found->second.find(first + k); own != found->second.end())
+        all[static_cast<std::size_t>(k)] = own->second.function();
+  return all;
 }
 
-std::string resultant(const std::map<std::int64_t, std::map<int, Course>>& forces, std::int64_t node, int first) {
-  const auto found = forces.find(node);
-  if (found == forces.end()) return "";
-  std::array<std::string, 3> all{"0", "0", "0"};
-  bool acts = false;
-  for (int k = 0; k < 3; ++k)
-    if (const auto own = found->second.find(first + k); own != found->second.end() && !own->second.is_zero()) {
-      all[static_cast<std::size_t>(k)] = own->second.toml();
-      acts = true;
-    }
-  return acts ? fmt::format("[{}, {}, {}]", all[0], all[1], all[2]) : "";
+std::array<Function, 3> resultant(const std::map<std::int64_t, std::map<int, Course>>& forces, std::int64_t node,
+                                  int first) {
+  std::array<Function, 3> all;
+  const auto given = three(forces, node, first);
+  for (std::size_t k = 0; k < 3; ++k) all[k] = given[k].value_or(0.0);
+  return all;
 }
 
-void write(Draft& draft, const RigidGroup& group) {
+void make_rigid(Draft& draft, const RigidGroup& group) {
   const auto refuse = [&](const std::string& why) { draft.impossible.push_back({group.place, "RIGID BODY", why}); };
   Numbers nodes = group.nodes;
   std::erase_if(nodes, [&](std::int64_t node) { return !draft.is_used(node); });
@@ -88,47 +81,42 @@ void write(Draft& draft, const RigidGroup& group) {
   for (const std::int64_t node : nodes)
     if (draft.bodies_at(node) != draft.bodies_at(nodes.front()))
       return refuse("its nodes belong to several bodies; a rigid surface is one of a single body");
-  draft.add(fmt::format("\n[[rigid]]                    # {}: *RIGID BODY\non = {}\norigin = {}\n", group.place.text(),
-                        toml_string(draft.mesh.add_nodes(draft.name_for(nodes, "rigid"), nodes)),
-                        toml_vector(draft.position(group.reference))));
+  config::Rigid rigid;
+  rigid.on.name = draft.mesh.add_nodes(draft.name_for(nodes, "rigid"), nodes);
+  rigid.origin = rounded(draft.position(group.reference));
   const std::int64_t turning = group.rotation.value_or(group.reference);
   const int first = group.rotation ? 1 : 4;
-  const auto table = [&](const char* key, const std::string& components) {
-    if (!components.empty()) draft.add(fmt::format("{} = {{ {} }}\n", key, components));
-  };
-  const auto list = [&](const char* key, const std::string& text) {
-    if (!text.empty()) draft.add(fmt::format("{} = {}\n", key, text));
-  };
   if (!draft.is_used(group.reference)) {  // else supports and loads of the node act on the surface
-    table("displacement", three(draft.loading.supports, group.reference, 1));
-    list("force", resultant(draft.loading.forces, group.reference, 1));
+    rigid.displacement = three(draft.loading.supports, group.reference, 1);
+    rigid.force = resultant(draft.loading.forces, group.reference, 1);
   }
-  table("rotation", three(draft.loading.supports, turning, first));
-  list("moment", resultant(draft.loading.forces, turning, first));
+  rigid.rotation = three(draft.loading.supports, turning, first);
+  rigid.moment = resultant(draft.loading.forces, turning, first);
+  draft.add(draft.config.rigid, rigid, "rigid", group.place.text() + ": *RIGID BODY");
 }
 
-void write(Draft& draft, const DeckEquation& equation) {
-  std::map<std::int64_t, std::string> terms;
-  for (const auto& [unknown, coefficient] : equation.terms)
-    terms[unknown.first] += fmt::format(", {} = {:.15g}", "xyz"[unknown.second], coefficient);
-  std::string text;
-  for (const auto& [node, coefficients] : terms)
-    text += fmt::format("{}{{ node = {}{} }}", text.empty() ? "" : ", ", node, coefficients);
-  draft.add(fmt::format("\n[[equations]]                # {}: *{}\nterms = [{}]\n", equation.place.text(),
-                        equation.card, text));
-  if (!equation.value.is_zero()) draft.add(fmt::format("value = {}\n", equation.value.toml()));
+void make_equation(Draft& draft, const DeckEquation& equation) {
+  config::Equation made;
+  for (const auto& [unknown, coefficient] : equation.terms) {  // ordered by node
+    const int node = static_cast<int>(unknown.first);
+    if (made.terms.empty() || made.terms.back().node != node) made.terms.push_back({node, {}});
+    made.terms.back().coefficient[static_cast<std::size_t>(unknown.second)] = rounded(coefficient);
+  }
+  if (!equation.value.is_zero()) made.value = equation.value.function();
+  draft.add(draft.config.equations, std::move(made), "equations",
+            fmt::format("{}: *{}", equation.place.text(), equation.card));
 }
 
 }  // namespace
 
-void write_links(Draft& draft) {
-  for (const RawCard* model : draft.cards("CYCLIC SYMMETRY MODEL")) write_cyclic(draft, *model);
-  for (const RigidGroup& group : draft.rigid) write(draft, group);
+void make_links(Draft& draft) {
+  for (const RawCard* model : draft.cards("CYCLIC SYMMETRY MODEL")) make_cyclic(draft, *model);
+  for (const RigidGroup& group : draft.rigid) make_rigid(draft, group);
   for (const RigidGroup& group : draft.rigid) {
     if (!draft.is_used(group.reference)) draft.loading.forces.erase(group.reference);
     if (group.rotation && !draft.is_used(*group.rotation)) draft.loading.forces.erase(*group.rotation);
   }
-  for (const DeckEquation& equation : draft.equations) write(draft, equation);
+  for (const DeckEquation& equation : draft.equations) make_equation(draft, equation);
 }
 
 }  // namespace creepcontact::deck

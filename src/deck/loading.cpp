@@ -24,8 +24,10 @@ struct Entry {
   std::vector<Window> windows = {};
 };
 
+enum class Condition { support, force, body_load, pressure, temperature };
+
 struct Key {
-  char kind = 0;  // b: support, c: force, p: pressure, l: body load, t: temperature
+  Condition kind{};
   std::int64_t of = 0;
   int part = 0;
   auto operator<=>(const Key&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
@@ -102,7 +104,7 @@ class Joiner {
   }
   bool replaces(const RawCard& raw) { return upper_case(raw.card.value("OP")) == "NEW"; }
   /// OP=NEW takes back what earlier steps gave, at the first card of its kind in a step.
-  void drop(char kind) {
+  void drop(Condition kind) {
     for (auto& [key, entry] : entries_)
       if (key.kind == kind && !entry.is_new) entry.is_dropped = true;
   }
@@ -110,15 +112,16 @@ class Joiner {
     const auto [found, is_first] = entries_.try_emplace(key);
     Entry& entry = found->second;
     // Loads that one step gives twice add up; supports and temperatures are replaced, as are those of earlier steps.
-    if (entry.is_new && (key.kind == 'c' || key.kind == 'p' || key.kind == 'l')) {
+    if (entry.is_new &&
+        (key.kind == Condition::force || key.kind == Condition::pressure || key.kind == Condition::body_load)) {
       if (entry.amplitude != amplitude)
         return impossible(raw, line, "two loads of one step at one place with different amplitudes; join these to one");
       target += entry.target;
     }
-    if (is_first && key.kind == 't') entry.rest = initial_temperature(key.of);
+    if (is_first && key.kind == Condition::temperature) entry.rest = initial_temperature(key.of);
     if (is_first) entry.course.add(0, entry.rest);
     if (is_first && !loading_.step_ends.empty()) entry.course.add(loading_.step_ends.back(), entry.rest);
-    if (key.kind == 'b' && (is_first || entry.windows.back().until)) {
+    if (key.kind == Condition::support && (is_first || entry.windows.back().until)) {
       entry.windows.emplace_back();
       if (!loading_.step_ends.empty()) entry.windows.back().from = loading_.step_ends.back();
     }
@@ -130,7 +133,7 @@ class Joiner {
 
   void boundary(const RawCard& raw) {
     if (replaces(raw)) {
-      drop('b');
+      drop(Condition::support);
       if (!loading_.step_ends.empty()) frees_bolts_ = &raw;
     }
     const Amplitude* factors = amplitude(raw);
@@ -163,16 +166,17 @@ class Joiner {
         continue;
       }
       for (const std::int64_t node : nodes)
-        for (const int direction : directions) give(raw, line, {'b', node, direction}, value(raw, line, 3), factors);
+        for (const int direction : directions)
+          give(raw, line, {Condition::support, node, direction}, value(raw, line, 3), factors);
     }
   }
 
   /// FIXED: the displacement reached at the end of the step before.
   void hold(const RawCard& raw, std::size_t line, std::int64_t node, const std::vector<int>& directions) {
     const double time = loading_.step_ends.empty() ? 0.0 : loading_.step_ends.back();
-    const auto by_length = entries_.find({'b', node, 1});
+    const auto by_length = entries_.find({Condition::support, node, 1});
     if (lockable_.contains(node) && by_length == entries_.end()) {
-      const auto force = entries_.find({'c', node, 1});
+      const auto force = entries_.find({Condition::force, node, 1});
       const double reached = force != entries_.end() ? force->second.course.last() : 0.0;
       loading_.locked.try_emplace(node, Loading::Lock{time, reached});
       held_bolts_.insert(node);
@@ -181,7 +185,7 @@ class Joiner {
     if (time == 0)
       return impossible(raw, line, "FIXED after *STATIC steps that take no time, before the first *VISCO step");
     for (const int direction : directions) {
-      const Key key{'b', node, direction};
+      const Key key{Condition::support, node, direction};
       const auto known = entries_.find(key);
       const bool is_held = known != entries_.end() && !known->second.is_dropped && !known->second.windows.back().until;
       const double reached = is_held ? known->second.course.last() : 0.0;
@@ -197,7 +201,7 @@ class Joiner {
   }
 
   void concentrated(const RawCard& raw) {
-    if (replaces(raw)) drop('c');
+    if (replaces(raw)) drop(Condition::force);
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
@@ -208,14 +212,14 @@ class Joiner {
         continue;
       }
       for (const std::int64_t node : nodes)
-        give(raw, line, {'c', node, static_cast<int>(*direction)}, value(raw, line, 2), factors);
+        give(raw, line, {Condition::force, node, static_cast<int>(*direction)}, value(raw, line, 2), factors);
     }
   }
 
   void distributed(const RawCard& raw) {
     if (replaces(raw)) {
-      drop('p');
-      drop('l');
+      drop(Condition::pressure);
+      drop(Condition::body_load);
     }
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
@@ -228,14 +232,14 @@ class Joiner {
       const auto face = label.size() == 2 && label[0] == 'P' ? whole_number(label.substr(1)) : std::nullopt;
       if (face && *face >= 1 && *face <= 6) {
         for (const std::int64_t element : elements)
-          give(raw, line, {'p', element, static_cast<int>(*face)}, value(raw, line, 2), factors);
+          give(raw, line, {Condition::pressure, element, static_cast<int>(*face)}, value(raw, line, 2), factors);
       } else if (label == "CENTRIF" || label == "GRAV") {
         BodyLoad load{label == "GRAV" ? BodyLoad::Kind::gravity : BodyLoad::Kind::centrifugal, {}};
         for (std::size_t i = 3; i < (label == "GRAV" ? 6U : 9U); ++i) load.geometry.push_back(value(raw, line, i));
         auto found = std::ranges::find_if(
             loading_.bodies, [&](const Loading::Body& one) { return one.load == load && one.elements == elements; });
         if (found == loading_.bodies.end()) found = loading_.bodies.insert(found, {load, elements, {}});
-        give(raw, line, {'l', found - loading_.bodies.begin(), 0}, value(raw, line, 2), factors);
+        give(raw, line, {Condition::body_load, found - loading_.bodies.begin(), 0}, value(raw, line, 2), factors);
       } else {
         impossible(raw, line, fmt::format("loads of type {} are not known", label));
       }
@@ -250,7 +254,7 @@ class Joiner {
   }
 
   void on_surfaces(const RawCard& raw) {
-    if (replaces(raw)) drop('p');
+    if (replaces(raw)) drop(Condition::pressure);
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const auto surface = deck_.surfaces.find(upper_case(field(raw, line, 0)));
@@ -263,7 +267,7 @@ class Joiner {
         continue;
       }
       for (const ElementFace& face : faces_of(deck_, surface->second, impossible_))
-        give(raw, line, {'p', face.element, face.face}, value(raw, line, 2), factors);
+        give(raw, line, {Condition::pressure, face.element, face.face}, value(raw, line, 2), factors);
     }
   }
 
@@ -311,16 +315,17 @@ class Joiner {
   }
 
   void temperature(const RawCard& raw) {
-    if (replaces(raw)) drop('t');
+    if (replaces(raw)) drop(Condition::temperature);
     const Amplitude* factors = amplitude(raw);
     for (std::size_t line = 0; line < raw.data.size(); ++line) {
       const Numbers nodes = resolver_.nodes(field(raw, line, 0));
       if (nodes.empty()) impossible(raw, line, fmt::format("there is no node or set '{}'", field(raw, line, 0)));
-      for (const std::int64_t node : nodes) give(raw, line, {'t', node, 0}, value(raw, line, 1), factors);
+      for (const std::int64_t node : nodes)
+        give(raw, line, {Condition::temperature, node, 0}, value(raw, line, 1), factors);
     }
   }
 
-  /// At a jump, of two points at one time, the value after it.
+  /// Returns the value after a jump, which is two points at one time.
   static double factor(const Amplitude& amplitude, double time) {
     const auto& points = amplitude.points;
     if (time < points.front().first) return points.front().second;
@@ -373,7 +378,7 @@ class Joiner {
 
   void store(const Key& key, Entry& entry) {
     switch (key.kind) {
-      case 'b':
+      case Condition::support:
         if (entry.windows.size() != 1 || entry.windows.front() != Window{}) {
           std::erase_if(entry.windows,
                         [](const Window& window) { return window.until && *window.until <= window.from.value_or(0); });
@@ -382,10 +387,10 @@ class Joiner {
         }
         loading_.supports[key.of][key.part] = entry.course;
         break;
-      case 'c':
+      case Condition::force:
         if (!entry.course.is_zero()) loading_.forces[key.of][key.part] = entry.course;
         break;
-      case 't':
+      case Condition::temperature:
         loading_.temperatures[key.of] = entry.course;
         if (!loading_.initial_temperatures.empty()) {
           Course difference;
@@ -393,10 +398,10 @@ class Joiner {
           loading_.temperatures[key.of] = entry.course.plus(difference);
         }
         break;
-      case 'p':
+      case Condition::pressure:
         if (!entry.course.is_zero()) loading_.pressures[{key.of, key.part}] = entry.course;
         break;
-      default:
+      case Condition::body_load:
         loading_.bodies[static_cast<std::size_t>(key.of)].course = entry.course;
     }
   }

@@ -17,7 +17,7 @@ namespace creepcontact::deck {
 class Resolver {
  public:
   explicit Resolver(const Deck& deck) : deck_(deck) {}
-  /// Of a number or the name of a set; also "INSTANCE.SET". Empty if there is none.
+  /// Returns the nodes of a number or of the name of a set, also "INSTANCE.SET"; none if there is no such set.
   Numbers nodes(const std::string& target) const;
   Numbers elements(const std::string& target) const;
 
@@ -31,7 +31,7 @@ struct ElementFace {
   auto operator<=>(const ElementFace&) const = default;  // NOLINT(modernize-use-nullptr): it sees a 0 in the default
 };
 
-/// Of *DLOAD on elements as a whole.
+/// A *DLOAD on elements as a whole.
 struct BodyLoad {
   enum class Kind { centrifugal, gravity };
   Kind kind{};
@@ -49,11 +49,11 @@ struct Window {
 struct Loading {
   double end = 0;
   std::vector<double> step_ends;
-  /// By node and direction: 1, 2, 3, and 4, 5, 6 for rotations and moments, which solids do not have. Along the
-  /// directions of *TRANSFORM.
+  /// Supports by node and direction: 1, 2, 3, and 4, 5, 6 for rotations and moments, which solids do not have. Along
+  /// the directions of *TRANSFORM.
   std::map<std::int64_t, std::map<int, Course>> supports;
   std::map<std::int64_t, std::map<int, Course>> forces;
-  /// Of supports by node and direction that act in some steps only.
+  /// The times of supports, by node and direction, that act in some steps only.
   std::map<std::pair<std::int64_t, int>, std::vector<Window>> windows;
   struct Lock {
     double time = 0;   ///< from which on the node stays where it is
@@ -67,7 +67,7 @@ struct Loading {
     Course course;  ///< of omega^2, or of the acceleration
   };
   std::vector<Body> bodies;
-  /// Of nodes that a step gives a temperature. The others keep the initial one.
+  /// Temperatures of the nodes to which a step gives one. The others keep the initial one.
   std::map<std::int64_t, Course> temperatures;
   double initial_temperature = 0;
   /// Initial temperatures that differ from node to node: `temperatures` are then differences from these, and the

@@ -28,7 +28,7 @@ bool is_in_order(Draft& draft, const char* card, const Table& table, std::size_t
   return true;
 }
 
-/// Of the *STATIC steps before the first *VISCO step, which take no time here.
+/// Returns the time of the *STATIC steps before the first *VISCO step, which take no time here.
 double time_before_creep(Draft& draft) {
   double time = 0;
   bool creeps = false;
@@ -44,8 +44,8 @@ double time_before_creep(Draft& draft) {
 
 /// The thermal strain of CalculiX is alpha(T)(T - ZERO) - alpha(T0)(T0 - ZERO), here it is alpha(T)(T - T0).
 /// @param column  of the coefficient @param of_temperature  column of the temperature
-std::string expansion_coefficient(const Draft& draft, const Material& material, std::size_t column,
-                                  std::size_t of_temperature) {
+Function expansion_coefficient(const Draft& draft, const Material& material, std::size_t column,
+                               std::size_t of_temperature) {
   constexpr int steps = 40;  // between two rows
   const double initial = draft.loading.initial_temperature, zero = material.expansion_zero;
   const auto& rows = material.expansion->rows;
@@ -71,33 +71,37 @@ std::string expansion_coefficient(const Draft& draft, const Material& material, 
   return function_of_temperature(points);
 }
 
-void write_expansion(Draft& draft, const Material& material) {
+void make_expansion(const Draft& draft, const Material& material, config::Material& made) {
   if (!material.expansion || material.expansion->rows.empty() || draft.loading.temperatures.empty()) return;
-  std::string alpha;
-  if (material.expands_along_axes) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      alpha += (axis == 0 ? "" : ", ") + expansion_coefficient(draft, material, axis, 3);
-    alpha = "[" + alpha + "]";
-  } else {
-    alpha = expansion_coefficient(draft, material, 0, 1);
-  }
-  draft.add(fmt::format("thermal_expansion = {}\nreference_temperature = {:.15g}\n", alpha,
-                        draft.loading.initial_temperature));
+  const std::size_t n = material.expands_along_axes ? 3 : 1;
+  made.thermal_expansion.clear();
+  for (std::size_t axis = 0; axis < n; ++axis)
+    made.thermal_expansion.push_back(expansion_coefficient(draft, material, axis, n));
+  made.reference_temperature = rounded(draft.loading.initial_temperature);
 }
 
 /// A column of the creep table, multiplied row by row.
-std::string scaled_column(const Table& table, std::size_t column, std::size_t of_temperature,
-                          const std::vector<double>& factors) {
+Function scaled_column(const Table& table, std::size_t column, std::size_t of_temperature,
+                       const std::vector<double>& factors) {
   Table scaled = table;
   for (std::size_t i = 0; i < factors.size(); ++i) scaled.rows[i][column] *= factors[i];
   return function_of_temperature(scaled, column, of_temperature);
 }
 
-class CreepWriter {
+class CreepMaker {
  public:
-  CreepWriter(Draft& draft, const Material& material) : draft_(draft), material_(material), table_(*material.creep) {}
+  CreepMaker(Draft& draft, const Material& material) : draft_(draft), material_(material), table_(*material.creep) {}
 
-  void write() {
+  void make(config::Material& made) {
+    set_law();
+    made.creep.push_back(law_);
+    const std::string key = fmt::format("materials.{}.creep[0]", made.name);
+    draft_.comment(key, table_.place.text());
+    if (!comment_.empty()) draft_.comment(key + ".law", comment_);
+  }
+
+ private:
+  void set_law() {
     const std::string& law = material_.creep_law;
     const bool is_norton = law == "NORTON", is_time = law == "TIME", is_strain = law == "STRAIN";
     const bool is_sinh = law == "HYPERB" || law == "HYPERBOLIC";
@@ -107,15 +111,14 @@ class CreepWriter {
     if (table_.rows.empty() || std::ranges::any_of(table_.rows, [&](const auto& row) { return row.size() < least; }))
       return refuse(is_sinh ? "A, B and n are missing" : "A, n and m are missing");
     draft_.varies = draft_.varies || table_.rows.size() > 1;
-    draft_.add(fmt::format("\n[[materials.{}.creep]]    # {}\n", toml_key(material_.name), table_.place.text()));
     if (is_sinh) return sinh_law();
     if (std::ranges::any_of(table_.rows, [](const auto& row) { return row.size() > 4; }))
       return refuse("more values than A, n, m and the temperature");
     for (auto& row : table_.rows) row.resize(std::max<std::size_t>(row.size(), 3));
     const auto exponent = [](const std::vector<double>& row) { return row[2]; };
     if (std::ranges::all_of(table_.rows, [&](const auto& row) { return exponent(row) == 0; }))
-      return draft_.add(fmt::format("law = \"norton\"\nA = {}\nn = {}\n", function_of_temperature(table_, 0, 3),
-                                    function_of_temperature(table_, 1, 3)));
+      return set("norton",
+                 {{"A", function_of_temperature(table_, 0, 3)}, {"n", function_of_temperature(table_, 1, 3)}});
     if (std::ranges::any_of(table_.rows, [&](const auto& row) { return !(exponent(row) > -1); }))
       return refuse("m must be greater than -1");
     std::vector<double> inverse;
@@ -125,23 +128,31 @@ class CreepWriter {
     if (before > 0) return shifted_time_law(before);
     Table exponents = table_;
     for (auto& row : exponents.rows) row[2] += 1;
-    draft_.add(
-        fmt::format("law = \"time_hardening\"      # A q^n t^m as its integral: A/(m + 1) q^n t^(m + 1)\nA = {}\nn = "
-                    "{}\nm = {}\n",
-                    scaled_column(table_, 0, 3, inverse), function_of_temperature(table_, 1, 3),
-                    function_of_temperature(exponents, 2, 3)));
+    set("time_hardening",
+        {{"A", scaled_column(table_, 0, 3, inverse)},
+         {"n", function_of_temperature(table_, 1, 3)},
+         {"m", function_of_temperature(exponents, 2, 3)}},
+        "A q^n t^m as its integral: A/(m + 1) q^n t^(m + 1)");
   }
 
- private:
+  void set(const std::string& law, const std::vector<std::pair<std::string, Function>>& constants,
+           const std::string& comment = {}) {
+    law_.law = law;
+    for (const auto& [key, value] : constants)
+      law_.parameters.push_back({.key = key, .values = {value}, .location = {}});
+    comment_ = comment;
+  }
+
   void refuse(const std::string& why) { draft_.impossible.push_back({table_.place, "CREEP", why}); }
 
   void sinh_law() {
     const std::vector<double>& row = table_.rows.front();
     if (table_.rows.size() > 1) return refuse("LAW=HYPERB with more than one line");
-    draft_.add(fmt::format("law = \"garofalo\"\nA = {:.15g}\nalpha = {:.15g}\nn = {:.15g}\n", row[0], row[1], row[2]));
+    set("garofalo", {{"A", rounded(row[0])}, {"alpha", rounded(row[1])}, {"n", rounded(row[2])}});
     if (row.size() > 3 && row[3] != 0)
-      draft_.add(fmt::format("activation_energy = {:.15g}\ngas_constant = {:.15g}\nabsolute_zero = {:.15g}\n", row[3],
-                             row.size() > 4 ? row[4] : 0.0, draft_.deck.absolute_zero));
+      set("garofalo", {{"activation_energy", rounded(row[3])},
+                       {"gas_constant", rounded(row.size() > 4 ? row[4] : 0.0)},
+                       {"absolute_zero", rounded(draft_.deck.absolute_zero)}});
   }
 
   void strain_law(const std::vector<double>& inverse) {
@@ -149,29 +160,33 @@ class CreepWriter {
     if (std::ranges::any_of(table_.rows, [&](const auto& row) { return row[2] != m; }))
       return refuse("LAW=STRAIN with m that depends on the temperature");
     if (m > 0) return refuse("LAW=STRAIN with m > 0: creep that grows faster with strain");
-    draft_.add(
-        fmt::format("law = \"strain_hardening\"    # at constant stress A/(m + 1) q^n t^(m + 1)\nA = {}\nn = {}\nm = "
-                    "{:.15g}\n",
-                    scaled_column(table_, 0, 3, inverse), function_of_temperature(table_, 1, 3), m + 1));
+    set("strain_hardening",
+        {{"A", scaled_column(table_, 0, 3, inverse)},
+         {"n", function_of_temperature(table_, 1, 3)},
+         {"m", rounded(m + 1)}},
+        "at constant stress A/(m + 1) q^n t^(m + 1)");
   }
 
   void shifted_time_law(double before) {
     const std::vector<double>& row = table_.rows.front();
     if (table_.rows.size() > 1)
       return refuse("a law with time (m other than 0) that depends on the temperature, after *STATIC steps");
-    draft_.add(
-        fmt::format("law = \"expression\"          # the time of CalculiX, in which *STATIC steps last too\nrate = "
-                    "\"{:.15g}*q^{:.15g}*(t + {:.15g})^{:.15g}\"\n",
-                    row[0], row[1], before, row[2]));
+    const std::string rate = fmt::format("{:.15g}*q^{:.15g}*(t + {:.15g})^{:.15g}", row[0], row[1], before, row[2]);
+    set("expression", {{"rate", Function::expression(rate, {"q", "t"})}},
+        "the time of CalculiX, in which *STATIC steps last too");
+    law_.parameters.back().variables = {"q", "t"};
   }
 
   Draft& draft_;
   const Material& material_;
   Table table_;
+  config::CreepMechanism law_;
+  std::string comment_;
 };
 
-void write(Draft& draft, const Material& material) {
-  draft.add(fmt::format("\n[materials.{}]            # {}\n", toml_key(material.name), material.place.text()));
+void make_material(Draft& draft, const Material& material, config::Material& made) {
+  made.name = material.name;
+  draft.comment("materials." + made.name, material.place.text());
   if (!material.elastic || material.elastic->rows.empty()) {
     draft.impossible.push_back({material.place, "MATERIAL", fmt::format("'{}' has no *ELASTIC", material.name)});
     return;
@@ -182,11 +197,12 @@ void write(Draft& draft, const Material& material) {
   if (material.expansion) in_order &= is_in_order(draft, "EXPANSION", *material.expansion, of_expansion);
   if (material.creep && material.creep_law != "HYPERB") in_order &= is_in_order(draft, "CREEP", *material.creep, 3);
   if (!in_order) return;
-  if (is_isotropic)
-    draft.add(fmt::format("young_modulus = {}\npoisson_ratio = {}\n", function_of_temperature(*material.elastic, 0, 2),
-                          function_of_temperature(*material.elastic, 1, 2)));
-  else
-    write_orthotropic(draft, material);
+  if (is_isotropic) {
+    made.young_modulus = function_of_temperature(*material.elastic, 0, 2);
+    made.poisson_ratio = function_of_temperature(*material.elastic, 1, 2);
+  } else {
+    make_orthotropic(draft, material, made);
+  }
   draft.varies = draft.varies || material.elastic->rows.size() > 1;
   const bool depends_on_temperature =
       std::ranges::any_of(std::array{&material.elastic, &material.expansion, &material.creep},
@@ -197,11 +213,11 @@ void write(Draft& draft, const Material& material) {
          fmt::format("'{}' depends on the temperature, and initial temperatures differ from node "
                      "to node",
                      material.name)});
-  write_expansion(draft, material);
-  if (material.potential) write_hill(draft, material);
+  make_expansion(draft, material, made);
+  if (material.potential) make_hill(draft, material, made);
   if (!material.creep) return;
   if (has_creep_steps(draft))
-    CreepWriter(draft, material).write();
+    CreepMaker(draft, material).make(made);
   else
     draft.left_out.push_back({material.creep->place, "CREEP",
                               "creep does not act in *STATIC steps, and the deck has no *VISCO step; the material is "
@@ -210,19 +226,21 @@ void write(Draft& draft, const Material& material) {
 
 }  // namespace
 
-void write_bodies_and_materials(Draft& draft) {
+void make_bodies_and_materials(Draft& draft) {
   const auto& materials = draft.deck.materials;
   for (const DeckBody& body : draft.bodies.bodies) {
     const auto material = materials.find(body.material);
-    draft.add(fmt::format("\n[bodies.{}]    # {}\nregion = {}\nmaterial = {}\n", toml_key(body.name),
-                          body.section.text(), toml_string(draft.mesh.add_body(body)),
-                          toml_string(material == materials.end() ? body.material : material->second.name)));
-    if (!body.orientation.empty()) write_axes(draft, body);
+    config::Body& made = draft.config.bodies.emplace_back();
+    made.name = body.name;
+    made.region = {{draft.mesh.add_body(body)}};
+    made.material.name = material == materials.end() ? body.material : material->second.name;
+    draft.comment("bodies." + made.name, body.section.text());
+    if (!body.orientation.empty()) make_axes(draft, body, made);
   }
   std::set<std::string> written;
   for (const DeckBody& body : draft.bodies.bodies)
     if (written.insert(body.material).second && materials.contains(body.material))
-      write(draft, materials.at(body.material));
+      make_material(draft, materials.at(body.material), draft.config.materials.emplace_back());
 }
 
 }  // namespace creepcontact::deck

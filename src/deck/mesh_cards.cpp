@@ -11,7 +11,7 @@
 namespace creepcontact::deck {
 namespace {
 
-/// Of a set, made if there is none; its name is that of the first card.
+/// Returns a set, made if there is none; its name is that of the first card.
 template <class T>
 T& named(std::map<std::string, T>& all, const std::string& name) {
   T& found = all[upper_case(name)];

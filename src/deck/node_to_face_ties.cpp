@@ -64,7 +64,7 @@ class NearestFace {
     tree_.emplace(centres);
   }
 
-  /// Of the nodes of a face, as columns.
+  /// Returns the positions of the nodes of a face, as columns.
   const Eigen::Matrix3Xd& positions(std::size_t face) const { return positions_[face]; }
 
   struct Found {

@@ -16,35 +16,46 @@ bool asks_for(const RawCard& raw, const std::string& what) {
   });
 }
 
-void add_probe(Draft& draft, const std::string& name, const std::string& quantity, const std::string& where) {
-  draft.add(
-      fmt::format("\n[[probes]]\nname = {}\nquantity = {}\n{}\n", toml_string(name), toml_string(quantity), where));
+/// Adds a probe. @param where  with its place
+std::string add_probe(Draft& draft, const std::string& name, const std::string& quantity, config::Probe where) {
+  where.name = name;
+  where.quantity = quantity;
+  return draft.add(draft.config.probes, std::move(where), "probes", "");
 }
 
-void note_rest(Draft& draft, std::size_t n, const char* what) {
-  if (n > most)
-    draft.add(fmt::format("\n# Probes of the first {} of {} {}; all values are in the field files.\n", most, n, what));
+/// @param first  number of the probes before
+void note_rest(Draft& draft, std::size_t first, std::size_t n, const char* what) {
+  if (n > most && first < draft.config.probes.size())
+    draft.comments.above[fmt::format("probes[{}]", first)] =
+        fmt::format("Probes of the first {} of {} {}; all values are in the field files.", most, n, what);
 }
 
-void write_displacements(Draft& draft) {
+config::Probe at_point(const Vector3& position, const std::string& body) {
+  config::Probe probe;
+  probe.at = rounded(position);
+  probe.body.name = body;
+  return probe;
+}
+
+void make_displacements(Draft& draft) {
   std::set<std::int64_t> nodes;
   for (const RawCard* raw : draft.cards("NODE PRINT"))
     if (asks_for(*raw, "U"))
       for (const std::int64_t node : draft.resolver.nodes(raw->card.value("NSET")))
         if (draft.is_used(node)) nodes.insert(node);
+  const std::size_t first = draft.config.probes.size();
   std::size_t written = 0;
   for (const std::int64_t node : nodes) {
     if (++written > most) break;
-    const std::string where = fmt::format("at = {}\nbody = {}", toml_vector(draft.position(node)),
-                                          toml_string(draft.bodies_at(node).front()));
+    const config::Probe where = at_point(draft.position(node), draft.bodies_at(node).front());
     for (int k = 0; k < (draft.is_section() ? 2 : 3); ++k)
       add_probe(draft, fmt::format("u{}_node_{}", "xyz"[k], node), fmt::format("displacement_{}", "xyz"[k]), where);
   }
-  note_rest(draft, nodes.size(), "nodes");
+  note_rest(draft, first, nodes.size(), "nodes");
 }
 
 /// The sum over the set.
-void write_reactions(Draft& draft) {
+void make_reactions(Draft& draft) {
   std::set<std::string> written;
   for (const RawCard* raw : draft.cards("NODE PRINT")) {
     if (!asks_for(*raw, "RF") || !written.insert(upper_case(raw->card.value("NSET"))).second) continue;
@@ -53,14 +64,17 @@ void write_reactions(Draft& draft) {
                   [&](std::int64_t node) { return !draft.is_used(node) || !draft.loading.supports.contains(node); });
     if (nodes.empty()) continue;
     const std::string& set = raw->card.value("NSET");
-    const std::string group = draft.mesh.add_nodes(draft.name_for(nodes, "supported_" + set), nodes);
-    for (int k = 0; k < (draft.is_section() ? 2 : 3); ++k)
-      add_probe(draft, fmt::format("rf{}_{}", "xyz"[k], set), fmt::format("reaction_{}", "xyz"[k]),
-                fmt::format("on = {}                # the sum", toml_string(group)));
+    config::Probe where;
+    where.on.name = draft.mesh.add_nodes(draft.name_for(nodes, "supported_" + set), nodes);
+    for (int k = 0; k < (draft.is_section() ? 2 : 3); ++k) {
+      const std::string key =
+          add_probe(draft, fmt::format("rf{}_{}", "xyz"[k], set), fmt::format("reaction_{}", "xyz"[k]), where);
+      draft.comment(key + ".on", "the sum");
+    }
   }
 }
 
-void write_stresses(Draft& draft) {
+void make_stresses(Draft& draft) {
   struct Kind {
     const char *letter, *quantity;
     bool is_tensor;
@@ -74,6 +88,7 @@ void write_stresses(Draft& draft) {
     for (const RawCard* raw : draft.cards("EL PRINT"))
       if (asks_for(*raw, kind.letter))
         for (const std::int64_t element : draft.resolver.elements(raw->card.value("ELSET"))) elements.insert(element);
+    const std::size_t first = draft.config.probes.size();
     std::size_t written = 0;
     for (const std::int64_t element : elements) {
       if (++written > most) break;
@@ -85,7 +100,7 @@ void write_stresses(Draft& draft) {
         return std::ranges::binary_search(body.elements, element);
       });
       if (owner == draft.bodies.bodies.end()) continue;
-      const std::string where = fmt::format("at = {}\nbody = {}", toml_vector(centre), toml_string(owner->name));
+      const config::Probe where = at_point(centre, owner->name);
       std::vector<std::string> components{"_xx", "_yy", "_zz", "_xy"};
       if (!draft.is_section()) components.insert(components.end(), {"_yz", "_zx"});
       if (!kind.is_tensor) components = {""};
@@ -94,18 +109,17 @@ void write_stresses(Draft& draft) {
         if (names.insert(name).second) add_probe(draft, name, kind.quantity + component, where);
       }
     }
-    note_rest(draft, elements.size(), "elements");
+    note_rest(draft, first, elements.size(), "elements");
   }
 }
 
 }  // namespace
 
-void write_probes(Draft& draft) {
-  const std::size_t length = draft.text.size();
-  write_displacements(draft);
-  write_reactions(draft);
-  write_stresses(draft);
-  if (draft.text.size() == length)
+void make_probes(Draft& draft) {
+  make_displacements(draft);
+  make_reactions(draft);
+  make_stresses(draft);
+  if (draft.config.probes.empty())
     draft.left_out.push_back({draft.deck.steps.back().place, "STEP",
                               "no *NODE PRINT of U or RF and no *EL PRINT of S, E or PEEQ: there are no probes; add "
                               "[[probes]] for columns of history.csv"});

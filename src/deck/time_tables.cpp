@@ -6,7 +6,7 @@
 
 namespace creepcontact::deck {
 
-void write_temperature(Draft& draft) {
+void make_temperature(Draft& draft) {
   if (draft.loading.temperatures.empty() && !draft.varies) return;
   Course at_rest;
   at_rest.add(0, draft.loading.initial_temperature);
@@ -17,12 +17,12 @@ void write_temperature(Draft& draft) {
   const auto refuse = [&](const std::string& why) {
     draft.impossible.push_back({draft.first("TEMPERATURE"), "TEMPERATURE", why});
   };
-  const std::string first = temperature_of(draft.used.front()).toml();
+  const Function first = temperature_of(draft.used.front()).function();
   bool same = true;
   std::set<double> times, jumps;
   for (const std::int64_t node : draft.used) {
     const Course& own = temperature_of(node);
-    same = same && own.toml() == first;
+    same = same && own.function().text() == first.text();
     double before = -1;
     for (const auto& [time, value] : own.points()) {
       times.insert(time);
@@ -30,21 +30,26 @@ void write_temperature(Draft& draft) {
       before = time;
     }
   }
-  draft.add("\n[temperature]                # *INITIAL CONDITIONS, *TEMPERATURE\n");
+  draft.comment("temperature", "*INITIAL CONDITIONS, *TEMPERATURE");
+  config::Temperature& temperature = draft.config.temperature.emplace();
   if (!draft.loading.initial_temperatures.empty())
-    draft.add("# Differences from the initial temperatures, which differ from node to node.\n");
-  if (same) return draft.add(fmt::format("value = {}\n", first));
+    draft.comments.above[same ? "temperature.value" : "temperature.file"] =
+        "Differences from the initial temperatures, which differ from node to node.";
+  if (same) {
+    temperature.value = first;
+    return;
+  }
   if (!jumps.empty())
     refuse(fmt::format("temperatures that differ from node to node and jump at t = {:g}", *jumps.begin()));
   std::map<std::array<double, 3>, std::string> at;  // of several nodes at one place
   for (const std::int64_t node : draft.used) {
     const Vector3& x = draft.position(node);
-    const std::string own = temperature_of(node).toml();
+    const std::string own = temperature_of(node).function().text();
     if (at.try_emplace({x[0], x[1], x[2]}, own).first->second == own) continue;
     refuse(fmt::format("node {} has another temperature than one at the same place", node));
     break;
   }
-  draft.add(fmt::format("file = {}\n", toml_string(draft.name + "_temperature.csv")));
+  temperature.files = {draft.name + "_temperature.csv"};
   draft.temperatures = "t,x,y,z,T\n";
   for (const double time : times)
     for (const std::int64_t node : draft.used) {
@@ -78,23 +83,21 @@ std::set<double> sudden_times(const Loading& loading) {
 
 }  // namespace
 
-/// At the ends of the steps; where the next one begins with a jump, just before it.
-void write_time(Draft& draft) {
+/// Puts outputs at the ends of the steps; where the next one begins with a jump, just before it.
+void make_time(Draft& draft) {
   constexpr double just_before = 1e-9;  // of the time
   std::set<double> times(draft.loading.step_ends.begin(), draft.loading.step_ends.end());
   times.erase(0);
   const std::set<double> sudden = sudden_times(draft.loading);
-  std::string text;
   for (const double time : times) {
     const bool is_sudden = time != draft.loading.end && sudden.contains(time);
-    text += fmt::format("{}{:.15g}", text.empty() ? "" : ", ", is_sudden ? time * (1 - just_before) : time);
+    draft.config.time.output.push_back(rounded(is_sudden ? time * (1 - just_before) : time));
   }
   if (!(draft.loading.end > 0))
     draft.impossible.push_back({draft.deck.steps.back().place, "STEP", "the steps take no time"});
-  draft.add(fmt::format(
-      "\n[time]\nend = {:.15g}\noutput = [{}]             # the ends of the steps; more: {{ count = 20 }}\n",
-      draft.loading.end, text));
-  draft.add(fmt::format("\n[output]\ndirectory = {}\n", toml_string("results/" + draft.name)));
+  draft.config.time.end = rounded(draft.loading.end);
+  draft.comment("time.output", "the ends of the steps, and always 0 and the end; more: { count = 20 }");
+  draft.config.output.directory = "results/" + draft.name;
 }
 
 }  // namespace creepcontact::deck

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "creepcontact/config/configured.hpp"
 #include "function_search.hpp"
 #include "model_parts.hpp"
 
@@ -39,7 +40,7 @@ std::vector<double> breakpoints(const config::Config& config, std::span<const Se
   for (const double t : config.time.breakpoints) times.add(t, rounding * t);
   for (const config::Contact& contact : config.contacts)
     if (contact.preload) times.add(contact.preload->time, rounding * contact.preload->time);
-  for (const config::ConfiguredFunction& function : config.functions)
+  for (const config::ConfiguredFunction& function : config::functions(config))
     for (const double t : function.value.breakpoints(end)) times.add(t, rounding * t);
   if (temperature)
     for (const double t : temperature->breakpoints(end)) times.add(t, rounding * t);

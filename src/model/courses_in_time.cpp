@@ -18,7 +18,7 @@ constexpr std::size_t max_point_places = 100;  // where each needs its own weigh
 std::vector<CoursesInTime> courses_in_time(const config::Config& config, const Model& model) {
   KeyPlaces key_places(config, model.bodies());
   std::vector<CoursesInTime> result;
-  for (const config::ConfiguredFunction& function : config.functions) {
+  for (const config::ConfiguredFunction& function : config::functions(config)) {
     const FunctionCourses courses(function, config, model.bodies(), model.temperature);
     if (!courses.changes_in_time()) continue;
     const std::shared_ptr<const Places> places = key_places.of(function.key);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/config/configured.hpp"
 #include "discontinuities.hpp"
 #include "places.hpp"
 

@@ -28,8 +28,12 @@ class FunctionSearch {
  public:
   FunctionSearch(const config::Config& config, const Bodies& bodies,
                  const std::optional<mechanics::TemperatureField>& temperature)
-      : config_(config), bodies_(bodies), temperature_(temperature), key_places_(config, bodies) {
-    for (const config::ConfiguredFunction& function : config.functions) {
+      : config_(config),
+        bodies_(bodies),
+        temperature_(temperature),
+        functions_(config::functions(config)),
+        key_places_(config, bodies) {
+    for (const config::ConfiguredFunction& function : functions_) {
       const FunctionCourses courses(function, config, bodies, temperature);
       n_of_place_ += courses.changes_in_time() && courses.depends_on_place() ? 1 : 0;
     }
@@ -38,7 +42,7 @@ class FunctionSearch {
   std::vector<SearchedFunction> run() {
     // The temperature first: others depend on it.
     for (const bool is_temperature : {true, false}) {
-      for (const config::ConfiguredFunction& function : config_.functions)
+      for (const config::ConfiguredFunction& function : functions_)
         if (function.key.starts_with("temperature.") == is_temperature) search(function);
       if (is_temperature) {
         add_temperature_of_points();
@@ -234,6 +238,7 @@ class FunctionSearch {
   const config::Config& config_;
   const Bodies& bodies_;
   const std::optional<mechanics::TemperatureField>& temperature_;
+  const std::vector<config::ConfiguredFunction> functions_;
   KeyPlaces key_places_;
   int n_of_place_ = 0;
   std::set<std::tuple<std::string, const Places*, bool>> searched_;

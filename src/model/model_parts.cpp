@@ -64,7 +64,7 @@ material::Material make_material(const config::Material& from) {
     result.thermal_expansion = material::ThermalExpansion({alpha[0], alpha[1], alpha[2]});
   else
     result.thermal_expansion = alpha.front();
-  result.reference_temperature = from.reference_temperature;
+  result.reference_temperature = from.reference_temperature.value_or(0);
   for (const config::CreepMechanism& mechanism : from.creep) {
     std::map<std::string, std::vector<Function>> values;
     for (const config::CreepParameter& parameter : mechanism.parameters) values[parameter.key] = parameter.values;

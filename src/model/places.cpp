@@ -8,6 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "creepcontact/base/overload.hpp"
+
 namespace creepcontact::model {
 namespace {
 
@@ -68,28 +70,33 @@ Places KeyPlaces::on_bodies(const std::vector<std::size_t>& bodies) const {
   return result;
 }
 
-Places KeyPlaces::of_load(const config::Load& load) const {
-  if (load.on.given()) return on_group(load.on.name, load.body);
-  if (const auto* force = std::get_if<config::PointForce>(&load.kind)) {
-    // Functions of position are evaluated at the node, which is the nearest one or has the number.
-    if (!force->at)
-      for (const NodeOfBody& node : nodes_numbered(bodies_, force->node))
-        if (!load.body.given() || bodies_[node.body].name() == load.body.name)
-          return {{bodies_[node.body].mesh().nodes[node.node], node.body}};
-    if (force->at) {
-      Place nearest;
-      double distance = std::numeric_limits<double>::infinity();
-      const Vector3 at = vector(*force->at);
-      for (std::size_t b = 0; b < bodies_.size(); ++b)
-        for (std::size_t i = 0; i < bodies_[b].mesh().n_cell_nodes(); ++i)
-          if (const Vector3& x = bodies_[b].mesh().nodes[i]; (x - at).norm() < distance) {
-            distance = (x - at).norm();
-            nearest = {x, b};
-          }
-      return {nearest};
-    }
+Places KeyPlaces::at_node(const config::PointForce& force, const config::Reference& body) const {
+  if (!force.at) {
+    for (const NodeOfBody& node : nodes_numbered(bodies_, force.node))
+      if (!body.given() || bodies_[node.body].name() == body.name)
+        return {{bodies_[node.body].mesh().nodes[node.node], node.body}};
+    return body.given() ? on_bodies({body_index(config_, body.name)}) : Places{};
   }
-  return load.body.given() ? on_bodies({body_index(config_, load.body.name)}) : Places{};
+  Place nearest;
+  double distance = std::numeric_limits<double>::infinity();
+  const Vector3 at = vector(*force.at);
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t i = 0; i < bodies_[b].mesh().n_cell_nodes(); ++i)
+      if (const Vector3& x = bodies_[b].mesh().nodes[i]; (x - at).norm() < distance) {
+        distance = (x - at).norm();
+        nearest = {x, b};
+      }
+  return {nearest};
+}
+
+Places KeyPlaces::of_load(const config::Load& load) const {
+  const auto in_body = [&] { return on_bodies({body_index(config_, load.body.name)}); };
+  return std::visit(
+      Overload{[&](const config::Pressure&) { return on_group(load.on.name, load.body); },
+               [&](const config::Traction&) { return on_group(load.on.name, load.body); },
+               [&](const config::PointForce& force) { return at_node(force, load.body); },
+               [&](const config::BodyForce&) { return in_body(); }, [&](const config::Rotation&) { return in_body(); }},
+      load.kind);
 }
 
 std::string KeyPlaces::part(const std::string& key) const {

@@ -31,6 +31,8 @@ class KeyPlaces {
   Places on_group(const std::string& group, const config::Reference& body) const;
   Places on_bodies(const std::vector<std::size_t>& bodies) const;
   Places of_load(const config::Load& load) const;
+  /// The node at which functions of position are evaluated: the nearest one, or that with the number.
+  Places at_node(const config::PointForce& force, const config::Reference& body) const;
   /// What decides where the key acts: "loads[0]"; empty: acts on all bodies.
   std::string part(const std::string& key) const;
   Places made(const std::string& part) const;

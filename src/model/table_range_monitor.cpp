@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/config/configured.hpp"
 #include "point_extreme.hpp"
 
 namespace creepcontact::model {
 
 TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
-  for (const config::ConfiguredFunction& function : config.functions)
+  for (const config::ConfiguredFunction& function : config::functions(config))
     for (const config::Material& material : config.materials)
       if (const std::string table = fmt::format("materials.{}.", material.name); function.key.starts_with(table))
         if (const auto range = function.value.table_range("T"))

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "creepcontact/base/checksum.hpp"
+#include "creepcontact/config/configured.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -88,7 +89,7 @@ std::string fingerprint(const config::Config& config, const model::Model& model)
   Lines lines;
   for (const mechanics::Body& body : model.bodies())
     lines.add(fmt::format("mesh of body '{}'", body.name()), describe(body.mesh()));
-  for (const config::ConfiguredValue& value : config.values)
+  for (const config::ConfiguredValue& value : config::identifying_values(config))
     if (!is_of_unused_material(value.key, config) && !is_of_unused_method(value.key, config))
       lines.add(value.key, value.text);
   if (config.temperature && !config.temperature->files.empty())

@@ -12,12 +12,14 @@
 
 #include "creepcontact/base/checksum.hpp"
 #include "creepcontact/base/units.hpp"
+#include "creepcontact/config/configured.hpp"
 #include "creepcontact/material/creep_curve.hpp"
 #include "creepcontact/material/registry.hpp"
 #include "creepcontact/model/temperature.hpp"
 #include "creepcontact/results/quantities.hpp"
 #include "fingerprint.hpp"
 #include "gap_report.hpp"
+#include "load_words.hpp"
 #include "model_view.hpp"
 
 namespace creepcontact::run {
@@ -42,14 +44,6 @@ std::string short_fingerprint(const config::Config& config, const model::Model& 
 
 std::string with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : fmt::format("{} [{}]", text, unit);
-}
-
-std::string vector_text(const std::array<double, 3>& v) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]);
-}
-
-std::string vector_text(const std::array<Function, 3>& v) {
-  return fmt::format("({}, {}, {})", v[0].text(), v[1].text(), v[2].text());
 }
 
 /// Words of the configuration as sections of the record.
@@ -104,7 +98,8 @@ class Recorder {
           {alpha.size() == 1 ? "thermal expansion (secant)" : "thermal expansion (secant) along axes 1, 2, 3",
            alpha.size() == 1 ? alpha[0].text() : vector_text(std::array{alpha[0], alpha[1], alpha[2]}),
            degree.empty() ? "" : "1/" + degree});
-      elastic.rows.push_back({"reference temperature", fmt::format("{:.6g}", given.reference_temperature), degree});
+      elastic.rows.push_back(
+          {"reference temperature", fmt::format("{:.6g}", given.reference_temperature.value_or(0)), degree});
     }
     section.tables.push_back(elastic);
     for (const config::CreepMechanism& mechanism : given.creep) section.tables.push_back(law(mechanism));
@@ -124,7 +119,10 @@ class Recorder {
       const std::string text = colon == std::string::npos ? mark.name : mark.name.substr(colon + 2);
       if (mark.kind == Mark::Kind::support) supports.rows.push_back({mark.group, text});
     }
-    for (const config::Load& load : config_.loads) loads.rows.push_back(load_row(load));
+    for (const config::Load& load : config_.loads) {
+      const LoadWords words = load_words(load, config_, model_);
+      loads.rows.push_back({words.place, words.text});
+    }
     if (!supports.rows.empty()) section.tables.push_back(supports);
     if (!loads.rows.empty()) section.tables.push_back(loads);
     if (temperature_) {
@@ -215,22 +213,6 @@ class Recorder {
     return table;
   }
 
-  std::vector<std::string> load_row(const config::Load& load) const {
-    const std::string on = load.on.given() ? load.on.name : load.body.given() ? "body " + load.body.name : "";
-    if (const auto* pressure = std::get_if<config::Pressure>(&load.kind))
-      return {on, fmt::format("{} = {}", label("pressure", Dimension::stress), pressure->value.text())};
-    if (const auto* traction = std::get_if<config::Traction>(&load.kind))
-      return {on, fmt::format("{} = {}", label("force per area", Dimension::stress), vector_text(traction->value))};
-    if (const auto* force = std::get_if<config::PointForce>(&load.kind))
-      return {force->at ? "point " + vector_text(*force->at) : fmt::format("node {}", force->node),
-              fmt::format("{} = {}", label("force", Dimension::force), vector_text(force->value))};
-    if (const auto* body_force = std::get_if<config::BodyForce>(&load.kind))
-      return {on, fmt::format("force per volume = {}", vector_text(body_force->value))};
-    const auto& rotation = std::get<config::Rotation>(load.kind);
-    return {on, fmt::format("rotation about {} through {}: angular velocity {}, density {}", vector_text(rotation.axis),
-                            vector_text(rotation.origin), rotation.angular_velocity.text(), rotation.density.text())};
-  }
-
   /// Creep strain over time at stresses that the bodies of this material have at the start.
   io::RecordedPlot creep_curves(const material::Material& material) const {
     io::RecordedPlot plot{"Creep under constant stress, as the laws above say",
@@ -292,7 +274,7 @@ class Recorder {
   /// Functions of time alone, and the range of a temperature that changes.
   std::vector<io::RecordedPlot> courses() const {
     std::vector<io::RecordedPlot> plots;
-    for (const config::ConfiguredFunction& function : config_.functions) {
+    for (const config::ConfiguredFunction& function : config::functions(config_)) {
       if (!function.value.depends_on_time() || function.value.depends_on_position()) continue;
       if (!function.is_of_position_and_time()) continue;
       io::RecordedCurve curve{function.key, {}, {}};

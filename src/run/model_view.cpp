@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
-#include "creepcontact/model/numbered_nodes.hpp"
+#include "load_words.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -33,24 +34,10 @@ std::vector<Mark> marks(const config::Config& config, const model::Model& model)
   }
   for (std::size_t i = 0; i < config.loads.size(); ++i) {
     const config::Load& load = config.loads[i];
-    Mark mark{Mark::Kind::load, i, "", load.on.name, load.body.name};
-    if (const auto* force = std::get_if<config::PointForce>(&load.kind)) {
-      if (force->at) {
-        mark.position = Vector3(force->at->at(0), force->at->at(1), force->at->at(2));
-      } else {
-        const model::NodeOfBody at = model::nodes_numbered(model.bodies(), force->node).front();
-        mark.position = model.bodies()[at.body].mesh().nodes[at.node];
-      }
-      mark.name =
-          fmt::format("load: force at ({:.6g}, {:.6g}, {:.6g})", mark.position[0], mark.position[1], mark.position[2]);
-    } else if (const auto* pressure = std::get_if<config::Pressure>(&load.kind)) {
-      mark.name = fmt::format("load '{}': pressure = {}", load.on.name, pressure->value.text());
-    } else if (load.on.given()) {
-      mark.name = fmt::format("load '{}': traction", load.on.name);
-    } else {
-      continue;
-    }
-    all.push_back(mark);
+    LoadWords words = load_words(load, config, model);
+    if (words.label.empty()) continue;
+    Mark& mark = all.emplace_back(Mark{Mark::Kind::load, i, std::move(words.label), load.on.name, load.body.name});
+    mark.position = words.position;
   }
   for (std::size_t i = 0; i < config.contacts.size() && i < model.pairs().size(); ++i) {
     const contact::Pair& pair = model.pairs()[i];

@@ -84,8 +84,8 @@ class ImportOfAxes(ImportTest):
                 name = f"bodies{n_bodies}"
                 self.import_deck(name, deck + second + orientations + sections + step)
                 text = (self.directory / "imported" / f"{name}.toml").read_text()
-                self.assertEqual(text.count("[bodies."), n_bodies)
-                self.assertEqual("material_axes.cylindrical = { axis = [0, 0, 2], origin = [0, -5, 0] }" in text, n_bodies == 2)
+                self.assertEqual(text.count("\nregion = "), n_bodies)
+                self.assertEqual("cylindrical = { axis = [0, 0, 2], origin = [0, -5, 0] }" in text, n_bodies == 2)
                 self.run_imported(name)
 
     def test_axes_that_are_not_known(self):

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/reader.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "fuzz_target.hpp"
 #include "unit/config/test_vocabulary.hpp"
 
@@ -22,6 +24,12 @@ std::vector<std::string> overrides_in(std::string_view text) {
   return all;
 }
 
+std::string values(const config::Config& config) {
+  std::string text;
+  for (const config::ConfiguredValue& value : config::all_values(config)) text += value.key + " = " + value.text + '\n';
+  return text;
+}
+
 }  // namespace
 }  // namespace creepcontact
 
@@ -35,6 +43,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(!config.bodies.empty() && !config.materials.empty(), "what is accepted has bodies and materials");
     fuzz::require(std::is_sorted(times.begin(), times.end()), "output times increase");
     for (const config::Body& body : config.bodies) config.material(body.material.name);
+    const config::Config again = config::parse(config::to_toml(config, vocabulary), config.file, vocabulary);
+    fuzz::require(values(again) == values(config), "what is written reads back as the same");
   });
   return 0;
 }

@@ -12,7 +12,6 @@
 
 #include "creepcontact/base/csv_format.hpp"
 #include "creepcontact/base/function.hpp"
-#include "creepcontact/config/configured.hpp"
 #include "creepcontact/config/location.hpp"
 #include "creepcontact/settings/analysis.hpp"
 #include "creepcontact/settings/contact_settings.hpp"
@@ -71,8 +70,10 @@ struct CreepParameter {
   std::string key;
   std::vector<Function> values;  ///< of the variables that Vocabulary allows for this key
   Location location;
-  bool given = true;      ///< false: it is the default
-  std::string word = {};  ///< of a key whose value is a word
+  bool given = true;                           ///< false: it is the default
+  std::string word = {};                       ///< of a key whose value is a word
+  bool is_list = false;                        ///< the key takes a list, of one value too
+  std::vector<std::string> variables = {"T"};  ///< that Vocabulary allows for this key
 };
 
 /// [[materials.<name>.creep]]
@@ -141,7 +142,7 @@ struct Material {
   std::optional<Orthotropic> orthotropic;        ///< elasticity
   std::optional<Hill> hill;                      ///< of all creep laws
   std::vector<Function> thermal_expansion{0.0};  ///< secant, of T: one, or three along the material axes
-  double reference_temperature = 0.0;
+  std::optional<double> reference_temperature;   ///< of zero thermal strain; not given: 0, where nothing depends on T
   std::vector<CreepMechanism> creep;
   std::optional<Rupture> rupture;
   std::optional<DataRange> data_range;
@@ -363,7 +364,7 @@ struct GeneralizedPlaneStrain {
   bool per_body = false;           ///< each body has its own axial strain, which follows from Body::axial_force
 };
 
-/// A configuration that has been read and checked.
+/// A configuration that has been read and checked, or made in code and completed (writer.hpp).
 struct Config {
   std::filesystem::path file;  ///< as given by the user
   std::string title;
@@ -387,9 +388,6 @@ struct Config {
   Output output;
   std::vector<Probe> probes;
   std::vector<Event> events;
-
-  std::vector<ConfiguredFunction> functions;  ///< all of the above, in the order of reading
-  std::vector<ConfiguredValue> values;        ///< of the keys that identify the model
 
   /// @throws std::out_of_range if the name is unknown (reading has checked those that bodies refer to)
   const Material& material(const std::string& name) const;

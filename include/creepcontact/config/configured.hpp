@@ -1,6 +1,7 @@
 #pragma once
-/// Functions and values of a configuration as data, recorded while it is read. Code that needs all of them
-/// (breakpoints, the fingerprint of a checkpoint) then cannot forget a kind of key.
+/// Functions and values of a configuration as data. They follow from its structs by the declarations of the keys, so
+/// code that needs all of them (breakpoints, the fingerprint of a checkpoint) cannot forget a kind of key, and a
+/// configuration that is made in code has them too.
 
 #include <string>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "creepcontact/base/function.hpp"
 
 namespace creepcontact::config {
+
+struct Config;
 
 /// A function of the configuration: a number, an expression or a table.
 struct ConfiguredFunction {
@@ -20,10 +23,21 @@ struct ConfiguredFunction {
   bool is_of_position_and_time() const;
 };
 
-/// The value of a key that identifies the model (KeyInfo::identifies_model).
+/// The value of a key.
 struct ConfiguredValue {
   std::string key;   ///< full: "contacts[0].gap"
-  std::string text;  ///< the same for equal values: 1.0 and 1 are both "1"
+  std::string text;  ///< as a file has it, the same for equal values: 1.0 and 1 are both "1"
 };
+
+/// All functions in the order of the keys, those of keys that have their defaults included. Cost: linear in the
+/// number of keys.
+std::vector<ConfiguredFunction> functions(const Config& config);
+
+/// The values that identify the model (KeyInfo::identifies_model), in the order of the keys. A key that has its default
+/// is among them if there is a default to be written.
+std::vector<ConfiguredValue> identifying_values(const Config& config);
+
+/// The values of all keys.
+std::vector<ConfiguredValue> all_values(const Config& config);
 
 }  // namespace creepcontact::config

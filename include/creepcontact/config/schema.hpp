@@ -36,7 +36,6 @@ struct KeyInfo {
   std::string only_with = {};    ///< key only with this word of the preceding key, e.g. a creep law
   std::string dimension = {};    ///< of its numbers: "stress", "length"; empty: none, or not fixed
   bool identifies_model = true;  ///< a run in which it differs cannot be resumed
-  bool implied = false;          ///< table: if it is not given, its keys have their defaults
 };
 
 /// All keys of a configuration in the order of the tables; each table precedes its keys.
@@ -44,7 +43,7 @@ std::vector<KeyInfo> schema(const Vocabulary& vocabulary);
 /// All keys of a study.
 std::vector<KeyInfo> study_schema();
 
-/// The same as JSON Schema (draft 7), for editors: types, bounds, words, defaults and descriptions.
+/// Writes the keys as JSON Schema (draft 7), for editors: types, bounds, words, defaults and descriptions.
 std::string json_schema(const Vocabulary& vocabulary);
 std::string study_json_schema();
 

@@ -23,8 +23,8 @@ struct Place {
 /// "*SOLID SECTION, ELSET=Bolt, MATERIAL=Steel"
 struct Card {
   std::string name;  ///< upper case, single blanks: "SOLID SECTION"
-  /// By name, upper case without blanks. Values as written, without quotes and the blanks around them; empty for a
-  /// parameter without one.
+  /// The parameters by name, upper case without blanks. Values are as written, without quotes and the blanks around
+  /// them; empty for a parameter without one.
   std::map<std::string, std::string> parameters = {};
   Place place = {};
   bool goes_on = false;  ///< it ends with a comma, and the next line has no "=": data, or parameters without values
@@ -57,7 +57,8 @@ struct CardSink {
 /// @throws ConfigError with file and line: a file that cannot be read or is not text, a text without cards, a card
 /// without a name, files that include each other
 void read_cards(const std::filesystem::path& path, const CardSink& sink);
-/// The same of a text. @param name  for messages; the directory of this name is that of the files it includes
+/// Reads a text instead of a file. @param name  for messages; the directory of this name is that of the files it
+/// includes
 void read_cards(std::istream& text, const std::filesystem::path& name, const CardSink& sink);
 
 /// Names without regard to case: sets, surfaces, materials.
@@ -65,7 +66,7 @@ std::string upper_case(std::string_view text);
 
 /// A number as Fortran reads it: 1, 1., 1.5e-3, 1.5d-3, 1.5-3. nullopt if the field is none.
 std::optional<double> number(std::string_view field);
-/// At most 1e15 in size.
+/// Reads a whole number of at most 1e15 in size.
 std::optional<std::int64_t> whole_number(std::string_view field);
 
 }  // namespace creepcontact::deck

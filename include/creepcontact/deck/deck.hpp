@@ -24,7 +24,7 @@ struct ElementBlock {
   Numbers numbers, nodes;
   std::vector<std::pair<std::size_t, Place>> cards = {};  ///< *ELEMENT: where each begins in `numbers`
 
-  /// Of the card of an element. @param element  index in `numbers`
+  /// Returns where the card of an element is. @param element  index in `numbers`
   Place place(std::size_t element) const;
 };
 
@@ -142,7 +142,8 @@ struct Deck {
 /// and sets that do not exist, elements without all their nodes, a deck that is cut off or has no elements Cost: linear
 /// in the size of the text. Memory: the nodes and elements, twice where instances are made of parts.
 Deck read_deck(const std::filesystem::path& path);
-/// The same of a text. @param name  for messages; the directory of this name is that of the files it includes
+/// Reads a text instead of a file. @param name  for messages; the directory of this name is that of the files it
+/// includes
 Deck read_deck(std::istream& text, const std::filesystem::path& name);
 
 }  // namespace creepcontact::deck

@@ -23,11 +23,11 @@ struct ElementType {
 /// nullopt if the program has no such element: shells, beams, springs, coupled fields.
 std::optional<ElementType> element_type(std::string_view name);
 
-/// Of a type, the node of the deck (from 0) at each place of the cell in Gmsh's order.
+/// Returns the node of the deck (from 0) that a type has at each place of the cell, in Gmsh's order.
 const std::vector<int>& gmsh_order(mesh::CellType cell);
 
 /// Face S1, S2, ... of an element: places of its corners, then of the nodes between them, in the order of the deck.
-/// In sections an edge. Faces of decks point outwards or inwards, as it happens.
+/// A face is an edge in sections. Faces of decks point outwards or inwards, as it happens.
 /// @param number  from 1; nullptr if there is no such face
 const std::vector<int>* face(mesh::CellType cell, int number);
 

@@ -1,15 +1,17 @@
 #pragma once
-/// From a deck to a configuration and its mesh.
+/// Makes a configuration and its mesh of a deck.
 
 #include <string>
 #include <vector>
 
+#include "creepcontact/config/writer.hpp"
 #include "creepcontact/deck/deck.hpp"
 
 namespace creepcontact::deck {
 
 struct Import {
-  std::string toml;                   ///< configuration, with comments on what each table comes from
+  config::Config config;
+  config::Comments comments;          ///< on what each table comes from
   std::string msh;                    ///< content of the mesh file
   std::string temperatures = {};      ///< content of the table of temperatures, if there is one
   std::vector<std::string> left_out;  ///< one line per card not taken into account or missed: place, card, consequence

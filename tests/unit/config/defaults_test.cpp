@@ -19,7 +19,7 @@ TEST(ConfigDefaults, MinimalConfiguration) {
   const Material& steel = config.material(config.bodies[0].material.name);
   EXPECT_EQ(steel.young_modulus({}), 2e5);
   EXPECT_TRUE(steel.thermal_expansion.at(0).is_zero());
-  EXPECT_EQ(steel.reference_temperature, 0.0);
+  EXPECT_FALSE(steel.reference_temperature);
   EXPECT_TRUE(steel.creep.empty());
   EXPECT_FALSE(config.temperature.has_value());
   EXPECT_EQ(config.contact_solver.method, ContactMethod::schwarz);

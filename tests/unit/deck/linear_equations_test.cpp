@@ -20,10 +20,10 @@ TEST(Courses, SumsKeepJumpsAndCorners) {
   step.add(1, 10);
   step.add(2, 10);
   const Course sum = ramp.plus(step);
-  EXPECT_EQ(sum.toml(), "{ t = [0, 1, 1, 2], values = [1, 3, 12, 14] }");
+  EXPECT_EQ(sum.function().text(), "{ t = [0, 1, 1, 2], values = [1, 3, 12, 14] }");
   EXPECT_EQ(sum.before(1), 3);
   EXPECT_EQ(sum.at(1), 12);
-  EXPECT_EQ(Course().plus(step).toml(), step.toml());
+  EXPECT_EQ(Course().plus(step).function().text(), step.function().text());
 }
 
 /// u1 of 1 and 2 are those of the reference node 9; 2 u1 of 3 follows.

@@ -3,7 +3,6 @@
 #include "../../../src/config/table.hpp"
 #include "../../../src/config/tables.hpp"
 #include "../../../src/config/toml_document.hpp"
-#include "../../../src/run/fingerprint.hpp"
 #include "creepcontact/config/key_reference.hpp"
 #include "support/run/running.hpp"
 
@@ -30,40 +29,42 @@ config::Value<Site> site_table() {
   return config::table<Site>({config::field<Site>("winds", &Site::winds, config::tables(wind), "a load of fancy")});
 }
 
-/// The configuration of the blocks, with what the site's keys add to it.
-config::Config with_wind(const Case& blocks, const std::string& wind) {
-  config::Config result = blocks.config();
+Site site(const std::string& wind) {
   const toml::table document = config::parse_toml("[[winds]]\n" + wind, "site.toml", {});
   config::Context context;
-  const config::Value<Site> table = site_table();
-  EXPECT_TRUE(table.read({&document, {}}, context));
+  const auto result = site_table().read({&document, {}}, context);
+  EXPECT_TRUE(result);
   EXPECT_TRUE(context.errors.empty());
-  result.functions.insert(result.functions.end(), context.functions.begin(), context.functions.end());
-  const auto values = config::configured_values(document, table.keys);
-  result.values.insert(result.values.end(), values.begin(), values.end());
-  return result;
+  return result.value_or(Site());
 }
 
-TEST(NewKey, IsKnownToTheBreakpoints) {
-  const Case blocks;
-  EXPECT_EQ(build_model(blocks.config()).breakpoints, std::vector<double>());
-  const Model table = build_model(with_wind(blocks, "speed = { t = [0, 1, 1, 3], values = [0, 0, 5, 5] }"));
-  EXPECT_EQ(table.breakpoints, (std::vector<double>{1, 3}));
-  const Model kink = build_model(with_wind(blocks, "speed = 'abs(t - 2.5)'"));
-  ASSERT_EQ(kink.breakpoints.size(), 1U);
-  EXPECT_NEAR(kink.breakpoints[0], 2.5, 1e-9);
+std::vector<std::string> values(const Site& of) {
+  std::vector<std::string> lines;
+  for (const config::ConfiguredValue& value : config::values_of(site_table(), of, true))
+    lines.push_back(value.key + " " + value.text);
+  return lines;
 }
 
-TEST(NewKey, IsKnownToTheFingerprint) {
-  const Case blocks;
-  const Model model = build_model(blocks.config());
-  const auto changes = [&](const std::string& before, const std::string& now) {
-    return differences(fingerprint(with_wind(blocks, before), model), fingerprint(with_wind(blocks, now), model));
-  };
+TEST(NewKey, IsKnownToTheFunctions) {
+  const auto functions =
+      config::functions_of(site_table(), site("speed = { t = [0, 1, 1, 3], values = [0, 0, 5, 5] }"));
+  ASSERT_EQ(functions.size(), 1U);
+  EXPECT_EQ(functions[0].key, "winds[0].speed");
+  EXPECT_EQ(functions[0].value.breakpoints(), (std::vector<double>{0, 1, 3}));
+  EXPECT_EQ(functions[0].variables, config::position_and_time);
+}
+
+TEST(NewKey, IsKnownToTheValues) {
   using Lines = std::vector<std::string>;
-  EXPECT_EQ(changes("speed = 3", "speed = 3.0\nheight = 2"), Lines()) << "equal values, and a default";
-  EXPECT_EQ(changes("speed = 3", "speed = '3*t'"), Lines({R"(winds[0].speed was 3 and is now "3*t")"}));
-  EXPECT_EQ(changes("speed = 3", "speed = 3\nheight = 10"), Lines({"winds[0].height was 2 and is now 10"}));
+  EXPECT_EQ(values(site("speed = 3")), (Lines{"winds[0].speed 3", "winds[0].height 2"}));
+  EXPECT_EQ(values(site("speed = 3")), values(site("speed = 3.0\nheight = 2"))) << "equal values, and a default";
+  EXPECT_EQ(values(site("speed = '3*t'\nheight = 10")), (Lines{R"(winds[0].speed "3*t")", "winds[0].height 10"}));
+}
+
+TEST(NewKey, IsKnownOfAStructThatWasNotRead) {
+  Site made;
+  made.winds.push_back({Function::table("t", {0, 1}, {0, 5}), 2});
+  EXPECT_EQ(values(made), values(site("speed = { t = [0, 1], values = [0, 5] }")));
 }
 
 TEST(NewKey, IsKnownToTheReference) {
