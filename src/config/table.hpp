@@ -85,9 +85,6 @@ const T* value_in(const Member& member) {
     return member ? &*member : nullptr;
 }
 
-/// What an empty string is in a file: a default that says nothing.
-inline constexpr const char* no_text = "\"\"";
-
 /// @param member  of S, or a callable from S& and from const S& to a reference; a T or an optional<T>
 template <class S, class Member, class T>
 Field<S> field(const std::string& name, Member member, const Value<T>& value, const std::string& description,

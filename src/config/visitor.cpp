@@ -81,11 +81,14 @@ void InlineText::function(const Function& value, const std::vector<std::string>&
 }
 
 void InlineText::path(const std::filesystem::path& file) {
+  if (file.empty()) {  // lexically_relative would make it "."
+    text += no_text;
+    return;
+  }
   const std::filesystem::path relative = file.lexically_relative(directory_.lexically_normal());
-  if (!relative.empty() || file.empty())
-    text += toml_of(relative.string());
-  else
-    text += toml_of(file.is_absolute() ? file.string() : std::filesystem::absolute(file).lexically_normal().string());
+  const std::filesystem::path written =
+      relative.empty() && !file.is_absolute() ? std::filesystem::absolute(file).lexically_normal() : relative;
+  text += toml_of(written.empty() ? file.string() : written.string());
 }
 
 }  // namespace creepcontact::config

@@ -60,6 +60,9 @@ class Visitor {
   virtual void path(const std::filesystem::path& file) = 0;
 };
 
+/// What an empty string is in a file: a default that says nothing.
+inline constexpr const char* no_text = "\"\"";
+
 /// Texts of a TOML file.
 std::string toml_of(double number);
 inline std::string toml_of(const std::string& text) {
