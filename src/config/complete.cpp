@@ -51,6 +51,24 @@ void complete_law(CreepMechanism& mechanism, const std::vector<Law>& laws) {
   mechanism.depends_on_temperature = law->validate(values).depends_on_temperature;
 }
 
+/// The laws that have no ranges of their own get those of the material.
+void translate_data_range(Material& material, std::vector<std::string>& remarks) {
+  if (!material.data_range) return;
+  const DataRange old = *std::exchange(material.data_range, std::nullopt);
+  const auto take = [](const std::vector<double>& from, std::optional<Interval>& to) {
+    if (!from.empty() && !to) to = {from.front(), from.back()};
+  };
+  for (CreepMechanism& mechanism : material.creep) {
+    take(old.stress, mechanism.stress_range);
+    take(old.temperature, mechanism.temperature_range);
+    take(old.time, mechanism.time_range);
+  }
+  remarks.push_back(fmt::format(
+      "[materials.{0}.data_range] is taken for stress_range, temperature_range and time_range of {1}; give them in "
+      "[[materials.{0}.creep]] instead",
+      material.name, material.creep.empty() ? "its creep laws, of which it has none" : "its creep laws"));
+}
+
 /// Fields are written with the other results of their time.
 void complete_times(Config& config) {
   std::vector<double>& times = config.time.output;
@@ -75,8 +93,10 @@ void complete_axes(Config& config) {
 }  // namespace
 
 void complete(Config& config, const Vocabulary& vocabulary) {
-  for (Material& material : config.materials)
+  for (Material& material : config.materials) {
     for (CreepMechanism& mechanism : material.creep) complete_law(mechanism, vocabulary.laws);
+    translate_data_range(material, config.remarks);
+  }
   for (Contact& contact : config.contacts)
     if (contact.name.empty()) contact.name = default_name(contact);
   for (Probe& probe : config.probes) {

@@ -1,4 +1,4 @@
-/// [materials.<name>.data_range]
+/// [materials.<name>.data_range], an older way to give the ranges of creep laws
 
 #include "table.hpp"
 #include "tables.hpp"

@@ -76,7 +76,7 @@ std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key
 }
 
 Value<Interval> interval() {
-  const std::string type = "[low, high], two numbers that increase";
+  const std::string type = "[low, high], the smaller number first";
   const Value<std::vector<double>> numbers = list(number());
   Value<Interval> value{.type = type, .read = {}, .brief = "`[low, high]`, numbers", .json = [] {
                           return schema_of_list(number().json(), 2);
@@ -88,7 +88,7 @@ Value<Interval> interval() {
     }
     const auto found = numbers.read(item, context);
     if (!found) return std::nullopt;
-    if (found->size() == 2 && (*found)[0] < (*found)[1]) return Interval{(*found)[0], (*found)[1]};
+    if (found->size() == 2 && (*found)[0] <= (*found)[1]) return Interval{(*found)[0], (*found)[1]};
     context.errors.add(item.location, fmt::format("[{}]", fmt::join(*found, ", ")), type);
     return std::nullopt;
   };
@@ -107,6 +107,10 @@ const std::vector<Field<CreepMechanism>>& common_keys() {
       field<CreepMechanism>("temperature_range", &CreepMechanism::temperature_range, interval(),
                             "temperatures for which the constants were determined; warns outside")
           .in("temperature")
+          .changeable(),
+      field<CreepMechanism>("time_range", &CreepMechanism::time_range, interval(),
+                            "times of the readings for which the constants were determined; warns if the run is longer")
+          .in("time")
           .changeable()};
   return keys;
 }
@@ -359,8 +363,10 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
-      field<Material>("data_range", &Material::data_range, data_range_table(),
-                      "what the creep laws were fitted to: `run` warns where a body leaves it")
+      field<Material>(
+          "data_range", &Material::data_range, data_range_table(),
+          "older form of `stress_range`, `temperature_range` and `time_range` of all creep laws of the material, "
+          "which do not give them themselves")
           .changeable(),
       field<Material>("fatigue", &Material::fatigue, fatigue_table(vocabulary),
                       "cycles to failure, for the life that the cycles of `time.cycle` use up"),

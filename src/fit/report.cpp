@@ -132,13 +132,13 @@ std::string material_block(const TestData& data, const LawChoice& choice, const 
                             ? "at the end of its range"
                             : fmt::format("{:.4g} .. {:.4g} with 95 % confidence", parameter.low, parameter.high));
   for (const auto& [key, value] : choice.set) text += fmt::format("{} = {}   # held\n", key, value);
-  text += fmt::format("\n# `run` warns where a body leaves the range of the tests.\n[materials.{}.data_range]\n", name);
+  text += "# `run` warns where a body leaves the range of the tests.\n";
   const auto interval = [&](const char* key, const Interval& range) {
     text += fmt::format("{} = [{:.6g}, {:.6g}]\n", key, range.low, range.high);
   };
-  interval("stress", result.range.stress);
-  if (data.has_temperature) interval("temperature", result.range.temperature);
-  if (result.range.time.high > 0) interval("time", result.range.time);
+  interval("stress_range", result.range.stress);
+  if (data.has_temperature) interval("temperature_range", result.range.temperature);
+  if (result.range.time.high > 0) interval("time_range", result.range.time);
   return text;
 }
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include "creepcontact/model/data_range_monitor.hpp"
+#include "creepcontact/model/range_monitor.hpp"
 #include "preparation.hpp"
 
 namespace creepcontact::run {
 
 std::vector<std::string> settings_warnings(const config::Config& config) {
   std::vector<std::string> warnings = config.remarks;
-  for (std::string& warning : model::DataRangeMonitor::time_warnings(config)) warnings.push_back(std::move(warning));
+  for (std::string& warning : model::RangeMonitor::time_warnings(config)) warnings.push_back(std::move(warning));
   const config::Time& time = config.time;
   const bool controls_errors = !time.integrator.ends_with("_euler") || time.step.mode == settings::StepMode::adaptive;
   const bool iterates = config.contact_solver.method == settings::ContactMethod::schwarz;

@@ -83,7 +83,7 @@ struct CreepMechanism {
   Location location;
   bool depends_on_temperature = false;  ///< as reported by the law
   /// Where the data hold from which the constants come; not given: not known.
-  std::optional<Interval> stress_range = {}, temperature_range = {};
+  std::optional<Interval> stress_range = {}, temperature_range = {}, time_range = {};
 };
 
 enum class StressMeasure { von_mises, principal, mixed };
@@ -127,7 +127,8 @@ struct Fatigue {
   Location location;
 };
 
-/// [materials.<name>.data_range]: what the constants of the creep laws were measured at; two numbers each, or none.
+/// [materials.<name>.data_range], an older way to give the ranges of all creep laws of a material at once: complete() gives
+/// them to the laws. Two numbers each, or none.
 struct DataRange {
   std::vector<double> stress;  ///< von Mises stress
   std::vector<double> temperature;

@@ -1,6 +1,5 @@
 /// Stresses and temperatures outside the range in which tables and creep laws hold.
-#include "creepcontact/model/data_range_monitor.hpp"
-#include "creepcontact/model/table_range_monitor.hpp"
+#include "creepcontact/model/range_monitor.hpp"
 #include "observers.hpp"
 
 namespace creepcontact::run {
@@ -8,8 +7,7 @@ namespace {
 
 class LawRanges final : public Observer {
  public:
-  explicit LawRanges(const RunContext& context)
-      : context_(context), monitor_(context.config), data_monitor_(context.config) {}
+  explicit LawRanges(const RunContext& context) : context_(context), monitor_(context.config) {}
 
   void state(StepView& view) override { observe(view); }
   void jump(StepView& view) override { observe(view); }
@@ -22,12 +20,10 @@ class LawRanges final : public Observer {
   void observe(StepView& view) {
     const creep::Evaluation& at = view.evaluation();
     monitor_.observe(at.time, context_.system().assembly().bodies(), at.equilibrium, context_.team());
-    data_monitor_.observe(context_.system().assembly().bodies(), at.equilibrium, context_.team());
   }
 
   const RunContext& context_;
-  model::TableRangeMonitor monitor_;
-  model::DataRangeMonitor data_monitor_;
+  model::RangeMonitor monitor_;
 };
 
 }  // namespace

@@ -334,7 +334,7 @@ TEST(ConfigMistakes, WordsOfALaw) {
 TEST(ConfigMistakes, RangesOfALaw) {
   const std::string law = minimal + "[[materials.steel.creep]]\nlaw = \"norton\"\nA = 1\nn = 3\n";
   const std::string at = "cases/block.toml:16:16: materials.steel.creep[0].stress_range: ";
-  expect_mistake(law + "stress_range = [200, 20]\n", at + "[200, 20]; allowed: [low, high], two numbers that increase");
+  expect_mistake(law + "stress_range = [200, 20]\n", at + "[200, 20]; allowed: [low, high], the smaller number first");
   expect_mistake(law + "stress_range = [200]\n", at + "[200]; allowed: [low, high]");
   expect_mistake(law + "stress_range = 200\n", at + "number 200; allowed: [low, high]");
 }

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "creepcontact/model/table_range_monitor.hpp"
+#include "creepcontact/model/range_monitor.hpp"
 #include "creepcontact/run/check.hpp"
 #include "support/run/running.hpp"
 
@@ -25,7 +25,7 @@ class Temperatures : public testing::Test {
     testing::internal::CaptureStderr();
     System system(of);
     std::vector<double> state(system.rate.size()), rate(system.rate.size());
-    TableRangeMonitor monitor(of);
+    RangeMonitor monitor(of);
     for (const double t : times) {
       system.rate.rate(t, state, rate);
       monitor.see(t, system.model.bodies(), system.equilibrium(), serial_team());
@@ -108,6 +108,22 @@ TEST_F(Temperatures, OutsideTheRangesOfALawAreWarnedOfOnce) {
   EXPECT_TRUE(contains(said, "outside the stress_range of the law (1e-30 .. 1e-20); the law is extrapolated")) << said;
   EXPECT_EQ(said.find("stress_range"), said.rfind("stress_range")) << said;
   EXPECT_FALSE(contains(said, "material 'hard'")) << said;
+}
+
+TEST_F(Temperatures, TheRangesOfAMaterialAreThoseOfItsLaws) {
+  const config::Config found =
+      config(csv, {"materials.soft.data_range={ stress = [1e-30, 1e-20], temperature = [190, 190], time = [0, 0.5] }",
+                   "materials.soft.creep[0].temperature_range=[0, 180]"});
+  const config::CreepMechanism& law =
+      found.materials[0].name == "soft" ? found.materials[0].creep[0] : found.materials[1].creep[0];
+  EXPECT_EQ(law.stress_range->high, 1e-20);
+  EXPECT_EQ(law.temperature_range->high, 180) << "a range of its own";
+  EXPECT_EQ(law.time_range->high, 0.5);
+  ASSERT_EQ(found.remarks.size(), 1U);
+  EXPECT_TRUE(contains(found.remarks[0], "materials.soft.data_range")) << found.remarks[0];
+  EXPECT_TRUE(contains(warnings(found, {0.5, 3.5}), "outside the stress_range of the law (1e-30 .. 1e-20)"));
+  ASSERT_EQ(RangeMonitor::time_warnings(found).size(), 1U);
+  EXPECT_TRUE(contains(RangeMonitor::time_warnings(found)[0], "the time_range of the law (0 .. 0.5)"));
 }
 
 TEST_F(Temperatures, AStressThatNeverReachesTheRangeOfALawIsWarnedOfAtTheEnd) {

@@ -14,11 +14,10 @@
 
 namespace creepcontact::model {
 
-/// One per run. A default-constructed monitor never warns.
-class TableRangeMonitor {
+/// One per run. The time is known before the run: see time_warnings().
+class RangeMonitor {
  public:
-  TableRangeMonitor() = default;
-  explicit TableRangeMonitor(const config::Config& config);
+  explicit RangeMonitor(const config::Config& config);
 
   /// Warns of each range that the temperature or stress of a body leaves for the first time. Collective.
   /// @param at  its bodies and conditions: of these bodies @param team  the processes that share the bodies
@@ -27,6 +26,9 @@ class TableRangeMonitor {
   void observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
   /// To be called at the end: warns of ranges of stress that the stress has never come up to.
   void finish() const;
+
+  /// Warnings of laws whose data are shorter than the run.
+  static std::vector<std::string> time_warnings(const config::Config& config);
 
  private:
   struct Range {

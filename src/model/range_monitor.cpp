@@ -1,4 +1,4 @@
-#include "creepcontact/model/table_range_monitor.hpp"
+#include "creepcontact/model/range_monitor.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,17 @@
 #include "point_extreme.hpp"
 
 namespace creepcontact::model {
+namespace {
 
-TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
+constexpr double data_rounding = 1e-6;  // ranges of data are written with six digits
+
+std::string name_of(const config::Material& material, std::size_t law) {
+  return fmt::format("creep[{}] ({})", law, material.creep[law].law);
+}
+
+}  // namespace
+
+RangeMonitor::RangeMonitor(const config::Config& config) {
   for (const config::ConfiguredFunction& function : config::functions(config))
     for (const config::Material& material : config.materials)
       if (const std::string table = fmt::format("materials.{}.", material.name); function.key.starts_with(table))
@@ -20,7 +29,7 @@ TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
   for (const config::Material& material : config.materials)
     for (std::size_t i = 0; i < material.creep.size(); ++i) {
       const config::CreepMechanism& mechanism = material.creep[i];
-      const std::string what = fmt::format("creep[{}] ({})", i, mechanism.law);
+      const std::string what = name_of(material, i);
       if (mechanism.temperature_range) tables_[material.name].push_back({what, *mechanism.temperature_range, true});
       if (mechanism.stress_range) stresses_[material.name].push_back({what, *mechanism.stress_range});
     }
@@ -29,8 +38,8 @@ TableRangeMonitor::TableRangeMonitor(const config::Config& config) {
       config.temperature && (!config.temperature->files.empty() || config.temperature->value.depends_on_time());
 }
 
-void TableRangeMonitor::observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at,
-                            const Team& team) {
+void RangeMonitor::observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at,
+                           const Team& team) {
   if (!stresses_.empty())
     for (std::size_t b = 0; b < bodies.size(); ++b) observe_stress(bodies[b], at.bodies[b].stress, t, team);
   if (tables_.empty() || time_ == t || (time_ && !changes_in_time_)) return;
@@ -38,8 +47,8 @@ void TableRangeMonitor::observe(double t, const std::vector<mechanics::Body>& bo
   for (std::size_t b = 0; b < bodies.size(); ++b) observe_temperature(bodies[b], at.conditions[b], team);
 }
 
-void TableRangeMonitor::observe_stress(const mechanics::Body& body, const std::vector<double>& stress, double t,
-                                   const Team& team) {
+void RangeMonitor::observe_stress(const mechanics::Body& body, const std::vector<double>& stress, double t,
+                                  const Team& team) {
   const auto found = stresses_.find(body.material().name);
   if (found == stresses_.end()) return;
   std::vector<double> q(stress.size() / 6);
@@ -47,7 +56,7 @@ void TableRangeMonitor::observe_stress(const mechanics::Body& body, const std::v
   const PointExtreme largest = point_extreme(body, q, 1, team);
   for (StressRange& of : found->second) {
     of.largest = std::max(of.largest, largest[0]);
-    if (of.exceeded || !(largest[0] > of.range.high * (1 + point_rounding))) continue;
+    if (of.exceeded || !(largest[0] > of.range.high * (1 + data_rounding))) continue;
     of.exceeded = true;
     log::warning(
         "material '{}': {}: the von Mises stress at ({:.6g}, {:.6g}, {:.6g}), t = {:.6g}, is {:.6g}, outside the "
@@ -56,18 +65,32 @@ void TableRangeMonitor::observe_stress(const mechanics::Body& body, const std::v
   }
 }
 
-void TableRangeMonitor::finish() const {
+void RangeMonitor::finish() const {
   for (const auto& [material, ranges] : stresses_)
     for (const StressRange& of : ranges)
-      if (of.largest < of.range.low)
+      if (of.largest < of.range.low * (1 - data_rounding))
         log::warning(
             "material '{}': {}: the largest von Mises stress was {:.6g}, below the stress_range of the law ({:.6g} .. "
             "{:.6g}); the law is extrapolated",
             material, of.what, of.largest, of.range.low, of.range.high);
 }
 
-void TableRangeMonitor::observe_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at,
-                                        const Team& team) {
+std::vector<std::string> RangeMonitor::time_warnings(const config::Config& config) {
+  std::vector<std::string> warnings;
+  for (const config::Material& material : config.materials)
+    for (std::size_t i = 0; i < material.creep.size(); ++i)
+      if (const auto& range = material.creep[i].time_range;
+          range && config.time.end > range->high * (1 + data_rounding))
+        warnings.push_back(fmt::format(
+            "material '{}': {}: the run ends at t = {:.6g}, {:.3g} times the end of the time_range of the law "
+            "({:.6g} .. {:.6g}); the law is extrapolated",
+            material.name, name_of(material, i), config.time.end, config.time.end / range->high, range->low,
+            range->high));
+  return warnings;
+}
+
+void RangeMonitor::observe_temperature(const mechanics::Body& body, const mechanics::BodyConditions& at,
+                                       const Team& team) {
   const auto found = tables_.find(body.material().name);
   if (found == tables_.end()) return;
   const bool has_temperature = team.any(!at.temperature.empty());
@@ -76,7 +99,8 @@ void TableRangeMonitor::observe_temperature(const mechanics::Body& body, const m
   const PointExtreme coldest =
       has_temperature ? point_extreme(body, at.temperature, -1, team) : PointExtreme{reference};
   std::erase_if(found->second, [&](const Range& table) {
-    const double margin = point_rounding * std::max(std::abs(table.range.low), std::abs(table.range.high));
+    const double margin = (table.of_law ? data_rounding : point_rounding) *
+                          std::max(std::abs(table.range.low), std::abs(table.range.high));
     const bool above = hottest[0] > table.range.high + margin;
     if (!above && !(coldest[0] < table.range.low - margin)) return false;
     const PointExtreme& worst = above ? hottest : coldest;
