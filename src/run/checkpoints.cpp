@@ -67,7 +67,7 @@ io::Checkpoint Checkpoints::take(const RunState& state, const RunCounters& work,
   checkpoint.fingerprint = fingerprint_;
   checkpoint.time = state.time;
   checkpoint.counters = work;
-  if (!state.jumps.empty()) checkpoint.arrays[jumps_name] = state.jumps;
+  checkpoint.arrays.save(jumps_name, state.jumps);
   system.save(checkpoint.arrays);
   ode::RestartPoint point = integrator.save();
   checkpoint.integrator = config_.time.integrator;
@@ -79,11 +79,9 @@ io::Checkpoint Checkpoints::take(const RunState& state, const RunCounters& work,
 }
 
 RunState Checkpoints::run_state(const io::Checkpoint& checkpoint) {
-  const auto jumps = checkpoint.arrays.find(jumps_name);
-  return {.time = checkpoint.time,
-          .y = checkpoint.state,
-          .earlier = checkpoint.counters,
-          .jumps = jumps != checkpoint.arrays.end() ? jumps->second : std::vector<double>{}};
+  RunState state{.time = checkpoint.time, .y = checkpoint.state, .earlier = checkpoint.counters};
+  checkpoint.arrays.restore(jumps_name, state.jumps);
+  return state;
 }
 
 bool Checkpoints::due() const {

@@ -67,17 +67,14 @@ void GuardedSteps::report(const model::StepGuard::Finding& finding, double t, do
 }
 
 void GuardedSteps::save(creep::Memory& memory) const {
-  if (!guard_.is_needed()) return;
-  std::vector<double>& values = memory[memory_name];
-  values.clear();
-  for (const Effect& effect : effects_) values.insert(values.end(), {effect.per_deviation, effect.largest, effect.age});
+  if (guard_.is_needed()) memory.save(memory_name, effects_);
 }
 
 void GuardedSteps::restore(const creep::Memory& memory) {
-  const auto found = memory.find(memory_name);  // not in checkpoints of earlier versions
-  if (found == memory.end() || found->second.size() != 3 * effects_.size()) return;
-  for (std::size_t i = 0; i < effects_.size(); ++i)
-    effects_[i] = {found->second[3 * i], found->second[3 * i + 1], found->second[3 * i + 2]};
+  if (!memory.contains(std::string(memory_name) + ".age")) return;
+  std::vector<Effect> effects;
+  memory.restore(memory_name, effects);
+  if (effects.size() == effects_.size()) effects_ = std::move(effects);  // a run that is prolonged may have others
 }
 
 }  // namespace creepcontact::run

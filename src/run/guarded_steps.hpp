@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/config/config.hpp"
 #include "creepcontact/creep/creep_system.hpp"
 #include "creepcontact/model/step_guard.hpp"
@@ -40,6 +41,8 @@ class GuardedSteps {
     double per_deviation = 0;  ///< change of the rate [allowed errors/time] per relative deviation of the course
     double largest = 0;        ///< relative deviation for which it was found; 0: not known
     double age = 0;            ///< findings since then
+    static constexpr auto members = std::tuple{Member{"per_deviation", &Effect::per_deviation},
+                                               Member{"largest", &Effect::largest}, Member{"age", &Effect::age}};
   };
   bool matters(const model::StepGuard::Finding& finding, double t, std::span<const double> y, double length);
   void report(const model::StepGuard::Finding& finding, double t, double to);

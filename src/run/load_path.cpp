@@ -55,15 +55,15 @@ void LoadPath::follow_slip(double t_limit) {
 }
 
 ode::RestartPoint LoadPath::save() const {
-  return {.time = time_, .next_step = 0, .state = {}, .memory = {{path_name, {target_, length_, accepted_}}}};
+  ode::RestartPoint point;
+  point.time = time_;
+  point.memory.save(path_name, *this, saved_members);
+  return point;
 }
 
 void LoadPath::restore(const ode::RestartPoint& point) {
   time_ = point.time;
-  const std::vector<double>& path = point.memory.at(path_name);
-  target_ = path.at(0);
-  length_ = path.at(1);
-  accepted_ = path.at(2);
+  point.memory.restore(path_name, *this, saved_members);
 }
 
 }  // namespace creepcontact::run

@@ -44,6 +44,9 @@ class LoadPath final : public ode::Integrator {
   double target_ = none;  // time that the steps with friction lead to
   double length_ = 0;     // of the next one of them, if nothing else bounds it
   double accepted_ = 0;   // last output time accepted, without friction
+  static constexpr auto saved_members =
+      std::tuple{Member{"target", &LoadPath::target_}, Member{"length", &LoadPath::length_},
+                 Member{"accepted", &LoadPath::accepted_}};
 };
 
 }  // namespace creepcontact::run

@@ -17,10 +17,17 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string cycle_numbers = "cycles.numbers", cycle_ranges = "cycles.ranges", cycle_work = "cycles.work",
-                  cycle_limits = "cycles.limits";
+const std::string cycles_name = "cycles";
 constexpr double min_life = 0.01;  // that a whole run uses up: smaller ones need no accuracy of their own
 const std::string extrapolation_prefix = "cycles.jumps.";
+
+/// What of the counts a resumed run goes on from.
+constexpr auto saved_counts = [] {
+  using Counts = io::Summary::Cycles;
+  return std::tuple{Member{"completed", &Counts::completed}, Member{"computed", &Counts::computed},
+                    Member{"jumps", &Counts::jumps}, Member{"rejected_jumps", &Counts::rejected_jumps},
+                    Member{"longest_jump", &Counts::longest_jump}};
+}();
 
 std::vector<std::string> cycle_columns(const creep::Assembly& assembly, const CycleWatch& watch,
                                        const std::vector<config::Probe>& probes) {
@@ -297,45 +304,24 @@ void Cycles::finish(Summary& summary) const {
 }
 
 void Cycles::save(creep::Memory& memory) const {
-  memory[cycle_numbers] = {loads_.period(),
-                           static_cast<double>(summary_.completed),
-                           static_cast<double>(summary_.computed),
-                           static_cast<double>(summary_.jumps),
-                           static_cast<double>(summary_.rejected_jumps),
-                           static_cast<double>(summary_.longest_jump),
-                           static_cast<double>(bound_),
-                           static_cast<double>(previous_)};
-  memory[cycle_limits] = used_up_;
-  if (!previous_range_.empty()) memory[cycle_ranges] = previous_range_;
-  std::vector<double>& work = memory[cycle_work];
-  work.clear();
-  for (const RunCounters::Field& field : RunCounters::fields) work.push_back(static_cast<double>(work_.*field.value));
+  memory.save(cycles_name + ".period", loads_.period());
+  memory.save(cycles_name, *this, saved_members);
+  memory.save(cycles_name, summary_, saved_counts);
   if (!jumps_ || may_go_back()) return;
-  ode::CycleExtrapolation::Memory numbers, states;
+  Memory numbers, states;
   jumps_->save(numbers, states);
   for (auto& [name, values] : numbers) memory[extrapolation_prefix + name] = std::move(values);
   for (auto& [name, values] : states) memory[cycle_state_prefix + name] = std::move(values);
 }
 
 void Cycles::restore(const creep::Memory& memory) {
-  const auto found = memory.find(cycle_numbers);
-  if (found == memory.end() || found->second.at(0) != loads_.period()) return;  // a run without cycles, or with others
-  const std::vector<double>& numbers = found->second;
-  const auto number = [&](std::size_t i) { return static_cast<std::int64_t>(numbers.at(i)); };
-  summary_.completed = number(1);
-  summary_.computed = number(2);
-  summary_.jumps = number(3);
-  summary_.rejected_jumps = number(4);
-  summary_.longest_jump = number(5);
-  bound_ = number(6);
-  previous_ = number(7);
-  if (const auto ranges = memory.find(cycle_ranges); ranges != memory.end()) previous_range_ = ranges->second;
+  const auto period = memory.find(cycles_name + ".period");
+  if (period == memory.end() || period->second.at(0) != loads_.period())
+    return;  // a run without cycles, or with others
+  memory.restore(cycles_name, *this, saved_members);
+  memory.restore(cycles_name, summary_, saved_counts);
   if (previous_range_.size() != context_.config.probes.size()) previous_ = -1;
-  if (const auto limits = memory.find(cycle_limits); limits != memory.end()) used_up_ = limits->second;
-  const std::vector<double>& work = memory.at(cycle_work);
-  for (std::size_t i = 0; i < RunCounters::fields.size(); ++i)
-    work_.*RunCounters::fields[i].value = static_cast<std::int64_t>(work.at(i));
-  ode::CycleExtrapolation::Memory own, states;
+  Memory own, states;
   for (const auto& [name, values] : memory)
     if (name.starts_with(extrapolation_prefix))
       own[name.substr(extrapolation_prefix.size())] = values;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../run_context.hpp"
+#include "creepcontact/base/memory.hpp"
 #include "creepcontact/io/tables/csv_file.hpp"
 #include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/model/load_cycles.hpp"
@@ -84,6 +85,10 @@ class Cycles final : public Observer {
   };
   Activity activity_;
   std::vector<double> last_step_;
+  static constexpr auto saved_members =
+      std::tuple{Member{"bound", &Cycles::bound_}, Member{"previous", &Cycles::previous_},
+                 Member{"previous_range", &Cycles::previous_range_}, Member{"work", &Cycles::work_},
+                 Member{"used_up", &Cycles::used_up_}};
 };
 
 }  // namespace creepcontact::run
