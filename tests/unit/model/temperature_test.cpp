@@ -28,7 +28,7 @@ class Temperatures : public testing::Test {
     RangeMonitor monitor(of);
     for (const double t : times) {
       system.rate.rate(t, state, rate);
-      monitor.see(t, system.model.bodies(), system.equilibrium(), serial_team());
+      monitor.observe(t, system.model.bodies(), system.equilibrium(), serial_team());
     }
     monitor.finish();
     return testing::internal::GetCapturedStderr();
