@@ -363,10 +363,8 @@ Value<Material> material_table(const Vocabulary& vocabulary) {
           .otherwise("elastic"),
       field<Material>("rupture", &Material::rupture, rupture_table(vocabulary),
                       "time to rupture at constant stress, for the fraction of life used up"),
-      field<Material>(
-          "data_range", &Material::data_range, data_range_table(),
-          "older form of `stress_range`, `temperature_range` and `time_range` of all creep laws of the material, "
-          "which do not give them themselves")
+      field<Material>("data_range", &Material::data_range, data_range_table(),
+                      "older form of the ranges of all creep laws")
           .changeable(),
       field<Material>("fatigue", &Material::fatigue, fatigue_table(vocabulary),
                       "cycles to failure, for the life that the cycles of `time.cycle` use up"),

@@ -50,8 +50,7 @@ struct FrictionPath::Onsets {
 
 FrictionPath::FrictionPath(const contact::ContactProblem& problem, const SlipAdvance& slip, const Limits& limits,
                            Course course, Solve solve)
-    : problem_(problem),
-      slip_(slip),
+    : slip_(slip),
       limits_(limits),
       course_(std::move(course)),
       solve_(std::move(solve)),

@@ -72,7 +72,6 @@ class FrictionPath {
   double end_of(double at, double size) const;
   double time(double part) const { return begin_ + part * (end_ - begin_); }
 
-  const contact::ContactProblem& problem_;
   const SlipAdvance& slip_;
   Limits limits_;
   Course course_;

@@ -97,7 +97,7 @@ void read_probes(const nlohmann::json& json, Summary& summary) {
 void read_cycles(const nlohmann::json& json, Summary& summary) {
   const auto found = json.find("cycles");
   if (found == json.end()) return;
-  Summary::Cycles& cycles = summary.cycles.emplace();
+  Summary::Cycles cycles;
   cycles.completed = count(*found, "completed");
   cycles.computed = count(*found, "computed");
   cycles.jumps = count(*found, "jumps");
@@ -109,6 +109,7 @@ void read_cycles(const nlohmann::json& json, Summary& summary) {
   if (const auto limits = found->find("to_limit"); limits != found->end())
     for (const auto& [body, limit] : limits->items())
       cycles.to_limit[body] = limit.is_number() ? limit.get<double>() : std::numeric_limits<double>::infinity();
+  summary.cycles = std::move(cycles);
 }
 
 void read_accuracy(const nlohmann::json& json, Summary& summary) {
