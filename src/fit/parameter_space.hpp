@@ -30,7 +30,7 @@ class ParameterSpace {
   /// The law with these parameters. @throws material::ParameterError if the law cannot have them
   std::shared_ptr<const material::CreepLaw> law(const Eigen::VectorXd& x) const;
 
-  /// Bounds of the registry, and those beyond which a number is no parameter any more.
+  /// Bounds of the registry, and limits beyond which a number is not usable as a parameter.
   Eigen::VectorXd lower() const { return bounds(true); }
   Eigen::VectorXd upper() const { return bounds(false); }
   /// Bounds of sensible first guesses. @param strain  of the order of those measured

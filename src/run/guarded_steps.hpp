@@ -20,7 +20,7 @@ class GuardedSteps {
 
   struct End {
     double time = 0;
-    bool is_jump = false;  ///< of a function: the integration starts anew there
+    bool is_jump = false;  ///< of a function: the integration restarts there
   };
   /// Where the next step from the accepted state y at t, which may reach `to`, has to end. Collective.
   /// @param is_proposed  `to` is the length that the integrator proposes; else it is only a limit of it
