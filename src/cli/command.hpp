@@ -37,8 +37,8 @@ class CommandLine {
 
   boost::program_options::options_description_easy_init add_options() { return options_.add_options(); }
 
-  /// @param positional  name of the positional argument, for messages
-  /// @param optional    name of a second one that need not be given; empty: there is none
+  /// @param positional  name of the positional argument, for messages.
+  /// @param optional    name of a second one that need not be given; empty: there is none.
   /// @returns false if help was asked for and has been printed
   /// @throws ConfigError for an unknown option (naming the nearest), a wrong or missing value
   bool parse(const Arguments& arguments, const std::string& positional, const std::string& optional = {});
