@@ -16,7 +16,7 @@ struct Command {
   std::string summary;  ///< one line
   /// @returns the exit status; throws Error
   int (*execute)(const Command& self, const Arguments& arguments);
-  std::string details = {};  ///< what the command's own help says besides
+  std::string details = {};  ///< further lines of the command's own help
 };
 
 int run(const Command& self, const Arguments& arguments);
@@ -37,13 +37,13 @@ class CommandLine {
 
   boost::program_options::options_description_easy_init add_options() { return options_.add_options(); }
 
-  /// @param positional  name of the positional argument, for messages
-  /// @param optional    name of a second one that need not be given; empty: there is none
+  /// @param positional  name of the positional argument, for messages.
+  /// @param optional    name of a second one that need not be given; empty: there is none.
   /// @returns false if help was asked for and has been printed
   /// @throws ConfigError for an unknown option (naming the nearest), a wrong or missing value
   bool parse(const Arguments& arguments, const std::string& positional, const std::string& optional = {});
 
-  /// The same with any number of positional arguments, at least one.
+  /// Parses the arguments as parse() does, with one or more positional arguments.
   bool parse_several(const Arguments& arguments, const std::string& positional);
 
   const std::vector<std::string>& positionals() const { return positionals_; }

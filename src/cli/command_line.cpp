@@ -40,7 +40,7 @@ bool CommandLine::parse(const Arguments& arguments, const std::string& positiona
   positions.add("positional", most);
   const std::string help = fmt::format("; see {} {} --help", Processes::program(), command_.name);
   try {
-    // a beginning of a name is no name: it would hide mistypes and change its meaning with every new option
+    // an abbreviated option is an error: it would hide mistypes and change its meaning with every new option
     const int style = po::command_line_style::unix_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(), values_);
     po::notify(values_);

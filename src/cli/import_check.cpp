@@ -33,14 +33,14 @@ std::string comment_of(const std::string& header) {
   return begin == std::string::npos ? "" : header.substr(begin);
 }
 
-/// Of the table in which a line (from 1) is.
+/// The comment of the table that contains a line (numbered from 1): the card that the table was made of.
 std::string card_at(const std::vector<std::string>& toml, std::size_t line) {
   for (std::size_t i = std::min(line, toml.size()); i-- > 0;)
     if (toml[i].starts_with('[')) return comment_of(toml[i]);
   return "";
 }
 
-/// Of the table with a number (from 0) among those of a name: [[name]].
+/// The comment of the table with this number (from 0) among the tables [[name]].
 std::string card_of(const std::vector<std::string>& toml, const std::string& name, std::size_t number) {
   for (const std::string& line : toml)
     if (line.starts_with("[[" + name + "]]") && number-- == 0) return comment_of(line);

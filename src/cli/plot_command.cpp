@@ -28,7 +28,7 @@ std::vector<std::string> names(const std::string& list) {
   return result;
 }
 
-/// @param directories  of runs; a study's stands alone
+/// @param directories  of runs, or a single directory of a study
 std::vector<std::filesystem::path> pictures(const std::vector<std::filesystem::path>& directories,
                                             plot::PlotOptions options) {
   for (const std::filesystem::path& directory : directories)

@@ -35,7 +35,7 @@ RunProgress::~RunProgress() {
   clear();
 }
 
-/// By output intervals: where creep slows down users space them out, and steps grow alike.
+/// The share counts output intervals: where creep slows down, users space the outputs out, and the steps grow alike.
 double RunProgress::share_done(double time) const {
   const auto next = std::upper_bound(output_times_.begin(), output_times_.end(), time);
   if (next == output_times_.begin() || next == output_times_.end()) return next == output_times_.begin() ? 0 : 1;

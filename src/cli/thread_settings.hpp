@@ -12,7 +12,7 @@ class ThreadChoice {
  public:
   /// Sets them. @param wanted  0: as many as there are cores that other programs leave free
   explicit ThreadChoice(int wanted);
-  /// Sets them anew if none were asked for and the machine has become busier or idler, seen every ten seconds.
+  /// Sets them again if none were asked for and the machine has become busier or idler, checked every ten seconds.
   /// @returns the new number if it has changed
   std::optional<int> look();
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<double, 3> z_axis{0, 0, 1};
 
-/// A word and its number stand for each other.
+/// Sets the number of a constant that is given as a word, or the word if the number is given.
 void complete_word(const LawKey& key, CreepParameter& parameter) {
   if (key.words.empty()) return;
   if (parameter.values.empty()) {

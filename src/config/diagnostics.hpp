@@ -23,7 +23,7 @@ class Diagnostics {
   void add_unknown_key(const Location& where, const std::string& name, const std::vector<std::string>& names);
 
   bool empty() const { return problems_.empty(); }
-  /// @throws ConfigError with one line a problem, in the order of the file, if there is any
+  /// @throws ConfigError with one line per problem, in the order of the file, if there is any
   void throw_if_any() const;
 
  private:

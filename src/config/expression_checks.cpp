@@ -55,7 +55,7 @@ class Expressions {
     });
     if (odd != probes_.end()) {
       errors_.add(text.location, fmt::format("{} '{}': the name '{}' cannot be used in it", kind, text.name, odd->name),
-                  "names of letters, digits and underscores that are no functions; rename this probe");
+                  "names of letters, digits and underscores that are not functions; rename this probe");
       return;
     }
     std::vector<std::string> usable;

@@ -45,7 +45,7 @@ const KeyInfo* chooser_of(const KeySection& section) {
   return nullptr;
 }
 
-/// Keys that stand with one word each, optional ones in brackets.
+/// A table of the keys that are allowed with each word, optional ones in brackets.
 std::string variants(const KeySection& section, const KeyInfo& chooser) {
   std::string text =
       fmt::format("\n| `{}` | what | keys (optional ones in brackets) |\n|---|---|---|\n", section.name(chooser));

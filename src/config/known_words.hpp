@@ -22,7 +22,7 @@ std::span<const KnownWord> known_words();
 std::string said_of_key(const std::string& key, std::string_view word);
 /// What to say of an unknown value of a key.
 std::string said_of_value(const std::string& key, std::string_view word);
-/// Explains a word that may belong to any table, as after `list keys`; the place stands in front.
+/// Explains a word that may belong to any table, as after `list keys`, with its place in front.
 std::string said_of_word(std::string_view word);
 
 }  // namespace creepcontact::config

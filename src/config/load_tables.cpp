@@ -118,7 +118,7 @@ std::vector<KindPlaces> places_of_kinds() {
   return all;
 }
 
-/// "body" beside another place restricts the load to that body.
+/// Checks the place of a load. "body" together with another place restricts the load to that body.
 void check_place(const Item& item, const KindPlaces& kind, Context& context) {
   const std::string needed = fmt::format("'{}'", fmt::join(kind.places, "' or '"));
   const std::vector<std::string> own = given_keys(item, kind.places);

@@ -247,7 +247,7 @@ void visit_law(const CreepMechanism& mechanism, Visitor& to) {
   }
 }
 
-/// The keys depend on `law`, so this is no plain table.
+/// The keys depend on `law`, so this is not a plain table.
 Value<CreepMechanism> mechanism_table(const std::vector<Law>& laws) {
   std::vector<std::string> names;
   names.reserve(laws.size());

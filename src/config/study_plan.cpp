@@ -50,7 +50,7 @@ class RunMistakes {
  public:
   explicit RunMistakes(Diagnostics& errors) : errors_(errors) {}
 
-  /// @param message    one mistake a line: "--set key=value: ...", or of the base configuration itself
+  /// @param message    one mistake per line: "--set key=value: ...", or of the base configuration itself
   /// @param elsewhere  of what makes the run
   void add(const std::string& message, const std::vector<Setting>& settings, const Location& elsewhere) {
     std::istringstream lines(message);

@@ -30,7 +30,7 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? std::string() : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
-/// The name in "[name]" or "[[name]]"; empty if the line is no heading.
+/// The name in "[name]" or "[[name]]"; empty if the line is not a heading.
 std::string heading_of(const std::string& line) {
   std::smatch found;
   static const std::regex heading(R"(^\s*\[\[?\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$)");

@@ -26,7 +26,7 @@ struct Field {
   std::function<bool(const S&)> is_meaningful = {};  ///< not given: always
   std::function<bool(const S&)> is_needed = {};      ///< even with its default; not given: never
 
-  /// @param words  what holds if the key is not given, where that is no default to be written
+  /// @param words  what holds if the key is not given, where this cannot be written as a default value
   Field otherwise(const std::string& words) && {
     info.default_value.clear();
     info.otherwise = words;

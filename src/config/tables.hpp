@@ -13,7 +13,7 @@ Value<Body> body_table();
 Value<Material> material_table(const Vocabulary& vocabulary);
 /// A constant of a law that is not given.
 CreepParameter default_parameter(const LawKey& key, const Location& location);
-/// Sets what the law says of a constant beside its values.
+/// Sets what the law specifies for a constant apart from its values.
 void describe_parameter(const LawKey& key, CreepParameter& parameter);
 Value<DataRange> data_range_table();
 Value<Rupture> rupture_table(const Vocabulary& vocabulary);

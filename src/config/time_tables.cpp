@@ -165,7 +165,7 @@ Value<Time> time_table(const Vocabulary& vocabulary) {
                       "stress, and of the range of every probe")
           .otherwise("goes on to `end`"),
       field<TimeKeys>("jump_cycles", &TimeKeys::jump_cycles, boolean(),
-                      "cycles whose changes vary smoothly are passed over by extrapolation; outputs still are where "
+                      "cycles whose changes vary smoothly are skipped by extrapolation; outputs still are where "
                       "they were asked for"),
       field<TimeKeys>("jump_tolerance", &TimeKeys::jump_tolerance, number({.min = 0, .max = 0.5, .open_min = true}),
                       "allowed relative error of the stress by a jump over cycles"),

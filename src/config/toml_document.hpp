@@ -15,7 +15,7 @@ namespace creepcontact::config {
 /// @throws ConfigError if the file cannot be read
 std::string read_text(const std::filesystem::path& file);
 
-/// @param file    stands in messages
+/// @param file    named in messages
 /// @param schema  asked for if there is a mistake: it tells how headings of tables are written
 /// @throws ConfigError for a mistake of the syntax
 toml::table parse_toml(const std::string& text, const std::filesystem::path& file,

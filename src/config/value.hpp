@@ -36,7 +36,7 @@ struct Context {
 template <class T>
 struct Value {
   std::string type;  ///< what is allowed, in words
-  /// nullopt if it is wrong: the error then stands in the context
+  /// nullopt if it is wrong: the error is then in the context
   std::function<std::optional<T>(const Item&, Context&)> read;
   /// Tells what a value has, as `read` finds it in a file.
   std::function<void(const T&, Visitor&)> visit = {};
@@ -85,7 +85,7 @@ struct WordOrNumber {
   double number = 0;
 };
 Value<WordOrNumber> words_or_number(const std::vector<std::string>& words, Range range);
-/// Reads a number, or a word that stands for "not given".
+/// Reads a number, or a word that means "not given".
 Value<std::optional<double>> word_or_number(const std::string& word, Range range);
 Value<bool> boolean();
 /// Reads a path and makes it relative to the working directory.

@@ -97,7 +97,7 @@ Bodies find_bodies(const Deck& deck, std::vector<Note>& impossible) {
       const std::uint32_t* own = section_of.find_or_null(block.numbers[e]);
       if (own == nullptr) {
         impossible.push_back({block.place(e), "ELEMENT",
-                              fmt::format("element {} belongs to no *SOLID SECTION; give one an element set with it",
+                              fmt::format("element {} belongs to no *SOLID SECTION; add it to the element set of one",
                                           block.numbers[e])});
         return result;
       }

@@ -135,7 +135,7 @@ class Reader {
   void read_keyword(std::istream& file, std::string& line, Place& place, const Place& begin,
                     const std::filesystem::path& path) {
     std::string text(trimmed(line));
-    // Commas also stand at the end of complete lines: only a line with a parameter goes on with the keyword.
+    // Complete lines may also end in a comma: only a line with a parameter continues the keyword line.
     while (text.ends_with(',') && next_line(file, line, place)) {
       if (line.starts_with("**")) continue;
       if (line.starts_with('*') || line.find('=') == std::string::npos) {

@@ -44,7 +44,7 @@ std::optional<Reach> adjust_reach(const Deck& deck, const std::string& adjust, c
   const std::optional<double> distance = number(adjust);
   const Numbers members = distance ? Numbers() : Resolver(deck).nodes(adjust);
   if (!distance && members.empty()) {
-    problem = fmt::format("ADJUST: '{}' is no distance and no node set", adjust);
+    problem = fmt::format("ADJUST: '{}' is not a distance or a node set", adjust);
     return std::nullopt;
   }
   const std::map<std::int64_t, NearestPoint> all = nearest_points(deck, slave, master);

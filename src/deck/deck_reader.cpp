@@ -84,8 +84,7 @@ bool DeckReader::is_in_place(const Card& card, const Rule& rule) {
   if (rule.kind != Rule::Kind::kept) return true;
   if (into_ != &deck_)
     return refuse("within a part or an instance it is not known; write it after the instances, with their names");
-  if (!in_step() && !deck_.steps.empty())
-    return refuse("it stands between two steps; it belongs into one, or before all");
+  if (!in_step() && !deck_.steps.empty()) return refuse("it is between two steps; it belongs into one, or before all");
   return true;
 }
 

@@ -19,7 +19,7 @@ class DeckReader {
   /// What was read. @throws ConfigError with all mistakes
   Deck finish();
 
-  /// Where a card may stand.
+  /// Where a card is allowed.
   enum class Where { anywhere, model, step };
 
   /// What becomes of a card.
@@ -77,7 +77,7 @@ class DeckReader {
   void end_instance(const Card& card);
 
   void procedure(const Card& card, bool is_creep);
-  /// Whether a card that is read or kept may stand where it does.
+  /// Whether a card that is read or kept is allowed at its place.
   bool is_in_place(const Card& card, const Rule& rule);
   /// What each parameter of a card means; those that are not known may change the results.
   void check_parameters(const Card& card);

@@ -35,7 +35,7 @@ class MeshOutput {
   io::MshContent content_;
   std::map<std::string, int> names_;         // groups by name: how often
   std::map<Numbers, std::string> of_nodes_;  // groups of nodes, by these
-  std::uint64_t next_number_ = 1;            // of cells that are no elements of the deck
+  std::uint64_t next_number_ = 1;            // of cells that are not elements of the deck
 };
 
 }  // namespace creepcontact::deck

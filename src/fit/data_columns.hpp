@@ -17,7 +17,7 @@ inline constexpr int n_column_roles = 10;
 /// The columns of a file.
 class DataColumns {
  public:
-  /// @param file  for messages @param names  cells of the header
+  /// @param file  for messages @param names  cells of the header.
   /// @throws ConfigError for a column that appears twice, a unit that is unknown, of another dimension, or does not fit
   /// the others, and if there are no data that can be fitted
   DataColumns(const std::string& file, const std::vector<std::string>& names);

@@ -11,9 +11,9 @@
 namespace creepcontact::fit {
 
 /// The unknowns x of a fit. A parameter p that must not be negative is exp(x) U / f, any other x U / f. U is its unit
-/// at reference values of stress and time in the middle of the data, f its thermal activation exp(-Q/(R (T - zero))) at
-/// a reference temperature, or 1/f for times and viscosities: so x belongs to the middle of the data, and an exponent
-/// or an activation energy turns the law about it instead of shifting it by decades.
+/// at reference values of stress and time in the middle of the data. f is its thermal activation exp(-Q/(R (T - zero)))
+/// at a reference temperature, or 1/f for times and viscosities. So x belongs to the middle of the data, and an
+/// exponent or an activation energy turns the law about it instead of shifting it by decades.
 class ParameterSpace {
  public:
   /// @param choice, data  must outlive the object
@@ -30,7 +30,7 @@ class ParameterSpace {
   /// The law with these parameters. @throws material::ParameterError if the law cannot have them
   std::shared_ptr<const material::CreepLaw> law(const Eigen::VectorXd& x) const;
 
-  /// Bounds of the registry, and those beyond which a number is no parameter any more.
+  /// Bounds of the registry, and limits beyond which a number is not usable as a parameter.
   Eigen::VectorXd lower() const { return bounds(true); }
   Eigen::VectorXd upper() const { return bounds(false); }
   /// Bounds of sensible first guesses. @param strain  of the order of those measured

@@ -8,8 +8,8 @@
 
 namespace creepcontact::fit {
 
-/// Points of a Latin hypercube between two corners: in each unknown one point per n-th part of its range. The same
-/// points for the same arguments.
+/// Points of a Latin hypercube between two corners: in each unknown one point per n-th part of its range. Equal
+/// arguments give equal points.
 std::vector<Eigen::VectorXd> latin_hypercube(int n, const Eigen::VectorXd& low, const Eigen::VectorXd& high);
 
 /// The best `n` of many points, best first. @param amplitude  unknown that shifts all residuals alike, which is

@@ -16,7 +16,7 @@ bool unit_uses(const std::string& unit, std::string_view word);
 
 /// The value of a unit: a product of words with exponents, '/' before what divides, parentheses; "-" is 1.
 /// @param value  of a word: a basic unit ("time") or a key of the law, in exponents; nullopt: unknown
-/// @returns nullopt if the text is no such product or has an unknown word
+/// @returns nullopt if the text is not such a product or has an unknown word
 std::optional<double> unit_value(const std::string& unit,
                                  const std::function<std::optional<double>(const std::string&)>& value);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Ageing theory: the creep strain itself is a function of the stress and the time of the moment,
+/// Ageing theory: the creep strain itself is a function of the current stress and time,
 /// 3/2 (A q^n t^m)/q s. Where the stress falls, strain comes back; for stresses that change little.
 /// Source: C. R. Soderberg, Trans. ASME 58 (1936); Y. N. Rabotnov, Creep Problems in Structural Members (1969).
 

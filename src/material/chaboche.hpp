@@ -1,10 +1,10 @@
 #pragma once
 /// Unified viscoplasticity: creep and rate-dependent plasticity as one inelastic strain, with kinematic and isotropic
 /// hardening. With xi = s - X, J(xi) = sqrt(3/2 xi:xi) and the overstress F = J(xi) - yield - R:
-///   dp/dt = (F/K)^n, or sinh_rate sinh(F/K)^n; 0 for F <= 0
+///   dp/dt = (F/K)^n, or sinh_rate sinh(F/K)^n; 0 for F <= 0.
 ///   d eps/dt = 3/2 dp/dt xi/J(xi)
-///   X = sum of X_i,  dX_i/dt = 2/3 C_i d eps/dt - gamma_i X_i dp/dt - r_i J(X_i)^(m_i-1) X_i,  X_i(0) = 0
-///   dR/dt = b (Q - R) dp/dt,  R(0) = 0
+///   X = sum of X_i,  dX_i/dt = 2/3 C_i d eps/dt - gamma_i X_i dp/dt - r_i J(X_i)^(m_i-1) X_i,  X_i(0) = 0.
+///   dR/dt = b (Q - R) dp/dt,  R(0) = 0.
 /// Internal variables: the tensors alpha_i with X_i = 2/3 C_i alpha_i, p, and R/Q if Q is not 0. So X_i and R follow C
 /// and Q where the temperature changes.
 /// Sources: J.-L. Chaboche, Int. J. Plasticity 5 (1989) and 24 (2008); P. J. Armstrong, C. O. Frederick (1966).

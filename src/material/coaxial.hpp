@@ -5,7 +5,7 @@
 
 namespace creepcontact::material {
 
-/// Stands for q -> 0 where only the limit of df/dq is wanted; far below any stress, far above underflow.
+/// The q used for q -> 0 where only the limit of df/dq is wanted; far below any stress, far above underflow.
 inline constexpr double vanishing_stress = 1e-150;
 
 struct Deviator {

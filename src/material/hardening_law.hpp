@@ -29,7 +29,7 @@ class HardeningLaw : public CreepLaw {
   virtual double equivalent_rate(double q, double eps, const PointState& at) const = 0;
   virtual HardeningRate linearized_rate(double q, double eps, const PointState& at) const = 0;
   /// Strain that accumulates in `duration` at constant q.
-  /// @param eps  as it stands, at least 0
+  /// @param eps  strain accumulated so far, at least 0
   virtual double accumulated(double q, double eps, const PointState& at, double duration) const = 0;
 
   void rate(const PointState& at, PointRate into) const final;

@@ -1,6 +1,7 @@
 #pragma once
-/// Linear viscoelastic creep, strain by the history of the stress (Boltzmann 1874, Volterra 1909) with the kernel of a
-/// Prony series: a chain of Kelvin elements with the strains e_i, and a dashpot in series with it,
+/// Linear viscoelastic creep: the strain follows from the history of the stress (Boltzmann 1874, Volterra 1909) with
+/// the kernel of a Prony series. This is a chain of Kelvin elements with the strains e_i, and a dashpot in series with
+/// it:
 ///   tau_i d e_i/dt = 3/2 J_i s + (B_i/9) tr(sigma) I - e_i,   rate = sum of d e_i/dt + 3/2 fluidity s.
 /// In a uniaxial test sigma gives the creep strain sigma (sum of J_i (1 - exp(-t/tau_i)) + fluidity t); under the mean
 /// stress p volume creeps by p sum of B_i (1 - exp(-t/tau_i)). Special cases: kelvin_voigt (one element), maxwell (the

@@ -11,7 +11,7 @@
 
 namespace creepcontact::material {
 
-/// Every value is finite and stands in the order it must have. @param allowed  in the error of one that does not
+/// Requires finite values in increasing or decreasing order. @param allowed  in the error of a value that violates this
 /// @throws ParameterError
 inline void require_order(const char* key, const std::vector<double>& values, bool increasing,
                           const std::string& allowed = "values that increase") {

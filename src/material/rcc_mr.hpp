@@ -1,9 +1,9 @@
 #pragma once
 /// The creep law of RCC-MR: at constant stress the primary creep strain C1 q^n1 t^C2 up to the time t_fp = C3 q^n3,
 /// then secondary creep at the rate C q^n. As in strain hardening, the rate depends on the strain eps that has
-/// accumulated: primary creep lasts while eps is below C1 q^n1 t_fp^C2, but no longer than until its rate has fallen to
-/// that of secondary creep, the time that C3 and n3 approximate. If it is still faster at t_fp, the rate falls as
-/// eps^-20 from there: a jump would let neighbouring stages alternate without end wherever the stress relaxes.
+/// accumulated: primary creep lasts while eps is below C1 q^n1 t_fp^C2. It ends earlier if its rate has fallen to that
+/// of secondary creep, the time that C3 and n3 approximate. If it is still faster at t_fp, the rate falls as eps^-20
+/// from there: a jump would let neighbouring stages alternate without end wherever the stress relaxes.
 /// Source: AFCEN, RCC-MR, Appendix A3 (A3.1S, A3.3S); strain in percent there, as a fraction here.
 
 #include "hardening_law.hpp"

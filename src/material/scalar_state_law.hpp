@@ -1,5 +1,5 @@
 #pragma once
-/// Laws with scalar internal variables z: rate = 3/2 (f/q) s, dz/dt = g, with f and g functions of the equivalent
+/// Laws with scalar internal variables z: rate = 3/2 (f/q) s, dz/dt = g. Here f and g are functions of the equivalent
 /// stress q, of the trace of the stress if the law wants it, of z, of the time and of the temperature. A law writes its
 /// formulas once, as a template in the type of number; the derivatives are those of automatic differentiation, exact up
 /// to rounding.
@@ -33,12 +33,12 @@ struct ScalarStress {
   Number trace;  ///< sigma_1 + sigma_2 + sigma_3
 };
 
-/// @tparam Law  derived from this class; it has, for double and for Dual,
+/// @tparam Law  derived from this class. It has, for double and for Dual,
 ///   template <class Number>
 ///   ScalarRates<Number, n> rates(const ScalarStress<Number>& stress, const std::array<Number, n>& z,
 ///                                const PointState& at) const;
-/// with q > 0 (without stress all rates are zero), which reads parameters, time and temperature of `at`, but not its
-/// stress and internal variables
+/// It is called with q > 0 (without stress all rates are zero). It reads parameters, time and temperature of `at`, but
+/// not its stress and internal variables.
 /// @tparam n  number of internal variables
 template <class Law, std::size_t n>
 class ScalarStateLaw : public CreepLaw {

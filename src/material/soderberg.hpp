@@ -1,8 +1,8 @@
 #pragma once
 /// Soderberg's law: at constant stress the creep strain C q^p (1 - exp(-r t)) + A q^n t. The primary strain eps_p is a
-/// state of its own, d eps_p/dt = r max(C q^p - eps_p, 0): after a rise of the stress there is more primary creep,
-/// after a fall none until the steady part is all that is left; nothing recovers. f = d eps_p/dt + A q^n. Source: C. R.
-/// Soderberg, Trans. ASME 58 (1936); primary creep that ends exponentially: P. G. McVetty (1934).
+/// state of its own, d eps_p/dt = r max(C q^p - eps_p, 0). After a rise of the stress there is more primary creep,
+/// after a fall none until the steady part is all that is left; nothing recovers. f = d eps_p/dt + A q^n.
+/// Source: C. R. Soderberg, Trans. ASME 58 (1936); primary creep that ends exponentially: P. G. McVetty (1934).
 
 #include "law_table.hpp"
 #include "scalar_state_law.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 /// Theta projection: at constant stress and temperature the creep strain
-///   theta_1 (1 - exp(-theta_2 t)) + theta_3 (exp(theta_4 t) - 1),
-/// with theta_i functions of q and T. The primary strain e_1 and the tertiary strain e_3 are states of their own,
-///   d e_1/dt = theta_2 max(theta_1 - e_1, 0), d e_3/dt = theta_4 (theta_3 + e_3), f = d e_1/dt + d e_3/dt,
-/// so that after a change of stress or temperature both go on from the strain reached (strain hardening and softening).
+///   theta_1 (1 - exp(-theta_2 t)) + theta_3 (exp(theta_4 t) - 1).
+/// The theta_i are functions of q and T. The primary strain e_1 and the tertiary strain e_3 are states of their own:
+///   d e_1/dt = theta_2 max(theta_1 - e_1, 0), d e_3/dt = theta_4 (theta_3 + e_3), f = d e_1/dt + d e_3/dt.
+/// So after a change of stress or temperature both go on from the strain reached (strain hardening and softening).
 /// Sources: R. W. Evans, B. Wilshire, Creep of Metals and Alloys (1985); R. W. Evans, J. D. Parker, B. Wilshire (1982).
 
 #include "law_table.hpp"

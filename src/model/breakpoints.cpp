@@ -11,7 +11,7 @@ namespace creepcontact::model {
 
 namespace {
 
-/// Each stands for all within its tolerance, the first given counts.
+/// A set of times. If times lie within a tolerance of each other, only the first that was added is kept.
 class Times {
  public:
   void add(double time, double tolerance) {
@@ -30,7 +30,7 @@ std::vector<double> breakpoints(const config::Config& config, std::span<const Se
                                 const std::optional<mechanics::TemperatureField>& temperature) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon(), near_kink = 1e-11;
   const double end = config.time.end;
-  // Jumps are known to the last bit, kinks nearly so; turning points to a sample. What is known better comes first.
+  // Jumps are known to the last bit, kinks nearly so; extrema to a sample. What is known better comes first.
   Times times;
   for (const SearchedFunction& function : functions)
     for (const double t : function.events.jumps) times.add(t, rounding * t);

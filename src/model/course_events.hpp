@@ -13,7 +13,7 @@ namespace creepcontact::model {
 struct CourseEvents {
   std::vector<double> jumps, kinks;
   std::vector<Turn> turns;
-  std::vector<StepLimit> limits;  ///< that may stand for the turns
+  std::vector<StepLimit> limits;  ///< that may replace the turns
   double n_turns = 0;
   bool vibrates = false;  ///< turns are too many, and most are missing
   bool too_many = false;  ///< jumps and kinks, which are then missing

@@ -24,7 +24,7 @@ void require_one_theory(const config::Config& config, const Bodies& bodies) {
     const auto& laws = body.material().creep;
     for (std::size_t i = 0; i < laws.size(); ++i) {
       if (laws[i]->is_isochronous() == ageing_wanted) continue;
-      // Mechanisms beyond those of the configuration come of its rupture and fatigue data.
+      // Mechanisms beyond those of the configuration result from its rupture and fatigue data.
       const config::Location& where = i < material.creep.size() ? material.creep[i].location : material.location;
       const std::string found =
           i < material.creep.size() ? fmt::format("the law '{}'", material.creep[i].law) : "life data";

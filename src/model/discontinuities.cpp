@@ -13,7 +13,7 @@ namespace {
 
 constexpr int fewest_samples = 64;
 constexpr double first_sample = 1e-10, log_ratio = 1.024;  // over the end; between samples near 0
-constexpr double standing_out = 0.02;  // deviation of a slope change from those beside it, over them: not smooth
+constexpr double standing_out = 0.02;  // deviation of a slope change from its neighbours, over these: not smooth
 constexpr double negligible = 1e-7;    // over the range of the values
 constexpr double persistent = 0.3;     // of a slope change through three refinements, of a kink's
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -23,7 +23,7 @@ constexpr std::size_t longest_cluster = 8, max_kinks = 4000, trials = 24;
 constexpr double at_border = 1e-11;  // relative: a kink at the begin of the interval belongs to it
 constexpr int max_evaluations = 500000, deepest = 40;
 
-/// Nodes that stand out beside each other: one or several kinks.
+/// Adjacent nodes with conspicuous slope changes: one or several kinks.
 struct Cluster {
   std::size_t first, last;
 };
@@ -36,7 +36,7 @@ struct Grid {
 };
 
 /// A smooth function, seen closely enough, has slope changes that vary smoothly from sample to sample; a kink has one
-/// that stands out however close one looks. Suspicious samples are looked at ever closer, up to rounding.
+/// that deviates from its neighbours at any resolution. Suspicious samples are refined until rounding dominates.
 class Search {
  public:
   Search(const Course& course, Interval over, int samples)
@@ -132,7 +132,7 @@ class Search {
     if (grows)
       if (const auto jump = bisect(grid.t[j], grid.t[j + 1])) {
         subtracted_.push_back(*jump);
-        zoom(begin, end, n, {}, level + 1);  // kinks beside the jump
+        zoom(begin, end, n, {}, level + 1);  // kinks next to the jump
         subtracted_.pop_back();
         return true;
       }
@@ -162,7 +162,7 @@ class Search {
     return found;
   }
 
-  /// Of the lines on both sides of the interval behind node j.
+  /// The intersection of the lines on both sides of the interval behind node j.
   static double intersection(const Grid& grid, std::size_t j) {
     const double left = grid.slope(j - 1), right = grid.slope(j + 1), step = grid.t[j + 1] - grid.t[j];
     const double share = (grid.slope(j) - right) / (left - right);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a function of time has kinks or jumps: the integration stops there and starts anew.
+/// Where a function of time has kinks or jumps: the integration stops there and restarts.
 
 #include <functional>
 #include <optional>
@@ -22,9 +22,9 @@ struct Discontinuities {
 /// Uniformly spaced samples of a whole run. A prime: no period divides their distance.
 constexpr int run_samples = 16381;
 
-/// Those in an interval that begins at 0 or later, from uniformly spaced samples, and, if it begins at 0,
-/// logarithmically spaced ones near there: what is wider than the interval over the number of samples, or, near 0,
-/// than 2 % of the time, is seen. Where the function is no number it counts as 0.
+/// The discontinuities in an interval that begins at 0 or later, from uniformly spaced samples. If the interval begins
+/// at 0, there are also logarithmically spaced samples near 0. A feature is seen if it is wider than the interval over
+/// the number of samples, or, near 0, than 2 % of the time. Where the function is NaN or infinite it counts as 0.
 /// Cost: an evaluation per sample, some 700 more at 0, and some hundreds per kink.
 Discontinuities find_discontinuities(const Course& course, Interval over, int samples = run_samples);
 

@@ -39,7 +39,7 @@ struct Found {
   Window window = always;
 };
 
-/// Of the bodies that share a node any will do, so those of other terms are taken.
+/// The node of each term in a body. If several bodies share a node, a body that another term needs is preferred.
 Found find_nodes(const config::Equation& equation, const Bodies& bodies) {
   std::vector<std::vector<NodeOfBody>> owners;  // by term
   std::vector<std::size_t> chosen;

@@ -54,7 +54,7 @@ std::vector<std::size_t> turns_of(const std::vector<double>& values, double turn
   return found;
 }
 
-/// Of the part of the run that one block covers.
+/// The part of the run that one block of samples covers.
 struct Block {
   double begin, end;
   std::size_t n = first_samples;
@@ -137,7 +137,7 @@ class TurnSearch {
     if (block.n > samples_[k].t.size()) samples_[k] = sampled(k);
     for (;;) {
       const std::vector<std::size_t> turns = turns_of(samples_[k].v, turn());
-      // Two turns beside each other may be a jump; three are a vibration.
+      // Two turns close together may be a jump; three are a vibration.
       std::size_t closest = 2 * least_gap;
       for (std::size_t i = 2; i < turns.size(); ++i) closest = std::min(closest, turns[i] - turns[i - 2]);
       if (closest >= 2 * least_gap) return;
@@ -201,7 +201,7 @@ class TurnSearch {
       to.push_back(stretch);
   }
 
-  /// By golden sections between the samples beside it.
+  /// The turn at sample i, located by golden-section search between the neighbouring samples.
   Turn sharpened(std::size_t i) {
     const double before = i > 0 ? all_.t[i - 1] : over_.low;
     const double after = i + 1 < all_.t.size() ? all_.t[i + 1] : over_.high;
@@ -281,7 +281,7 @@ class TurnSearch {
     return high - low < 1e-2 * rise && std::abs(at_high - at_low) > 0.3 * std::abs(change);
   }
 
-  /// Changes that stand out from those beside them.
+  /// Adds the jumps: changes between two samples that are much larger than the neighbouring ones.
   void add_jumps(Extrema& to) {
     const std::vector<double>&t = all_.t, &v = all_.v;
     constexpr std::size_t beside = 4;

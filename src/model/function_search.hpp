@@ -13,8 +13,8 @@ namespace creepcontact::model {
 /// A function that changes in time: directly, or because the temperature does.
 struct SearchedFunction {
   std::string key;              ///< the first that has it
-  std::vector<Course> courses;  ///< at places that stand for all others; one at least
-  /// Of all courses; none of a table in t, which knows its points itself. Limits where turns are missing.
+  std::vector<Course> courses;  ///< at places that represent all others; one at least
+  /// Events of all courses, with limits where turns are missing. Empty for a table in t, which knows its own points.
   CourseEvents events;
   /// Where the temperature of a place passes a point of a table in T, or a kink or jump of an expression in T.
   std::vector<double> passages;

@@ -22,7 +22,7 @@ std::vector<mesh::CellBlock> locking_blocks(const mesh::Mesh& mesh) {
 
 constexpr double almost_incompressible = 0.4999, rounding_of_ratio = 1e-9;
 
-/// Of all integration points at t = 0.
+/// The largest ratio of all integration points at t = 0.
 double largest_poisson_ratio(const mechanics::Body& body) {
   double largest = 0;
   const mechanics::BodyConditions at = body.at(0);

@@ -60,7 +60,7 @@ double largest_edge(const std::vector<mesh::Face>& faces, const mesh::Mesh& mesh
   return largest;
 }
 
-/// Of the mean position, about the axis and in degrees.
+/// The angle of the mean position of the nodes about the axis, in degrees.
 double mean_angle(const mesh::Mesh& mesh, const std::vector<std::int64_t>& nodes, const config::Cyclic& cyclic) {
   const Vector3 axis = vector(cyclic.axis).normalized(), across = axis.unitOrthogonal();
   Vector3 mean = Vector3::Zero();

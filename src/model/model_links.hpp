@@ -20,7 +20,7 @@ struct ModelLinks {
   std::vector<std::size_t> body_of_rigid;  ///< by [[rigid]]
 };
 
-/// Of the whole model: all [[cyclic]] have the same axis and angle. Empty without.
+/// The sector of the whole model: all [[cyclic]] have the same axis and angle. Empty without [[cyclic]].
 std::optional<contact::Sector> sector(const config::Config& config);
 
 /// Nodes of the second face match if each lies within 1e-6 of the model's size of the turned position of one of the

@@ -115,7 +115,7 @@ std::vector<Modulus> moduli(const Model& model) {
 }
 
 /// Metals and ceramics have a modulus of 10 to 450 GPa: where one lies in this range as a number of GPa and another as
-/// a number of MPa or Pa, units are mixed. Rubber, polymers and stiff tools beside metals fall outside.
+/// a number of MPa or Pa, units are mixed. Rubber, polymers or stiff tools combined with metals do not match this.
 void warn_of_units(const Model& model, Texts& warnings) {
   constexpr double least = 10, most = 450, factor = 1e3, apart = 10;  // GPa; between units; of the factor
   struct Unit {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t few_cells = 4000;
 constexpr double linear_point = 0.577, quadratic_point = 0.775;  // of the way from the centre of an element to a corner
 
-/// What cells have besides their nodes.
+/// Adds the places of a cell other than its nodes.
 void add_inner_points(const mesh::Mesh& mesh, mesh::CellType type, std::span<const std::int64_t> nodes,
                       std::size_t body, bool corners, Places& to) {
   Vector3 centre = Vector3::Zero();

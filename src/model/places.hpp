@@ -18,7 +18,7 @@ struct Place {
 using Places = std::vector<Place>;
 
 /// The one list that says where a key acts: a load or a support on its group or point, a gap or friction on the two
-/// surfaces, a material or a body on its elements, every other key on all bodies. The objects must outlive it.
+/// surfaces, a material or a body on its elements. Every other key acts on all bodies. The objects must outlive it.
 class KeyPlaces {
  public:
   KeyPlaces(const config::Config& config, const Bodies& bodies) : config_(config), bodies_(bodies) {}

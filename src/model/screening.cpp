@@ -8,7 +8,7 @@ namespace creepcontact::model {
 namespace {
 
 constexpr double fewest_times = 64, most_times = 4096;
-constexpr double unexplained = 0.1;  // deviation from the mean of the values beside, of the range
+constexpr double unexplained = 0.1;  // deviation from the mean of the neighbouring values, over the range
 
 }  // namespace
 

@@ -72,7 +72,7 @@ bool has_zero(const Figure& figure) {
 
 Range common_range(const Figure& figure) {
   Axis x = figure.x;
-  x.zero_at_left = false;  // how far a zero stands from the others is chosen here
+  x.zero_at_left = false;  // the distance of a zero from the other values is chosen here
   Range range = nothing();
   for (const Panel& panel : figure.panels) extend(range, panel, x, [](double value, double) { return value; });
   if (range.from > range.to) return x.logarithmic ? Range{0.1, 1} : Range{0, 1};

@@ -19,7 +19,7 @@ bool is_drawn(double x, double y, const Axis& x_axis, const Axis& y_axis);
 Range value_range(const Panel& panel, const Axis& x_axis);
 
 /// Horizontal, common to all panels; logarithmic with at least a decade above each other. With a point at x = 0 that
-/// zero_at_left shows, `from` is where it stands.
+/// zero_at_left shows, `from` is its position.
 Range common_range(const Figure& figure);
 bool has_zero(const Figure& figure);
 

@@ -179,7 +179,7 @@ std::string gnuplot_script(const Figure& figure, const std::string& stem) {
     text += fmt::format("\nset tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", 1 - from_top / height,
                         1 - (from_top + panel_height) / height);
     text += axis('y', panel.y, value_range(panel, figure.x));
-    // Beside ticks of any width, and below each other.
+    // Labels are left of ticks of any width, and below each other.
     text += fmt::format("set label 2 {} noenhanced at screen {:.5f}, graph 0.5 center rotate by 90\n",
                         gnuplot_quoted(panel.y.label), 16 / width);
     text +=

@@ -6,7 +6,7 @@
 
 namespace creepcontact::plot {
 
-/// What gnuplot makes of a script.
+/// Format of the picture that gnuplot draws.
 enum class PictureFormat { svg, png };
 
 /// Files of a picture: the script STEM.gp, and STEM.dat if there are data. The script writes STEM.svg, or STEM.png

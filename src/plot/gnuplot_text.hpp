@@ -7,7 +7,7 @@
 namespace creepcontact::plot {
 
 /// Puts the text in single quotes, where gnuplot neither runs commands nor expands anything. Control characters become
-/// spaces, bytes that are no UTF-8 a question mark: an SVG file holds neither.
+/// spaces, bytes that are not UTF-8 a question mark: an SVG file holds neither.
 std::string gnuplot_quoted(std::string_view text);
 
 /// Number of characters, not of bytes.

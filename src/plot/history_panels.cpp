@@ -59,7 +59,7 @@ std::string label(const std::vector<Curve>& curves, const std::string& units) {
   std::vector<std::string> names;
   for (const Curve& curve : curves)
     if (std::ranges::count(names, curve.kind.name) == 0) names.push_back(curve.kind.name);
-  const std::size_t longest = names.size() == 1 ? 24 : 18;  // beside a panel, with a unit
+  const std::size_t longest = names.size() == 1 ? 24 : 18;  // of a label next to a panel, with a unit
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   const Dimension dimension = curves.front().kind.dimension;
   const std::string text = all.size() <= longest ? all : name_of(dimension);

@@ -7,7 +7,7 @@
 
 namespace creepcontact::report {
 
-/// & < > " ' as entities. Bytes that are no UTF-8 are replaced.
+/// & < > " ' as entities. Bytes that are not UTF-8 are replaced.
 std::string escaped(std::string_view text);
 
 /// HTML under construction.

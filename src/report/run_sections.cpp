@@ -280,8 +280,7 @@ void add_accuracy(const RunData& run, Drawings& drawings, Html& page, const std:
     rows.push_back({"integrator", summary.method.empty() || summary.method == summary.integrator
                                       ? summary.integrator
                                       : fmt::format("{} ({})", summary.integrator, summary.method)});
-    rows.push_back(
-        {"time steps, rejected ones beside them", fmt::format("{} + {}", summary.steps, summary.rejected_steps)});
+    rows.push_back({"time steps, accepted + rejected", fmt::format("{} + {}", summary.steps, summary.rejected_steps)});
     rows.push_back({"elastic solves", fmt::format("{}", summary.elastic_solves)});
     rows.push_back({"computing time", fmt::format("{:.2f} s", summary.wall_seconds.total)});
     rows.push_back({"memory", fmt::format("{:.0f} MB", summary.peak_memory_mb)});

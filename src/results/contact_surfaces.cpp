@@ -84,7 +84,7 @@ ContactSurfaces::Values ContactSurfaces::values(const Surface& surface, const cr
   Values result(surface.nodes.size(), ContactValues{.gap = unknown});
   const auto show = [&](std::int64_t node, const ContactValues& here) {
     const std::size_t k = std::ranges::lower_bound(surface.nodes, node) - surface.nodes.begin();
-    // At a crease a node has several multipliers; the one that presses most is shown.
+    // A node at a crease has several multipliers; the one with the largest pressure is shown.
     if (!std::isnan(result[k].gap) && std::abs(here.pressure) <= std::abs(result[k].pressure)) return;
     result[k] = here;
   };

@@ -23,7 +23,7 @@ struct ProbeRequest {
 /// Makes a probe at a point of a body (fields interpolated in the element that holds it, or in the nearest one on
 /// faceted surfaces), over a group, or over a whole body from its nodes.
 std::unique_ptr<Probe> make_probe(const AtNodes& nodes, const ProbeRequest& request);
-/// The same places; over a whole body the integration points count.
+/// Makes a probe at the same places, but over a whole body from its integration points.
 std::unique_ptr<Probe> make_probe(const AtPoints& points, const ProbeRequest& request);
 /// Makes a probe on a surface of a pair, or on a surface that has faces of one.
 std::unique_ptr<Probe> make_probe(const AtMultipliers& multipliers, const ProbeRequest& request);

@@ -78,7 +78,7 @@ std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, cons
 }
 
 /// The forces on the part of a body beyond a plane: reactions and contact forces at nodes, and loads integrated up to
-/// the plane. By equilibrium this is what the part exerts on the rest.
+/// the plane. Because of equilibrium, this is what the part exerts on the rest.
 class SectionProbe final : public Probe {
  public:
   SectionProbe(const mechanics::Cut& cut, std::size_t body, const model::Model& model, const OnPlane& plane,

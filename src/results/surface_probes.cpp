@@ -119,8 +119,8 @@ struct NodalSum {
   std::vector<std::pair<std::int64_t, Matrix3>> nodes;
 };
 
-/// The forces of supports on these nodes. What a sector exerts on the next one is no reaction: forces at nodes that
-/// follow others by cyclic symmetry count there.
+/// The forces of supports on these nodes. What a sector exerts on the next one is not a reaction: forces at nodes
+/// that follow others by cyclic symmetry count at these others.
 NodalSum reactions_at(std::size_t body, const mechanics::NodeLinks& links, const std::vector<std::int64_t>& nodes) {
   NodalSum sum{body, {}};
   std::set<std::int64_t> own(nodes.begin(), nodes.end());

@@ -15,7 +15,7 @@
 
 namespace creepcontact::run {
 
-/// Of the names of arrays in a checkpoint that are vectors like the state: each process has a part of them.
+/// Prefixes of the names of arrays in a checkpoint that are vectors like the state: each process has a part of them.
 inline constexpr const char* cycle_state_prefix = "cycles.of_state.";
 inline constexpr const char* integrator_state_prefix = "integrator.of_state.";
 inline constexpr const char* checkpoint_name = "checkpoint.h5";  // in the directory of the run
@@ -29,7 +29,7 @@ class Checkpoints {
   /// @throws ConfigError if there is none, or it is of another model: what differs
   io::Checkpoint read() const;
   bool exist() const;
-  /// Of an earlier run in the same directory.
+  /// Removes the checkpoints of an earlier run in the same directory.
   void remove() const { io::remove_checkpoints(path_); }
 
   /// The run as it is now, without what its observers hold. @param work  of the run so far

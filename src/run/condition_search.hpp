@@ -8,8 +8,8 @@
 
 namespace creepcontact::run {
 
-/// First time in (from, to] at which the condition holds, found by halving, on the side where it holds. Of several
-/// changes within the interval one is found.
+/// First time in (from, to] at which the condition holds, found by halving, on the side where it holds. If it
+/// changes several times within the interval, one of the changes is found.
 /// Precondition: it does not hold at `from` and holds at `to`.
 /// @param resolution  relative to the interval @returns `to` if both are equal
 /// Cost: log2(1 / resolution) evaluations

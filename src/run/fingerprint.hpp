@@ -1,5 +1,5 @@
 #pragma once
-/// What the state of a run depends on beside the time: a checkpoint of another model is refused, and told why.
+/// What the state of a run depends on apart from the time: a checkpoint of another model is refused, with the reason.
 
 #include <string>
 #include <vector>

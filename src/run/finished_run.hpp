@@ -9,9 +9,9 @@
 
 namespace creepcontact::run {
 
-/// Changes no file. @param directory  with the results of the run
-/// @returns a sentence on why nothing is left to do; empty: the run goes on from its checkpoint
-/// @throws ConfigError if the run has ended, and there is not a checkpoint of it or one of another model
+/// Changes no file. @param directory  with the results of the run.
+/// @returns a sentence on why nothing is left to do; empty: the run goes on from its checkpoint.
+/// @throws ConfigError if the run has ended, and its checkpoint is missing or is of another model
 std::string nothing_left(const config::Config& config, const model::Model& model,
                          const std::filesystem::path& directory);
 

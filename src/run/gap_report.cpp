@@ -10,7 +10,7 @@ namespace creepcontact::run {
 namespace {
 
 constexpr double of_the_body = 1e-3;
-constexpr double of_the_distance = 0.05;  // a parabola in place of a circle, far from the contact
+constexpr double of_the_distance = 0.05;  // error of a parabola instead of a circle, far from the contact
 constexpr double nothing = 1e-9;          // of the surface's size: round-off of distances
 
 double size_of(const mechanics::Body& body) {

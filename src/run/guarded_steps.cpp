@@ -10,7 +10,7 @@ namespace {
 
 constexpr double allowed_effect = 0.05;  // of the error that a step may make
 constexpr double max_age = 20;           // findings for which a known effect counts
-constexpr double larger = 1.5;           // deviations, relative to the one whose effect is known: found anew
+constexpr double larger = 1.5;           // deviation over the known one, beyond which the effect is computed again
 constexpr const char* memory_name = "guard.effects";
 
 }  // namespace

@@ -21,13 +21,13 @@ class GuardedSteps {
 
   struct End {
     double time = 0;
-    bool is_jump = false;  ///< of a function: the integration starts anew there
+    bool is_jump = false;  ///< of a function: the integration restarts there
   };
   /// Where the next step from the accepted state y at t, which may reach `to`, has to end. Collective.
-  /// @param is_proposed  `to` is the length that the integrator proposes; else it is only a limit of it
-  /// @param segment  between the breakpoints around t @returns nullopt: where it likes
-  /// Cost: see StepGuard::examine(); one elastic solve where a course deviates
-  /// and it is not known whether that matters
+  /// @param is_proposed  `to` is the length that the integrator proposes; else it is only a limit of it.
+  /// @param segment  between the breakpoints around t. @returns nullopt: where it likes.
+  /// Cost: see StepGuard::examine(); one elastic solve where a course deviates and it is not known whether that
+  /// matters.
   std::optional<End> end_of_step(double t, std::span<const double> y, double to, bool is_proposed,
                                  const model::StepGuard::Segment& segment);
 

@@ -28,7 +28,7 @@ class LoadPath final : public ode::Integrator {
   double next_step() const override { return 0; }
   ode::RestartPoint save() const override;
   void restore(const ode::RestartPoint& point) override;
-  /// These steps are no steps of an integration.
+  /// All zero: these steps are not steps of an integration.
   Counters counters() const override { return {}; }
 
  private:

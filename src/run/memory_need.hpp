@@ -11,7 +11,7 @@ namespace creepcontact::run {
 
 /// Bytes.
 struct MemoryNeed {
-  double factors = 0;  ///< with what a factorisation takes beside them
+  double factors = 0;  ///< with the working memory of a factorisation
   double contact = 0;  ///< matrices of the contact zones
   double points = 0;   ///< at integration points and nodes
   double state = 0;    ///< of the differential equation, and the vectors of its integrator
@@ -20,7 +20,7 @@ struct MemoryNeed {
 
 /// What a run takes beyond its model. @param assembly  what this process has of it @param contact_bytes  the matrices
 /// of all contact zones
-/// @param of_factor  bytes of a body's factor, with those that its factorisation takes besides
+/// @param of_factor  bytes of a body's factor, with the working memory of its factorisation
 MemoryNeed memory_need(const config::Config& config, const creep::Assembly& assembly, double contact_bytes,
                        const std::function<double(std::size_t body)>& of_factor);
 

@@ -27,7 +27,7 @@ class Position {
   bool is_at_restart_point() const { return integrator_->at_restart_point(); }
 
   StepView view(Source source) const { return {context_.observed, state_.time, state_.y, source, steps()}; }
-  /// Of a time within the last step. Valid until the next call.
+  /// The view of a time within the last step. Valid until the next call.
   StepView view_at(double t, Source source);
   /// Adds to a summary the time reached, the integrator at work (empty if nothing creeps) and the work of the run, with
   /// that of the runs that it continues.
@@ -52,7 +52,7 @@ class Position {
 
  private:
   void begin_segment();
-  /// The integration starts anew from the present state.
+  /// Restarts the integration from the present state.
   void initialize();
   /// The present state is that of the integrator.
   void take_state();

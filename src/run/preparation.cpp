@@ -16,8 +16,8 @@
 namespace creepcontact::run {
 namespace {
 
-/// A tangent stiffness must be condensed anew with every factorisation, which neither iterated contact nor contact of
-/// several processes is made for.
+/// A tangent stiffness must be condensed again with every factorisation. Neither iterated contact nor contact of
+/// several processes supports this.
 void require_condensed_contact(const config::Config& config, const contact::CondensedInterface& interface,
                                const Team& team) {
   if (config.time.linear_solver != settings::LinearSolver::tangent) return;
@@ -44,7 +44,7 @@ void require_condensed_contact(const config::Config& config, const contact::Cond
 creep::SolverOptions with_multigrid(const config::Config& config, creep::SolverOptions options,
                                     const creep::Assembly& assembly, const Processes& processes) {
   constexpr double usual_error = 0.1;             // few cycles per solve, few solves per evaluation
-  constexpr double part_of_time_tolerance = 0.1;  // more steps or larger errors do not come of it
+  constexpr double part_of_time_tolerance = 0.1;  // tight enough not to add steps or errors
   const bool has_path = std::ranges::any_of(assembly.pairs(), [](const contact::Pair& pair) {
     return pair.coupling.has_friction() || pair.preload.has_value() || !pair.acts_always();
   });

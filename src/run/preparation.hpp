@@ -25,9 +25,9 @@ std::filesystem::path output_directory(const config::Config& config, const std::
 /// @throws ConfigError if no results can be written into the directory, or if there is nothing to resume
 void require_output(const std::filesystem::path& directory, bool resume);
 
-/// Factors all bodies, or makes their multigrids (linear_solver.method). @param model, watch  must outlive the solver
+/// Factors all bodies, or makes their multigrids (linear_solver.method). @param model, watch  must outlive the solver.
+/// @param assembly  that of the model, or the own part of it where several processes share the model.
 /// @throws ModelError if there is not enough memory, and as EquilibriumSolver; ConfigError if there is no multigrid
-/// @param assembly  that of the model, or the own part of it where several processes share the model
 creep::EquilibriumSolver make_solver(const config::Config& config, const model::Model& model,
                                      const creep::Assembly& assembly, const Processes& processes, Stopwatch& watch);
 

@@ -24,7 +24,7 @@ void RestartPoints::complete_files() {
 void RestartPoints::write() {
   complete_files();
   if (!newest_) return;
-  together(files_.team(), [&] { observers_.sync(); });  // a checkpoint stands for all results before it
+  together(files_.team(), [&] { observers_.sync(); });  // a checkpoint implies that all results before it are on disk
   files_.write(*newest_);
 }
 

@@ -20,7 +20,7 @@ class RestartPoints {
   /// Waits until the files under way are complete. @throws Error if they cannot be; the newest state is then before
   /// them
   void complete_files();
-  /// The same if a state waits for them: an output follows, whose files it does not need.
+  /// Waits for them only if a state does: an output follows, whose files that state does not need.
   void complete_files_before_output() {
     if (after_files_) complete_files();
   }

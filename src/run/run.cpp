@@ -152,7 +152,7 @@ class OutputDirectory {
     if (!lock_) lock_.emplace(path_);
   }
   const std::filesystem::path& path() const { return path_; }
-  /// Of the run that is resumed.
+  /// Warnings of the run that is resumed.
   const std::vector<std::string>& earlier_warnings() const { return earlier_warnings_; }
 
  private:

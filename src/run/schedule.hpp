@@ -16,7 +16,7 @@ class Schedule {
 
   /// The run is at time t, and what comes next is after it. Outputs before t have been made.
   void begin(double t);
-  /// The same for the breakpoints alone: the run has passed one, or goes on from another time.
+  /// Sets the time for the breakpoints alone: the run has passed one, or goes on from another time.
   void go_to(double t);
   /// Does nothing if it is known. @param t  after the present time
   void add_breakpoint(double t);

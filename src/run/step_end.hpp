@@ -23,7 +23,7 @@ class StepEnd {
     double time = 0;
     bool is_jump = false;  ///< of a function, not known before: a breakpoint
   };
-  /// Of the step from the state of the integrator. Collective. Cost: see GuardedSteps::end_of_step()
+  /// The limit of the step from the state of the integrator. Collective. Cost: see GuardedSteps::end_of_step()
   Limit next(const ode::Integrator& integrator, const Schedule& schedule);
 
   void save(creep::Memory& memory) const;

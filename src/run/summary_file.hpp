@@ -29,7 +29,7 @@ class SummaryFile final : public Observer {
   void output(StepView& view) override;
   /// Makes the summary of the run up to now, and writes it. Collective. @throws Error if the disk cannot take it
   Summary write(Status status, const std::string& message) const;
-  /// The same without the file.
+  /// Makes the summary as write() does, without writing it.
   Summary make(Status status, const std::string& message) const;
 
  private:

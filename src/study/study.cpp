@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One study a directory: the results of another one would stand beside those of this one.
+/// Only one study may use a directory: the results of two would get mixed.
 void claim(const fs::path& directory, const config::Study& study) {
   const fs::path file = directory / stored_study;
   if (path_exists(file)) {
@@ -46,7 +46,7 @@ void claim(const fs::path& directory, const config::Study& study) {
   platform::replace_file(file, study.normalized);
 }
 
-/// By the extremes between output times.
+/// Includes the extremes between output times.
 void widen(ProbeCourse& course, const io::SummaryProbe& probe) {
   if (!probe.course || std::isnan(course.min)) return;
   course.min = std::min(course.min, probe.course->min);

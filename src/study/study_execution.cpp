@@ -125,7 +125,7 @@ void make_empty(const fs::path& directory) {
   if (error) throw ConfigError(fmt::format("directory of a run '{}': {}", directory.string(), error.message()));
 }
 
-/// Of files of temperatures.
+/// The lines of the files of temperatures.
 std::string checksum_lines(const std::vector<fs::path>& files) {
   std::string lines;
   try {

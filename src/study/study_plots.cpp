@@ -72,7 +72,7 @@ class Pictures {
   }
 
   using Values = std::function<std::vector<double>(const StudySeries&)>;
-  /// Of what is varied along the curves: one picture per key.
+  /// Draws a column over what varies along the curves: one picture per key.
   void over_settings(const std::string& column, const std::string& label, const Values& values, bool is_error) {
     const double far_apart = is_error ? 1 : 10;  // errors have orders, seen in a log-log plot alone
     for (const std::string& axis : axes_) {

@@ -25,7 +25,7 @@ ProbeCourse course_of(const std::vector<double>& values);
 /// Numbers that are not known are NaN.
 struct StudyRow : RunCounters {
   std::string status;                     ///< "completed", "ruptured", "failed", "interrupted", "not started"
-  std::string message;                    ///< why it failed or has no error; what a run that succeeded was warned of
+  std::string message;                    ///< why it failed or has no error; the warnings of a run that succeeded
   std::vector<double> errors;             ///< relative, one per quantity; empty without reference
   std::vector<ProbeCourse> courses = {};  ///< one per quantity
   double wall_seconds = 0;

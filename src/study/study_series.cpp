@@ -46,7 +46,7 @@ std::string label_of(const config::Product& product, const config::PlannedRun& r
   return label;
 }
 
-/// A legend has no two entries alike, and none without a name beside others.
+/// The entries of a legend: all are different, and if there are several, each has a name.
 class Legend {
  public:
   explicit Legend(std::size_t entries) : entries_(entries) {}

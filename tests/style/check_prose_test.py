@@ -105,16 +105,6 @@ class Text(unittest.TestCase):
                      'f("/// Of");'):
             self.assertEqual(prose.beginnings(f"int b;\n{code}\n"), [], code)
 
-    def test_modules(self):
-        self.assertEqual([prose.module_of(name) for name in ("include/creepcontact/io/msh/a.hpp", "src/fem/a.cpp", "docs/a.md")],
-                         ["io", "fem", None])
-        modules = {path.name for tree in ("src", "include/creepcontact") for path in (prose.ROOT / tree).iterdir()}
-        self.assertEqual(set(prose.UNCHECKED) - modules, set(), "no such module")
-
-    def test_comments_of_headers(self):
-        header = "// anew\nint anew;  ///< begins anew\n/// One row a\n/// run.\nf(anew);  // anew\n/// `anew`\n"
-        self.assertEqual([line for line, _, _ in prose.findings(prose.comment_prose(header))], [2, 3])
-
     def test_long_sentences(self):
         words = " ".join(["word"] * prose.LONG_SENTENCE)
         for text in (f"{words}. {words}.", f"- {words}\n- {words}", f"{words}\n\n{words}", f"| {words} | {words} |"):
@@ -141,13 +131,12 @@ class Files(unittest.TestCase):
         self.assertEqual(self.check(bad="Good.\n\nIt begins anew.\n", good="It begins again.\n"),
                          (1, "docs/bad.md:3: anew; 'again'\n"))
 
-    def test_interfaces_of_modules_that_are_not_yet_checked(self):
+    def test_code_files(self):
         (self.root / "include").mkdir()
         name = "include/a.hpp"
         (self.root / name).write_text("/// Of a row, begun anew.\n// begun anew\n", encoding="utf-8")
-        for names, interfaces, count in (([name], [], 3), ([], [name], 1)):
-            with contextlib.redirect_stdout(io.StringIO()):
-                self.assertEqual(prose.check(self.root, names, interfaces), count)
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(prose.check(self.root, [name]), 3)
 
     def test_long_sentences_are_warnings(self):
         count, printed = self.check(long=f"{'word ' * 50}end.\n")

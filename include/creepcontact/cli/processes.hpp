@@ -29,7 +29,7 @@ class Processes {
   static bool is_first();
   /// What run::run() needs to know of them. Precondition: the object exists
   static run::Processes of_run();
-  /// The same for what is_first() executes alone. Precondition: the object exists
+  /// What run::run() needs to know if is_first() executes the command alone. Precondition: the object exists
   static run::Processes of_one();
   /// True if all processes execute the command together; else is_first() does.
   /// @throws ConfigError if several processes, or this program, cannot execute it

@@ -127,8 +127,8 @@ struct Fatigue {
   Location location;
 };
 
-/// [materials.<name>.data_range], an older way to give the ranges of all creep laws of a material at once: complete() gives
-/// them to the laws. Two numbers each, or none.
+/// [materials.<name>.data_range], an older way to give the ranges of all creep laws of a material at once: complete()
+/// gives them to the laws. Two numbers each, or none.
 struct DataRange {
   std::vector<double> stress;  ///< von Mises stress
   std::vector<double> temperature;

@@ -1,6 +1,6 @@
 #pragma once
-/// Functions and values of a configuration as data. They follow from its structs by the declarations of the keys, so
-/// code that needs all of them (breakpoints, the fingerprint of a checkpoint) cannot forget a kind of key, and a
+/// Functions and values of a configuration as data. They follow from its structs by the declarations of the keys. So
+/// code that needs all of them (breakpoints, the fingerprint of a checkpoint) cannot forget a kind of key. A
 /// configuration that is made in code has them too.
 
 #include <string>

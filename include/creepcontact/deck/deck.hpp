@@ -138,9 +138,9 @@ struct Deck {
 
 /// Reads a deck and the files that it includes. Parts and instances of Abaqus are made one model: each instance has its
 /// own nodes and elements, moved as it says, and its sets are named "INSTANCE.SET".
-/// @throws ConfigError with every mistake, a line each, "file:line: *CARD: what": fields that are not numbers, nodes
-/// and sets that do not exist, elements without all their nodes, a deck that is cut off or has no elements Cost: linear
-/// in the size of the text. Memory: the nodes and elements, twice where instances are made of parts.
+/// @throws ConfigError with one line per mistake, "file:line: *CARD: what". Mistakes are fields that are not numbers,
+/// nodes and sets that do not exist, elements without all their nodes, a deck that is cut off or has no elements.
+/// Cost: linear in the size of the text. Memory: the nodes and elements, twice where instances are made of parts.
 Deck read_deck(const std::filesystem::path& path);
 /// Reads a text instead of a file. @param name  for messages; the directory of this name is that of the files it
 /// includes

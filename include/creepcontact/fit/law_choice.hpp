@@ -30,9 +30,9 @@ struct LawChoice {
 };
 
 /// Fitted are the numbers that the law requires, and its activation energies if the data have several temperatures.
-/// @throws ConfigError for an unknown law or key, a value that cannot be read or is out of its range, a required list
-/// without a value, nothing to be fitted, several temperatures with a law that does not depend on temperature, or one
-/// stress with a law whose parameters need several
+/// @throws ConfigError for an unknown law or key, a value that cannot be read or is out of its range, or a required
+/// list without a value. Also if nothing is to be fitted, or the data do not fit the law: several temperatures with a
+/// law that does not depend on temperature, or one stress with a law whose parameters need several
 LawChoice choose_law(const LawWishes& wishes, const TestData& data);
 
 }  // namespace creepcontact::fit

@@ -79,9 +79,9 @@ struct ReadOptions {
   io::Thousands thousands = io::Thousands::none;  ///< what separates them in numbers
 };
 
-/// Format: docs/fit.md. @throws ConfigError with a line for each bad row (file, line, column, what was found and what
-/// is allowed; one for rows with the same mistake), for columns that are missing, for units that cannot be what they
-/// should be, and for a Young's modulus with an elastic strain above 10 %
+/// Format: docs/fit.md. @throws ConfigError with a line for each bad row: file, line, column, what was found and what
+/// is allowed; rows with the same mistake share one line. Also for columns that are missing, for units that cannot be
+/// what they should be, and for a Young's modulus with an elastic strain above 10 %
 TestData read_test_data(const std::filesystem::path& path, const ReadOptions& options);
 /// Reads test data from text. @param name  of the file, for messages
 TestData parse_test_data(std::string_view text, const std::string& name, const ReadOptions& options);

@@ -56,11 +56,11 @@ struct HillRatios {
   std::array<double, 6> values{1, 1, 1, 1, 1, 1};  ///< R11, R22, R33, R12, R23, R13, all > 0
 };
 
-/// The symmetric A for which the von Mises stress of A stress is q, and which leaves the mean stress as it is: the
+/// The symmetric A for which the von Mises stress of A stress is q, and which leaves the mean stress as it is. So the
 /// isotropic part of a law (volumetric creep) stays isotropic, and equal ratios of 1 make A the identity. A law f(q) of
 /// isotropic creep, seen through A, is the anisotropic one: strain rate = A rate(A stress) = f(q) dq/dstress. It is
-/// associated, changes the volume only as the isotropic law does, and dissipates as the isotropic law does. Source: A.
-/// P. Karafillis, M. C. Boyce, J. Mech. Phys. Solids 41 (1993).
+/// associated, changes the volume only as the isotropic law does, and dissipates as the isotropic law does.
+/// Source: A. P. Karafillis, M. C. Boyce, J. Mech. Phys. Solids 41 (1993).
 /// @throws ModelError if q^2 is negative for some stress
 Matrix6 hill_transformation(const HillRatios& ratios);
 

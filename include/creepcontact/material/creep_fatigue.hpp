@@ -2,9 +2,9 @@
 /// Creep-fatigue life: the life fraction L of creep (Robinson), the cycle fraction F of fatigue (Miner), and what of an
 /// interaction diagram they have used up. A mechanism without strain.
 ///   dL/dt = 1/t_r(S, T),   each cycle adds 1/N_f(strain range, T) to F.
-/// The strain range is the largest over pairs of times of the cycle of sqrt(2/3 e:e), with e the deviator of the
-/// difference of the total strains (elastic + inelastic; thermal strain has no deviator), T the highest temperature of
-/// the cycle.
+/// The strain range is the largest over pairs of times of the cycle of sqrt(2/3 e:e). Here e is the deviator of the
+/// difference of the total strains (elastic + inelastic; thermal strain has no deviator). T is the highest temperature
+/// of the cycle.
 /// Sources: E. L. Robinson, Trans. ASME 74 (1952); M. A. Miner, J. Appl. Mech. 12 (1945); strain range and diagram:
 /// ASME BPVC III.5, Appendix HBB-T (nu* = 0.5).
 

@@ -51,7 +51,7 @@ struct PointIncrement {
 
 /// d(rate)/d(stress) of an isotropic law:
 ///   deviatoric * P + radial * m m^T + volumetric * (1/3) I I^T,   P the deviatoric projector,
-/// with the direction m of the strain rate, which for a coaxial law is that of the stress deviator s, s/|s|.
+/// with m the direction of the strain rate. For a coaxial law this is the direction of the stress deviator s, s/|s|.
 struct StressTangent {
   double deviatoric = 0, radial = 0, volumetric = 0;
 };

@@ -38,9 +38,9 @@ std::vector<std::size_t> bodies_with(const std::vector<mechanics::Body>& bodies,
 /// @throws ModelError with one line per error, each with its location in the configuration
 Model build_model(const config::Config& config);
 
-/// Remarks on what is allowed and seldom meant, one entry each: moduli that differ as units do, friction above 1.5, one
-/// axial strain for bodies of unlike expansion, bodies without cyclic symmetry where another body has it, contacts that
-/// few elements resolve. Cost: a pass through the loads and surfaces.
+/// Remarks on what is allowed and seldom meant, one entry each: moduli that differ as units do; friction above 1.5; one
+/// axial strain for bodies of unlike expansion. Also bodies without cyclic symmetry where another body has it, and
+/// contacts that few elements resolve. Cost: a pass through the loads and surfaces.
 std::vector<std::string> model_warnings(const config::Config& config, const Model& model);
 
 /// Warnings about the mesh of a body, one entry each: separate pieces, elements that lock, folded elements.

@@ -20,9 +20,9 @@ class RangeMonitor {
   explicit RangeMonitor(const config::Config& config);
 
   /// Warns of each range that the temperature or stress of a body leaves for the first time. Collective.
-  /// @param at  its bodies and conditions: of these bodies @param team  the processes that share the bodies
-  /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have ranges of T, and
-  /// the largest stress, if they have ranges of stress.
+  /// @param at  its bodies and conditions: of these bodies. @param team  the processes that share the bodies.
+  /// Cost: minimum and maximum of the temperature, if it changes in time and the materials have ranges of T, and the
+  /// largest stress, if they have ranges of stress.
   void observe(double t, const std::vector<mechanics::Body>& bodies, const creep::Equilibrium& at, const Team& team);
   /// To be called at the end: warns of ranges of stress that the stress has never come up to.
   void finish() const;

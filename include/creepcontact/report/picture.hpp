@@ -33,10 +33,10 @@ struct DrawnPicture {
 };
 
 /// Fields of contact surfaces are drawn on these, the bodies as glass. Makes the directories of the files.
-/// @param run  the output directory of a run
+/// @param run  the output directory of a run.
 /// @throws ConfigError if there are no field files, if a field, body or view is unknown (naming the nearest), or if
-/// Python, VTK or a virtual display is missing (naming the package); Error (exit status 4) with the message of the
-/// process if it fails
+/// Python, VTK or a virtual display is missing (naming the package). Error (exit status 4) with the message of the
+/// process if it fails.
 /// Cost: one process for all pictures, two seconds or more.
 std::vector<DrawnPicture> draw_pictures(const std::filesystem::path& run, const std::vector<Picture>& pictures);
 

@@ -19,9 +19,9 @@ struct WrittenReport {
 };
 
 /// One run, or several, compared. A run that was interrupted or has failed is reported as far as it came.
-/// @param runs  output directories, at least one
-/// @throws ConfigError if one of them is none (saying what to name instead) or the file cannot be written; ModelError
-/// if field files are damaged; SolverError as ChildProcess
+/// @param runs  output directories, at least one.
+/// @throws ConfigError if one of them is not an output directory (saying what to name instead) or the file cannot be
+/// written; ModelError if field files are damaged; SolverError as ChildProcess.
 /// Cost: reading the field files; processes of gnuplot and Python, some seconds.
 WrittenReport write_report(const std::vector<std::filesystem::path>& runs, const ReportOptions& options);
 

@@ -15,8 +15,8 @@ namespace creepcontact::results {
 
 /// Width of the contact zone in slave elements, as an odd number: 2 k - 1 if the innermost row is the k-th row from the
 /// edge of the zone. Only open rows count as an edge: where the zone reaches the end of the surface it is assumed to
-/// continue, as at a plane of symmetry. Of several connected zones the narrowest counts, ignoring those with less than
-/// a tenth of the force.
+/// continue, as at a plane of symmetry. If there are several connected zones, the narrowest counts, ignoring those with
+/// less than a tenth of the force.
 /// @param force_of_row  contact force per row of the grid; rows without force are open
 /// @returns nullopt if nothing is in contact, or no zone has an edge since the contact covers the surface
 std::optional<int> elements_across(const contact::ContactGrid& grid, const Eigen::VectorXd& force_of_row);

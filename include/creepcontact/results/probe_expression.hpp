@@ -14,8 +14,8 @@ namespace creepcontact::results {
 
 class ProbeExpression {
  public:
-  /// @param probes  of the configuration
-  /// @param all  made of them, in the same order, those in use at least; they must outlive the object
+  /// @param probes  of the configuration.
+  /// @param all  made of them, in the same order, those in use at least; they must outlive the object.
   /// @throws std::invalid_argument if the text is not an expression of them (reading the configuration has checked it)
   ProbeExpression(const std::string& text, std::span<const config::Probe> probes,
                   std::span<const std::unique_ptr<Probe>> all);

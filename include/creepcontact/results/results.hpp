@@ -24,8 +24,8 @@ class RevolvedSection;  // pictures of axisymmetric models (implementation)
 /// Writer of history.csv, steps.csv and the field files.
 class Results {
  public:
-  /// @param assembly  must outlive the object @param continuation  of an interrupted run; default: a new one
-  /// @param writes  false: this process writes no results, another one does
+  /// @param assembly  must outlive the object. @param continuation  of an interrupted run; default: a new one.
+  /// @param writes  false: this process writes no results, another one does.
   /// @throws ConfigError if a file cannot be opened or, when resuming, does not fit
   Results(const config::Config& config, const std::filesystem::path& directory, const creep::Assembly& assembly,
           io::Continuation continuation, bool writes = true);

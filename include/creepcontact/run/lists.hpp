@@ -9,7 +9,7 @@ namespace creepcontact::run {
 /// @throws ConfigError for any other value
 std::string list(const std::string& what);
 
-/// The same in Markdown; laws with all their keys.
+/// List in Markdown; laws with all their keys.
 std::string list_markdown(const std::string& what);
 
 }  // namespace creepcontact::run

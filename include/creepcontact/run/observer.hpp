@@ -13,10 +13,10 @@ namespace creepcontact::run {
 
 struct Summary;
 
-/// What an observer asks of the loop. Of several answers the last one in this list wins.
+/// What an observer asks of the loop. If observers differ, the last answer in this list wins.
 enum class Reaction {
   advance,  ///< go on
-  restart,  ///< the integration starts anew from the state that change() gives
+  restart,  ///< the integration restarts from the state that change() gives
   stop,     ///< the run ends here
   go_back   ///< all that is tentative is undone, and the run goes on from the state that change() gives
 };
@@ -43,7 +43,7 @@ class Observer {
   virtual void state(StepView& /*view*/) {}
   /// A breakpoint, before the loads change there.
   virtual Reaction segment(StepView& /*view*/) { return Reaction::advance; }
-  /// The same after they have changed.
+  /// A breakpoint, after the loads have changed there.
   virtual void jump(StepView& /*view*/) {}
   /// An output time, or the end of the run; they come in increasing order.
   virtual void output(StepView& /*view*/) {}

@@ -21,7 +21,7 @@ namespace creepcontact::run {
 struct Processes {
   const Team* team = &serial_team();  ///< must outlive the run
   int on_this_machine = 1;            ///< of them: they share its memory
-  /// Of the bodies, for more than one process, which call it together.
+  /// Makes the solvers of the bodies if there are several processes, which call it together.
   linalg::StiffnessSolverFactory stiffness_solver = linalg::default_stiffness_solver;
   /// Makes multigrids with this error bound, for any number of processes; null where there are none.
   std::function<linalg::StiffnessSolverFactory(double error)> multigrid = {};
@@ -47,8 +47,8 @@ struct RunOptions {
 ///
 /// SIGINT, SIGTERM and SIGHUP end the run after the current step, with a checkpoint (exit status 130). If a solver
 /// fails, the exit status is 4, and results computed before are kept.
-/// Of several processes all must call it, with the same configuration; process 0 writes, and its summary is the one to
-/// print. Errors are the same in all.
+/// If there are several processes, all must call it, with the same configuration; process 0 writes, and its summary is
+/// the one to print. Errors are the same in all.
 /// @throws Error for errors found before the time loop (configuration 2, mesh or model 3)
 Summary run(const config::Config& config, const RunOptions& options);
 

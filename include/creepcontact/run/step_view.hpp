@@ -51,9 +51,9 @@ struct StepMade {
 /// evaluated there.
 class StepView {
  public:
-  /// Which evaluation stands for the state.
+  /// Which evaluation represents the state.
   enum class Source {
-    exact,     ///< at this very state; an elastic solve unless a step has made it
+    exact,     ///< at this very state; needs an elastic solve if the last step has not made it
     accepted,  ///< the one that the last step has made, within its tolerance; solved only if there is none
     result     ///< exact, with slip and dissipated energy that never fall from one result to the next
   };
@@ -64,14 +64,14 @@ class StepView {
   double time() const { return time_; }
   std::span<const double> y() const { return y_; }
   creep::CreepSystem& system() { return observed_.system(); }
-  /// Of the run up to now, with that of the runs that it continues.
+  /// Work of the run up to now, with that of the runs that it continues.
   RunCounters work() const { return steps_ + observed_.system().run_counters(); }
 
   const StepMade* step = nullptr;  ///< the step that ends here; null but in Observer::step()
   bool is_tentative = false;       ///< the run may go back to before this state
   bool is_end = false;             ///< the run ends here
 
-  /// Of the part of this process. @throws RecoverableError if there is no equilibrium
+  /// The evaluation of the part of this process. @throws RecoverableError if there is no equilibrium
   const creep::Evaluation& evaluation();
   /// Calls f in process 0, with the state of the whole model. An error there is one in all. Collective.
   /// @returns what f returns, in all processes @throws as evaluation()

@@ -233,7 +233,7 @@ void Cycles::change(RunState& state) {
     state.time = changed_->time;
     state.y = std::move(changed_->y);
     changed_.reset();
-  } else if (may_go_back()) {  // something must not be passed over: an event, rupture, a step that fails
+  } else if (may_go_back()) {  // something must not be skipped: an event, rupture, a step that fails
     bound_ = cycle_;
     const std::int64_t before = cycle_ - jumps_->jumped();
     jumps_->give_up(state.y);

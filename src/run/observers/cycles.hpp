@@ -46,7 +46,7 @@ class Cycles final : public Observer {
     between,
     within
   };
-  /// Of a jump over cycles from the present state; nullopt: the next cycle is computed.
+  /// The state after a jump over cycles from the present state; nullopt: the next cycle is computed.
   std::optional<RunState> jumped(const StepView& view);
   /// A cycle ends at this state, as seen from its begin.
   Reaction close(std::int64_t cycle, StepView& view);

@@ -99,7 +99,7 @@ TEST(CardParameters, WhatChangesTheResultsIsRefused) {
            {"*STEP\n*VISCO, TOTAL TIME AT START=3\n*END STEP", "TOTAL TIME AT START: a total time"},
            {"*STEP, AMPLITUDE=SINE\n*STATIC\n*END STEP", "AMPLITUDE=SINE is not known; RAMP, STEP are"},
            {"*STEP\n*END STEP", "it has no procedure"},
-           {"*STEP\n*STATIC\n*END STEP\n*BOUNDARY\n1, 1", "it stands between two steps"},
+           {"*STEP\n*STATIC\n*END STEP\n*BOUNDARY\n1, 1", "it is between two steps"},
            {"*PART, NAME=P\n*EQUATION\n1\n1, 1, 1.\n*END PART", "within a part or an instance it is not known"}})
     EXPECT_TRUE(says(consequences(deck_of(std::string(card) + "\n").impossible), {reason})) << card;
 }

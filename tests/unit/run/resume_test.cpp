@@ -10,8 +10,7 @@ namespace {
 double interrupted_run(const config::Config& config, const std::filesystem::path& directory, int outputs,
                        bool resume = false) {
   InterruptAtOutput interrupt(outputs);
-  const Summary summary =
-      run(config, {.output = directory.string(), .resume = resume, .observers = {&interrupt}});
+  const Summary summary = run(config, {.output = directory.string(), .resume = resume, .observers = {&interrupt}});
   EXPECT_EQ(summary.exit_status, 130);
   EXPECT_TRUE(std::filesystem::exists(directory / "checkpoint.h5"));
   return summary.results.time_reached;

@@ -1,11 +1,11 @@
 /// The tables at the end of a run say what the summary holds; advice comes where it is due, and only there.
-#include "creepcontact/run/report.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <string>
 #include <vector>
+
+#include "creepcontact/run/report.hpp"
 
 namespace creepcontact::run {
 namespace {
