@@ -40,6 +40,7 @@ End Loop::run(const io::Checkpoint* resumed) {
     restart_points_.complete_files();
   } catch (const Cancelled&) {
     restart_points_.write();  // what the step has changed is not saved: the restart point before it is
+    if (!context_.integrates && restart_points_.newest_time()) position_.abandon_step(*restart_points_.newest_time());
     return End::interrupted;
   } catch (const RecoverableError& error) {
     restart_points_.write();

@@ -44,6 +44,8 @@ class Position {
   StepMade step(StepEnd& step_end);
   /// Back to a time within the last step, after which no step is made.
   void stop_at(double t);
+  /// The run ends within a step, of which nothing is kept. @param t  at which it began
+  void abandon_step(double t) { state_.time = t; }
   /// The loads change here: what follows belongs to the next segment. @param observers  may change the state
   /// @param is_changed  they do
   void pass_breakpoint(const ObserverList& observers, bool is_changed);

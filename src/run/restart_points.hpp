@@ -26,6 +26,8 @@ class RestartPoints {
   }
   /// Writes the newest state to disk, if there is one; the files of its results before it. @throws as complete_files()
   void write();
+  /// Time of the newest state; nullopt: there is none yet.
+  std::optional<double> newest_time() const { return newest_ ? std::optional(newest_->time) : std::nullopt; }
   /// Time since the last checkpoint has become long.
   bool is_due() const { return files_.due(); }
 

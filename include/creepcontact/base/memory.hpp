@@ -31,6 +31,8 @@ struct Member {
   std::string_view name;
   Value Owner::*value;
 };
+template <typename Owner, typename Value>
+Member(std::string_view, Value Owner::*) -> Member<Owner, Value>;
 
 /// The types that a Memory takes: numbers (arithmetic types and enumerations), arrays of them, structs with a list of
 /// members, and std::vector and std::optional of all of these.
