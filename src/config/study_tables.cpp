@@ -38,7 +38,7 @@ Value<StudyValue> any_value() {
 void append_settings(const Item& item, const std::string& path, std::vector<Setting>& all) {
   for (const auto& [key, node] : *item.node->as_table()) {
     const Item child = item.child(key.str());
-    const std::string below = path.empty() ? path_part(key.str()) : path + '.' + path_part(key.str());
+    const std::string below = join_key(path, path_part(key.str()));
     if (node.is_table() && !node.as_table()->is_inline())
       append_settings(child, below, all);
     else

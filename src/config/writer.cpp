@@ -22,9 +22,8 @@ class TomlWriter final : public Visitor {
       : directory_(std::move(directory)), comments_(comments) {}
 
   void key(const Key& key, Walk value) override {
-    const std::string outer_key = std::exchange(key_, key_.empty() ? key.name : key_ + '.' + key.name);
-    const std::string outer_path =
-        std::exchange(path_, path_.empty() ? toml_key(key.name) : path_ + '.' + toml_key(key.name));
+    const std::string outer_key = std::exchange(key_, join_key(key_, key.name));
+    const std::string outer_path = std::exchange(path_, join_key(path_, toml_key(key.name)));
     const Form form = key.info != nullptr ? key.info->form : Form::table;
     const bool is_several = form == Form::tables || form == Form::named;  // none: nothing is written
     if (key.is_meaningful && (is_several || has_comments() || !key.is_default())) {

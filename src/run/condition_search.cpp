@@ -22,27 +22,31 @@ std::optional<double> find_conditions(double from, double to, const ViewAt& view
     std::size_t number;
   };
   std::vector<Found> all;
+  bool stops = false;
+  std::optional<StepView> at_end;  // of all observers, until the search evaluates another state
   for (Observer* observer : observers.all()) {
-    StepView at_end = view_at(to);
+    if (!at_end) at_end.emplace(view_at(to));
+    const std::vector<std::size_t> numbers = observer->conditions(*at_end);
     double stop = to;
-    for (const std::size_t number : observer->conditions(at_end)) {
+    for (const std::size_t number : numbers) {
       const double time = first_time(from, to, observer->resolution(), [&](double t) {
         StepView view = view_at(t);
         return observer->holds(number, view);
       });
       all.push_back({time, observer, number});
-      if (observer->stops(number)) stop = std::min(stop, time);
+      if (!observer->stops(number)) continue;
+      stops = true;
+      stop = std::min(stop, time);
     }
     to = stop;  // nothing happens after it
+    if (!numbers.empty()) at_end.reset();
   }
   std::ranges::stable_sort(all, {}, &Found::time);
   for (const Found& found : all) {
     if (found.time > to) break;
     StepView view = view_at(found.time);
-    if (found.observer->happened(found.number, view) == Reaction::stop) to = found.time;
+    found.observer->happened(found.number, view);
   }
-  const bool stops = std::ranges::any_of(
-      all, [&](const Found& found) { return found.time <= to && found.observer->stops(found.number); });
   return stops ? std::optional(to) : std::nullopt;
 }
 

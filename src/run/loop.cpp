@@ -57,7 +57,7 @@ End Loop::run(const io::Checkpoint* resumed) {
 Reaction Loop::start() {
   output(position_.view(Source::result));
   const Reaction reaction = find_conditions(position_.time());
-  position_.begin();
+  position_.initialize();
   if (reaction == Reaction::stop) keep_restart_point();
   return reaction;
 }

@@ -29,9 +29,6 @@ bool PassedStates::evaluate(StepView& view) {
   } catch (const Error& error) {
     log::warning("at t = {:.10g}, between output times, no equilibrium is found: {}", view.time(), error.what());
     return false;
-  } catch (const RecoverableError& error) {
-    log::warning("at t = {:.10g}, between output times, no equilibrium is found: {}", view.time(), error.what());
-    return false;
   }
 }
 

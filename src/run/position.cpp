@@ -37,10 +37,6 @@ RunCounters Position::steps() const {
   return result;
 }
 
-void Position::begin() {
-  initialize();
-}
-
 void Position::resume(const io::Checkpoint& from) {
   state_ = Checkpoints::run_state(from);
   for (const double t : state_.jumps) schedule_.add_breakpoint(t);

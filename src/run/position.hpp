@@ -16,7 +16,7 @@ class Position {
  public:
   using Source = StepView::Source;
 
-  /// At t = 0, without strain. @param context  must outlive the object
+  /// The run is at t = 0, without strain. @param context  must outlive the object
   Position(const RunContext& context, std::unique_ptr<ode::Integrator> integrator);
 
   double time() const { return state_.time; }
@@ -34,7 +34,7 @@ class Position {
   void describe(Summary& summary) const;
 
   /// Begins the integration at the present state.
-  void begin();
+  void initialize();
   /// Takes up the loop and the time of a checkpoint. The integration goes on with resume_integration().
   void resume(const io::Checkpoint& from);
   void resume_integration(const io::Checkpoint& from, const Checkpoints& files);
@@ -54,8 +54,6 @@ class Position {
 
  private:
   void begin_segment();
-  /// Restarts the integration from the present state.
-  void initialize();
   /// The present state is that of the integrator.
   void take_state();
   /// Work that the system does not count.

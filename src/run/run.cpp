@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
@@ -174,15 +172,15 @@ std::string interruption(const Summary& so_far, bool may_be_resumed) {
 Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, const Checkpoints& checkpoints,
                  const RunContext& context, const io::Checkpoint* resumed) {
   using Status = io::Summary::Status;
-  const auto write = [&](Status status, const std::string& message) {
+  const auto write = [&](const Summary& summary) {
     const auto lap = context.watch.lap(Part::output);
-    return file.write(status, message);
+    file.write(summary);
   };
   const auto failed = [&](int exit_status, const std::string& cause) {
     observers.end(End::failed);
     Summary summary = file.make(Status::failed, cause);
     try {
-      write(Status::failed, cause);
+      write(summary);
     } catch (const Error& second) {
       log::error("{}", second.what());  // the first cause is what the user must see
     }
@@ -196,12 +194,17 @@ Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, c
   try {
     const End end = loop.run(resumed);
     observers.end(end);
-    if (end != End::interrupted) return write(end == End::ruptured ? Status::ruptured : Status::completed, "");
-    Summary summary = file.make(Status::interrupted, "");
-    const std::string message = interruption(summary, checkpoints.exist());
-    summary = write(Status::interrupted, message);
-    summary.exit_status = platform::interrupted_status;
-    summary.message = message;
+    constexpr auto status_of = [](End how) {
+      return how == End::interrupted ? Status::interrupted
+             : how == End::ruptured  ? Status::ruptured
+                                     : Status::completed;
+    };
+    Summary summary = file.make(status_of(end), "");
+    if (end == End::interrupted) {
+      summary.exit_status = platform::interrupted_status;
+      summary.message = summary.results.message = interruption(summary, checkpoints.exist());
+    }
+    write(summary);
     return summary;
   } catch (const Error& error) {
     return failed(error.exit_status(), error.what());
@@ -283,13 +286,8 @@ Summary run(const config::Config& config, const RunOptions& options) {
     summary.diagnosis = diagnosis(system);
     summary.advice = advice(summary);
   }
-  std::ranges::copy_if(summary.advice, std::back_inserter(summary.results.warnings), [&](const std::string& line) {
-    return std::ranges::find(summary.results.warnings, line) == summary.results.warnings.end();
-  });
-  together(team, [&] {
-    if (team.rank() == 0 && !summary.advice.empty())
-      io::write_summary(context.directory / "summary.json", summary.results);
-  });
+  for (const std::string& line : summary.advice) summary.add_warning(line);
+  if (team.any(!summary.advice.empty())) file.write(summary);
   return summary;
 }
 

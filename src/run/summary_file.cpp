@@ -1,7 +1,5 @@
 #include "summary_file.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "creepcontact/base/files.hpp"
@@ -34,7 +32,6 @@ SummaryFile::SummaryFile(const RunContext& context, const ObserverList& observer
       has_model_record_(context.resumed != nullptr && path_exists(context.directory / "model.json")) {}
 
 void SummaryFile::output(StepView& /*view*/) {
-  const std::string killed = "killed after this time was reached";
   together(context_.team(), [&] {
     if (!std::exchange(has_model_record_, true) && context_.observed.is_root())
       io::write_model_record(context_.directory / "model.json",
@@ -43,15 +40,13 @@ void SummaryFile::output(StepView& /*view*/) {
   const Clock::time_point now = Clock::now();
   if (!context_.team().any(!last_ || now - *last_ >= std::chrono::seconds(1))) return;
   last_ = now;
-  write(Status::interrupted, killed);
+  write(make(Status::interrupted, "killed after this time was reached"));
 }
 
-Summary SummaryFile::write(Status status, const std::string& message) const {
-  Summary summary = make(status, message);
+void SummaryFile::write(const Summary& summary) const {
   together(context_.team(), [&] {
     if (context_.observed.is_root()) io::write_summary(context_.directory / "summary.json", summary.results);
   });
-  return summary;
 }
 
 Summary SummaryFile::make(Status status, const std::string& message) const {
@@ -78,8 +73,7 @@ Summary SummaryFile::make(Status status, const std::string& message) const {
   results.wall_seconds = wall_seconds(context_.watch);
   results.peak_memory_mb = platform::peak_memory() / (1 << 20);
   results.warnings = earlier_warnings_;
-  for (const std::string& warning : warnings_.texts())
-    if (std::ranges::find(results.warnings, warning) == results.warnings.end()) results.warnings.push_back(warning);
+  for (const std::string& warning : warnings_.texts()) summary.add_warning(warning);
   describe_loop_(summary);
   observers_.finish(summary);
   return summary;

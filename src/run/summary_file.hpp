@@ -25,12 +25,12 @@ class SummaryFile final : public Observer {
   SummaryFile(const RunContext& context, const ObserverList& observers, std::vector<std::string> earlier_warnings,
               const log::WarningRecord& warnings, std::function<void(Summary&)> describe_loop);
 
-  /// At most once per second: it takes longer than many a step.
+  /// Writes the summary at most once per second: this takes longer than many a step.
   void output(StepView& view) override;
-  /// Makes the summary of the run up to now, and writes it. Collective. @throws Error if the disk cannot take it
-  Summary write(Status status, const std::string& message) const;
-  /// Makes the summary as write() does, without writing it.
+  /// Returns the summary of the run up to now.
   Summary make(Status status, const std::string& message) const;
+  /// Replaces summary.json. Collective. @throws Error if the disk cannot take it
+  void write(const Summary& summary) const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -58,8 +58,8 @@ class Observer {
   /// Whether one of them holds. @param number  from conditions()
   virtual bool holds(std::size_t /*number*/, StepView& /*view*/) const { return false; }
   /// One of them begins to hold in this state.
-  virtual Reaction happened(std::size_t /*number*/, StepView& /*view*/) { return Reaction::advance; }
-  /// Whether happened() will answer `stop`.
+  virtual void happened(std::size_t /*number*/, StepView& /*view*/) {}
+  /// True if it ends the run.
   virtual bool stops(std::size_t /*number*/) const { return false; }
   /// Accuracy of the instant, relative to the step.
   virtual double resolution() const { return 1e-10; }

@@ -70,6 +70,12 @@ struct Summary {
   Diagnosis diagnosis;              ///< empty if the last step left nothing to examine
   ProcessWork processes;            ///< empty for one process
   std::vector<std::string> advice;  ///< a sentence or two for each thing that was off
+
+  /// Adds to the warnings of the results, each once.
+  void add_warning(const std::string& text) {
+    std::vector<std::string>& all = results.warnings;
+    if (std::ranges::find(all, text) == all.end()) all.push_back(text);
+  }
 };
 
 }  // namespace creepcontact::run

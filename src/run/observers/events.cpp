@@ -31,10 +31,7 @@ class EventObserver final : public Observer {
                 })
                 .empty();
   }
-  Reaction happened(std::size_t number, StepView& view) override {
-    watch_.happened(number, view.time());
-    return stops(number) ? Reaction::stop : Reaction::advance;
-  }
+  void happened(std::size_t number, StepView& view) override { watch_.happened(number, view.time()); }
   bool stops(std::size_t number) const override { return watch_.stops(number); }
 
   void save(creep::Memory& memory) const override { watch_.save(memory); }

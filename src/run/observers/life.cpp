@@ -43,10 +43,7 @@ class LifeObserver final : public Observer {
   bool holds(std::size_t /*number*/, StepView& view) const override {
     return monitor_.has_damage() && monitor_.is_rupture(largest(view), view.time(), near(view), view.y());
   }
-  Reaction happened(std::size_t /*number*/, StepView& view) override {
-    rupture(view);
-    return Reaction::stop;
-  }
+  void happened(std::size_t /*number*/, StepView& view) override { rupture(view); }
   bool stops(std::size_t /*number*/) const override { return true; }
   /// Damage is part of the state: evaluations cost nothing.
   double resolution() const override { return 0x1p-50; }

@@ -1,6 +1,5 @@
 /// Strains and rotations that are no longer small.
 #include <algorithm>
-#include <iterator>
 
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/results/small_strain_monitor.hpp"
@@ -25,14 +24,10 @@ class SmallStrains final : public Observer {
   /// Those of the run that this one continues, with smaller values, are replaced.
   void finish(Summary& summary) const override {
     const std::vector<std::string> own = monitor_.warnings();
-    std::vector<std::string>& all = summary.results.warnings;
-    const auto is_in = [](const std::vector<std::string>& list, const std::string& text) {
-      return std::ranges::find(list, text) != list.end();
-    };
-    std::erase_if(all, [&](const std::string& text) {
-      return results::SmallStrainMonitor::is_warning(text) && !is_in(own, text);
+    std::erase_if(summary.results.warnings, [&](const std::string& text) {
+      return results::SmallStrainMonitor::is_warning(text) && std::ranges::find(own, text) == own.end();
     });
-    std::ranges::copy_if(own, std::back_inserter(all), [&](const std::string& text) { return !is_in(all, text); });
+    for (const std::string& text : own) summary.add_warning(text);
   }
 
  private:

@@ -22,10 +22,7 @@ class PressureIntegral final : public Observer {
     return holds(0, view) ? std::vector<std::size_t>{0} : std::vector<std::size_t>{};
   }
   bool holds(std::size_t /*number*/, StepView& view) const override { return view.probe_values().at(0) < limit_; }
-  Reaction happened(std::size_t /*number*/, StepView& view) override {
-    stopped_at_ = view.time();
-    return Reaction::stop;
-  }
+  void happened(std::size_t /*number*/, StepView& view) override { stopped_at_ = view.time(); }
   bool stops(std::size_t /*number*/) const override { return true; }
   void save(creep::Memory& memory) const override { memory["test.sum"] = {sum_, n_steps_}; }
   void restore(const creep::Memory& memory) override {
