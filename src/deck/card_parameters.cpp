@@ -47,7 +47,7 @@ List operator+(List a, const List& b) {
 const char* const of_users = "subroutines of users are not known";
 const char* const of_files = "data in files of their own are not known; *INCLUDE is";
 const char* const of_results = "values from the results of another run are not known";
-const char* const of_shifted_time = "setting or resetting the total time is not known";
+const char* const of_shifted_time = "a total time that is set again is not known";
 
 List of_table() {
   return only("DEPENDENCIES", {"0"}) + refused({"USER"}, of_users);
