@@ -45,7 +45,7 @@ double RunProgress::share_done(double time) const {
 }
 
 run::Reaction RunProgress::step(run::StepView& view) {
-  if (const std::optional<int> changed = threads_.look())
+  if (const std::optional<int> changed = threads_.update())
     log::info("other programs use the machine more or less than before: {} from here on",
               *changed == 1 ? "one thread" : fmt::format("{} threads", *changed));
   if (!quiet_) draw(view.time(), view.work());

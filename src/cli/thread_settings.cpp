@@ -15,8 +15,8 @@ ThreadChoice::ThreadChoice(int wanted) {
   omp_set_num_threads(watch_ ? watch_->threads() : most);
 }
 
-std::optional<int> ThreadChoice::look() {
-  const std::optional<int> changed = watch_ ? watch_->look() : std::nullopt;
+std::optional<int> ThreadChoice::update() {
+  const std::optional<int> changed = watch_ ? watch_->update() : std::nullopt;
   if (changed) omp_set_num_threads(*changed);
   return changed;
 }

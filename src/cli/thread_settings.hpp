@@ -14,7 +14,7 @@ class ThreadChoice {
   explicit ThreadChoice(int wanted);
   /// Sets them again if none were asked for and the machine has become busier or idler, checked every ten seconds.
   /// @returns the new number if it has changed
-  std::optional<int> look();
+  std::optional<int> update();
 
  private:
   std::optional<platform::ThreadWatch> watch_;

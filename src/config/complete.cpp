@@ -55,8 +55,8 @@ void complete_law(CreepMechanism& mechanism, const std::vector<Law>& laws) {
 void translate_data_range(Material& material, std::vector<std::string>& remarks) {
   if (!material.data_range) return;
   const DataRange old = *std::exchange(material.data_range, std::nullopt);
-  const auto take = [](const std::vector<double>& from, std::optional<Interval>& to) {
-    if (!from.empty() && !to) to = {from.front(), from.back()};
+  const auto take = [](const std::optional<Interval>& from, std::optional<Interval>& to) {
+    if (!to) to = from;
   };
   for (CreepMechanism& mechanism : material.creep) {
     take(old.stress, mechanism.stress_range);

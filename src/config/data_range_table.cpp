@@ -4,23 +4,6 @@
 #include "tables.hpp"
 
 namespace creepcontact::config {
-namespace {
-
-/// Two numbers in order; none: not known.
-Value<std::vector<double>> interval(const Value<double>& entry) {
-  Value<std::vector<double>> value = list(entry);
-  value.read = [entry](const Item& item, Context& context) -> std::optional<std::vector<double>> {
-    auto found = list(entry).read(item, context);
-    if (!found) return std::nullopt;
-    if (found->empty() || (found->size() == 2 && found->front() <= found->back())) return found;
-    context.errors.add(item.location, fmt::format("the list [{}]", fmt::join(*found, ", ")),
-                       "two numbers, the smaller one first");
-    return std::nullopt;
-  };
-  return value;
-}
-
-}  // namespace
 
 Value<DataRange> data_range_table() {
   return table<DataRange>({

@@ -75,40 +75,19 @@ std::optional<CreepParameter> read_parameter(const Item& item, const LawKey& key
   return parameter;
 }
 
-Value<Interval> interval() {
-  const std::string type = "[low, high], the smaller number first";
-  const Value<std::vector<double>> numbers = list(number());
-  Value<Interval> value{.type = type, .read = {}, .brief = "`[low, high]`, numbers", .json = [] {
-                          return schema_of_list(number().json(), 2);
-                        }};
-  value.read = [=](const Item& item, Context& context) -> std::optional<Interval> {
-    if (!item.node->is_array()) {
-      context.errors.add(item.location, describe(*item.node), type);
-      return std::nullopt;
-    }
-    const auto found = numbers.read(item, context);
-    if (!found) return std::nullopt;
-    if (found->size() == 2 && (*found)[0] <= (*found)[1]) return Interval{(*found)[0], (*found)[1]};
-    context.errors.add(item.location, fmt::format("[{}]", fmt::join(*found, ", ")), type);
-    return std::nullopt;
-  };
-  value.visit = [numbers](const Interval& one, Visitor& to) { numbers.visit({one.low, one.high}, to); };
-  return value;
-}
-
 /// Keys of all laws.
 const std::vector<Field<CreepMechanism>>& common_keys() {
   static const std::vector<Field<CreepMechanism>> keys{
-      field<CreepMechanism>("stress_range", &CreepMechanism::stress_range, interval(),
+      field<CreepMechanism>("stress_range", &CreepMechanism::stress_range, interval(number()),
                             "von Mises stresses for which the constants were determined; warns where the stress is "
                             "larger, or smaller everywhere")
           .in("stress")
           .changeable(),
-      field<CreepMechanism>("temperature_range", &CreepMechanism::temperature_range, interval(),
+      field<CreepMechanism>("temperature_range", &CreepMechanism::temperature_range, interval(number()),
                             "temperatures for which the constants were determined; warns outside")
           .in("temperature")
           .changeable(),
-      field<CreepMechanism>("time_range", &CreepMechanism::time_range, interval(),
+      field<CreepMechanism>("time_range", &CreepMechanism::time_range, interval(number()),
                             "times of the readings for which the constants were determined; warns if the run is longer")
           .in("time")
           .changeable()};

@@ -117,4 +117,25 @@ Value<std::vector<std::string>> one_or_more_texts(const std::string& what) {
   return one_or_more_of<std::string>(name, what);
 }
 
+Value<Interval> interval(const Value<double>& entry) {
+  const std::string type = "[low, high], the smaller number first";
+  const Value<std::vector<double>> numbers = list(entry);
+  Value<Interval> value{.type = type, .read = {}, .brief = "`[low, high]`, numbers", .json = [entry] {
+                          return schema_of_list(entry.json(), 2);
+                        }};
+  value.read = [=](const Item& item, Context& context) -> std::optional<Interval> {
+    if (!item.node->is_array()) {
+      context.errors.add(item.location, describe(*item.node), type);
+      return std::nullopt;
+    }
+    const auto found = numbers.read(item, context);
+    if (!found) return std::nullopt;
+    if (found->size() == 2 && (*found)[0] <= (*found)[1]) return Interval{(*found)[0], (*found)[1]};
+    context.errors.add(item.location, fmt::format("[{}]", fmt::join(*found, ", ")), type);
+    return std::nullopt;
+  };
+  value.visit = [numbers](const Interval& one, Visitor& to) { numbers.visit({one.low, one.high}, to); };
+  return value;
+}
+
 }  // namespace creepcontact::config

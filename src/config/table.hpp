@@ -241,6 +241,9 @@ Value<std::vector<Reference>> one_or_more(const std::string& what);
 /// Reads texts that are not empty; a single one needs no list. @param what  one of them
 Value<std::vector<std::string>> one_or_more_texts(const std::string& what);
 
+/// Reads `[low, high]`. @param entry  one of the two
+Value<Interval> interval(const Value<double>& entry);
+
 /// Reads [[array.of.tables]].
 template <class T>
 Value<std::vector<T>> tables(const Value<T>& entry) {

@@ -42,7 +42,7 @@ MaterialPoints::MaterialPoints(const mechanics::Body& body, double min_strain)
   std::array<double, 6> values;
   for (const material::StateVariable* variable : material::state_variables())
     if (std::ranges::any_of(mechanisms_, [&](const Mechanism& mechanism) {
-          return mechanism.law->evaluate(*variable, seen_by(mechanism, 0, at, {*this, 0, tensor::zero()}), values);
+          return mechanism.law->evaluate(*variable, state_for(mechanism, 0, at, {*this, 0, tensor::zero()}), values);
         }))
       known_.push_back(variable);
 }
@@ -70,8 +70,8 @@ void MaterialPoints::update(const mechanics::BodyConditions& at, LawParameters& 
   into.evaluated = true;
 }
 
-material::PointState MaterialPoints::seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at,
-                                             const SeenStress& stress) const {
+material::PointState MaterialPoints::state_for(const Mechanism& mechanism, std::size_t p, const PointsState& at,
+                                               const SeenStress& stress) const {
   const LawParameters& laws = at.laws;
   const std::span<const double> state = of_point(p, at.state);
   const Part parameters{mechanism.parameters.first + (laws.uniform ? 0 : n_parameters_ * p), mechanism.parameters.size};
@@ -107,7 +107,7 @@ void MaterialPoints::rate(const PointsState& given, std::span<double> rate,
     const SeenStress seen(*this, p, tensor::view(at.stress, p));
     std::fill_n(own.begin(), 6, 0.0);
     for (const Mechanism& mechanism : mechanisms_)
-      evaluate(*mechanism.law, seen_by(mechanism, p, at, seen),
+      evaluate(*mechanism.law, state_for(mechanism, p, at, seen),
                material::PointRate{tensor::writable(own, 0), mechanism.internal.of(own)});
     turn_back(p, own);
   };
@@ -130,7 +130,7 @@ void MaterialPoints::tangents(const PointsState& given, std::span<material::Stre
     const SeenStress seen(*this, p, tensor::view(at.stress, p));
     material::StressTangent sum;
     for (const Mechanism& mechanism : mechanisms_)
-      add(mechanism.law->stress_tangent(seen_by(mechanism, p, at, seen)), sum);
+      add(mechanism.law->stress_tangent(state_for(mechanism, p, at, seen)), sum);
     into[p] = sum;
   });
 }
@@ -152,7 +152,7 @@ void MaterialPoints::derivative_at(std::size_t p, const PointsState& at, const P
   std::fill_n(rate_change.begin(), 6, 0.0);
   for (const Mechanism& mechanism : mechanisms_)
     mechanism.law->derivative(
-        seen_by(mechanism, p, at, seen),
+        state_for(mechanism, p, at, seen),
         {seen_change.of(*mechanism.law), tensor::view(change.state, 0), mechanism.internal.of(change.state)},
         {tensor::writable(rate_change, 0), mechanism.internal.of(rate_change)});
   turn_back(p, rate_change);
@@ -164,7 +164,7 @@ double MaterialPoints::start_exponent(double t, const PointsState& at_points) co
   for (std::size_t p = 0; p < n_points_; ++p)
     for (const Mechanism& mechanism : mechanisms_) {
       const SeenStress seen(*this, p, tensor::view(at_points.stress, p));
-      material::PointState at = seen_by(mechanism, p, at_points, seen);
+      material::PointState at = state_for(mechanism, p, at_points, seen);
       at.time = t;
       smallest = std::min(smallest, mechanism.law->start_exponent(at));
     }
@@ -180,7 +180,7 @@ void MaterialPoints::add_increment(double t, double duration, const PointsState&
     const SeenStress seen(*this, p, tensor::view(at_points.stress, p));
     Tensor6 strain = Tensor6::Zero();
     for (const Mechanism& mechanism : mechanisms_) {
-      material::PointState at = seen_by(mechanism, p, at_points, seen);
+      material::PointState at = state_for(mechanism, p, at_points, seen);
       at.time = t;
       mechanism.law->increment(at, duration, {tensor::writable(strain), mechanism.internal.of(own)});
     }
@@ -211,7 +211,7 @@ std::vector<double> MaterialPoints::evaluate(const material::StateVariable& vari
     std::array<double, 6> of_law;
     const SeenStress seen(*this, p, tensor::view(at.stress, p));
     for (const Mechanism& mechanism : mechanisms_) {
-      if (!mechanism.law->evaluate(variable, seen_by(mechanism, p, at, seen), of_law)) continue;
+      if (!mechanism.law->evaluate(variable, state_for(mechanism, p, at, seen), of_law)) continue;
       for (std::size_t k = 0; k < width; ++k) {
         double& value = values[width * p + k];
         value = sums ? value + of_law[k] : std::max(value, of_law[k]);

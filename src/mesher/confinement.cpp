@@ -36,15 +36,15 @@ extern "C" void end_for_reaching_out(int, siginfo_t* info, void*) {
     case SYS_clone:
     case SYS_execve:
     case SYS_execveat:
-      say("the file tried to start a program");
+      report_line("the file tried to start a program");
       break;
     case SYS_socket:
-      say("the file tried to open a network connection");
+      report_line("the file tried to open a network connection");
       break;
     default:
-      say("the file tried to write, create, rename or remove a file");
+      report_line("the file tried to write, create, rename or remove a file");
   }
-  say_place();
+  report_place();
   _exit(io::mesher::reached_out);
 }
 
@@ -72,8 +72,8 @@ class Filter {
 };
 
 extern "C" void end_for_memory() {
-  say("no memory is left");
-  say_place();
+  report_line("no memory is left");
+  report_place();
   _exit(io::mesher::out_of_memory);
 }
 

@@ -34,27 +34,27 @@ void write_text(const char* text) {
 }
 
 extern "C" void tell_place_and_die(int signal) {
-  say_place();
+  report_place();
   std::signal(signal, SIG_DFL);
   raise(signal);
 }
 
 void tell_of_exit() {
-  say("the file ended Gmsh");
-  say_place();
+  report_line("the file ended Gmsh");
+  report_place();
   _exit(io::mesher::ended_by_file);
 }
 
 }  // namespace
 
-void say(const char* text) {
+void report_line(const char* text) {
   write_text("\n");
   write_text(io::mesher::mark);
   write_text(text);
   write_text("\n");
 }
 
-void say_place() {
+void report_place() {
   if (!is_reading || &gmsh_yyname == nullptr || &gmsh_yylineno == nullptr) return;
   write_text("\n");
   write_text(io::mesher::mark);
@@ -83,7 +83,7 @@ void stop_reading() {
   is_reading = false;
 }
 
-void leave(int status) {
+void exit_at_once(int status) {
   _exit(status);
 }
 

@@ -82,7 +82,7 @@ bool gmsh_has_failed() {
 void send(const std::string& bytes) {
   for (std::size_t sent = 0; sent < bytes.size();) {
     const ssize_t written = ::write(status::mesh_descriptor, bytes.data() + sent, bytes.size() - sent);
-    if (written < 0) leave(status::gmsh_failed);  // nobody listens any more
+    if (written < 0) exit_at_once(status::gmsh_failed);  // nobody listens any more
     sent += written;
   }
 }
@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
     if (::fcntl(io::mesher::mesh_descriptor, F_SETFD, FD_CLOEXEC) != 0) return 2;
     const int status = mesher::guarded(request);
     std::fflush(nullptr);
-    mesher::leave(status);
+    mesher::exit_at_once(status);
   } catch (const Error& error) {
     std::cerr << "error: " << error.what() << '\n';
     return error.exit_status();

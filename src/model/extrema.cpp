@@ -72,7 +72,7 @@ class TurnSearch {
       blocks_.push_back({over_.low + width * static_cast<double>(k), over_.low + width * static_cast<double>(k + 1)});
       samples_.push_back(sampled(k));
     }
-    for (Block& block : blocks_) look_closer(block);
+    for (Block& block : blocks_) refine(block);
     // What is constant but for rounding, as an interpolated temperature, does not turn.
     if (!(high_ - low_ > rounding_of_constants * std::max(std::abs(high_), std::abs(low_)))) return {};
     for (std::size_t k = 0; k < n_blocks; ++k) resolve(k);
@@ -111,7 +111,7 @@ class TurnSearch {
   }
 
   /// Windows of close samples: vibrations that the samples do not resolve.
-  void look_closer(Block& block) {
+  void refine(Block& block) {
     double step = (block.end - block.begin) / static_cast<double>(block.n);
     for (int level = 1; level <= finest_window; ++level) {
       step /= 8;

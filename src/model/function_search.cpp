@@ -117,16 +117,16 @@ class FunctionSearch {
     const std::vector<Level> levels = courses.levels(place);
     effort.samples = level_samples;
     effort.turn_evaluations = place_turn_evaluations;
-    for (std::size_t i = 1; i < levels.size(); ++i) see(courses.at(place, levels[i]), effort, result);
+    for (std::size_t i = 1; i < levels.size(); ++i) add_events(courses.at(place, levels[i]), effort, result);
   }
 
   /// @returns its turns
   std::vector<Turn> add(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
     result.courses.push_back(course);
-    return see(course, effort, result);
+    return add_events(course, effort, result);
   }
 
-  std::vector<Turn> see(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
+  std::vector<Turn> add_events(const Course& course, const SearchEffort& effort, SearchedFunction& result) const {
     const CourseEvents more = find_events(course, config_.time.end, config_.time.cycle, effort);
     CourseEvents& all = result.events;
     all.jumps.insert(all.jumps.end(), more.jumps.begin(), more.jumps.end());

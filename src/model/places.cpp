@@ -103,11 +103,11 @@ std::string KeyPlaces::part(const std::string& key) const {
   for (const char* list : {"loads", "supports", "contacts"})
     if (const auto index = index_in(key, list)) return fmt::format("{}[{}]", list, *index);
   std::string longest;  // names may begin with one another
-  const auto see = [&](const std::string& prefix) {
+  const auto take_if_longer = [&](const std::string& prefix) {
     if (key.starts_with(prefix + ".") && prefix.size() > longest.size()) longest = prefix;
   };
-  for (const config::Material& material : config_.materials) see("materials." + material.name);
-  for (const config::Body& body : config_.bodies) see("bodies." + body.name);
+  for (const config::Material& material : config_.materials) take_if_longer("materials." + material.name);
+  for (const config::Body& body : config_.bodies) take_if_longer("bodies." + body.name);
   return longest;
 }
 

@@ -32,8 +32,8 @@ constexpr double stabilized_share = 0.2;
 constexpr double implicit_share = 0.5;
 constexpr std::size_t quiet_steps = 200;  // after which methods given up may be tried again
 
-constexpr std::size_t looks = 20;  // steps between looks ahead
-constexpr double relaxing = 0.1;   // share of the creep that changes the stress, for log_adams
+constexpr std::size_t steps_per_estimate = 20;  // see estimate_remaining_steps()
+constexpr double relaxing = 0.1;                // share of the creep that changes the stress, for log_adams
 /// Contact that grows keeps the steps of all methods short: the cost of cvode_bdf may be twice that of smooth problems.
 constexpr double patience = 2;
 
@@ -107,7 +107,7 @@ void AutoIntegrator::go_on_with(Method method, double step) {
 
 void AutoIntegrator::begin_watch(double loads_since) {
   remaining_step_estimate_.begin(loads_since);
-  last_look_ = time();
+  last_estimate_ = time();
   steps_with_method_ = 0;
   recent_.clear();
   trouble_ = false;
@@ -142,7 +142,7 @@ StepReport AutoIntegrator::step(double t_limit) {
 void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   last_step_ = report.step;
   if (++steps_with_method_ == quiet_steps) given_up_.clear();
-  if (is_functional(method_) && steps_with_method_ % looks == 0) look_ahead(t_limit);
+  if (is_functional(method_) && steps_with_method_ % steps_per_estimate == 0) estimate_remaining_steps(t_limit);
   if (trouble_) return;
   recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations,
                      system_.counters().jacobian_products});
@@ -167,10 +167,10 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   given_up_.insert(method_);
 }
 
-void AutoIntegrator::look_ahead(double t_limit) {
+void AutoIntegrator::estimate_remaining_steps(double t_limit) {
   if (!(time() < t_limit) || std::isinf(t_limit)) return;
-  remaining_step_estimate_.see(time(), (time() - last_look_) / static_cast<double>(looks));
-  last_look_ = time();
+  remaining_step_estimate_.add(time(), (time() - last_estimate_) / static_cast<double>(steps_per_estimate));
+  last_estimate_ = time();
   const std::optional<double> ahead = remaining_step_estimate_.count(t_limit);
   const double cost = implicit_cost(remaining_step_estimate_.decades(t_limit), implicit_share * options_.tolerance);
   if (!ahead || *ahead < patience * cost || last_step_ < system_.stable_step(time(), state())) return;

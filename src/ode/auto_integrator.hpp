@@ -49,7 +49,7 @@ class AutoIntegrator final : public Integrator {
   /// @param loads_since  time of the last breakpoint
   void begin_watch(double loads_since);
   void watch(const StepReport& report, double t_limit);
-  void look_ahead(double t_limit);
+  void estimate_remaining_steps(double t_limit);
   /// The best of those not given up, or the present one if there is none.
   Method choose(double step);
   /// @param has_failed  the present one, which is worth a warning
@@ -71,7 +71,7 @@ class AutoIntegrator final : public Integrator {
   double last_step_ = 0;
   std::size_t steps_with_method_ = 0;
   RemainingStepEstimate remaining_step_estimate_;
-  double last_look_ = 0;
+  double last_estimate_ = 0;
   bool trouble_ = false;          ///< seen at the end of the last step
   std::optional<Method> wanted_;  ///< instead of the present one, if not that of choose()
   std::string reason_;

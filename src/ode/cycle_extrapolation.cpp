@@ -67,7 +67,7 @@ void CycleExtrapolation::keep(std::vector<double> change, double place) {
   new_place_ = place;
 }
 
-void CycleExtrapolation::see(std::int64_t cycle, std::span<const double> before, std::span<const double> after) {
+void CycleExtrapolation::add_cycle(std::int64_t cycle, std::span<const double> before, std::span<const double> after) {
   std::vector<double> change(after.size());
   for_each_index(change.size(), [&](std::size_t i) { change[i] = after[i] - before[i]; });
   last_ = cycle;

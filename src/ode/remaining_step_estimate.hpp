@@ -19,7 +19,7 @@ class RemainingStepEstimate {
   }
   double begin() const { return begin_; }
 
-  void see(double t, double step) { seen_.push_back({t - begin_, step}); }
+  void add(double t, double step) { seen_.push_back({t - begin_, step}); }
 
   /// Integral of dt / step up to `end`; none while too little has been seen to extrapolate.
   std::optional<double> count(double end) const {
@@ -34,7 +34,7 @@ class RemainingStepEstimate {
     const double factor = std::abs(rest) < 1e-6 ? std::log(times) : (std::pow(times, rest) - 1) / rest;
     return now.time / now.step * factor;
   }
-  /// Decades of time that lie ahead. Call after see().
+  /// Decades of time that lie ahead. Call after add().
   double decades(double end) const { return std::log10((end - begin_) / seen_.back().time); }
 
  private:

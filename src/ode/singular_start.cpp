@@ -17,6 +17,16 @@ constexpr double first_try = 1e-3;         // of the time to the limit
 constexpr double wanted_strain = 0.5;      // in errors that a step may make; the increment may give up to 1
 constexpr double max_stress_change = 0.1;  // by loads in the increment, as strain of it, in the same unit
 constexpr int max_start_attempts = 60;
+const std::string start_name = "start";
+
+/// The start that a restart point goes on from.
+struct SavedStart {
+  double time = 0, exponent = 1;
+  double transformed_time = 0;  // of the inner integrator, at the restart point
+  static constexpr auto members =
+      std::tuple{Member{"time", &SavedStart::time}, Member{"exponent", &SavedStart::exponent},
+                 Member{"transformed_time", &SavedStart::transformed_time}};
+};
 
 IntegratorOptions options_in_s(IntegratorOptions options) {
   options.end_time = 0;  // a time, and the limits of the steps come from here
@@ -138,18 +148,19 @@ double SingularStart::next_step() const {
 RestartPoint SingularStart::save() const {
   if (!begun_) return Integrator::save();
   RestartPoint point = inner_->save();
-  point.memory["start"] = {started_.begin(), started_.exponent(), point.time};
+  point.memory.save(start_name, SavedStart{started_.begin(), started_.exponent(), point.time});
   point.time = time_;
   return point;
 }
 
 void SingularStart::restore(const RestartPoint& point) {
   initialize(point.time, point.state, point.next_step);
-  const auto found = point.memory.find("start");
-  if (found == point.memory.end()) return;
-  started_.start(found->second.at(0), found->second.at(1));
+  if (point.memory.part(start_name).empty()) return;
+  SavedStart start;
+  point.memory.restore(start_name, start);
+  started_.start(start.time, start.exponent);
   RestartPoint inner = point;
-  inner.time = found->second.at(2);
+  inner.time = start.transformed_time;
   inner_->restore(inner);
   s_begin_ = inner_->time();
   first_ = 0;

@@ -172,17 +172,17 @@ ChildProcess::~ChildProcess() {
 }
 
 std::optional<int> ChildProcess::poll() {
-  look(WNOHANG);
+  wait_for_status(WNOHANG);
   return status_;
 }
 
 int ChildProcess::wait() {
-  look(0);
+  wait_for_status(0);
   return *status_;
 }
 
 /// Waits by hand: boost::process::child takes a status that the system has thrown away (SIGCHLD ignored) for success.
-void ChildProcess::look(int options) {
+void ChildProcess::wait_for_status(int options) {
   constexpr int unknown = 127;
   while (!status_) {
     int status = 0;

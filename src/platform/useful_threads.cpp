@@ -64,7 +64,7 @@ int useful_threads(int most) {
 ThreadWatch::ThreadWatch(int most, std::chrono::seconds interval, std::function<int(int)> measure)
     : most_(most), threads_(measure(most)), interval_(interval), measure_(std::move(measure)) {}
 
-std::optional<int> ThreadWatch::look(Clock::time_point now) {
+std::optional<int> ThreadWatch::update(Clock::time_point now) {
   if (most_ == 1 || now - last_ < interval_) return std::nullopt;
   last_ = now;
   const int before = std::exchange(threads_, measure_(most_));

@@ -12,13 +12,13 @@
 namespace creepcontact::run {
 namespace {
 
-const std::string prefix = "integrator.";                  // of its arrays
-const std::string state_prefix = integrator_state_prefix;  // of those like the state
-constexpr std::size_t max_differences = 5;                 // named
+const std::string integrator_name = "integrator";
+const std::string integrator_vectors = vectors_like_state + ".integrator";
+constexpr std::size_t max_differences = 5;  // named
 const std::string jumps_name = "run.jumps";
 
 bool is_like_state(const std::string& name) {
-  return name.starts_with(integrator_state_prefix) || name.starts_with(cycle_state_prefix);
+  return name.starts_with(vectors_like_state + ".");
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ io::Checkpoint Checkpoints::take(const RunState& state, const RunCounters& work,
   checkpoint.integrator = config_.time.integrator;
   checkpoint.next_step = point.next_step;
   checkpoint.state = std::move(point.state);
-  for (auto& [name, values] : point.memory) checkpoint.arrays[prefix + name] = std::move(values);
-  for (auto& [name, values] : point.states) checkpoint.arrays[state_prefix + name] = std::move(values);
+  checkpoint.arrays.add(integrator_name, std::move(point.memory));
+  checkpoint.arrays.add(integrator_vectors, std::move(point.states));
   return checkpoint;
 }
 
@@ -116,13 +116,11 @@ void Checkpoints::restore(const io::Checkpoint& checkpoint, ode::Integrator& int
     integrator.initialize(checkpoint.time, checkpoint.state);
     return;
   }
-  ode::RestartPoint point{checkpoint.time, checkpoint.next_step, checkpoint.state, {}};
-  for (const auto& [name, values] : checkpoint.arrays)
-    if (name.starts_with(state_prefix))
-      point.states[name.substr(state_prefix.size())] = values;
-    else if (name.starts_with(prefix))
-      point.memory[name.substr(prefix.size())] = values;
-  integrator.restore(point);
+  integrator.restore({.time = checkpoint.time,
+                      .next_step = checkpoint.next_step,
+                      .state = checkpoint.state,
+                      .memory = checkpoint.arrays.part(integrator_name),
+                      .states = checkpoint.arrays.part(integrator_vectors)});
 }
 
 }  // namespace creepcontact::run

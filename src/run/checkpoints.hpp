@@ -15,9 +15,8 @@
 
 namespace creepcontact::run {
 
-/// Prefixes of the names of arrays in a checkpoint that are vectors like the state: each process has a part of them.
-inline constexpr const char* cycle_state_prefix = "cycles.of_state.";
-inline constexpr const char* integrator_state_prefix = "integrator.of_state.";
+/// Name of the part of a memory whose arrays are vectors like the state: each process has its part of them.
+inline const std::string vectors_like_state = "like_state";
 inline constexpr const char* checkpoint_name = "checkpoint.h5";  // in the directory of the run
 
 class Checkpoints {

@@ -19,8 +19,8 @@ Loop::Loop(const RunContext& context, const ObserverList& observers, std::unique
       checkpoints_(checkpoints),
       position_(context, std::move(integrator)),
       step_end_(context.config, context.model, context.system(), context.integrates),
-      passed_(!context.integrates && !context.system().has_friction() && !context.config.time.cycle),
-      restart_points_(observers, checkpoints) {}
+      restart_points_(observers, checkpoints),
+      reporter_(context, observers, position_, restart_points_) {}
 
 End Loop::run(const io::Checkpoint* resumed) {
   const platform::Interrupt interrupt;
@@ -34,7 +34,9 @@ End Loop::run(const io::Checkpoint* resumed) {
       keep_restart_point();
       if (restart_points_.is_due()) restart_points_.write();
       reaction = step();
-      if (reaction == Reaction::go_back) go_back();
+      if (reaction != Reaction::go_back) continue;
+      observers_.undo();
+      position_.change(observers_);
     }
     if (reaction != Reaction::stop) keep_restart_point();
     restart_points_.complete_files();
@@ -50,12 +52,12 @@ End Loop::run(const io::Checkpoint* resumed) {
     throw;
   }
   restart_points_.write();
-  if (is_ruptured()) return End::ruptured;
+  if (reporter_.is_ruptured()) return End::ruptured;
   return reaction == Reaction::stop || position_.is_at_end() ? End::completed : End::interrupted;
 }
 
 Reaction Loop::start() {
-  output(position_.view(Source::result));
+  reporter_.output();
   const Reaction reaction = find_conditions(position_.time());
   position_.initialize();
   if (reaction == Reaction::stop) keep_restart_point();
@@ -67,13 +69,11 @@ bool Loop::resume(const io::Checkpoint& from) {
   observers_.restore(from.arrays);
   step_end_.restore(from.arrays);
   if (position_.is_at_end()) {  // killed between its last checkpoint and its last summary
-    output(position_.view(Source::result));
+    reporter_.output();
     return true;
   }
   position_.resume_integration(from, checkpoints_);
-  // The uninterrupted run has looked at the state here, too, so that the next step costs the same.
-  StepView here = position_.view(Source::accepted);
-  if (position_.schedule().is_breakpoint(position_.time())) passed_.evaluate(here);
+  reporter_.tell_again();  // as the uninterrupted run has, so that the next step costs the same
   return false;
 }
 
@@ -89,7 +89,7 @@ Reaction Loop::step() {
   } catch (const SolverError&) {
     if (observers_.is_tentative()) return Reaction::go_back;
     if (observers_.ask(&Observer::failure, now) != Reaction::stop) throw;
-    finish();
+    reporter_.output_end();
     return Reaction::stop;
   }
   StepView at_end = position_.view(Source::exact);
@@ -98,34 +98,34 @@ Reaction Loop::step() {
   if (reaction == Reaction::go_back) return reaction;
   reaction = std::max(reaction, find_conditions(position_.time() - made.report.step));
   if (reaction != Reaction::stop) return end_step();
-  finish();
+  reporter_.output_end();
   return reaction;
 }
 
 Reaction Loop::end_step() {
   const bool is_breakpoint = position_.is_at_breakpoint();
-  make_outputs_before_now();
+  reporter_.output_before_now();
   Schedule& schedule = position_.schedule();
   const bool is_output = schedule.next_output() == position_.time();
   // An output of this very state follows, unless the loads jump in between.
-  if (!is_output || (is_breakpoint && !position_.is_at_end())) tell(&Observer::state);
+  if (!is_output || (is_breakpoint && !position_.is_at_end())) reporter_.tell(&Observer::state);
   Reaction reaction = Reaction::advance;
   if (is_breakpoint) {
     StepView before = position_.view(Source::exact);
     reaction = observers_.ask(&Observer::segment, before);
     if (reaction == Reaction::go_back) return reaction;
     position_.pass_breakpoint(observers_, reaction != Reaction::advance);
-    tell(&Observer::jump);
+    reporter_.tell(&Observer::jump);
   }
   if (is_output) {
-    output(position_.view(Source::result), reaction == Reaction::stop);
+    reporter_.output(reaction == Reaction::stop);
     schedule.pass_output();
   }
   if (reaction == Reaction::stop) {
-    finish();
+    reporter_.output_end();
     keep_restart_point();
   } else if (is_breakpoint && find_conditions(position_.time()) == Reaction::stop) {  // the loads jump here
-    finish();
+    reporter_.output_end();
     return Reaction::stop;
   }
   return reaction;
@@ -139,36 +139,6 @@ Reaction Loop::find_conditions(double from) {
   return Reaction::stop;
 }
 
-void Loop::make_outputs_before_now() {
-  Schedule& schedule = position_.schedule();
-  for (; schedule.next_output() < position_.time(); schedule.pass_output())
-    output(position_.view_at(schedule.next_output(), Source::result));
-}
-
-void Loop::finish() {
-  make_outputs_before_now();
-  if (last_output_ != position_.time()) output(position_.view(Source::result), !is_ruptured());
-}
-
-void Loop::output(StepView at, bool is_end) {
-  at.is_end = is_end || at.time() == context_.config.time.end;
-  at.evaluation();
-  const auto lap = context_.watch.lap(Part::output);
-  restart_points_.complete_files_before_output();
-  observers_.tell(&Observer::output, at);
-  last_output_ = at.time();
-}
-
-void Loop::tell(void (Observer::*news)(StepView&)) {
-  StepView now = position_.view(Source::accepted);
-  if (passed_.evaluate(now)) observers_.tell(news, now);
-}
-
-void Loop::go_back() {
-  observers_.undo();
-  position_.change(observers_);
-}
-
 void Loop::keep_restart_point() {
   // The end counts as a restart point: the user may extend the run.
   if (!position_.is_at_end() && !(position_.is_at_restart_point() && observers_.is_at_restart_point())) return;
@@ -178,14 +148,8 @@ void Loop::keep_restart_point() {
   restart_points_.keep(std::move(here));
 }
 
-bool Loop::is_ruptured() const {
-  Summary summary;
-  observers_.finish(summary);
-  return summary.results.rupture.has_value();
-}
-
 void Loop::describe(Summary& summary) const {
-  summary.has_output = summary.is_resumed || last_output_.has_value();
+  summary.has_output = summary.is_resumed || reporter_.has_output();
   position_.describe(summary);
 }
 

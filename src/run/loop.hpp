@@ -2,11 +2,10 @@
 /// The loop of a run: steps from output time to output time and from breakpoint to breakpoint, and what observers ask.
 
 #include <memory>
-#include <optional>
 
 #include "observer_list.hpp"
-#include "passed_states.hpp"
 #include "position.hpp"
+#include "reporter.hpp"
 #include "restart_points.hpp"
 
 namespace creepcontact::run {
@@ -36,24 +35,15 @@ class Loop {
   Reaction end_step();
   /// Conditions that begin to hold in (from, now] on the states of the last step. A stop moves the position to it.
   Reaction find_conditions(double from);
-  void make_outputs_before_now();
-  void output(StepView at, bool is_end = false);
-  /// The run ends here, with an output.
-  void finish();
-  void go_back();
-  /// The present state, which is between output times.
-  void tell(void (Observer::*news)(StepView&));
   void keep_restart_point();
-  bool is_ruptured() const;
 
   const RunContext& context_;
   const ObserverList& observers_;
   Checkpoints& checkpoints_;
   Position position_;
   StepEnd step_end_;
-  PassedStates passed_;
   RestartPoints restart_points_;
-  std::optional<double> last_output_;  // its time
+  Reporter reporter_;
 };
 
 }  // namespace creepcontact::run

@@ -11,11 +11,14 @@ void ObserverList::add(std::unique_ptr<Observer> observer) {
 
 Reaction ObserverList::ask(Reaction (Observer::*question)(StepView&), StepView& view) const {
   Reaction strongest = Reaction::advance;
+  const bool was_tentative = is_tentative();
   for (Observer* observer : all_) {
     view.is_tentative = is_tentative();
     strongest = std::max(strongest, (observer->*question)(view));
-    if (strongest == Reaction::go_back) break;
+    if (strongest == Reaction::go_back) return strongest;
   }
+  if (was_tentative && !is_tentative())
+    for (Observer* observer : all_) observer->keep();
   return strongest;
 }
 

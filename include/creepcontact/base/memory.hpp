@@ -163,6 +163,11 @@ class Memory : public std::map<std::string, std::vector<double>> {
   template <typename T, typename... Values>
   void restore(const std::string& name, T& object, const std::tuple<Member<T, Values>...>& members) const;
 
+  /// Adds arrays of another memory, each as `name.<its name>`. @see part
+  void add(const std::string& name, Memory part);
+  /// Inverse of add(): the arrays whose names begin with `name.`, named by what follows.
+  Memory part(const std::string& name) const;
+
  private:
   /// Arrays with the numbers of n elements. @param element  gives a reference to the element of an index
   template <typename T, typename Element>
@@ -238,6 +243,18 @@ template <typename T, typename... Values>
 void Memory::restore(const std::string& name, T& object, const std::tuple<Member<T, Values>...>& members) const {
   std::apply([&](const auto&... member) { (restore(saved::joined(name, member.name), object.*member.value), ...); },
              members);
+}
+
+inline void Memory::add(const std::string& name, Memory part) {
+  for (auto& [array, values] : part) (*this)[saved::joined(name, array)] = std::move(values);
+}
+
+inline Memory Memory::part(const std::string& name) const {
+  const std::string prefix = saved::joined(name, "");
+  Memory part;
+  for (auto found = lower_bound(prefix); found != end() && found->first.starts_with(prefix); ++found)
+    part[found->first.substr(prefix.size())] = found->second;
+  return part;
 }
 
 template <typename T, typename Element>

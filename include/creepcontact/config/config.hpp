@@ -128,11 +128,11 @@ struct Fatigue {
 };
 
 /// [materials.<name>.data_range], an older way to give the ranges of all creep laws of a material at once: complete()
-/// gives them to the laws. Two numbers each, or none.
+/// gives them to the laws.
 struct DataRange {
-  std::vector<double> stress;  ///< von Mises stress
-  std::vector<double> temperature;
-  std::vector<double> time;
+  std::optional<Interval> stress;  ///< von Mises stress
+  std::optional<Interval> temperature;
+  std::optional<Interval> time;
 };
 
 /// [materials.<name>]

@@ -146,8 +146,8 @@ class MaterialPoints {
     return {all.data() + stride_ * p, stride_};
   }
   /// @param stress  as the law sees it, seen_stress()
-  material::PointState seen_by(const Mechanism& mechanism, std::size_t p, const PointsState& at,
-                               const SeenStress& stress) const;
+  material::PointState state_for(const Mechanism& mechanism, std::size_t p, const PointsState& at,
+                                 const SeenStress& stress) const;
   /// Largest eigenvalue of the Jacobian of point p by power iteration.
   double stiffest_at(std::size_t p, const PointsState& at, Eigen::VectorXd& v, Eigen::VectorXd& product) const;
 

@@ -38,7 +38,7 @@ class CycleExtrapolation {
   /// Forgets all cycles: other loads begin with this one.
   void begin(std::int64_t cycle);
   /// A cycle that was computed in full without a jump before it. @param before, after  the states at its ends
-  void see(std::int64_t cycle, std::span<const double> before, std::span<const double> after);
+  void add_cycle(std::int64_t cycle, std::span<const double> before, std::span<const double> after);
   /// How many cycles the next jump may pass over; 0: the next cycle is to be computed.
   std::int64_t proposal() const;
 

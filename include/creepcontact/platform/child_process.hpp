@@ -73,7 +73,7 @@ class ChildProcess {
   void kill();
 
  private:
-  void look(int options);
+  void wait_for_status(int options);
 
   pid_t process_ = 0;
   std::optional<int> status_;

@@ -13,7 +13,7 @@ namespace creepcontact::platform {
 /// Cost: about a hundredth of a second per number tried.
 int useful_threads(int most);
 
-/// Looks at the machine now and then, as other programs come and go in a long run.
+/// Measures the machine now and then, as other programs come and go in a long run.
 class ThreadWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -25,7 +25,7 @@ class ThreadWatch {
   /// The number at the last measurement.
   int threads() const { return threads_; }
   /// Measures if the interval is over. @returns the new number if it has changed
-  std::optional<int> look(Clock::time_point now = Clock::now());
+  std::optional<int> update(Clock::time_point now = Clock::now());
 
  private:
   int most_, threads_;

@@ -49,6 +49,8 @@ class Observer {
   virtual void output(StepView& /*view*/) {}
   /// After `restart` or `go_back`: the time and the state from which the run goes on.
   virtual void change(RunState& /*state*/) {}
+  /// The run does not go back behind the present state any more: what was tentative counts.
+  virtual void keep() {}
   /// The run has gone back: what was tentative does not count.
   virtual void undo() {}
 

@@ -76,7 +76,7 @@ void BetaEuler::advance(const EulerPoint& from, const StepClock::Target& target,
   else if (anderson_)
     anderson_->run(to.state, [&](std::span<const double> y, std::span<double> image) {
       map(y, image);
-      return watch.see(max_difference(system_.team(), image, y)) != ConvergenceWatch::State::running;
+      return watch.update(max_difference(system_.team(), image, y)) != ConvergenceWatch::State::running;
     });
   else
     iterate_plainly(to.state, watch);
@@ -98,7 +98,7 @@ void BetaEuler::map(std::span<const double> y, std::span<double> image) {
 void BetaEuler::iterate_plainly(std::vector<double>& y, ConvergenceWatch& watch) {
   do {
     map(y, iterate_);
-    watch.see(max_difference(system_.team(), iterate_, y));
+    watch.update(max_difference(system_.team(), iterate_, y));
     std::swap(y, iterate_);
   } while (watch.state() == ConvergenceWatch::State::running);
 }

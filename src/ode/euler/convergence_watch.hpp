@@ -14,7 +14,7 @@ class ConvergenceWatch {
 
   ConvergenceWatch(double tolerance, int max_iterations) : tolerance_(tolerance), max_iterations_(max_iterations) {}
 
-  State see(double change) {
+  State update(double change) {
     ++iterations_;
     change_ = change;
     if (change <= tolerance_)

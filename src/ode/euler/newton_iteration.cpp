@@ -114,7 +114,7 @@ void NewtonIteration::run(const Equation& equation, std::span<double> y, std::sp
     dy = krylov_->found();
     std::ranges::copy(y, base_.begin());
     for_each_index(y.size(), [&](std::size_t i) { y[i] += dy[i]; });
-    if (watch.see(std::max(max_difference(team_, y, base_), left)) != ConvergenceWatch::State::running) break;
+    if (watch.update(std::max(max_difference(team_, y, base_), left)) != ConvergenceWatch::State::running) break;
     line_search(equation, y, dy);
   }
   // To first order, and such that nothing cancels in short steps.

@@ -49,6 +49,9 @@ class CycleWatch {
   /// The variables that count life, of one body.
   const std::vector<const material::StateVariable*>& life_of(std::size_t body) const { return life_[body]; }
 
+  /// The state at the begin of the cycle.
+  const std::vector<double>& first() const { return first_; }
+
   /// Forgets what it has observed, and observes the begin of a cycle. @throws RecoverableError without equilibrium
   void begin(StepView& view);
   /// A state within the cycle, or at its end.

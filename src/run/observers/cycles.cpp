@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
-#include "../checkpoints.hpp"
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/platform/replace_file.hpp"
@@ -19,7 +16,6 @@ namespace {
 
 const std::string cycles_name = "cycles";
 constexpr double min_life = 0.01;  // that a whole run uses up: smaller ones need no accuracy of their own
-const std::string extrapolation_prefix = "cycles.jumps.";
 
 /// What of the counts a resumed run goes on from.
 constexpr auto saved_counts = [] {
@@ -53,10 +49,10 @@ Cycles::Cycles(const RunContext& context)
     : context_(context),
       loads_(context.model.cycles.value()),
       watch_(context.system()),
-      used_up_(context.assembly().bodies().size(), std::numeric_limits<double>::infinity()) {
+      closed_(context.assembly().bodies().size()) {
   const config::Config& config = context.config;
   summary_.steady_within = config.time.stop_when_steady.value_or(0);
-  if (config.time.jump_cycles && context.integrates) jumps_.emplace(context.team(), config.time.jump_tolerance);
+  if (config.time.jump_cycles && context.integrates) jumps_.emplace(context);
   go_to(loads_.ended_by(context.begin));
   if (context.begin > 0 && !loads_.ending_at(context.begin)) stage_ = Stage::waiting;
   if (context.resumed != nullptr && stage_ == Stage::waiting && loads_.ended_by(context.begin) < loads_.count())
@@ -79,44 +75,20 @@ void Cycles::go_to(std::int64_t cycle) {
   stage_ = cycle < loads_.count() ? Stage::between : Stage::waiting;
 }
 
-std::int64_t Cycles::longest_jump(double t) const {
-  const std::vector<double>& outputs = context_.config.time.output;
-  const auto next = std::ranges::upper_bound(outputs, t);
-  const double next_output = next != outputs.end() ? *next : std::numeric_limits<double>::infinity();
-  // The last cycle is computed: results there are those of a checked state.
-  std::int64_t last = std::min(cycle_ + jumps_->proposal(), loads_.ended_by(next_output) - 1);
-  if (bound_ >= cycle_) last = std::min(last, bound_ - 1);
-  for (std::int64_t k = cycle_; k <= last; ++k)
-    if (!loads_.repeats(k)) last = k - 1;
-  return std::max<std::int64_t>(last - cycle_, 0);
-}
-
-std::optional<RunState> Cycles::jumped(const StepView& view) {
-  if (!jumps_) return std::nullopt;
-  const std::int64_t n = longest_jump(view.time());
-  if (n == 0) return std::nullopt;
-  RunState state{.y = {view.y().begin(), view.y().end()}};
-  jumps_->jump(n, state.y);
-  cycle_ += n;
-  state.time = std::max(view.time(), loads_.begin(cycle_));
-  return state;
-}
-
 Reaction Cycles::begin(StepView& view) {
   if (stage_ != Stage::between) return Reaction::advance;
-  if (!may_go_back() && !computes_next_) {
-    changed_ = jumped(view);
-    if (changed_) return Reaction::restart;
+  RunState state{.time = view.time(), .y = {view.y().begin(), view.y().end()}};
+  if (jumps_ && jumps_->jump(view.time(), cycle_, state.y)) {
+    state.time = std::max(view.time(), loads_.begin(cycle_));
+    changed_ = std::move(state);
+    return Reaction::restart;
   }
-  computes_next_ = false;
-  first_.assign(view.y().begin(), view.y().end());
-  activity_ = {};
-  last_step_ = first_;
+  if (jumps_) jumps_->begin(view.y());
   try {
     watch_.begin(view);
   } catch (const RecoverableError&) {  // the state after the jump has no equilibrium
     if (!may_go_back()) throw;
-    computes_next_ = true;
+    jumps_->skip_next();
     return Reaction::go_back;
   }
   stage_ = Stage::within;
@@ -124,14 +96,7 @@ Reaction Cycles::begin(StepView& view) {
 }
 
 Reaction Cycles::step(StepView& view) {
-  if (!may_go_back()) return Reaction::advance;
-  const std::span<const double> y = view.y(), scale = context_.system().scale();
-  double sum = 0;
-  for (std::size_t i = 0; i < y.size(); ++i) sum += std::pow((y[i] - last_step_[i]) / scale[i], 2);
-  last_step_.assign(y.begin(), y.end());
-  const ode::StepReport& report = view.step->report;
-  if (const double change = context_.team().sum(sum); change > activity_.change)
-    activity_ = {change, report.time - report.step / 2, last_step_};
+  if (jumps_) jumps_->step(view);
   return Reaction::advance;
 }
 
@@ -143,31 +108,6 @@ void Cycles::output(StepView& view) {
   if (stage_ == Stage::within) watch_.observe_probes(view.probe_values());
 }
 
-ode::CycleExtrapolation::Damping Cycles::damping(std::span<const double> change) {
-  constexpr double never = std::numeric_limits<double>::infinity();
-  if (!(activity_.change > 0)) return {};
-  std::vector<double> rate(change.size());
-  context_.system().begin_segment(-never, never);
-  try {
-    context_.system().rate(activity_.time, activity_.state, rate);
-  } catch (const RecoverableError&) {
-    return {};  // the jump is corrected without
-  }
-  // The time in which the rate there makes what the cycle does.
-  const std::span<const double> scale = context_.system().scale();
-  std::array<double, 2> sums{};
-  for (std::size_t i = 0; i < change.size(); ++i) {
-    const double of_cycle = change[i] / scale[i];
-    sums[0] += of_cycle * of_cycle;
-    sums[1] += of_cycle * rate[i] / scale[i];
-  }
-  context_.team().sum(sums);
-  const double time = sums[1] * loads_.period() > sums[0] ? sums[0] / sums[1] : loads_.period();
-  return [this, time](double weight, std::span<const double> given, std::span<double> damped) {
-    context_.system().precondition_once(activity_.time, activity_.state, weight * time, given, damped);
-  };
-}
-
 Reaction Cycles::segment(StepView& view) {
   if (stage_ == Stage::within) watch_.observe(view);
   const std::optional<std::int64_t> ended = loads_.ending_at(view.time());
@@ -175,8 +115,8 @@ Reaction Cycles::segment(StepView& view) {
   if (stage_ == Stage::within) return close(*ended, view);
   go_to(*ended + 1);
   summary_.completed = cycle_;
-  if (jumps_) jumps_->begin(cycle_);
-  previous_ = -1;
+  if (jumps_) jumps_->forget(cycle_);
+  closed_.forget_last();
   return Reaction::advance;
 }
 
@@ -190,10 +130,10 @@ Reaction Cycles::close(std::int64_t cycle, StepView& view) {
   const std::int64_t jumped = may_go_back() ? jumps_->jumped() : 0;
   ++summary_.computed;
   std::vector<double> change = computed;
-  for (std::size_t i = 0; i < change.size(); ++i) change[i] -= first_[i];
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] -= watch_.first()[i];
   system.resolve_cycle(change, min_life / static_cast<double>(loads_.count()));
   if (jumped > 0) {
-    if (!jumps_->check(system.scale_of_whole_run(), damping(change), state.y)) {
+    if (!jumps_->check(change, state.y)) {
       ++summary_.rejected_jumps;
       go_to(cycle - jumped);
       summary_.completed = cycle_;
@@ -205,12 +145,13 @@ Reaction Cycles::close(std::int64_t cycle, StepView& view) {
     ++summary_.jumps;
     summary_.longest_jump = std::max(summary_.longest_jump, jumped);
   } else if (jumps_) {
-    if (!loads_.repeats(cycle)) jumps_->begin(cycle);
-    jumps_->see(cycle, first_, computed);
+    jumps_->add(cycle, watch_.first(), computed);
   }
   CycleRecord record = watch_.record(computed, state.y, cycle + 1);
-  clamp_used_life(record, cycle, jumped);
-  summary_.last_change = last_change(record, cycle);
+  closed_.keep_used_lives(record, cycle, jumped);
+  summary_.last_change.reset();
+  if (context_.config.time.stop_when_steady && loads_.repeats(cycle))
+    summary_.last_change = closed_.change(record, cycle);
   if (summary_.last_change && *summary_.last_change < *context_.config.time.stop_when_steady &&
       loads_.repeats_from(cycle)) {
     summary_.steady = cycle + 1;
@@ -218,9 +159,7 @@ Reaction Cycles::close(std::int64_t cycle, StepView& view) {
   }
   for (std::size_t b = 0; b < record.bodies.size(); ++b)
     if (!watch_.life_of(b).empty()) summary_.to_limit[context_.assembly().bodies()[b].name()] = record.bodies[b].limit;
-  previous_ = cycle;
-  previous_range_.clear();
-  for (const CycleRecord::Probe& probe : record.probes) previous_range_.push_back(probe.range());
+  closed_.add(record, cycle);
   write(cycle, jumped, record, view.work() - work_);
   work_ = view.work();
   if (is_changed) changed_ = std::move(state);
@@ -234,38 +173,12 @@ void Cycles::change(RunState& state) {
     state.y = std::move(changed_->y);
     changed_.reset();
   } else if (may_go_back()) {  // something must not be skipped: an event, rupture, a step that fails
-    bound_ = cycle_;
     const std::int64_t before = cycle_ - jumps_->jumped();
-    jumps_->give_up(state.y);
+    jumps_->give_up(cycle_, state.y);
     ++summary_.rejected_jumps;
     go_to(before);
     state.time = loads_.begin(before);
   }
-}
-
-void Cycles::clamp_used_life(CycleRecord& record, std::int64_t cycle, std::int64_t jumped) {
-  for (std::size_t b = 0; b < record.bodies.size(); ++b) {
-    CycleRecord::Body& body = record.bodies[b];
-    if (std::isfinite(used_up_[b])) {
-      body.limit = used_up_[b];
-      continue;
-    }
-    if (body.life.empty() || body.life.back().largest < 1) continue;
-    used_up_[b] = body.limit =
-        std::clamp(body.limit, static_cast<double>(cycle - jumped), static_cast<double>(cycle + 1));
-  }
-}
-
-std::optional<double> Cycles::last_change(const CycleRecord& record, std::int64_t cycle) const {
-  if (!context_.config.time.stop_when_steady || previous_ < 0 || !loads_.repeats(cycle)) return std::nullopt;
-  const auto n_cycles = static_cast<double>(cycle - previous_);
-  double change = record.stress_change;
-  for (std::size_t i = 0; i < record.probes.size(); ++i) {
-    const CycleRecord::Probe& probe = record.probes[i];
-    const double size = std::max(std::abs(probe.min), std::abs(probe.max));
-    if (size > 0) change = std::max(change, std::abs(probe.range() - previous_range_[i]) / n_cycles / size);
-  }
-  return change;
 }
 
 void Cycles::write(std::int64_t cycle, std::int64_t jumped, const CycleRecord& record, const RunCounters& work) {
@@ -307,11 +220,8 @@ void Cycles::save(creep::Memory& memory) const {
   memory.save(cycles_name + ".period", loads_.period());
   memory.save(cycles_name, *this, saved_members);
   memory.save(cycles_name, summary_, saved_counts);
-  if (!jumps_ || may_go_back()) return;
-  Memory numbers, states;
-  jumps_->save(numbers, states);
-  for (auto& [name, values] : numbers) memory[extrapolation_prefix + name] = std::move(values);
-  for (auto& [name, values] : states) memory[cycle_state_prefix + name] = std::move(values);
+  closed_.save(memory);
+  if (jumps_) jumps_->save(memory);
 }
 
 void Cycles::restore(const creep::Memory& memory) {
@@ -320,14 +230,8 @@ void Cycles::restore(const creep::Memory& memory) {
     return;  // a run without cycles, or with others
   memory.restore(cycles_name, *this, saved_members);
   memory.restore(cycles_name, summary_, saved_counts);
-  if (previous_range_.size() != context_.config.probes.size()) previous_ = -1;
-  Memory own, states;
-  for (const auto& [name, values] : memory)
-    if (name.starts_with(extrapolation_prefix))
-      own[name.substr(extrapolation_prefix.size())] = values;
-    else if (name.starts_with(cycle_state_prefix))
-      states[name.substr(std::string_view(cycle_state_prefix).size())] = values;
-  if (jumps_ && !own.empty() && stage_ == Stage::between) jumps_->restore(own, states);
+  closed_.restore(memory, context_.config.probes.size());
+  if (jumps_ && stage_ == Stage::between) jumps_->restore(memory);
 }
 
 std::unique_ptr<Observer> observe_cycles(const RunContext& context) {

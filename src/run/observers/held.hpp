@@ -1,26 +1,33 @@
 #pragma once
-/// Values of steps that may still be undone.
+/// Values of states that may still be undone.
 
+#include <functional>
 #include <utility>
 #include <vector>
 
 namespace creepcontact::run {
 
-/// Keeps values until the run can no more go back behind them.
+/// Uses values at once, or, while the run may go back behind their states, when it does not any more.
 template <typename T>
 class Held {
  public:
-  void add(T value) { values_.push_back(std::move(value)); }
-  /// Hands all values to use(), in the order of add(). Does nothing while the run is tentative.
-  template <typename Use>
-  void settle(bool is_tentative, const Use& use) {
-    if (is_tentative) return;
-    for (const T& value : values_) use(value);
+  explicit Held(std::function<void(const T&)> use) : use_(std::move(use)) {}
+  void add(T value, bool is_tentative) {
+    if (is_tentative)
+      values_.push_back(std::move(value));
+    else
+      use_(value);
+  }
+  /// Uses all values, in the order of add(). @see Observer::keep
+  void keep() {
+    for (const T& value : values_) use_(value);
     values_.clear();
   }
-  void drop() { values_.clear(); }
+  /// @see Observer::undo
+  void undo() { values_.clear(); }
 
  private:
+  std::function<void(const T&)> use_;
   std::vector<T> values_;
 };
 

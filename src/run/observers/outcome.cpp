@@ -15,17 +15,14 @@ class OutcomeObserver final : public Observer {
 
   void state(StepView& view) override { add(view); }
   void jump(StepView& view) override { add(view); }
-  Reaction segment(StepView& view) override {
-    settle(view);
-    return Reaction::advance;
-  }
   void output(StepView& view) override {
     view.with_snapshot([&](results::Snapshot& snapshot) {
       outcome_.output(view.time(), snapshot.equilibrium());
       return std::vector<double>{};
     });
   }
-  void undo() override { held_.drop(); }
+  void keep() override { held_.keep(); }
+  void undo() override { held_.undo(); }
   void save(creep::Memory& memory) const override { outcome_.save(memory); }
   void restore(const creep::Memory& memory) override { outcome_.restore(memory); }
   void end(End how) override {
@@ -38,17 +35,14 @@ class OutcomeObserver final : public Observer {
  private:
   void add(StepView& view) {
     const creep::Evaluation& at = view.evaluation();
-    held_.add(results::Outcome::values(view.system().assembly(), view.time(), at.equilibrium, context_.team()));
+    held_.add(results::Outcome::values(view.system().assembly(), view.time(), at.equilibrium, context_.team()),
+              view.is_tentative);
     outcome_.observe_contacts(view.time(), at.equilibrium);
-    settle(view);
-  }
-  void settle(const StepView& view) {
-    held_.settle(view.is_tentative, [&](const results::StepValues& values) { outcome_.observe(values); });
   }
 
   const RunContext& context_;
   results::Outcome outcome_;
-  Held<results::StepValues> held_;
+  Held<results::StepValues> held_{[this](const results::StepValues& values) { outcome_.observe(values); }};
 };
 
 }  // namespace

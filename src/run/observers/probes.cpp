@@ -13,12 +13,9 @@ class ProbeObserver final : public Observer {
 
   void state(StepView& view) override { add(view); }
   void jump(StepView& view) override { add(view); }
-  Reaction segment(StepView& view) override {
-    settle(view);
-    return Reaction::advance;
-  }
   void output(StepView& view) override { record_.output(view.time(), view.probe_values()); }
-  void undo() override { held_.drop(); }
+  void keep() override { held_.keep(); }
+  void undo() override { held_.undo(); }
   void save(creep::Memory& memory) const override { record_.save(memory); }
   void restore(const creep::Memory& memory) override { record_.restore(memory); }
   void finish(Summary& summary) const override { record_.fill(context_.config, summary.results); }
@@ -28,19 +25,12 @@ class ProbeObserver final : public Observer {
     double time;
     std::vector<double> probes;
   };
-  void add(StepView& view) {
-    held_.add({view.time(), view.probe_values()});
-    settle(view);
-  }
-  void settle(const StepView& view) {
-    held_.settle(view.is_tentative, [&](const Values& values) {
-      record_.observe(values.time, values.probes, context_.config.time.tolerance);
-    });
-  }
+  void add(StepView& view) { held_.add({view.time(), view.probe_values()}, view.is_tentative); }
 
   const RunContext& context_;
   results::ProbeRecord record_;
-  Held<Values> held_;
+  Held<Values> held_{
+      [this](const Values& values) { record_.observe(values.time, values.probes, context_.config.time.tolerance); }};
 };
 
 }  // namespace

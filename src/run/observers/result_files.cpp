@@ -18,12 +18,7 @@ class ResultFiles final : public Observer {
   }
 
   Reaction step(StepView& view) override {
-    if (context_.integrates) held_.add(*view.step);
-    settle(view);
-    return Reaction::advance;
-  }
-  Reaction segment(StepView& view) override {
-    settle(view);
+    if (context_.integrates) together(context_.team(), [&] { held_.add(*view.step, view.is_tentative); });
     return Reaction::advance;
   }
   void output(StepView& view) override {
@@ -34,22 +29,19 @@ class ResultFiles final : public Observer {
       return std::vector<double>{};
     });
   }
-  void undo() override { held_.drop(); }
+  void keep() override {
+    together(context_.team(), [&] { held_.keep(); });
+  }
+  void undo() override { held_.undo(); }
   bool is_writing() const override { return results_->is_writing(); }
   void wait() override { results_->wait(); }
   void sync() override { results_->sync(); }
 
  private:
-  void settle(const StepView& view) {
-    together(context_.team(), [&] {
-      held_.settle(view.is_tentative,
-                   [&](const StepMade& made) { results_->step(made.report, made.work, made.n_active_contacts); });
-    });
-  }
-
   const RunContext& context_;
   std::unique_ptr<results::Results> results_;
-  Held<StepMade> held_;
+  Held<StepMade> held_{
+      [this](const StepMade& made) { results_->step(made.report, made.work, made.n_active_contacts); }};
 };
 
 }  // namespace

@@ -44,7 +44,7 @@ Result cycles(const Map& map, State y, std::int64_t n, double tolerance,
     const State before = y;
     y = map(y);
     ++result.computed;
-    extrapolation.see(done++, before, y);
+    extrapolation.add_cycle(done++, before, y);
   }
   result.y = y;
   return result;
@@ -105,7 +105,7 @@ TEST(CycleExtrapolation, AnErrorThatIsTooLargeTakesTheStateBack) {
   for (std::int64_t k = 0; k < 3; ++k) {
     const State before = y;
     y[0] += 1;
-    extrapolation.see(k, before, y);
+    extrapolation.add_cycle(k, before, y);
   }
   ASSERT_EQ(extrapolation.proposal(), 1);
   extrapolation.jump(1, y);
@@ -117,14 +117,14 @@ TEST(CycleExtrapolation, AnErrorThatIsTooLargeTakesTheStateBack) {
   EXPECT_GT(extrapolation.error(), 1);
   EXPECT_FALSE(extrapolation.is_checking());
   EXPECT_EQ(extrapolation.proposal(), 0) << "the next cycle is computed";
-  extrapolation.see(3, {y}, State{4});
+  extrapolation.add_cycle(3, {y}, State{4});
   EXPECT_EQ(extrapolation.proposal(), 1);
 }
 
 TEST(CycleExtrapolation, ANumberThatIsNoneIsRejected) {
   CycleExtrapolation extrapolation(serial_team(), 1e-3);
   for (std::int64_t k = 0; k < 3; ++k)
-    extrapolation.see(k, State{static_cast<double>(k)}, State{static_cast<double>(k + 1)});
+    extrapolation.add_cycle(k, State{static_cast<double>(k)}, State{static_cast<double>(k + 1)});
   State y{3};
   extrapolation.jump(1, y);
   y[0] = std::nan("");
@@ -135,14 +135,14 @@ TEST(CycleExtrapolation, ANumberThatIsNoneIsRejected) {
 TEST(CycleExtrapolation, OtherLoadsBeginAnew) {
   CycleExtrapolation extrapolation(serial_team(), 1e-3);
   for (std::int64_t k = 0; k < 3; ++k)
-    extrapolation.see(k, State{static_cast<double>(k)}, State{static_cast<double>(k + 1)});
+    extrapolation.add_cycle(k, State{static_cast<double>(k)}, State{static_cast<double>(k + 1)});
   EXPECT_GT(extrapolation.proposal(), 0);
   extrapolation.begin(3);
   EXPECT_EQ(extrapolation.proposal(), 0);
-  extrapolation.see(3, State{0}, State{2});
-  extrapolation.see(4, State{2}, State{4});
+  extrapolation.add_cycle(3, State{0}, State{2});
+  extrapolation.add_cycle(4, State{2}, State{4});
   EXPECT_EQ(extrapolation.proposal(), 0);
-  extrapolation.see(5, State{4}, State{6});
+  extrapolation.add_cycle(5, State{4}, State{6});
   ASSERT_EQ(extrapolation.proposal(), 1);
   State y{6};
   extrapolation.jump(1, y);
@@ -157,7 +157,7 @@ TEST(CycleExtrapolation, ARestoredOneGoesOnAlike) {
   for (; k < 3; ++k) {
     const State before = y;
     y = map(y);
-    first.see(k, before, y);
+    first.add_cycle(k, before, y);
   }
   CycleExtrapolation::Memory numbers, states;
   first.save(numbers, states);

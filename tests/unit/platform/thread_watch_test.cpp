@@ -25,21 +25,21 @@ TEST_F(WatchedMachine, IsMeasuredAgainWhenTheIntervalIsOver) {
   ThreadWatch watch(4, 10s, [this](int most) { return measured(most); });
   EXPECT_EQ(watch.threads(), 4);
   free = 1;
-  EXPECT_FALSE(watch.look(start + 5s));
+  EXPECT_FALSE(watch.update(start + 5s));
   EXPECT_EQ(measurements, 1);
-  EXPECT_EQ(watch.look(start + 11s), 1);
+  EXPECT_EQ(watch.update(start + 11s), 1);
   EXPECT_EQ(watch.threads(), 1);
-  EXPECT_FALSE(watch.look(start + 12s));
-  EXPECT_FALSE(watch.look(start + 22s)) << "nothing has changed";
+  EXPECT_FALSE(watch.update(start + 12s));
+  EXPECT_FALSE(watch.update(start + 22s)) << "nothing has changed";
   free = 4;
-  EXPECT_EQ(watch.look(start + 33s), 4) << "all are used again";
+  EXPECT_EQ(watch.update(start + 33s), 4) << "all are used again";
   EXPECT_EQ(measurements, 4);
 }
 
 TEST_F(WatchedMachine, IsNotMeasuredForOneThread) {
   ThreadWatch watch(1, 10s, [this](int most) { return measured(most); });
   measurements = 0;
-  EXPECT_FALSE(watch.look(start + 100s));
+  EXPECT_FALSE(watch.update(start + 100s));
   EXPECT_EQ(measurements, 0);
 }
 
