@@ -109,4 +109,9 @@ void complete(Config& config, const Vocabulary& vocabulary) {
     config.output.directory = config.file.parent_path() / "results" / config.file.stem();
 }
 
+Config completed(Config config, const Vocabulary& vocabulary) {
+  complete(config, vocabulary);
+  return config;
+}
+
 }  // namespace creepcontact::config

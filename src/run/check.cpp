@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "checkpoints.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "creepcontact/contact/load_balance.hpp"
 #include "creepcontact/creep/elastic_survey.hpp"
 #include "creepcontact/creep/state_layout.hpp"
@@ -12,6 +13,7 @@
 #include "creepcontact/model/temperature.hpp"
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 #include "gap_report.hpp"
 #include "memory_need.hpp"
 #include "model_record.hpp"
@@ -34,7 +36,8 @@ std::string contact_text(const contact::Pair& pair, const config::Contact& conta
 
 }  // namespace
 
-void check(const config::Config& config, std::ostream& report, const CheckOptions& options) {
+void check(const config::Config& given, std::ostream& report, const CheckOptions& options) {
+  const config::Config config = config::completed(given, vocabulary());
   const std::filesystem::path directory = output_directory(config, options.output);
   require_output(directory, options.resume);
   const model::Model model = model::build_model(config);

@@ -16,6 +16,7 @@
 #include "creepcontact/base/files.hpp"
 #include "creepcontact/base/log.hpp"
 #include "creepcontact/base/stop_request.hpp"
+#include "creepcontact/config/writer.hpp"
 #include "creepcontact/io/checkpoint/checkpoint.hpp"
 #include "creepcontact/io/tables/summary.hpp"
 #include "creepcontact/platform/background.hpp"
@@ -24,6 +25,7 @@
 #include "creepcontact/platform/memory.hpp"
 #include "creepcontact/results/probes.hpp"
 #include "creepcontact/run/report.hpp"
+#include "creepcontact/run/vocabulary.hpp"
 #include "fingerprint.hpp"
 #include "finished_run.hpp"
 #include "loop.hpp"
@@ -215,7 +217,8 @@ Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, c
 
 }  // namespace
 
-Summary run(const config::Config& config, const RunOptions& options) {
+Summary run(const config::Config& given, const RunOptions& options) {
+  const config::Config config = config::completed(given, vocabulary());
   Stopwatch watch;
   log::WarningRecord warnings;
   const Team& team = *options.processes.team;

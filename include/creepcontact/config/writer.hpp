@@ -15,6 +15,8 @@ namespace creepcontact::config {
 /// is complete, as those that have been read are.
 /// @throws std::invalid_argument for a law that the vocabulary does not have, or a constant that its law does not have
 void complete(Config& config, const Vocabulary& vocabulary);
+/// A completed copy. @throws as complete()
+Config completed(Config config, const Vocabulary& vocabulary);
 
 /// Comments of a file, without "#", by the full key of a value ("contacts[0].gap") or of a table ("contacts[0]").
 struct Comments {

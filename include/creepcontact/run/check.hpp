@@ -18,11 +18,11 @@ struct CheckOptions {
   Processes processes = {};  ///< of one process: what else can solve t = 0 than the factors
 };
 
-/// Prints bodies, unknowns, contact pairs with the distances in the mesh, rigid-body modes and estimated memory, and
-/// with `start` the state at t = 0. What a run would refuse before its first step is refused with the same message;
-/// without `start` only what shows without a solve. Files are written with `fields` only: model.pvd, groups.pvd and
-/// plots/model.png.
+/// Completes a configuration as run() does, and prints bodies, unknowns, contact pairs with the distances in the mesh,
+/// rigid-body modes and estimated memory, and with `start` the state at t = 0. What a run would refuse before its first
+/// step is refused with the same message; without `start` only what shows without a solve. Files are written with
+/// `fields` only: model.pvd, groups.pvd and plots/model.png.
 /// @throws Error as run(); an output directory or a checkpoint before meshing, a body that moves after the report
-void check(const config::Config& config, std::ostream& report, const CheckOptions& options = {});
+void check(const config::Config& given, std::ostream& report, const CheckOptions& options = {});
 
 }  // namespace creepcontact::run

@@ -42,14 +42,15 @@ struct RunOptions {
   Processes processes = {};
 };
 
-/// Runs a configuration and writes the results (history.csv, steps.csv, summary.json, fields, checkpoint.h5). Prints
-/// nothing: warnings go to the log. Uses as many threads as OpenMP is set to.
+/// Runs a configuration, completed if it has been made in code (config::complete()), and writes the results
+/// (history.csv, steps.csv, summary.json, fields, checkpoint.h5). Prints nothing: warnings go to the log. Uses as many
+/// threads as OpenMP is set to.
 ///
 /// SIGINT, SIGTERM and SIGHUP end the run after the current step, with a checkpoint (exit status 130). If a solver
 /// fails, the exit status is 4, and results computed before are kept.
 /// If there are several processes, all must call it, with the same configuration; process 0 writes, and its summary is
 /// the one to print. Errors are the same in all.
 /// @throws Error for errors found before the time loop (configuration 2, mesh or model 3)
-Summary run(const config::Config& config, const RunOptions& options);
+Summary run(const config::Config& given, const RunOptions& options);
 
 }  // namespace creepcontact::run

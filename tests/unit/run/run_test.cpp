@@ -52,6 +52,15 @@ TEST_P(Run, TablesAgreeWithTheSummaryAndTheClosedForm) {
   EXPECT_EQ(summary.number("elastic_solves"), summary.number("contact_solves") + summary.number("jacobian_products"));
 }
 
+TEST(RunOutputs, AConfigurationMadeInCodeIsCompleted) {
+  const Case blocks;
+  config::Config config = blocks.config(pressure_probe, {});
+  config.time.output = {2};
+  config.output.field_times = {3};
+  ASSERT_EQ(run(config, {.output = (blocks / "out").string()}).exit_status, 0);
+  EXPECT_EQ(Table(blocks / "out/history.csv").times(), (std::vector<double>{0, 2, 3, 4}));
+}
+
 TEST(RunOutputs, StepsEndAtOutputTimesIfAsked) {
   const Case blocks;
   for (const char* stop : {"true", "false"}) {
