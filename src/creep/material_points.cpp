@@ -26,6 +26,7 @@ MaterialPoints::MaterialPoints(const mechanics::Body& body, double min_strain)
     n_parameters_ += mechanisms_.back().parameters.size;
     fits_mean_stress_ = fits_mean_stress_ || law->uses_mean_stress();
     is_coaxial_ = is_coaxial_ && law->is_coaxial();
+    is_linear_ = is_linear_ && law->is_linear();
     for (const Function& parameter : law->parameters())
       depends_on_temperature_ = depends_on_temperature_ || parameter.depends_on_temperature();
   }
@@ -239,6 +240,7 @@ double MaterialPoints::stiffest_at(std::size_t p, const PointsState& at, Eigen::
 
 double MaterialPoints::stiffest_rate(const PointsState& at, std::span<const material::StressTangent> tangents) const {
   double stiffest = 0;
+  const bool is_uniform = this->is_uniform(at);
 #pragma omp parallel reduction(max : stiffest) if (n_points_ >= numerics::parallel_points)
   {
     Eigen::VectorXd v(stride_), product(stride_);
@@ -248,7 +250,7 @@ double MaterialPoints::stiffest_rate(const PointsState& at, std::span<const mate
       const material::Moduli& moduli = at.elastic.at(p);
       stiffest = std::max({stiffest, 2 * moduli.mu * (part.deviatoric + std::max(part.radial, 0.0)),
                            (3 * moduli.lambda + 2 * moduli.mu) * part.volumetric});
-      if (!has_closed_form()) stiffest = std::max(stiffest, stiffest_at(p, at, v, product));
+      if (!has_closed_form() && (p == 0 || !is_uniform)) stiffest = std::max(stiffest, stiffest_at(p, at, v, product));
     }
   }
   return stiffest;

@@ -2,9 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <optional>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/numerics/parallel.hpp"
+#include "linear_elimination.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -81,8 +83,14 @@ void MaterialTangent::eliminate(double gamma, Work& work, Eigen::Ref<Eigen::Matr
 
 void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
   const Index n = stride_;
-  linearize(p, at, work);
   Eigen::Map<Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
+  if (points_.is_linear()) {
+    const LinearElimination linear(points_, p, gamma, at);
+    linear.write(eliminated);
+    moduli_[p] = linear.modulus();
+    return;
+  }
+  linearize(p, at, work);
   eliminated.leftCols(n).setIdentity();
   eliminated.rightCols<6>() = gamma * work.by_stress;
   eliminate(gamma, work, eliminated.rightCols(n - work.first + 6));
@@ -102,6 +110,7 @@ void MaterialTangent::prepare(double gamma, const PointsState& at) {
 
 void MaterialTangent::solve_points(double gamma, const PointsState& at, std::span<const double> r,
                                    std::span<double> z) const {
+  if (points_.is_linear()) return solve_linear_points(gamma, at, r, z);
   const Index n = stride_;
 #pragma omp parallel if (n_points_ > numerics::parallel_tangents)
   {
@@ -119,6 +128,22 @@ void MaterialTangent::solve_points(double gamma, const PointsState& at, std::spa
           work.columns.col(6) + work.columns.leftCols<6>().lazyProduct(change);
     }
   }
+}
+
+void MaterialTangent::solve_linear_points(double gamma, const PointsState& at, std::span<const double> r,
+                                          std::span<double> z) const {
+  std::optional<LinearElimination> of_all;
+  if (points_.is_uniform(at)) of_all.emplace(points_, 0, gamma, at);
+  numerics::for_each_index(n_points_, numerics::parallel_tangents, [&](std::size_t p) {
+    const std::size_t first = p * stride_;
+    const auto solve = [&](const LinearElimination& own) {
+      own.solve(r.subspan(first, stride_), z.subspan(first, stride_));
+    };
+    if (of_all)
+      solve(*of_all);
+    else
+      solve(LinearElimination(points_, p, gamma, at));
+  });
 }
 
 Eigen::Map<const Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) const {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/linalg/dense.hpp"
 
 namespace creepcontact::creep {
 namespace {
@@ -116,8 +116,7 @@ Eigen::VectorXd PreloadSearch::find(Eigen::VectorXd interference) const {
     const bool is_loose = (tangent.diagonal().array() < loosely_held * stiffest.array()).any();
     growth = is_loose ? 2 * growth : 1;
     const Eigen::VectorXd step =
-        (is_loose ? growth : 1.0) *
-        (is_loose ? closed_stiffness : tangent).completeOrthogonalDecomposition().solve(missing);
+        (is_loose ? growth : 1.0) * linalg::least_squares(is_loose ? closed_stiffness : tangent, missing);
     const double slope = missing.dot(step);
     for (double length = 1;; length /= 2) {
       if (length < min_step) failure.raise(worst, missing[worst], closed_stiffness);

@@ -89,10 +89,10 @@ PolynomialElement::PolynomialElement(CellType type, Eigen::MatrixX3d nodes, std:
     evaluate(monomials_, powers(xi[0]), powers(xi[1]), powers(xi[2]), values);
     vandermonde.col(j) = values;
   }
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(vandermonde);
-  if (!lu.isInvertible()) throw std::logic_error("the nodes do not determine the shape functions");
   // On these nodes every coefficient is a multiple of 1/8: rounding makes the shape functions exact.
-  coefficients_ = (8 * lu.inverse()).array().round() / 8;
+  coefficients_ = (8 * vandermonde.partialPivLu().inverse()).array().round() / 8;
+  if (!(coefficients_ * vandermonde).isApprox(Eigen::MatrixXd::Identity(n, n)))
+    throw std::logic_error("the nodes do not determine the shape functions");
 }
 
 void PolynomialElement::shape(const Vector3& xi, Eigen::Ref<Eigen::VectorXd> shape) const {

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "unit_expression.hpp"
 
 namespace creepcontact::fit {
@@ -86,13 +86,13 @@ Eigen::MatrixXd covariance(const TestData& data, const ParameterSpace& space, co
     columns.col(i) =
         has_influence ? (jacobian.col(unknown) / norms[i]).eval() : Eigen::VectorXd::Zero(jacobian.rows()).eval();
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  const linalg::SingularValues svd = linalg::singular_values(columns);
+  const Eigen::VectorXd& values = svd.values;
   const auto n_null = static_cast<Eigen::Index>(
       std::ranges::count_if(values, [&](double value) { return value < undetermined * values[0]; }));
   if (n_null > 0) {
     unknowns.n_together = static_cast<std::size_t>(n_null) - unknowns.alone.size();
-    Eigen::VectorXd shares = svd.matrixV().rightCols(n_null).rowwise().norm();
+    Eigen::VectorXd shares = svd.right.rightCols(n_null).rowwise().norm();
     for (Eigen::Index i = 0; i < n; ++i)
       if (!(norms[i] > min_influence)) shares[i] = 0;
     for (Eigen::Index i = 0; i < n; ++i)
@@ -104,7 +104,7 @@ Eigen::MatrixXd covariance(const TestData& data, const ParameterSpace& space, co
     std::ranges::sort(unknowns.alone);
     refuse(data, space, unknowns);
   }
-  const Eigen::MatrixXd root = norms.cwiseInverse().asDiagonal() * svd.matrixV() * values.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd root = norms.cwiseInverse().asDiagonal() * svd.right * values.cwiseInverse().asDiagonal();
   return root * root.transpose();
 }
 

@@ -24,6 +24,10 @@ SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix) {
   return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 
+Tensor6 eigenvalue_ratios(const Matrix6& a, const Matrix6& b) {
+  return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6>(a, b, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
 Eigen::MatrixXd symmetric_pseudo_inverse(const Eigen::MatrixXd& matrix, double relative_limit) {
   return pseudo_inverse(matrix, relative_limit);
 }
@@ -64,6 +68,10 @@ Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {
 
 Eigen::VectorXi column_pivots(const Eigen::MatrixXd& matrix) {
   return Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(matrix).colsPermutation().indices();
+}
+
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix) {
+  return matrix.partialPivLu().inverse();
 }
 
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double threshold) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -144,8 +143,10 @@ Matrix6 hill_transformation(const HillRatios& ratios) {
   Matrix6 form = Matrix6::Zero();  // q^2 = stress . form stress
   form.topLeftCorner<3, 3>() << G + H, -H, -G, -H, F + H, -F, -G, -F, F + G;
   for (Index i = 0; i < 3; ++i) form(3 + i, 3 + i) = 1.5 * square(3 + static_cast<std::size_t>(i));
-  const Eigen::SelfAdjointEigenSolver<Matrix6> spectrum(2.0 / 3.0 * form);
-  const Tensor6& values = spectrum.eigenvalues();
+  form *= 2.0 / 3.0;
+  const tensor::Principal normal(form.topLeftCorner<3, 3>());
+  Tensor6 values;
+  values << normal.values, form.diagonal().tail<3>();
   constexpr double rounding = 1e-12;
   if (!(values.minCoeff() > -rounding * values.maxCoeff()))
     throw ModelError(fmt::format(
@@ -154,8 +155,8 @@ Matrix6 hill_transformation(const HillRatios& ratios) {
         ratios.values[0], ratios.values[1], ratios.values[2]));
   // The mean stress is among those that are zero but for rounding, of which roots would remain.
   const Tensor6 roots = (values.array() > rounding * values.maxCoeff()).select(values.cwiseMax(0.0).cwiseSqrt(), 0.0);
-  const Matrix6& directions = spectrum.eigenvectors();
-  Matrix6 result = directions * roots.asDiagonal() * directions.transpose();
+  Matrix6 result = roots.asDiagonal();
+  result.topLeftCorner<3, 3>() = normal.directions * roots.head<3>().asDiagonal() * normal.directions.transpose();
   result.topLeftCorner<3, 3>().array() += 1.0 / 3.0;  // the mean stress stays
   return result;
 }

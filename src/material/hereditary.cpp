@@ -19,20 +19,25 @@ Hereditary::Chain Hereditary::chain(const PointState& at) const {
   return {dashpot.empty() ? 0.0 : dashpot[0], list(compliances, at), list(times, at), list(volumetric_compliances, at)};
 }
 
-Tensor6 Hereditary::Chain::limit(int element, const tensor::ConstMap& stress) const {
-  Tensor6 result = 1.5 * J[element] * tensor::deviator(stress);
-  if (!B.empty()) result.head<3>().array() += B[element] / 9.0 * tensor::trace(stress);
+Hereditary::Limits::Limits(const Chain& chain, const tensor::ConstMap& stress)
+    : chain_(chain), deviator_(1.5 * tensor::deviator(stress)), mean_(tensor::trace(stress) / 9.0) {}
+
+inline Tensor6 Hereditary::Limits::of(int element) const {
+  Tensor6 result = chain_.J[element] * deviator_;
+  if (!chain_.B.empty()) result.head<3>().array() += chain_.B[element] * mean_;
   return result;
 }
 
 void Hereditary::rate(const PointState& at, PointRate into) const {
   const Chain chain = this->chain(at);
+  const Limits limits(chain, at.stress);
+  Tensor6 sum = chain.fluidity * limits.deviator();
   for (int i = 0; i < n_elements_; ++i) {
-    tensor::Map own = tensor::writable(into.internal, i);
-    own = (chain.limit(i, at.stress) - tensor::view(at.internal, i)) / chain.tau[i];
-    into.creep_strain += own;
+    const Tensor6 own = (limits.of(i) - tensor::view(at.internal, i)) * (1 / chain.tau[i]);
+    tensor::writable(into.internal, i) = own;
+    sum += own;
   }
-  if (chain.fluidity > 0.0) into.creep_strain += 1.5 * chain.fluidity * tensor::deviator(at.stress);
+  into.creep_strain += sum;
 }
 
 void Hereditary::derivative(const PointState& at, const PointChange& change, PointRate into) const {
@@ -52,13 +57,13 @@ StressTangent Hereditary::stress_tangent(const PointState& at) const {
 
 void Hereditary::increment(const PointState& at, double duration, PointIncrement into) const {
   const Chain chain = this->chain(at);
+  const Limits limits(chain, at.stress);
   for (int i = 0; i < n_elements_; ++i) {
-    const Tensor6 change =
-        -std::expm1(-duration / chain.tau[i]) * (chain.limit(i, at.stress) - tensor::view(at.internal, i));
+    const Tensor6 change = -std::expm1(-duration / chain.tau[i]) * (limits.of(i) - tensor::view(at.internal, i));
     tensor::writable(into.internal, i) += change;
     into.creep_strain += change;
   }
-  into.creep_strain += 1.5 * chain.fluidity * duration * tensor::deviator(at.stress);
+  into.creep_strain += chain.fluidity * duration * limits.deviator();
 }
 
 bool Hereditary::evaluate(const StateVariable& variable, const PointState& at, std::span<double> into) const {

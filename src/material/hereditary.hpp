@@ -38,6 +38,7 @@ class Hereditary final : public CreepLaw {
   std::string name() const override { return name_; }
   int n_internal() const override { return static_cast<int>(6 * n_elements_); }
 
+  bool is_linear() const override { return true; }
   void rate(const PointState& at, PointRate into) const override;
   void derivative(const PointState& at, const PointChange& change, PointRate into) const override;
   StressTangent stress_tangent(const PointState& at) const override;
@@ -50,8 +51,18 @@ class Hereditary final : public CreepLaw {
   struct Chain {
     double fluidity;
     std::span<const double> J, tau, B;  ///< n_elements_; B empty: volume does not creep
-    /// What e_i tends to under a stress that stays.
-    Tensor6 limit(int element, const tensor::ConstMap& stress) const;
+  };
+  /// The strains to which the elements tend under a stress that stays.
+  class Limits {
+   public:
+    Limits(const Chain& chain, const tensor::ConstMap& stress);
+    Tensor6 of(int element) const;
+    const Tensor6& deviator() const { return deviator_; }
+
+   private:
+    const Chain& chain_;
+    Tensor6 deviator_;  ///< 3/2 s
+    double mean_;       ///< tr(sigma)/9
   };
   Chain chain(const PointState& at) const;
 

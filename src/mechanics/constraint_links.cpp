@@ -116,7 +116,7 @@ void Constraints::hold_rigid_surfaces(const std::vector<Vector3>& nodes, const s
     Eigen::MatrixXd all(rows.rows() + idle.cols(), 6);
     all << rows, idle.transpose();
     surface.free = scale.asDiagonal() * linalg::null_space(all, rank_tolerance);
-    const Eigen::MatrixXd inverse = all.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd inverse = linalg::least_squares(all, Eigen::MatrixXd::Identity(all.rows(), all.rows()));
     surface.prescribing = scale.asDiagonal() * inverse.leftCols(rows.rows());
     for (const double t : {0.0, 1.0}) {
       Eigen::VectorXd values(rows.rows());

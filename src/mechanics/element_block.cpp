@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
@@ -257,7 +256,7 @@ Eigen::MatrixXd ElementBlock::mean_stress_at_nodes(std::size_t e, const std::vec
   for (std::size_t p = 0; p < n_points_; ++p) points.row(p) << 1, (point(e, p, nodes) - origin).transpose();
   const auto cell = this->nodes(e);
   for (std::size_t a = 0; a < n_nodes_; ++a) places.row(a) << 1, (nodes[cell[a]] - origin).transpose();
-  return places * points.colPivHouseholderQr().solve(fitted);
+  return places * linalg::least_squares(points, fitted);
 }
 
 Vector3 ElementBlock::point(std::size_t e, std::size_t p, const std::vector<Vector3>& nodes) const {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "creepcontact/mechanics/rigid_motion.hpp"
 #include "hourglass.hpp"
 
@@ -94,10 +94,9 @@ std::pair<double, double> FactoredBody::stiffness_ratio(const BodyConditions& at
   const auto bulk = [](const Moduli& h) { return h.lambda + 2.0 / 3.0 * h.mu; };
   double least = std::numeric_limits<double>::infinity(), largest = 0;
   for (std::size_t p = 0; p < at.matrices.size(); ++p) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6> ratios(at.matrices[p], matrices_[p],
-                                                                   Eigen::EigenvaluesOnly);
-    least = std::min(least, ratios.eigenvalues()[0]);
-    largest = std::max(largest, ratios.eigenvalues()[5]);
+    const Tensor6 ratios = linalg::eigenvalue_ratios(at.matrices[p], matrices_[p]);
+    least = std::min(least, ratios[0]);
+    largest = std::max(largest, ratios[5]);
   }
   for (std::size_t p = 0; at.matrices.empty() && p < at.moduli.size(); ++p) {
     const Moduli &now = at.moduli[p], &then = moduli_[p];

@@ -4,11 +4,14 @@
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/tangents.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "separable_load.hpp"
 
 namespace creepcontact::mechanics {
 
 namespace {
+
+constexpr double rounding = 1e-12;  // of eigenvalues, relative to the largest one
 
 /// Shape functions and derivatives of a face type at the points of its rule.
 struct FaceTable {
@@ -205,7 +208,7 @@ std::unique_ptr<Load> resultant_load(const mesh::Mesh& mesh, const std::vector<s
     const Vector3 arm = mesh.nodes[node] - centre;
     inertia += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
   }
-  const Matrix3 inverse = inertia.completeOrthogonalDecomposition().pseudoInverse();
+  const Matrix3 inverse = linalg::symmetric_pseudo_inverse(inertia, rounding);
   std::vector<std::unique_ptr<Load>> parts;
   const auto add = [&](const Vector3& resultant, const Vector3& couple, Function& value) {
     if (value.is_zero()) return;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <petscksp.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/base/log.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "petsc.hpp"
 
 namespace creepcontact::mpi {
@@ -127,9 +127,10 @@ class MultigridStiffness final : public linalg::StiffnessSolver {
 
   /// Orthonormal vectors that span these, as the coarse levels' spaces.
   void set_rigid_motions(const Eigen::MatrixXd& motions) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(motions);
-    const Index n = qr.rank();
-    const Eigen::MatrixXd basis = qr.householderQ() * Eigen::MatrixXd::Identity(motions.rows(), n);
+    constexpr double rank_tolerance = 1e-10;
+    const linalg::SingularValues all = linalg::singular_values(motions);
+    const Index n = (all.values.array() > rank_tolerance * all.values[0]).count();
+    const Eigen::MatrixXd basis = all.left.leftCols(n);
     std::vector<OwnedVec> vectors(n);
     std::vector<Vec> handles;
     for (Index k = 0; k < n; ++k) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
 
@@ -30,9 +29,8 @@ PointStrain largest_strain(const mechanics::Body& body, const mechanics::BodyCon
     Tensor6 strain = elastic.elastic_strain(p, tensor::view(stress, p)) + elastic.thermal(p);
     if (!creep.empty()) strain += creep.at(p);
     if (!(strain.norm() > std::max(limit, largest.value))) continue;  // a bound of the principal ones
-    Eigen::SelfAdjointEigenSolver<Matrix3> solver;
-    solver.computeDirect(tensor::to_matrix(strain), Eigen::EigenvaluesOnly);
-    if (const double value = solver.eigenvalues().cwiseAbs().maxCoeff(); value > largest.value) largest = {value, p};
+    const double value = tensor::principal_values(tensor::to_matrix(strain)).cwiseAbs().maxCoeff();
+    if (value > largest.value) largest = {value, p};
   }
   return largest;
 }

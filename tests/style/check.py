@@ -34,6 +34,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 STARTED_PYTHON = re.compile(r"^#!.*\bpython3?\b|(?:^|[|;&(]\s*)python3? +[-\w/]")
 ISOLATED_PYTHON = re.compile(r"\bpython3? +-I\b")
 MACHINE_PATHS = re.compile(r"(?<![\w.})])/(?:" + "|".join(["work/", "tmp/b_", "home/[a-z]", "root/"]) + ")")
+DECOMPOSITION = re.compile(r"\w*(?:SVD\b|Svd\b|HouseholderQR|householderQr|HouseholderQr|EigenSolver|OrthogonalDecomposition|[fF]ullPivLU|fullPivLu)|Eigen/(?:QR|SVD|Eigenvalues)")
 BUILD_DIRECTORIES = {".git", "build", "results", "__pycache__"}
 
 
@@ -155,6 +156,17 @@ def library_includes(root):
                 yield f"{path.relative_to(root)}:{number}: <{name}> belongs to module '{home}' alone"
 
 
+def decompositions(root):
+    """Templates that take long to compile are instantiated in one place."""
+    for path in cpp_files(root, "include", "src"):
+        inside = path.relative_to(root).as_posix()
+        if inside.startswith("src/linalg/") or inside == "src/base/tensor.cpp":
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if match := DECOMPOSITION.search(line):
+                yield f"{inside}:{number}: '{match.group()}' takes long to compile; linalg/dense.hpp has decompositions"
+
+
 def formatting(root):
     tool = shutil.which("clang-format")
     if tool is None:
@@ -202,7 +214,7 @@ def isolated_interpreters(root):
                 yield f"{inside}:{number}: Python is started without -I: '{line.strip()}'"
 
 
-RULES = {rule.__name__: rule for rule in (module_includes, public_headers, module_table, library_includes, formatting,
+RULES = {rule.__name__: rule for rule in (module_includes, public_headers, module_table, library_includes, decompositions, formatting,
                                          file_length, machine_paths, isolated_interpreters)}
 WARNINGS = {"file_length"}  # printed, and kept all the same
 

@@ -107,6 +107,14 @@ class Rules(unittest.TestCase):
         self.write("src/simulation/a.cpp", "#include <toml++/toml.h>\n#include <nvector/nvector_serial.h>\n")
         self.assertEqual(len(self.broken("library_includes")), 2)
 
+    def test_decompositions(self):
+        self.write("src/linalg/dense.cpp", "Eigen::JacobiSVD<Eigen::MatrixXd> svd;\n")
+        self.write("src/base/tensor.cpp", "Eigen::SelfAdjointEigenSolver<Matrix3> eigen;\n")
+        self.write("src/base/a.cpp", "x = a.llt().solve(b);\n")
+        self.assertEqual(self.broken("decompositions"), [])
+        self.write("src/base/a.cpp", "x = a.colPivHouseholderQr().solve(b);\n#include <Eigen/SVD>\n")
+        self.assertEqual([line.split(": ")[0] for line in self.broken("decompositions")], ["src/base/a.cpp:1", "src/base/a.cpp:2"])
+
     @unittest.skipUnless(shutil.which("clang-format"), "clang-format is not installed")
     def test_formatting(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")

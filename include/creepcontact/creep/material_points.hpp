@@ -53,6 +53,12 @@ class MaterialPoints {
   bool has_closed_form() const {
     return !has_internal_variables() && hill_.empty() && !body_.material().orthotropy && is_coaxial_;
   }
+  /// True if all laws are linear, and elasticity and creep are isotropic: LinearElimination applies.
+  bool is_linear() const { return is_linear_ && hill_.empty() && !body_.material().orthotropy; }
+  /// True if the derivatives of linear laws and the moduli are the same at all points.
+  bool is_uniform(const PointsState& at) const {
+    return is_linear() && at.laws.uniform && at.elastic.moduli.size() == 1;
+  }
   const mechanics::Body& body() const { return body_; }
 
   /// Evaluates the parameters at the temperature of `at`; no work if they are up to date.
@@ -165,6 +171,7 @@ class MaterialPoints {
   std::size_t n_parameters_ = 0;                       // of all laws
   std::vector<Matrix6> hill_;                          // one for all points, or one per point; empty: isotropic creep
   bool is_coaxial_ = true;                             // true if all laws are
+  bool is_linear_ = true;                              // likewise
   bool fits_mean_stress_ = false;                      // a law needs it and the elements support it
   bool depends_on_temperature_ = false;                // true if some parameter does
 };

@@ -41,6 +41,7 @@ class MaterialTangent {
   Index first_state(std::size_t p, const PointsState& at, Work& work) const;
   void linearize(std::size_t p, const PointsState& at, Work& work) const;
   static void eliminate(double gamma, Work& work, Eigen::Ref<Eigen::MatrixXd> columns);
+  void solve_linear_points(double gamma, const PointsState& at, std::span<const double> r, std::span<double> z) const;
   void prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work);
 
   const MaterialPoints& points_;

@@ -18,6 +18,9 @@ struct SymmetricEigen {
 /// @param matrix  symmetric; only its lower triangle is read
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
 
+/// Eigenvalues of B^-1 A, ascending. @param a, b  symmetric, b positive definite
+Tensor6 eigenvalue_ratios(const Matrix6& a, const Matrix6& b);
+
 /// Pseudo-inverse of a symmetric positive semidefinite matrix: inverse on the eigenvectors with eigenvalues greater
 /// than relative_limit times the largest, zero on the others.
 Eigen::MatrixXd symmetric_pseudo_inverse(const Eigen::MatrixXd& matrix, double relative_limit);
@@ -51,6 +54,9 @@ Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
 
 /// Indices of the columns of A, best conditioned subset first (QR with column pivoting).
 Eigen::VectorXi column_pivots(const Eigen::MatrixXd& matrix);
+
+/// Inverse of a square matrix, not finite if the matrix is singular (LU with partial pivoting).
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
 
 /// The X of smallest norm among the minimisers of |A X - B|.
 /// @param threshold  pivots below this fraction of the largest count as zero; 0: round-off

@@ -91,6 +91,10 @@ class CreepLaw {
   /// False if the direction of the strain rate is not that of the stress deviator. It then follows from derivative().
   virtual bool is_coaxial() const { return true; }
 
+  /// True if the rates are linear in stress, creep strain and internal variables, all of them tensors in Mandel order,
+  /// and isotropic: deviators and mean parts do not mix. derivative() then depends on the parameters alone.
+  virtual bool is_linear() const { return false; }
+
   /// rate() and stress_tangent() at once, which costs less for some laws.
   virtual StressTangent rate_and_tangent(const PointState& at, PointRate into) const {
     rate(at, std::move(into));

@@ -1,7 +1,6 @@
 #include "friction_system.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "gmres.hpp"
 
 namespace creepcontact::contact {
@@ -114,13 +114,12 @@ class BalancedInverse {
       : rows_(rows), inverse_(std::move(inverse)), has_springs_(has_springs), motions_(rows.motions(at)) {
     carried_ = motions_;
     for (Index j = 0; j < carried_.cols(); ++j) carried_.col(j) = inverse_(motions_.col(j));
-    const Eigen::JacobiSVD<Eigen::MatrixXd> coarse(rows.problem().rigid.transpose() * carried_,
-                                                   Eigen::ComputeThinU | Eigen::ComputeThinV);
-    Eigen::VectorXd values = coarse.singularValues();
+    const linalg::SingularValues coarse = linalg::singular_values(rows.problem().rigid.transpose() * carried_);
+    Eigen::VectorXd values = coarse.values;
     const double least = weakest_held_motion_of_friction * (has_springs ? rows.spring() : values.maxCoeff());
     is_regular_ = values.minCoeff() > least;
     for (double& value : values) value = value > least ? 1 / value : 0.0;
-    coarse_inverse_ = coarse.matrixV() * values.asDiagonal() * coarse.matrixU().transpose();
+    coarse_inverse_ = coarse.right * values.asDiagonal() * coarse.left.transpose();
   }
 
   /// False if the rows in contact do not hold all motions, as where all is open.

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "creepcontact/base/index.hpp"
+#include "creepcontact/material/registry.hpp"
 #include "support/mechanics/meshes.hpp"
 #include "support/mechanics/solve.hpp"
 
@@ -71,7 +72,30 @@ std::vector<double> random_numbers(std::size_t n, double least, double most, uns
 }
 
 using Laws = std::vector<std::shared_ptr<const material::CreepLaw>>;
-class StateElimination : public testing::TestWithParam<Laws> {};
+
+/// Two Kelvin elements and a dashpot; volume creeps too.
+std::shared_ptr<const material::CreepLaw> chain() {
+  return material::find_creep_law("hereditary")
+      ->make_by_key({{"compliances", {0.02, 0.05}},
+                     {"times", {0.3, 2.0}},
+                     {"volumetric_compliances", {0.01, 0.0}},
+                     {"fluidity", {0.04}}});
+}
+
+/// Each point gets constants of its own.
+void scatter(LawParameters& laws, std::size_t n_points) {
+  const std::vector<double> of_one = laws.values, factors = random_numbers(of_one.size() * n_points, 0.5, 2, 5);
+  laws.values.clear();
+  for (const double factor : factors) laws.values.push_back(factor * of_one[laws.values.size() % of_one.size()]);
+  laws.uniform = false;
+}
+
+struct EliminationCase {
+  std::string name;
+  Laws laws;
+  bool differs = false;  ///< constants differ among points
+};
+class StateElimination : public testing::TestWithParam<EliminationCase> {};
 
 /// I - gamma (A - C H) of one point, from the law's derivative.
 Eigen::MatrixXd newton_matrix(const MaterialPoints& points, std::size_t p, double gamma, const PointsState& at) {
@@ -90,12 +114,13 @@ Eigen::MatrixXd newton_matrix(const MaterialPoints& points, std::size_t p, doubl
 
 TEST_P(StateElimination, SolvesThePointsOwnPartOfTheNewtonSystem) {
   material::Material material = elastic_material();
-  material.creep = GetParam();
+  material.creep = GetParam().laws;
   mechanics::Body body("body", box_mesh(mesh::CellType::hex8, {1, 1, 1}), material, {}, std::nullopt);
   const MaterialPoints points(body);
   const mechanics::BodyConditions conditions = body.at(0);
   LawParameters laws;
   points.update(conditions, laws);
+  if (GetParam().differs) scatter(laws, points.size());
   const std::size_t n = points.size(), stride = points.stride();
   const std::vector<double> stress = random_numbers(6 * n, -3, 3, 1), state = random_numbers(stride * n, 0.5, 2, 2),
                             r = random_numbers(stride * n, -1, 1, 3), strain = random_numbers(6 * n, -1, 1, 4);
@@ -104,6 +129,8 @@ TEST_P(StateElimination, SolvesThePointsOwnPartOfTheNewtonSystem) {
   for (const double gamma : {1e-3, 1.0, 1e2}) {
     MaterialTangent tangent(points);
     tangent.prepare(gamma, at);
+    std::vector<double> z_alone(stride * n);
+    tangent.solve_points(gamma, at, r, z_alone);
     std::vector<double> z(stride * n), initial(6 * n);
     tangent.solution(r, strain, z);
     tangent.initial_stress(r, initial);
@@ -120,18 +147,26 @@ TEST_P(StateElimination, SolvesThePointsOwnPartOfTheNewtonSystem) {
       const Tensor6 by_modulus = tangent.moduli()[p] * Tensor6::Map(&strain[6 * p]) - Tensor6::Map(&initial[6 * p]);
       const Tensor6 elastic = Tensor6::Map(&strain[6 * p]) - exact.head<6>();
       EXPECT_LT((by_modulus - material::stress(at.elastic.at(p), elastic)).norm(), 1e-10 * 200) << gamma;
+      const Eigen::VectorXd alone = newton_matrix(points, p, gamma, at)
+                                        .partialPivLu()
+                                        .solve(Eigen::VectorXd::Map(&r[stride * p], solution.size()));
+      EXPECT_LT((Eigen::VectorXd::Map(&z_alone[stride * p], solution.size()) - alone).norm(),
+                1e-10 * (1 + alone.norm()))
+          << gamma;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, StateElimination,
-                         testing::Values(Laws{std::make_shared<Hardening>()}, Laws{std::make_shared<Kelvin>()},
-                                         Laws{std::make_shared<Kelvin>(), std::make_shared<Hardening>()}),
-                         [](const auto& tested) {
-                           std::string names;
-                           for (const auto& law : tested.param) names += law->name();
-                           return names;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Laws, StateElimination,
+    testing::Values(EliminationCase{"hardening", {std::make_shared<Hardening>()}},
+                    EliminationCase{"kelvin", {std::make_shared<Kelvin>()}},
+                    EliminationCase{"kelvin_and_hardening",
+                                    {std::make_shared<Kelvin>(), std::make_shared<Hardening>()}},
+                    EliminationCase{"chain", {chain()}}, EliminationCase{"two_chains", {chain(), chain()}},
+                    EliminationCase{"chain_that_differs", {chain()}, true},
+                    EliminationCase{"chain_and_hardening", {chain(), std::make_shared<Hardening>()}, true}),
+    [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
 }  // namespace creepcontact::creep::test
