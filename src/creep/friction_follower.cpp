@@ -311,8 +311,8 @@ void FrictionFollower::warn_of_path(double from, double to, bool has_end, bool i
                                    : "the loads change too fast there to be followed";
   log::warning(
       "friction: the path of the slip from t = {:.6g} to {:.6g} is less accurate than time.tolerance: {}. List the "
-      "times at which loads or friction change abruptly in time.breakpoints; kappa above 1 (docs/contact.md) also does "
-      "this",
+      "times at which loads or friction change abruptly in time.breakpoints; kappa above 1 (docs/friction.md) also "
+      "does this",
       from, to, what);
 }
 

@@ -28,7 +28,7 @@ class FrictionUniqueness final : public Observer {
       log::warning(
           "friction: kappa = {:.3g} at t = {:.6g}. Above 1 the bodies may lock, and several states of stick and slip "
           "may be possible under the same loads; the run follows the one that the loading from the unloaded state "
-          "leads to (docs/contact.md)",
+          "leads to (docs/friction.md)",
           *kappa, at.time);
     largest_ = std::max(largest_.value_or(0), *kappa);
   }
