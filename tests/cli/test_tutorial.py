@@ -80,7 +80,7 @@ def first_difference(quoted, printed):
 
 
 class Tutorial(unittest.TestCase):
-    page, directory_name, pictures, commands = "tutorial", "press_fit", 2, 10
+    page, directory_name, pictures, commands = "tutorial", "press_fit", 1, 10
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
