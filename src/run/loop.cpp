@@ -132,6 +132,7 @@ Reaction Loop::end_step() {
 }
 
 Reaction Loop::find_conditions(double from) {
+  const auto lap = context_.watch.lap(Part::observe);
   const auto view_at = [&](double t) { return position_.view_at(t, Source::exact); };
   const std::optional<double> stop = run::find_conditions(from, position_.time(), view_at, observers_);
   if (!stop) return Reaction::advance;
@@ -140,6 +141,7 @@ Reaction Loop::find_conditions(double from) {
 }
 
 void Loop::keep_restart_point() {
+  const auto lap = context_.watch.lap(Part::output);
   // The end counts as a restart point: the user may extend the run.
   if (!position_.is_at_end() && !(position_.is_at_restart_point() && observers_.is_at_restart_point())) return;
   io::Checkpoint here = position_.checkpoint(checkpoints_);

@@ -10,6 +10,7 @@ void ObserverList::add(std::unique_ptr<Observer> observer) {
 }
 
 Reaction ObserverList::ask(Reaction (Observer::*question)(StepView&), StepView& view) const {
+  const auto lap = watch_.lap(Part::observe);
   Reaction strongest = Reaction::advance;
   const bool was_tentative = is_tentative();
   for (Observer* observer : all_) {
@@ -22,7 +23,8 @@ Reaction ObserverList::ask(Reaction (Observer::*question)(StepView&), StepView& 
   return strongest;
 }
 
-void ObserverList::tell(void (Observer::*news)(StepView&), StepView& view) const {
+void ObserverList::tell(void (Observer::*news)(StepView&), StepView& view, Part part) const {
+  const auto lap = watch_.lap(part);
   view.is_tentative = is_tentative();
   for (Observer* observer : all_) (observer->*news)(view);
 }

@@ -1,6 +1,7 @@
 #include "creepcontact/run/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,12 +143,10 @@ std::string work_table(const Summary& run) {
                                  "average, {:.2f} at most",
                                  summary.accuracy.tolerance, steps.mean_error(), steps.largest_error()));
   const auto& wall = summary.wall_seconds;
-  const double rest = wall.total - wall.factorize - wall.solve - wall.material - wall.contact - wall.output;
-  const auto percent = [&](double seconds) { return 100 * seconds / wall.total; };
-  line("time", fmt::format("{:.2f} s: factors {:.0f} %, solves {:.0f} %, material points {:.0f} %, contact {:.0f} %, "
-                           "output {:.0f} %, mesh, vectors and the rest {:.0f} %",
-                           wall.total, percent(wall.factorize), percent(wall.solve), percent(wall.material),
-                           percent(wall.contact), percent(wall.output), percent(rest)));
+  std::vector<std::string> shares;
+  for (std::size_t i = 0; i < run_parts.size(); ++i)
+    shares.push_back(fmt::format("{} {:.0f} %", run_parts[i].words, 100 * wall.parts[i] / wall.total));
+  line("time", fmt::format("{:.2f} s: {}", wall.total, fmt::join(shares, ", ")));
   line("memory", fmt::format("{:.0f} MB at most", summary.peak_memory_mb));
   return text;
 }

@@ -46,7 +46,7 @@ void Reporter::output(StepView at, bool is_end) {
   at.evaluation();
   const auto lap = context_.watch.lap(Part::output);
   restart_points_.complete_files_before_output();
-  observers_.tell(&Observer::output, at);
+  observers_.tell(&Observer::output, at, Part::output);
   last_output_ = at.time();
 }
 

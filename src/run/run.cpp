@@ -194,7 +194,10 @@ Summary run_loop(Loop& loop, const ObserverList& observers, SummaryFile& file, c
     return summary;
   };
   try {
-    const End end = loop.run(resumed);
+    const End end = [&] {
+      const auto lap = context.watch.lap(Part::integrate);
+      return loop.run(resumed);
+    }();
     observers.end(end);
     constexpr auto status_of = [](End how) {
       return how == End::interrupted ? Status::interrupted

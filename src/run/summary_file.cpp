@@ -1,5 +1,6 @@
 #include "summary_file.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "creepcontact/base/files.hpp"
@@ -11,12 +12,8 @@ namespace creepcontact::run {
 namespace {
 
 io::Summary::WallSeconds wall_seconds(const Stopwatch& watch) {
-  return {watch.total(),
-          watch.seconds(Part::factorize),
-          watch.seconds(Part::solve),
-          watch.seconds(Part::material),
-          watch.seconds(Part::contact),
-          watch.seconds(Part::output)};
+  const PartSeconds parts = watch.seconds();
+  return {std::accumulate(parts.begin(), parts.end(), 0.0), parts};
 }
 
 }  // namespace

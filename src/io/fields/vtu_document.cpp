@@ -15,7 +15,7 @@ void add_component_names(pugi::xml_node array, const std::vector<std::string>& n
     array.append_attribute(fmt::format("ComponentName{}", i).c_str()) = names[i].c_str();
 }
 
-/// Adds the arrays to the document and gathers their bytes for its end, which is not XML.
+/// Adds the arrays to the document; their bytes come at its end, which is not XML. Refers to the arrays.
 class Appender {
  public:
   void add(pugi::xml_node parent, const EncodedArray& array) {
@@ -25,13 +25,23 @@ class Appender {
     node.append_attribute("NumberOfComponents") = array.components;
     add_component_names(node, array.component_names);
     node.append_attribute("format") = "appended";
-    node.append_attribute("offset") = static_cast<unsigned long long>(data_.size());
-    data_ += array.data;
+    node.append_attribute("offset") = static_cast<unsigned long long>(size_);
+    arrays_.push_back(&array);
+    size_ += array.data.size();
   }
-  const std::string& data() const { return data_; }
+  /// @returns the bytes of all arrays between two texts
+  std::string between(std::string_view before, std::string_view after) const {
+    std::string all;
+    all.reserve(before.size() + size_ + after.size());
+    all += before;
+    for (const EncodedArray* array : arrays_) all += array->data;
+    all += after;
+    return all;
+  }
 
  private:
-  std::string data_;
+  std::vector<const EncodedArray*> arrays_;
+  std::size_t size_ = 0;
 };
 
 pugi::xml_node add_ascii_array(pugi::xml_node parent, const char* type, const std::string& name,
@@ -104,10 +114,10 @@ std::string vtu_document(const VtuContent& content) {
   appended.text() = "_";  // VTK's mark of the beginning; offsets count from behind it
   std::ostringstream stream;
   document.save(stream, " ");
-  std::string text = with_escaped_ends(stream.str());
+  const std::string text = with_escaped_ends(stream.str());
+  const std::size_t end = text.rfind("</AppendedData>");
   // meshio takes a line break for the end of the data.
-  text.insert(text.rfind("</AppendedData>"), appender.data() + "\n ");
-  return text;
+  return appender.between(text.substr(0, end), "\n " + text.substr(end));
 }
 
 }  // namespace creepcontact::io

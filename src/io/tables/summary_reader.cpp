@@ -120,8 +120,9 @@ void read_accuracy(const nlohmann::json& json, Summary& summary) {
 }
 
 void read_wall_seconds(const nlohmann::json& json, Summary& summary) {
-  summary.wall_seconds = {json.at("total"),         number(json, "factorize"), number(json, "solve"),
-                          number(json, "material"), number(json, "contact"),   number(json, "output")};
+  summary.wall_seconds.total = json.at("total");
+  for (std::size_t i = 0; i < run_parts.size(); ++i)
+    summary.wall_seconds.parts[i] = number(json, std::string(run_parts[i].name).c_str());
 }
 
 }  // namespace

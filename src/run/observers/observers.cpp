@@ -3,7 +3,7 @@
 namespace creepcontact::run {
 
 ObserverList make_observers(const RunContext& context, const std::vector<Observer*>& more) {
-  ObserverList all;
+  ObserverList all(context.watch);
   for (MakeObserver* make :
        {observe_cycles, write_result_files, observe_step_statistics, observe_law_ranges, observe_preloads,
         observe_probes, observe_outcome, observe_friction_uniqueness, observe_equilibrium_residual,

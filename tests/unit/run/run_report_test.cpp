@@ -35,7 +35,7 @@ Summary good_run() {
   summary.schwarz_iterations = 450;
   summary.factorizations = 2;
   summary.accuracy.tolerance = 1e-4;
-  summary.wall_seconds = {.total = 10, .factorize = 1, .solve = 5, .material = 2, .contact = 0.5, .output = 0.5};
+  summary.wall_seconds = {.total = 10, .parts = {0.4, 1, 5, 2, 0.5, 0.4, 0.2, 0.5}};
   summary.peak_memory_mb = 123;
   return run;
 }
@@ -46,7 +46,10 @@ TEST(RunReport, TellsWhatTheSummaryHolds) {
        {"100 of 1 to 4, 2 rejected, 1 iterations failed; cvode_bdf, order up to 3",
         "270: 140 rates, 120 Jacobian products, 10 others (start, outputs, repetitions, tangent); 2 factorisations",
         "3.0 iterations per solve", "requested for the stress: 1e-04", "0.40 of this on average, 0.60 at most",
-        "10.00 s: factors 10 %, solves 50 %, material points 20 %, contact 5 %, output 5 %", "the rest 10 %", "123 MB"})
+        "10.00 s: mesh and model 4 %, factors 10 %, solves 50 %, material points 20 %, contact 5 %, time integration 4 "
+        "%, "
+        "extremes, events and life 2 %, output 5 %",
+        "123 MB"})
     expect_text(table, text);
 }
 

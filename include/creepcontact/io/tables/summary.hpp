@@ -13,6 +13,7 @@
 
 #include "creepcontact/base/memory.hpp"
 #include "creepcontact/base/run_counters.hpp"
+#include "creepcontact/base/stopwatch.hpp"
 #include "creepcontact/base/units.hpp"
 
 namespace creepcontact::io {
@@ -93,7 +94,8 @@ struct Summary : RunCounters {
     bool has_reached(double limit) const { return limit <= static_cast<double>(completed); }
   };
   struct WallSeconds {
-    double total = 0, factorize = 0, solve = 0, material = 0, contact = 0, output = 0;
+    double total = 0;
+    PartSeconds parts{};  ///< their sum is the total
   };
   struct Accuracy {
     double tolerance = 0;  ///< relative accuracy asked for the stress
