@@ -75,7 +75,7 @@ TEST_F(TemperatureReader, MistakesAreNamedWithTheirLine) {
   expect_mistake("x,y,z,t,T\n0,0,0,0,1\n1,0,0,0,1\n0,0,0,5,1\n", {"(1, 0, 0)", "line 3", "t = 5"});
   const auto missing = directory_ / "none.csv";
   EXPECT_TRUE(
-      says(test::message_of<ModelError>([&] { read_temperatures({{missing}}); }), {"none.csv'", "No such file"}));
+      says(test::message_of<ModelError>([&] { read_temperatures({{missing}}); }), {"none.csv: ", "No such file"}));
 }
 
 TEST_F(TemperatureReader, Hdf5) {
