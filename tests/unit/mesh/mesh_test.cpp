@@ -38,10 +38,6 @@ Mesh two_blocks() {
   return mesh;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 Vector3 normal(const Mesh& mesh, const Face& face) {
   const auto at = [&](int i) { return mesh.nodes[face.nodes[i]]; };
   return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
