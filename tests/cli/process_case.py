@@ -7,12 +7,13 @@ import subprocess
 import tempfile
 import unittest
 
+from says import Says
 from study_case import BASE, GEOMETRY
 
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 
 
-class ProcessTest(unittest.TestCase):
+class ProcessTest(Says, unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)

@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from says import Says
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 
 GEOMETRY = """Point(1) = {0, 0, 0}; Point(2) = {100, 0, 0}; Point(3) = {100, 100, 0}; Point(4) = {0, 100, 0};
@@ -71,7 +73,7 @@ quantities = ["stress"]
 """
 
 
-class StudyTest(unittest.TestCase):
+class StudyTest(Says, unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
@@ -98,7 +100,6 @@ class StudyTest(unittest.TestCase):
         """When each run wrote its summary."""
         return {path.parent.name: path.stat().st_mtime_ns for path in self.output.glob("runs/*/summary.json")}
 
-    def expect_error(self, done, status, *texts):
+    def expect_error(self, done, status, *facts):
         self.assertEqual(done.returncode, status, done.stderr)
-        for text in texts:
-            self.assertIn(text, done.stderr)
+        self.assertSays(done.stderr, *facts)

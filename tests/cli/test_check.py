@@ -17,14 +17,12 @@ class StartCheck(RunTest):
         self.assertEqual(list(self.directory.iterdir()), [])
         self.run_short("--quiet")
         summary = self.summary()
-        force = re.search(r"contact 'fit': normal force ([\d.e+]+) N, peak pressure ([\d.]+) MPa, the whole surface is in",
-                          done.stdout)
+        force = re.search(r"contact 'fit': .*force ([\d.e+]+) N, .*pressure ([\d.]+) MPa, ", done.stdout)
         initial = summary["contacts"]["fit"]["initial_normal_force"]
         self.assertAlmostEqual(float(force[1]), initial, delta=1e-3 * initial)
         self.assertGreaterEqual(float(force[2]), 0.999 * self.table("history.csv")[0]["fit_pressure"])
         for body, results in summary["bodies"].items():
-            stress = re.search(rf"body '{body}': largest von Mises stress ([\d.]+) MPa at .*; relaxes within ([\d.e+]+) h "
-                               r"\((\S+) time.end\), fastest within ([\d.e+]+) h", done.stdout)
+            stress = re.search(rf"body '{body}': .*stress ([\d.]+) MPa at .*; .* ([\d.e+]+) h \((\S+) time.end\), .* ([\d.e+]+) h", done.stdout)
             initial = results["initial_von_mises"]
             self.assertAlmostEqual(float(stress[1]), initial, delta=1e-3 * initial)
             self.assertAlmostEqual(float(stress[2]) / 1e6, float(stress[3]), delta=0.06 * float(stress[3]))
@@ -48,14 +46,13 @@ class StartCheck(RunTest):
         self.run_short("--quiet")
         options = ("--output", str(self.output), *SHORT, "--resume")
         self.assertEqual(self.call("check", *options).returncode, 0)
-        self.expect_error(self.call("check", *options, "--set", "contacts.0.gap=-0.08"), 2, "belongs to another model")
+        self.expect_error(self.call("check", *options, "--set", "contacts.0.gap=-0.08"), 2, "checkpoint.h5: ", "contacts[0].gap", "-0.08")
 
 
 class Remarks(RunTest):
     """What is allowed and seldom meant is said by check and run; the examples give no cause."""
 
-    REMARKS = (r"Young's modulus of body .* differ as", "the coefficient of friction is", "but their free expansion along z differs",
-               r"covers .* no \[\[cyclic\]\] joins", "and '.*' goes on beyond its edges")
+    REMARKS = ("Young's modulus of body '", "coefficient of friction", "generalised plane strain: ", r"no \[\[cyclic\]\]", "beyond its edges")
 
     def test_examples_have_none(self):
         for config in sorted(CONFIGS.glob("*.toml")):

@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from says import Says
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 COMMANDS = ("run", "check", "study", "plot", "list")
 
@@ -32,14 +34,13 @@ def call(*arguments, directory=None):
     return subprocess.run([PROGRAM, *arguments], cwd=directory, capture_output=True, text=True, timeout=50)
 
 
-class CliTest(unittest.TestCase):
-    def expect_error(self, done, *texts, status=2):
+class CliTest(Says, unittest.TestCase):
+    def expect_error(self, done, *facts, status=2):
         self.assertEqual(done.returncode, status, done.stderr)
         self.assertEqual(done.stdout, "")
         for line in done.stderr.splitlines():
             self.assertTrue(line.startswith("error: "), line)
-        for text in texts:
-            self.assertIn(text, done.stderr)
+        self.assertSays(done.stderr, *facts)
 
 
 class Help(CliTest):
@@ -91,34 +92,34 @@ class CommandErrors(CliTest):
         self.expect_error(call(), "no command", "--help")
 
     def test_unknown_command(self):
-        self.expect_error(call("chekc"), "unknown command 'chekc'; did you mean 'check'?")
+        self.expect_error(call("chekc"), "'chekc'", "'check'")
 
     def test_unknown_global_option(self):
-        self.expect_error(call("--versoin"), "unknown option '--versoin'; did you mean '--version'?")
+        self.expect_error(call("--versoin"), "'--versoin'", "'--version'")
 
     def test_unknown_option_of_a_command(self):
-        self.expect_error(call("run", "a.toml", "--quite"), "unknown option '--quite'; did you mean '--quiet'?")
+        self.expect_error(call("run", "a.toml", "--quite"), "'--quite'", "'--quiet'")
 
     def test_abbreviated_option(self):
-        self.expect_error(call("run", "a.toml", "--out", "x"), "unknown option '--out'; did you mean '--output'?")
+        self.expect_error(call("run", "a.toml", "--out", "x"), "'--out'", "'--output'")
 
     def test_option_of_another_name(self):
-        self.expect_error(call("run", "a.toml", "--restart"), "unknown option '--restart'", "'--resume'")
-        self.expect_error(call("list", "keys", "--colour"), "unknown option '--colour'; see creepcontact list --help")
+        self.expect_error(call("run", "a.toml", "--restart"), "'--restart'", "'--resume'")
+        self.expect_error(call("list", "keys", "--colour"), "'--colour'", "creepcontact list --help")
 
     def test_nothing_near(self):
-        self.expect_error(call("compute"), "unknown command 'compute'. See creepcontact --help")
+        self.expect_error(call("compute"), "'compute'", "creepcontact --help")
 
     def test_missing_argument(self):
-        self.expect_error(call("run"), "run needs CONFIG.toml")
+        self.expect_error(call("run"), "run", "CONFIG.toml")
         self.expect_error(call("run", "a.toml", "--output"), "--output")
 
     def test_too_many_arguments(self):
-        self.expect_error(call("check", "a.toml", "b.toml"), "check takes one argument")
+        self.expect_error(call("check", "a.toml", "b.toml"), "check", "one")
 
     def test_wrong_number_of_threads(self):
         self.expect_error(call("run", "a.toml", "--threads", "0"), "--threads")
-        self.expect_error(call("run", "a.toml", "--threads", "many"), "--threads", "many")
+        self.expect_error(call("run", "a.toml", "--threads", "many"), "'many'", "'--threads'")
 
 
 class List(CliTest):
@@ -145,13 +146,13 @@ class List(CliTest):
         self.assertIn("axes[].values\n", call("list", "study-keys", "--names").stdout)
 
     def test_mistakes_with_keys(self):
-        self.expect_error(call("list", "keys", "tolerence"), "no key has 'tolerence'", "did you mean 'tolerance'?")
-        self.expect_error(call("list", "laws", "norton"), "--json-schema are for keys and study-keys only")
+        self.expect_error(call("list", "keys", "tolerence"), "'tolerence'", "'tolerance'")
+        self.expect_error(call("list", "laws", "norton"), "--json-schema", "study-keys")
         self.expect_error(call("list", "keys", "--names", "--markdown"), "--names", "--json-schema")
-        self.expect_error(call("list", "keys", "time", "mesh"), "list takes one or two arguments")
+        self.expect_error(call("list", "keys", "time", "mesh"), "list", "one or two")
 
     def test_unknown_list(self):
-        self.expect_error(call("list", "law"), "unknown list 'law'; did you mean 'laws'?")
+        self.expect_error(call("list", "law"), "'law'", "'laws'")
 
     def test_nothing_to_list(self):
         self.expect_error(call("list"), "integrators, laws, elements, quantities")
@@ -164,41 +165,41 @@ class ConfigErrors(CliTest):
         self.directory = pathlib.Path(scratch.name)
         (self.directory / "wrong.toml").write_text(WRONG)
 
-    def expect_config_error(self, *arguments, texts):
+    def expect_config_error(self, *arguments, facts):
         for command in ("run", "check"):
-            self.expect_error(call(command, *arguments, directory=self.directory), *texts)
+            self.expect_error(call(command, *arguments, directory=self.directory), *facts)
 
     def test_no_file(self):
-        self.expect_config_error("none.toml", texts=["none.toml: cannot be read: No such file or directory"])
+        self.expect_config_error("none.toml", facts=["none.toml: ", "No such file or directory"])
 
     def test_directory(self):
-        self.expect_config_error(".", texts=["is a directory"])
+        self.expect_config_error(".", facts=["directory"])
 
     def test_syntax(self):
         (self.directory / "broken.toml").write_text('title = "a"\nend = = 3\n')
-        self.expect_config_error("broken.toml", texts=["error: broken.toml:2:7: "])
+        self.expect_config_error("broken.toml", facts=["error: broken.toml:2:7: "])
 
     def test_every_mistake_in_one_go(self):
-        self.expect_config_error("wrong.toml", texts=[
-            "wrong.toml:5:12: bodies.block.material: unknown material 'stel'; did you mean 'steel'?",
-            "wrong.toml:7:17: materials.steel.young_modulus: number -1; allowed: a number > 0",
-            "wrong.toml:9:1: materials.steel.creep[0].n: missing",
-            "wrong.toml:12:3: materials.steel.creep[0].exponent: unknown key: the exponent of the stress is 'n'",
-            "wrong.toml:15:14: time.output[1]: number 20 is beyond time.end",
+        self.expect_config_error("wrong.toml", facts=[
+            "wrong.toml:5:12: bodies.block.material: ", "'stel'", "'steel'",
+            "wrong.toml:7:17: materials.steel.young_modulus: ", "-1", "> 0",
+            "wrong.toml:9:1: materials.steel.creep[0].n: ", "missing",
+            "wrong.toml:12:3: materials.steel.creep[0].exponent: ", "'n'",
+            "wrong.toml:15:14: time.output[1]: ", "20", "time.end",
         ])
 
     def test_override(self):
-        self.expect_config_error("wrong.toml", "--set", "time.ende=3", "--set=time.beta=0.1", texts=[
-            "--set time.ende=3: time.ende: unknown key; did you mean 'end'?",
-            "--set time.beta=0.1: time.beta: number 0.1; allowed: a number in [0.5, 1]",
+        self.expect_config_error("wrong.toml", "--set", "time.ende=3", "--set=time.beta=0.1", facts=[
             "wrong.toml:15:14: ",
+            "--set time.ende=3: time.ende: ", "'end'",
+            "--set time.beta=0.1: time.beta: ", "0.1", "[0.5, 1]",
         ])
 
     def test_unknown_law_and_integrator(self):
         self.expect_config_error("wrong.toml", "--set", "time.integrator=cvode_bfd", "--set",
-                                 "materials.steel.creep.0.law=nortan", texts=[
-            "unknown integrator 'cvode_bfd'; did you mean 'cvode_bdf'?",
-            "unknown creep law 'nortan'; did you mean 'norton'?",
+                                 "materials.steel.creep.0.law=nortan", facts=[
+            "materials.steel.creep[0].law: ", "'nortan'", "'norton'",
+            "time.integrator: ", "'cvode_bfd'", "'cvode_bdf'",
         ])
 
 

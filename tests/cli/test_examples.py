@@ -48,7 +48,7 @@ class EveryExample(RunTest):
                                           [part for option in options for part in ("--set", option)],
                                           cwd=self.directory, capture_output=True, text=True, timeout=200)
                     self.assertEqual(done.returncode, 0, done.stderr)
-                    self.assertNotIn("warning: time integration:", done.stderr)  # nothing failed
+                    self.assertNotIn("warning: time integration ", done.stderr)  # nothing failed
                     summary = self.summary()
                     status = "ruptured" if config.stem in self.UNTIL_RUPTURE else "completed"
                     self.assertEqual((summary["status"], summary["integrator"]), (status, "auto"))
@@ -120,8 +120,7 @@ class PressFitTorque(ExampleTest):
                               [part for option in options for part in ("--set", option)],
                               cwd=self.directory, capture_output=True, text=True, timeout=100)
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("body 'hub': rotation about the axis (0, 0, 1)", done.stderr)
-        self.assertIn("neither contact nor friction prevents it", done.stderr)
+        self.assertSays(done.stderr, "body 'hub'", "rotation", "(0, 0, 1)", "t = ", "friction")
         limit = 0.05 * self.table("history.csv")[0]["pressure"] * 2 * math.pi * 50**2 * 40
         self.expect_close(self.summary()["time_reached"], limit / 2.5e6, 2e-2)  # the torque grows as min(t, 1)
 

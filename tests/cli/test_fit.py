@@ -9,6 +9,8 @@ import tempfile
 import tomllib
 import unittest
 
+from says import Says, first_missing
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 CONFIGS = pathlib.Path(__file__).parents[2] / "configs"
 
@@ -37,7 +39,7 @@ Transfinite Curve {:} = 2; Transfinite Surface {:}; Transfinite Volume {:}; Reco
 """
 
 
-class Fit(unittest.TestCase):
+class Fit(Says, unittest.TestCase):
     def setUp(self):
         directory = tempfile.TemporaryDirectory()
         self.addCleanup(directory.cleanup)
@@ -72,15 +74,13 @@ class Fit(unittest.TestCase):
                 for s in (60, 80, 100) for t in (500, 1000, 2000)]
         data = "time [h];stress [MPa];strain\n" + "\n".join(rows) + "\n"
         self.assertIn("1.000;", data)
-        message = self.refused(data, "--law", "norton")
-        for part in ("'1.000' has a point", "in line 2 has a comma", 'give --thousands "."'):
-            self.assertIn(part, message)
+        self.assertSays(self.refused(data, "--law", "norton"), "data.csv: ", "6 rows", "lines 3-4", "'1.000'", "line 2", '--thousands "."')
         done = self.fit(data, "--law", "norton", "--thousands", ".")
         self.assertEqual(done.returncode, 0, done.stderr)
         constants = dict(line.split("#")[0].split(" = ") for line in done.stdout.splitlines() if line.startswith(("A = ", "n = ")))
         self.assertAlmostEqual(float(constants["A"]) / 1e-12, 1, delta=0.01)
         self.assertAlmostEqual(float(constants["n"]), 4, delta=0.01)
-        self.assertIn("--thousands: ';'", self.refused(data, "--law", "norton", "--thousands", ";"))
+        self.assertSays(self.refused(data, "--law", "norton", "--thousands", ";"), "--thousands: ", "';'")
 
     def test_names_of_files_end_no_comment(self):
         for name in ("a\nlaw = 3\n.csv", "\x1b[31m\r.csv", os.fsdecode(b"Pr\xfcfung.csv")):
@@ -102,7 +102,7 @@ class Fit(unittest.TestCase):
                     file.write(f"t{test},{i},{s},{1e-12 * s ** 4 * i * (1 + 0.01 * (-1) ** i):.9g}\n")
         done = self.fit(self.directory / "many.csv", "--law", "norton")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("24000 readings; the search for the minimum begins with", done.stderr)
+        self.assertSays(done.stderr, "24000 readings")
         self.assertIn("24000 readings of 3 tests", done.stdout)
         self.assertRegex(done.stdout, r"(?m)^n = (4|3\.9999|4\.0000)")
 
@@ -110,7 +110,7 @@ class Fit(unittest.TestCase):
         done = self.fit(CONFIGS / "creep_tests.csv", "--law", "norton", "--material", "steel", "--young-modulus", "1.5e5",
                         "--output", "steel.toml")
         self.assertEqual(done.returncode, 2)  # the strain is creep strain, below the elastic one
-        self.assertIn("is below the elastic strain", done.stderr)
+        self.assertSays(done.stderr, "below the elastic strain")
         data = "time [h],stress [MPa],creep_strain\n" + "".join(
             f"{t},{s},{1e-16 * s**5 * t * f}\n" for s in (50, 100, 150) for t, f in ((10, 1.02), (100, 0.97), (1000, 1.01)))
         done = self.fit(data, "--law", "norton", "--material", "steel", "--young-modulus", "1.5e5", "--output", "steel.toml")
@@ -124,11 +124,11 @@ class Fit(unittest.TestCase):
                              cwd=self.directory)
         self.assertEqual(run.returncode, 0, run.stderr)
         warnings = json.loads((self.directory / "out/summary.json").read_text(encoding="utf-8"))["warnings"]
-        self.assertEqual(len([w for w in warnings if "outside the stress_range of the law (50 .. 150)" in w]), 1)
+        self.assertEqual(len([w for w in warnings if "stress_range" in w and "(50 .. 150)" in w]), 1)
         (self.directory / "run.toml").write_text((RUN + block).replace("end = 1e-3", "end = 1e4"), encoding="utf-8")
         check = subprocess.run([PROGRAM, "check", "run.toml"], capture_output=True, text=True, timeout=100,
                                cwd=self.directory)
-        self.assertIn("the run ends at t = 10000, 10 times the end of the time_range of the law (10 .. 1000)", check.stdout + check.stderr)
+        self.assertSays(check.stdout + check.stderr, "t = 10000", "10 times", "time_range", "(10 .. 1000)")
 
     def constants(self, output):
         """Value and interval of each fitted constant."""
@@ -185,58 +185,53 @@ class Fit(unittest.TestCase):
                                  timeout=100, cwd=self.directory)
             self.assertEqual(run.returncode, 0, run.stderr)
             warnings = [line for line in run.stderr.splitlines()
-                        if f"is {temperature}, outside the temperature_range of the law (500 .. 550)" in line]
+                        if first_missing(line, (f" {temperature},", "temperature_range", "(500 .. 550)")) is None]
             self.assertEqual(len(warnings), 1 if is_outside else 0, run.stderr)
 
     def test_bad_rows_are_named(self):
         message = self.refused("time [h],stress [MPa],strain [%]\n1,100,0.1\n2,100,abc\n3,-100,0.2\n4,100\n5,100,0.3\n",
                                "--law", "norton")
-        for part in ("data.csv:3: column 'strain [%]': 'abc' is not a number", "data.csv:4: stress -100",
-                     "data.csv:5: 2 cells under 3 columns"):
-            self.assertIn(part, message)
+        self.assertSays(message, "data.csv:3: ", "'strain [%]'", "'abc'", "data.csv:4: ", "-100", "data.csv:5: ", "2", "3 columns")
         message = self.refused("time [h],stress [MPa],strain [%]\n1,100,0.1\n2,100,abc\n3,-100,0.2\n5,100,0.3\n2,100,0.4\n",
                                "--law", "norton")
-        self.assertIn("data.csv:3: column 'strain [%]': 'abc' is not a number", message)
-        self.assertIn("data.csv:4: stress -100; allowed: stresses > 0", message)
-        self.assertIn("data.csv:6: time 2 after 5 in line 5", message)
+        self.assertSays(message, "data.csv:3: ", "'strain [%]'", "'abc'", "data.csv:4: ", "-100", "> 0", "data.csv:6: ", "time 2 ", "5", "line 5")
 
     def test_units_that_cannot_be(self):
-        self.assertIn("the unit 'MPa' is none of a time", self.refused("time [MPa],stress,strain\n1,100,1\n", "--law", "norton"))
-        self.assertIn("more than 100 %", self.refused("time,stress,strain\n1,100,1.5\n", "--law", "norton"))
+        self.assertSays(self.refused("time [MPa],stress,strain\n1,100,1\n", "--law", "norton"), "'time [MPa]'", "'MPa'", "hours")
+        self.assertSays(self.refused("time,stress,strain\n1,100,1.5\n", "--law", "norton"), "data.csv:2: ", "1.5", "100 %")
 
     def test_one_stress(self):
         message = self.refused("time,stress,strain\n1,100,0.001\n2,100,0.002\n3,100,0.0031\n", "--law", "norton")
-        self.assertIn("all tests are at the stress 100: they cannot tell A and n apart", message)
+        self.assertSays(message, "stress 100", "A and n")
         done = self.fit("time,stress,strain\n1,100,0.001\n2,100,0.002\n3,100,0.0031\n", "--law", "norton", "--set", "n=5")
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_what_cannot_be_right_is_said_with_numbers(self):
         norton = "time,stress,strain\n" + "".join(f"{t},{s},{1e-13 * s**5 * t}\n" for s in (50, 100) for t in (1, 2, 3))
         done = self.fit(norton, "--law", "norton", "--young-modulus", "2e11")
-        self.assertIn("the elastic strain at the stress 100 is 5e-10: is the modulus in the unit of the stresses?", done.stderr)
+        self.assertSays(done.stderr, "elastic strain", "100", "5e-10", "modulus")
         done = self.fit(norton, "--law", "norton", "--set", "A=1e300")
         self.assertEqual(done.returncode, 4)
-        self.assertIn("gives no finite values at stresses 50 to 100 with A = 1e+300", done.stderr)
+        self.assertSays(done.stderr, "finite", "50 to 100", "A = 1e+300")
         done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,1e-3\n1,100,1e-2\n2,100,2e-2\n", "--law", "norton")
-        self.assertIn("test '50': the strain falls from 0.003 (line 2) to 0.001 (line 3)", done.stderr)
+        self.assertSays(done.stderr, "test '50'", "0.003 (line 2)", "0.001 (line 3)")
         done = self.fit("time,stress,strain\n1,50,3e-3\n2,50,6e-3\n1,100,2e-3\n2,100,4e-3\n", "--law", "norton")
-        self.assertIn("n is at the end of its range, 1: the data ask for a value beyond it", done.stderr)
+        self.assertSays(done.stderr, "n ", "range, 1")
 
     def test_a_modulus_in_another_unit(self):
         data = "time [h],stress [MPa],kind\n" + "".join(
             f"{t},{s / (1 + 0.1 * math.log1p(t))},relaxation\n" for s in (150, 110) for t in (0, 1, 10, 100, 1000))
         message = self.refused(data, "--law", "norton", "--young-modulus", "150")
-        self.assertIn("the elastic strain at the start is 100 % (stress 150, Young's modulus 150): is --young-modulus in MPa?", message)
-        self.assertIn("strain at the start is 3 %", self.fit(data, "--law", "norton", "--young-modulus", "5000").stderr)
+        self.assertSays(message, "elastic strain", "100 %", "150", "150", "--young-modulus", "MPa")
+        self.assertSays(self.fit(data, "--law", "norton", "--young-modulus", "5000").stderr, "elastic strain", "3 %", "--young-modulus")
         self.assertNotIn("elastic strain", self.fit(data, "--law", "norton", "--young-modulus", "150000").stderr)
 
     def test_a_law_that_does_not_describe_the_data_gives_no_block(self):
         data = "time,stress,creep_strain\n" + "".join(f"{t},{s},{1e-20 * s**6.5 * t}\n" for s in (50, 100, 200) for t in (10, 20, 30))
         done = self.fit(data, "--law", "omega", "--set", "omega=1", "--output", "omega.toml")
         self.assertEqual(done.returncode, 4, done.stdout + done.stderr)
-        self.assertIn("the law 'omega' in this form does not describe the data", done.stderr)
-        self.assertIn("--set 'rate0=EXPRESSION in q, T'", done.stderr)
-        self.assertIn("residuals, measured against fitted values", done.stdout)
+        self.assertSays(done.stderr, "law 'omega'", "--set 'rate0=EXPRESSION in q, T'")
+        self.assertIn("residuals", done.stdout)
         self.assertFalse((self.directory / "omega.toml").exists())
         done = self.fit(data, "--law", "omega", "--set", "rate0=1e-20*q^6.5")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -244,24 +239,23 @@ class Fit(unittest.TestCase):
 
     def test_values_that_are_impossible_together(self):
         message = self.refused(CONFIGS / "creep_tests.csv", "--law", "chaboche", "--set", "C=[1]")
-        self.assertIn("C: values without 'gamma'", message)
+        self.assertSays(message, "C: ", "'gamma'")
 
     def test_all_undetermined_constants_are_named(self):
         message = self.refused("time,stress\n100,100\n50,120\n30,150\n90,100\n52,120\n29,150\n10,200\n", "--law", "kachanov_rabotnov")
-        self.assertIn("do not determine A, n, and cannot tell B and phi apart", message)
-        self.assertIn("--set A=... --set n=... --set phi=...", message)
+        self.assertSays(message, "A, n,", "B and phi", "--set A=... --set n=... --set phi=...")
 
     def test_specimens_are_counted_once(self):
         done = self.fit(CONFIGS / "cmsx6_creep.csv", "--law", "kachanov_rabotnov")
         self.assertIn("177 readings of 12 tests", done.stdout)
 
     def test_rupture_needs_damage(self):
-        self.assertIn("the law does not rupture", self.refused("time,stress\n100,100\n50,120\n30,150\n", "--law", "norton"))
+        self.assertSays(self.refused("time,stress\n100,100\n50,120\n30,150\n", "--law", "norton"), "rupture")
 
     def test_a_foreign_file_is_kept(self):
         (self.directory / "mine.toml").write_text("title = 'mine'\n", encoding="utf-8")
-        self.assertIn("was not written by this command",
-                      self.refused("time,stress,strain\n1,1,1\n", "--law", "norton", "--output", "mine.toml"))
+        self.assertSays(self.refused("time,stress,strain\n1,1,1\n", "--law", "norton", "--output", "mine.toml"), "mine.toml")
+        self.assertEqual((self.directory / "mine.toml").read_text(encoding="utf-8"), "title = 'mine'\n")
 
 
 if __name__ == "__main__":

@@ -111,7 +111,7 @@ class FrictionStates(ProcessTest):
                     moduli=moduli, ratios=ratios, friction=friction, pressure=pressure))
                 done = self.call("check", "--start", "pair.toml")
                 self.assertEqual(done.returncode, 0, done.stderr)
-                self.assertNotIn("no state was found", done.stdout)
+                self.assertNotIn("no state", done.stdout)
 
     def test_a_slip_front_passes_many_nodes_in_few_iterations(self):
         mesh = BoxMesh()

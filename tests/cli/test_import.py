@@ -123,7 +123,7 @@ class Import(ImportTest):
         self.expect_close(row["uz_node_7"], 60e-5, 0.2)  # of the mean difference, 80 to 40; the cube bends
         self.assertIn("# Differences from the initial", (self.directory / "imported/initial.toml").read_text())
         varying = deck.replace("1e-5\n*SOLID", "1e-5, 0\n2e-5, 100\n*SOLID")
-        self.assertIn("'Steel' depends on the temperature, and initial temperatures differ", self.import_deck("varying", varying, 2).stderr)
+        self.assertSays(self.import_deck("varying", varying, 2).stderr, "varying.inp:", "'Steel'", "initial temperatures")
 
     def test_temperatures_that_differ_from_node_to_node(self):
         self.import_deck("gradient", CUBE.replace("*SOLID", "*EXPANSION\n1e-5\n*SOLID") +
@@ -146,7 +146,7 @@ class Import(ImportTest):
         contact = "*CONTACT PAIR, INTERACTION=I\nFoot, Top\n*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={}\n1e7,\n*FRICTION\n0.2, 1e6\n"
         probe = '[[probes]]\nname = "u"\nquantity = "displacement_z"\nat = [1, 1, 2]\nbody = "Above"\n'
         hard = self.import_deck("linear", text.format(contact.format("LINEAR")))
-        self.assertIn("*SURFACE BEHAVIOR: LINEAR: contact is hard here", hard.stdout)
+        self.assertSays(hard.stdout, "*SURFACE BEHAVIOR: LINEAR: ")
         self.assertIn("friction = 0.2", (self.directory / "imported" / "linear.toml").read_text())
         self.expect_close(self.run_imported("linear", probe)[-1]["u"], -0.001, 1e-8)
         loaded = text.replace("*DLOAD", "*CLOAD\n10, 3, 0.\n*DLOAD")  # a force on a slave node: it stays one of its own
@@ -190,8 +190,7 @@ class Import(ImportTest):
     def test_contradicting_equations(self):
         done = self.import_deck("contradiction", CUBE + "*NODE\n100, 0, 0, 5\n*EQUATION\n2\n1, 3, 1., 100, 3, -1.\n*STEP\n*STATIC\n"
                          "*BOUNDARY\n100, 3, 3, 0.1\n*DLOAD\nCube, P2, 1.\n*END STEP\n", 2)
-        self.assertRegex(done.stderr, r"equations\[0\]: it contradicts supports or other equations: from these the sum is 0 at "
-                                      r"t = 1, and not -?0\.1.*\(made of .*contradiction.inp:28: \*EQUATION\)")
+        self.assertSays(done.stderr, "equations[0]: ", "t = 1", "0.1", "contradiction.inp:28: *EQUATION")
 
     def test_turned_directions(self):
         """Twisting by tangential forces about the diagonal; the inclined support of a corner."""
@@ -277,7 +276,7 @@ class Import(ImportTest):
         done = subprocess.run([PROGRAM, "run", str(self.directory / "imported/flies.toml"), "--output", str(self.output)],
                               capture_output=True, text=True, timeout=50)
         self.assertEqual(done.returncode, 3)
-        self.assertIn("body 'Cube': translation along z: at t = 2 the loads move", done.stderr)
+        self.assertSays(done.stderr, "body 'Cube'", "translation along z", "t = 2")
 
     def test_friction_that_changes(self):
         above = "*NODE\n" + "".join(f"{n + 10}, {x}, {y}, {z + 1}\n" for n, (x, y, z) in enumerate(
@@ -351,11 +350,11 @@ class Import(ImportTest):
     def test_what_would_change_the_model_is_refused(self):
         step = "*STEP\n*STATIC\n*DLOAD\n{}*END STEP\n"
         done = self.import_deck("coupled", CUBE + "*COUPLING, REF NODE=1, SURFACE=S, CONSTRAINT NAME=C\n*KINEMATIC\n" + step.format("Cube, P2, 1.\n"), 2)
-        self.assertIn("*COUPLING: couplings are not known", done.stderr)
+        self.assertSays(done.stderr, "coupled.inp:", "*COUPLING: ")
         plane = ("*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n*ELEMENT, TYPE=CPE4, ELSET=Cube\n1, 1, 2, 3, 4\n*BOUNDARY\n1, 1, 2\n2, 2\n" +
                  CUBE[CUBE.index("*MATERIAL"):].replace("*SOLID", "*DENSITY\n1e-9\n*SOLID"))
         done = self.import_deck("turning", plane + step.format("Cube, CENTRIF, 1., 0, 0, 0, 0, 1., 0\n"), 2)
-        self.assertIn("CENTRIF of a plane section about an axis in its plane", done.stderr)
+        self.assertSays(done.stderr, "turning.inp:", "*DLOAD: ", "CENTRIF", "axis")
 
     def test_a_deck_that_prints_nothing_gets_no_probes_and_a_line_says_so(self):
         step = "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*NODE FILE\nU\n{}*END STEP\n"
@@ -365,22 +364,21 @@ class Import(ImportTest):
             text = (self.directory / "imported" / f"{name}.toml").read_text()
             self.assertEqual("\n[[probes]]\n" in text, has_probes)
             for found in (done.stdout, text):
-                self.assertEqual("there are no probes; add [[probes]]" in found, not has_probes, found)
+                self.assertEqual("add [[probes]]" in found, not has_probes, found)
             if not has_probes:
                 line = CUBE.count("\n") + 1
-                self.assertIn(f"{name}.inp:{line}: *STEP: no *NODE PRINT of U or RF", done.stdout)
+                self.assertSays(done.stdout, f"{name}.inp:{line}: *STEP: ", "*NODE PRINT", "U", "RF")
 
     def test_stress_at_the_start_is_refused(self):
         done = self.import_deck("stressed", CUBE + "*INITIAL CONDITIONS, TYPE=STRESS\n1, 1, 10., 0, 0, 0, 0, 0\n*STEP\n*STATIC\n*END STEP\n", 2)
-        self.assertIn("TYPE=STRESS: a body with stresses or strains at the start is not known", done.stderr)
+        self.assertSays(done.stderr, "stressed.inp:", "*INITIAL CONDITIONS: TYPE=STRESS: ")
 
     def test_what_makes_no_model(self):
         done = self.import_deck("impossible", CUBE + "*PLASTIC\n200\n*MPC\nMEANROT, 1, 2\n*MODEL CHANGE\n*STEP\n*DYNAMIC\n*END STEP\n", 2)
-        for line, reason in ((26, "*PLASTIC: rate-independent plasticity is not known; the law 'chaboche'"), (30, "*MODEL CHANGE: contacts and elements that come and go are not known"),
-                             (32, "*DYNAMIC: only *STATIC and *VISCO steps are known")):
-            self.assertIn(f"impossible.inp:{line}: {reason}", done.stderr)
+        self.assertSays(done.stderr, "impossible.inp:26: *PLASTIC: ", "'chaboche'", "impossible.inp:30: *MODEL CHANGE: ",
+                        "impossible.inp:32: *DYNAMIC: ", "*STATIC", "*VISCO")
         self.assertFalse((self.directory / "imported").exists())
-        self.assertIn("cannot read", self.import_missing().stderr)
+        self.assertSays(self.import_missing().stderr, ".inp", "No such file")
 
     def import_missing(self):
         return subprocess.run([PROGRAM, "import", "none.inp"], capture_output=True, text=True, timeout=50)
@@ -410,7 +408,7 @@ class Import(ImportTest):
     def test_nothing_is_overwritten(self):
         text = CUBE + "*STEP\n*STATIC\n*DLOAD\nCube, P2, -100.\n*END STEP\n"
         self.import_deck("twice", text)
-        self.assertIn("exists already", self.import_deck("twice", text, 2).stderr)
+        self.assertSays(self.import_deck("twice", text, 2).stderr, "imported/twice.", "--output")
 
 
 @unittest.skipUnless(EXAMPLES.exists(), "needs the Debian package calculix-ccx-test")

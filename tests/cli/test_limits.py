@@ -44,37 +44,36 @@ class MemoryLimits(ProcessTest):
         for size in range(200, 1000, 100):
             done = self.limited(resource.RLIMIT_AS, size, "run", "cube.toml", "--output", "out", "--threads", "1")
             self.assertNotEqual(done.returncode, 0, f"{size} MB")
-            if "make the mesh coarser" in done.stderr:
+            if "(ulimit -v)" in done.stderr and "cube.geo: " in done.stderr:
                 break
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertRegex(done.stderr, r"error: cube.geo: the model needs about \d+ MB more memory \(factors \d+ MB, "
-                                      r"contact matrices 0 MB, .*reserved for one thread 134 MB\), but only \d+ MB are left: "
-                                      r"the limit of the address space \(ulimit -v\) is \d+ MB, of which \d+ MB are in use; "
-                                      r"make the mesh coarser, or allow the program more memory\n")
+        # What it needs, the parts of that, what is left, the limit and what of it is in use.
+        self.assertRegex(done.stderr, r"error: cube\.geo: .* \d+ MB.*\(factors \d+ MB, contact matrices 0 MB, .* 134 MB\).* \d+ MB.*"
+                                      r" \(ulimit -v\) .*\d+ MB.* \d+ MB.*\n")
         self.assertFalse(self.output.exists())
         warned = self.limited(resource.RLIMIT_AS, size, "check", "cube.toml")
         self.assertEqual(warned.returncode, 0, warned.stderr)
-        self.assertIn("warning: the model needs about", warned.stdout)
+        self.assertLineSays(warned.stdout, "warning: ", " MB", "(factors ", "(ulimit -v)")
 
 
 class NumberLimits(ProcessTest):
-    def expect_refused(self, *arguments, text):
+    def expect_refused(self, *arguments, facts):
         done = self.call(*arguments)
         self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertIn(text, done.stderr)
+        self.assertSays(done.stderr, *facts)
 
     def test_threads_and_jobs(self):
         for number in ("2000000000", "0", "-1", "100000"):
-            self.expect_refused("run", "cube.toml", "-j", number, text=f"--threads: {number}; allowed: 1 to ")
+            self.expect_refused("run", "cube.toml", "-j", number, facts=[f"--threads: {number}", "1 to "])
         for number in ("2000000000", "0", "-1"):
-            self.expect_refused("study", "study.toml", "--jobs", number, text=f"--jobs: {number}; allowed: 1 to 1000")
-        self.expect_refused("run", "cube.toml", "--threads", "99999999999999999999", text="--threads")
+            self.expect_refused("study", "study.toml", "--jobs", number, facts=[f"--jobs: {number}", "1 to 1000"])
+        self.expect_refused("run", "cube.toml", "--threads", "99999999999999999999", facts=["--threads"])
 
     def test_configuration(self):
         for override in ("time.output={count=2147483647}", "supports.3.displacement.x={t=[0],values=[1],period=1e-300}",
                          "contact_solver.max_iterations=2147483647", "time.step=1e-300",
                          ".".join("a" * 50000) + "=1"):
-            self.expect_refused("check", "cube.toml", "--set", override, text="error: --set " + override[:20])
+            self.expect_refused("check", "cube.toml", "--set", override, facts=["error: --set " + override[:20]])
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import tempfile
 import time
 import unittest
 
+from says import Says
 from study_case import BASE, GEOMETRY, PROGRAM
 from without_seccomp import forbid_seccomp
 
@@ -68,7 +69,7 @@ def bdf():
     return "BEGIN BULK\n" + "\n".join(lines) + "\nENDDATA\n"
 
 
-class MeshTest(unittest.TestCase):
+class MeshTest(Says, unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
@@ -94,18 +95,17 @@ class MeshTest(unittest.TestCase):
     def made(self, name="made"):
         return (self.directory / name).exists()
 
-    def expect_error(self, done, *texts):
+    def expect_error(self, done, *facts):
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         for line in done.stderr.splitlines():
             self.assertRegex(line, "^(error|warning): ")
-        for text in texts:
-            self.assertIn(text, done.stderr)
+        self.assertSays(done.stderr, *facts)
 
 
 class Attacks(MeshTest):
     def test_a_geometry_runs_no_program(self):
         self.write("cube.geo", 'SystemCall "touch made";\n' + GEOMETRY)
-        self.expect_error(self.check(), "cube.geo:1: 'SystemCall' runs a program", "--trust-geometry")
+        self.expect_error(self.check(), "cube.geo:1: 'SystemCall'", "--trust-geometry")
         self.assertFalse(self.made())
         self.assertEqual(self.check("--trust-geometry").returncode, 0)
         self.assertTrue(self.made())
@@ -113,16 +113,16 @@ class Attacks(MeshTest):
     def test_nor_does_a_statement_that_hides(self):
         self.write("part.geo", '\nSystemCall "touch made";\n')
         self.write("cube.geo", GEOMETRY + 'Include Sprintf("part.geo");\n')
-        self.expect_error(self.check(), "the file tried to start a program", "--trust-geometry")
+        self.expect_error(self.check(), "cube.geo: ", "tried", "program", "--trust-geometry")
         self.assertFalse(self.made())
 
     def test_nor_where_there_is_no_seccomp(self):
         self.assertEqual(self.check(preexec_fn=forbid_seccomp).returncode, 0)
         self.write("part.geo", 'SystemCall "touch made";\n')
         self.write("cube.geo", GEOMETRY + 'Include Sprintf("part.geo");\n')
-        self.expect_error(self.check(preexec_fn=forbid_seccomp), "this system has no seccomp", "--trust-geometry")
+        self.expect_error(self.check(preexec_fn=forbid_seccomp), "cube.geo: ", "seccomp", "--trust-geometry")
         self.write("cube.geo", GEOMETRY + 'Include "part.geo";\n')
-        self.expect_error(self.check(preexec_fn=forbid_seccomp), "part.geo:1: 'SystemCall' runs a program")
+        self.expect_error(self.check(preexec_fn=forbid_seccomp), "part.geo:1: 'SystemCall'")
         self.assertFalse(self.made())
 
     def with_parameters(self, line):
@@ -138,8 +138,7 @@ class Attacks(MeshTest):
             for options in ({}, {"preexec_fn": forbid_seccomp}):
                 done = self.check(**options)
                 self.assertEqual(done.returncode, 2, name + done.stderr)
-                self.assertIn("mesh.parameters", done.stderr)
-                self.assertIn("letters, digits and underscores", done.stderr)
+                self.assertSays(done.stderr, "mesh.parameters: ", "underscores")
             self.check("--trust-geometry")
             self.assertFalse(self.made())
         for name in ('x = 1; y', 'System "touch made"; y', "x\ny", "1x", "x.y", "\u00e9", "", " x"):
@@ -233,7 +232,7 @@ class Attacks(MeshTest):
         self.write("cube.msh", 'SystemCall "touch made";\n' + SQUARE)
         self.write("cube.msh.opt", 'SystemCall "touch made";\n')
         self.write("cube.geo.opt", 'SystemCall "touch made";\n')
-        self.expect_error(self.check_msh(), "does not begin with $MeshFormat")
+        self.expect_error(self.check_msh(), "cube.msh: ", "$MeshFormat")
         self.write("cube.msh", SQUARE)
         self.expect_error(self.check_msh(), "cube.msh")
         self.assertEqual(self.check().returncode, 0)
@@ -247,30 +246,30 @@ class Attacks(MeshTest):
 
     def test_exit_is_no_success(self):
         self.write("cube.geo", GEOMETRY + "Exit;\n")
-        self.expect_error(self.call("run"), "'Exit' runs a program, writes a file or ends Gmsh")
-        self.expect_error(self.call("run", "--trust-geometry"), "the file ended Gmsh by Exit")
+        self.expect_error(self.call("run"), "'Exit'", "--trust-geometry")
+        self.expect_error(self.call("run", "--trust-geometry"), "cube.geo: ", "Exit")
 
 
 class Ends(MeshTest):
     def test_endless_loop(self):
         self.write("cube.geo", "For i In {1 : 2}\n  i = 1;\nEndFor\n")
-        self.expect_error(self.check("--set", "mesh.time_limit=0.5"), "longer than mesh.time_limit = 0.5 s")
+        self.expect_error(self.check("--set", "mesh.time_limit=0.5"), "cube.geo: ", "mesh.time_limit = 0.5 s")
 
     def test_endless_words(self):
         self.write("cube.geo", 'For i In {1 : 2}\n  i = 1; Printf("Warning : all is well");\nEndFor\n')
         done = self.check("--set", "mesh.time_limit=2")
-        self.expect_error(done, "longer than mesh.time_limit", "further warnings of Gmsh")
+        self.expect_error(done, "warnings", "mesh.time_limit = 2 s")
         self.assertLess(len(done.stderr), 5000)
 
     def test_memory(self):
         if subprocess.run(["grep", "-q", "__asan_init", PROGRAM]).returncode == 0:
             self.skipTest("the address sanitizer takes more than any bound")
         self.write("cube.geo", "a[] = {1:1e9};\n" + GEOMETRY)
-        self.expect_error(self.check("--set", "mesh.memory_limit_mb=50"), "more memory than mesh.memory_limit_mb = 50")
+        self.expect_error(self.check("--set", "mesh.memory_limit_mb=50"), "cube.geo: ", "mesh.memory_limit_mb = 50")
 
     def test_a_file_that_includes_itself(self):
         self.write("cube.geo", 'Include "cube.geo";\n')
-        self.expect_error(self.check("--set", "mesh.time_limit=50"), "cube.geo: Gmsh failed", "includes itself")
+        self.expect_error(self.check("--set", "mesh.time_limit=50"), "cube.geo: Gmsh", "includes itself")
 
     def test_damaged_meshes(self):
         self.write("cube.geo", GEOMETRY + 'Mesh.MshFileVersion = 4.1;\nMesh.Binary = 1;\nMesh 3;\nSave "cube.msh";\n')
@@ -341,26 +340,25 @@ class Surroundings(MeshTest):
 class Disappointments(MeshTest):
     def test_a_mesh_of_surfaces(self):
         self.write("cube.msh", SQUARE)
-        self.expect_error(self.check_msh(), "the mesh has only surface cells",
-                          'analysis = "axisymmetric"')
+        self.expect_error(self.check_msh(), "cube.msh: ", "surface cells", 'analysis = "axisymmetric"')
         self.write("cube.geo", 'SetFactory("OpenCASCADE");\nRectangle(1) = {0, 0, 0, 1, 1};\n'
                    'Physical Surface("cube") = {1};\n')
-        self.expect_error(self.check(), "the mesh has only surface cells")
+        self.expect_error(self.check(), "cube.geo: ", "surface cells", 'analysis = "axisymmetric"')
 
     def test_pyramids(self):
         self.write("cube.geo", GEOMETRY.split("Physical")[0] +
                    "Transfinite Surface{out[0]}; Recombine Surface{out[0]};\nMesh.Algorithm3D = 1;\n"
                    "p[] = Extrude {0, 0, 100} { Surface{out[0]}; };\nPhysical Volume(\"cube\") = {p[1]};\n")
         done = self.check()
-        self.expect_error(done, "physical volume 'cube' has cells of the kind 'Pyramid", "Gmsh puts pyramids between")
+        self.expect_error(done, "cube.geo: ", "'cube'", "'Pyramid ", "hexahedra")
 
     def test_a_missing_file(self):
         self.write("cube.toml", BASE.replace("cube.geo", "cubee.geo"))
-        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: no such file 'cubee.geo'; did you mean 'cube.geo'?")
+        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: ", "'cubee.geo'", "'cube.geo'")
         self.write("cube.toml", BASE.replace("cube.geo", "turbine.geo"))
-        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: no such file 'turbine.geo'", "cube.geo")
+        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: ", "'turbine.geo'", "cube.geo")
         self.write("cube.toml", BASE.replace("cube.geo", "none/cube.geo"))
-        self.expect_error(self.check(), "there is no directory 'none'")
+        self.expect_error(self.check(), "cube.toml:2:8: mesh.file: ", "directory 'none'")
 
 
 class OtherFormats(MeshTest):
@@ -408,9 +406,9 @@ on = "{probe}"
             members = "".join(f"{field:10}" for node in nodes for field in (7, node, 0, 0))
             return text[:text.rindex("    -1\n")] + group.format(n=len(nodes), name=name, members=members)
         said = self.run_mesh("bar.unv", with_group(orphan, "all", [1, 99]), bar="bar", left="left", right="right")
-        self.assertIn("1 of 2 nodes of the group 'all' belong to no element", said)
+        self.assertSays(said, "warning: ", "1 of 2 nodes", "'all'")
         said = self.run_mesh("bar.unv", with_group(unv(), "left", [1, 2]), bar="bar", left="left", right="right")
-        self.assertIn("that of elements is taken", said)
+        self.assertSays(said, "warning: ", "'left'", "2 nodes")
         self.run_mesh("bar.unv", with_group(orphan, "none", [99]), bar="bar", left="left", right="right")
 
     def test_unv_with_groups(self):

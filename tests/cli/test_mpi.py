@@ -107,7 +107,7 @@ class MpiResults(MpiTest):
         warnings = self.expect_equal_cubes("temperature.value='20+x*t'", "materials.steel.young_modulus="
                                            "{T=[0,40], values=[200e3,199e3]}")
         self.assertEqual(len(warnings), 1)
-        self.assertIn("outside its table", warnings[0])
+        self.assertSays(warnings[0], "young_modulus", "(0 .. 40)")
 
     def test_fields_and_reports_are_written_as_by_one_process(self):
         directories = [self.run_example(n, "shrink_fit", f"of_{n}") for n in (0, 3)]
@@ -176,38 +176,38 @@ class MpiMultigrid(MpiTest):
 
 
 class MpiEnds(MpiTest):
-    def expect_error(self, processes, status, sentence, *arguments, **more):
+    def expect_error(self, processes, status, facts, *arguments, **more):
         done = self.done(processes, *arguments, **more)
         self.assertEqual(done.returncode, status, done.stderr)
         errors = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
         self.assertEqual(len(errors), 1, done.stderr)
-        self.assertRegex(errors[0], sentence)
+        self.assertSays(errors[0], *facts)
 
     def test_mistakes_are_named_once(self):
-        self.expect_error(3, 2, "none.toml: cannot be read", "run", "none.toml")
-        self.expect_error(2, 2, "time.toll: unknown key", "run", "cube.toml", "--set", "time.toll=1")
-        self.expect_error(2, 2, "creepcontact-mpi makes no studies", "study", "study.toml")
+        self.expect_error(3, 2, ["none.toml: ", "No such file"], "run", "none.toml")
+        self.expect_error(2, 2, ["time.toll: ", "unknown"], "run", "cube.toml", "--set", "time.toll=1")
+        self.expect_error(2, 2, ["creepcontact-mpi", "studies"], "study", "study.toml")
 
     def test_what_cannot_be_spread_is_refused_with_a_reason(self):
         fit = ROOT / "configs" / "shrink_fit.toml"
-        self.expect_error(2, 2, "tangent.* is not yet possible on several processes", "run", fit, "--output", "out",
+        self.expect_error(2, 2, ["time.linear_solver", "tangent", "several processes"], "run", fit, "--output", "out",
                           "--set", "time.integrator=cvode_bdf", "--set", "time.linear_solver=tangent")
-        self.expect_error(1, 2, "tangent.* needs factors of the stiffness", "run", fit, "--output", "out", "--set",
+        self.expect_error(1, 2, ["time.linear_solver", "tangent", "factors"], "run", fit, "--output", "out", "--set",
                           "time.integrator=cvode_bdf", "--set", "time.linear_solver=tangent", "--set",
                           "linear_solver.method=multigrid")
-        self.expect_error(0, 2, "multigrid.* is for creepcontact-mpi", "run", fit, "--output", "out", "--set",
+        self.expect_error(0, 2, ["linear_solver.method", "multigrid", "creepcontact-mpi"], "run", fit, "--output", "out", "--set",
                           "linear_solver.method=multigrid")
-        self.expect_error(2, 2, "multigrid.* 'check --start' only so; start it as one process", "check", fit, "--start",
+        self.expect_error(2, 2, ["linear_solver.method", "multigrid", "'check --start'", "one process"], "check", fit, "--start",
                           "--set", "linear_solver.method=multigrid")
-        self.expect_error(2, 2, "more than contact_solver.dense_limit_mb allows", "run", fit, "--output", "out", "--set",
+        self.expect_error(2, 2, ["contact_solver.dense_limit_mb"], "run", fit, "--output", "out", "--set",
                           "contact_solver.dense_limit_mb=1e-6")
-        self.expect_error(2, 2, "depends on the mean stress, which these elements smooth over their neighbours", "run",
+        self.expect_error(2, 2, ["mean stress"], "run",
                           "cube.toml", "--output", "out", "--set", "materials.steel.creep=[{law='kachanov_rabotnov', "
                           "A=3.125e-14, n=5, B=1e-12, r=4, phi=4, alpha=0.5}]")
 
     def test_an_error_at_the_points_of_any_process_is_one_of_all(self):
         for place in ("10*x", "10*y"):
-            self.expect_error(3, 4, "the creep rate of material 'chromium_steel' overflows, .* in body 'plate' at", "run",
+            self.expect_error(3, 4, ["t = ", "material 'chromium_steel'", "body 'plate' at ("], "run",
                               ROOT / "configs" / "plate_with_hole.toml", "--output", "out", "--set",
                               f"temperature.value='{place}'", "--set", "materials.chromium_steel.creep="
                               "[{law='expression', rate='1e-20*q^5*sqrt(50-T)'}]")
@@ -216,7 +216,8 @@ class MpiEnds(MpiTest):
         process = subprocess.run([MPIEXEC, "-n", "2", process_case.PROGRAM, "run", "cube.toml"], cwd=self.directory,
                                  text=True, capture_output=True, timeout=LONGEST)
         self.assertEqual(process.returncode, 2)
-        self.assertEqual(process.stderr.count("error: mpirun has started 2 processes of creepcontact, which would all"), 1)
+        self.assertEqual(process.stderr.count("error: "), 1, process.stderr)
+        self.assertSays(process.stderr, "mpirun", "2 processes", "creepcontact-mpi")
 
     def test_other_files_on_one_process(self):
         """As on machines without a common file system."""
@@ -230,7 +231,7 @@ class MpiEnds(MpiTest):
         process = subprocess.run([MPIEXEC, "-n", "2", "./first.sh", "run", "cube.toml"], cwd=self.directory, text=True,
                                  capture_output=True, timeout=LONGEST)
         self.assertEqual(process.returncode, 2, process.stderr)
-        self.assertIn("process 1 reads another configuration or mesh than process 0", process.stderr)
+        self.assertSays(process.stderr, "process 1", "configuration", "process 0")
 
     def test_full_disk_keeps_what_is_complete(self):
         self.write("limited.sh", f'#!/bin/sh\ntrap "" XFSZ\nulimit -f 60\nexec "{MPI_PROGRAM}" "$@"\n')

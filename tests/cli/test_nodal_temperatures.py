@@ -96,7 +96,7 @@ class NodalTemperatures(unittest.TestCase):
             self.imported(order, temperature)
             found, said = self.growth()
             self.assertAlmostEqual(found, expected, delta=1e-9, msg=f"order {order}: {said}")
-            self.assertIn("has values at all nodes of", said)
+            self.assertIn("all nodes", said)
 
     def test_of_a_subset(self):
         """Corner nodes alone: linear in each element, as CalculiX takes them."""
@@ -114,11 +114,11 @@ class NodalTemperatures(unittest.TestCase):
         h = LENGTH / N
         expected = ALPHA * 100 / LENGTH ** 2 * sum(h * ((h * i) ** 2 + (h * (i + 1)) ** 2) / 2 for i in range(N))
         self.assertAlmostEqual(found, expected, delta=1e-9)
-        self.assertIn("at all corner nodes of", said)
+        self.assertIn("all corner nodes", said)
         # All but one corner: no longer nodal values, which is told.
         kept = [line for line in filter(is_corner, lines[1:]) if [float(line.split(",")[i]) for i in (x, y, z)] != [1, 1, LENGTH]]
         path.write_text("\n".join([lines[0], *kept]) + "\n")
-        self.assertIn("not at all of them", self.call("run", "bar.toml", "--output", "out"))
+        self.assertRegex(self.call("run", "bar.toml", "--output", "out"), r"(?m)^warning: temperature: .* \d+ of \d+ corner nodes")
 
 
 if __name__ == "__main__":

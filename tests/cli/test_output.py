@@ -5,7 +5,7 @@ import unittest
 
 from process_case import ProcessTest
 
-FULL = "error: cannot write to standard output: No space left on device"
+FULL = "error: ", "standard output", "No space left on device"
 
 
 class StandardOutput(ProcessTest):
@@ -33,10 +33,10 @@ class StandardOutput(ProcessTest):
             for arguments in (["list", "keys"], ["--version"], ["run", "--help"], ["check", "cube.toml"]):
                 done = self.call(*arguments, stdout=full)
                 self.assertEqual(done.returncode, 4, arguments)
-                self.assertIn(FULL, done.stderr)
+                self.assertSays(done.stderr, *FULL)
             done = self.call(*self.run_arguments, stdout=full)
             self.assertEqual((done.returncode, self.status()), (4, "completed"))
-            self.assertIn(FULL + "; ", done.stderr)
+            self.assertSays(done.stderr, *FULL, "; ")
             wrong = self.call("chekc", stdout=full)
             self.assertEqual((wrong.returncode, wrong.stderr.count("error: ")), (2, 1))
 

@@ -42,9 +42,8 @@ class Plot(RunTest):
         self.assertNotIn("fit_pressure", chosen)
         self.assertIn("set logscale x", (self.directory / "chosen" / "history.gp").read_text())
 
-        self.expect_error(self.plot("out", "--probes", "fit_presure"), 2, "no probe 'fit_presure'",
-                          "did you mean 'fit_pressure'?")
-        self.expect_error(self.plot("out", "--log-time", "ja"), 2, "--log-time: unknown choice 'ja'")
+        self.expect_error(self.plot("out", "--probes", "fit_presure"), 2, "'fit_presure'", "'fit_pressure'")
+        self.expect_error(self.plot("out", "--log-time", "ja"), 2, "--log-time: ", "'ja'")
         self.expect_error(self.plot("out", PATH="/nonexistent"), 2, "gnuplot", "apt-get install gnuplot-nox")
 
     def test_events_are_lines_with_their_names(self):
@@ -69,24 +68,24 @@ class Plot(RunTest):
         self.assertIn("fit_pressure", self.texts(self.output / "plots" / "history.svg"))
 
     def test_directories_without_a_run(self):
-        self.expect_error(self.plot("none"), 2, "no directory 'none'")
+        self.expect_error(self.plot("none"), 2, "directory 'none'")
         self.output.mkdir()
-        self.expect_error(self.plot("out"), 2, "no history.csv in 'out'")
+        self.expect_error(self.plot("out"), 2, "history.csv", "'out'")
         (self.output / "history.csv").write_text("time,a\n0,1\n")
-        self.expect_error(self.plot("out"), 2, "has 1 row;")
+        self.expect_error(self.plot("out"), 2, "1 row;")
         # a run that failed before its first output time has steps to look at
         names = "step,order,rhs_evaluations,elastic_solves,schwarz_iterations,active_contacts,error_estimate"
         (self.output / "steps.csv").write_text(f"time,{names}\n1,1,1,1,1,0,0,0\n3,2,1,1,1,0,0,0\n")
         done = self.plot("out")
         self.assertEqual((done.returncode, done.stdout.split()), (0, ["out/plots/steps.svg", "out/plots/steps.png"]))
-        self.assertIn("has 1 row; ", done.stderr)
+        self.assertSays(done.stderr, "history.csv", "1 row; ")
 
     def test_a_run_without_summary(self):
         self.output.mkdir()
         (self.output / "history.csv").write_text("time,a_b\n0,1\n1,2\n")
         done = self.plot("out")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("warning: out/summary.json: cannot be read", done.stderr)
+        self.assertSays(done.stderr, "warning: out/summary.json: ")
         self.assertIn("a_b", self.texts(self.output / "plots" / "history.svg"))
 
 

@@ -10,6 +10,8 @@ import tempfile
 import time
 import unittest
 
+from says import Says
+
 PROGRAM = os.environ["CREEPCONTACT_PROGRAM"]
 SHRINK_FIT = str(pathlib.Path(__file__).resolve().parents[2] / "configs" / "shrink_fit.toml")
 SHORT = ("--set", "time.end=10", "--set", "time.output=[1, 10]")
@@ -23,7 +25,7 @@ def arguments(command, *more):
     return [PROGRAM, command, SHRINK_FIT, *more]
 
 
-class RunTest(unittest.TestCase):
+class RunTest(Says, unittest.TestCase):
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
@@ -46,14 +48,13 @@ class RunTest(unittest.TestCase):
     def summary(self):
         return json.loads((self.output / "summary.json").read_text())
 
-    def expect_error(self, done, status, *texts):
+    def expect_error(self, done, status, *facts):
         self.assertEqual(done.returncode, status, done.stderr)
         errors = [line for line in done.stderr.splitlines() if not line.startswith(("info: ", "warning: "))]
         self.assertTrue(errors)
         for line in errors:
             self.assertTrue(line.startswith("error: "), line)
-        for text in texts:
-            self.assertIn(text, done.stderr)
+        self.assertSays(done.stderr, *facts)
 
 
 class Results(RunTest):
@@ -169,9 +170,8 @@ class Check(RunTest):
 
     def test_contact_solved_worse_than_time_is_warned_of(self):
         loose = ("--set", "contact_solver.tolerance=1e-3")
-        self.assertIn("warning: contact_solver.tolerance = 0.001 is looser than time.tolerance = 0.0001",
-                      self.call("check", *loose).stdout)
-        self.assertNotIn("looser", self.call("check", *loose, "--set", "time.integrator=explicit_euler").stdout)
+        self.assertLineSays(self.call("check", *loose).stdout, "warning: ", "contact_solver.tolerance = 0.001", "time.tolerance = 0.0001")
+        self.assertNotIn("contact_solver.tolerance", self.call("check", *loose, "--set", "time.integrator=explicit_euler").stdout)
 
     def test_follows_overrides(self):
         done = self.call("check", "--set", "mesh.order=1", "--set", "mesh.parameters.n_disc=2")
@@ -180,29 +180,27 @@ class Check(RunTest):
 
 
 class ModelErrors(RunTest):
-    def expect_model_error(self, *overrides, texts):
+    def expect_model_error(self, *overrides, facts):
         options = [part for override in overrides for part in ("--set", override)]
         for command, more in (("check", []), ("run", ["--output", str(self.output)])):
-            self.expect_error(self.call(command, *options, *more), 3, *texts)
+            self.expect_error(self.call(command, *options, *more), 3, *facts)
         self.assertFalse(self.output.exists())
 
     def test_missing_groups(self):
-        self.expect_model_error("supports.0.on=symetry_x", "contacts.0.between=['shaft_outer', 'disc_boer']", texts=[
-            "supports[0].on: the mesh has no physical group 'symetry_x'; did you mean 'symmetry_x'?",
-            "contacts[0].between[1]: the mesh has no physical surface 'disc_boer'; did you mean 'disc_bore'?",
-            "there are: disc_bore, disc_rim, ends, shaft_bore, shaft_outer, symmetry_x, symmetry_y"])
+        self.expect_model_error("supports.0.on=symetry_x", "contacts.0.between=['shaft_outer', 'disc_boer']", facts=[
+            "supports[0].on: ", "'symetry_x'", "'symmetry_x'", "contacts[0].between[1]: ", "'disc_boer'", "'disc_bore'",
+            "disc_bore, disc_rim, ends, shaft_bore, shaft_outer, symmetry_x, symmetry_y"])
 
     def test_missing_group_of_a_probe(self):
-        self.expect_model_error("probes.0.on=shaft_bore", "probes.1.at=[0, 0, 5]", texts=[
-            "shrink_fit.toml:", "probes[0]: surface 'shaft_bore' is in no contact, nor part of a surface that is; surfaces in contact: 'disc_bore', "
-            "'shaft_outer'", "probes[1]: the point (0, 0, 5) lies outside body 'disc'"])
+        self.expect_model_error("probes.0.on=shaft_bore", "probes.1.at=[0, 0, 5]", facts=[
+            "shrink_fit.toml:", "probes[0]: ", "'shaft_bore'", "'disc_bore', 'shaft_outer'", "probes[1]: ", "(0, 0, 5)", "body 'disc'"])
 
     def test_free_body(self):
-        self.expect_model_error("supports.0.displacement={z=0}", "contacts=[]", "probes=[]", texts=[
-            "body 'shaft' can move freely: translation along x"])
+        self.expect_model_error("supports.0.displacement={z=0}", "contacts=[]", "probes=[]", facts=[
+            "body 'shaft'", "translation along x"])
 
     def test_missing_mesh(self):
-        self.expect_model_error("mesh.file=none.geo", texts=["none.geo"])
+        self.expect_model_error("mesh.file=none.geo", facts=["none.geo"])
 
 
 class Interruption(RunTest):
@@ -255,7 +253,7 @@ class Interruption(RunTest):
         (self.output / "checkpoint.previous.h5").unlink(missing_ok=True)
         history = self.table("history.csv")
         done = self.call("run", *options, "--resume")
-        self.expect_error(done, 2, "run without --resume", "the version of creepcontact that wrote", "checkpoint.h5")
+        self.expect_error(done, 2, "--resume", "checkpoint.h5'", f"version {int(version) - 1}", f"version {int(version)}")
         self.assertEqual(self.table("history.csv"), history)
 
 

@@ -18,8 +18,9 @@ class SignalStages(ProcessTest):
     def expect_interrupted(self, process, number):
         errors = process.communicate(timeout=50)[1]
         self.assertEqual(process.returncode, 130, errors)
-        self.assertEqual([line for line in errors.splitlines() if line.startswith("error: ")],
-                         [f"error: interrupted ({number.name}): ended before there were results to save"])
+        said = [line for line in errors.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(said), 1, errors)
+        self.assertSays(said[0], f"({number.name})", "results")
         self.assertFalse(self.output.exists())
         self.assertEqual(list(self.temporary.iterdir()), [])
 
@@ -134,7 +135,7 @@ class SlowContact(ProcessTest):
             before, errors, status = self.interrupted(number)
             self.assertIsNone(before)
             self.assertEqual(status, 130, errors)
-            self.assertIn("continue with --resume", errors)
+            self.assertIn("--resume", errors)
             summary = json.loads((self.output / "summary.json").read_text())
             self.assertEqual((summary["status"], summary["time_reached"]), ("interrupted", 0.5))
             self.assertEqual([row["time"] for row in read_rows(self.output / "history.csv")], [0, 0.5])

@@ -20,7 +20,7 @@ class StudyRuns(StudyTest):
                                          "convergence_failures"])
         self.assertEqual([row["status"] for row in rows], ["completed"] * 4 + ["failed"])
         self.assertEqual([row["steps"] for row in rows[:4]], ["80", "160", "80", "160"])
-        self.assertIn("inner iterations diverge", rows[4]["message"])
+        self.assertSays(rows[4]["message"], "beta_euler: ", "inner_tolerance")
         self.assertEqual(rows[4]["error_stress"], "")
         errors = [float(row["error_stress"]) for row in rows[:4]]
         self.assertAlmostEqual(errors[0] / errors[1], 2, delta=0.1)
@@ -96,7 +96,7 @@ axes = [{ key = "time.tolerance", values = [1e-3, 1e-4] }]
         self.assertEqual(done.stdout.split(), ["plots/history_stress.svg", "plots/history_stress.png"])
         picture = (self.directory / "plots" / "history_stress.svg").read_text()
         self.assertTrue("run_001" in picture and "run_002" in picture)
-        self.expect_error(self.call("plot", str(self.output), "cube"), 2, "is the directory of a study: plot it alone")
+        self.expect_error(self.call("plot", str(self.output), "cube"), 2, "results/study", "study")
 
     def test_a_csv_as_reference(self):
         self.assertEqual(self.study().returncode, 0)
@@ -115,12 +115,12 @@ axes = [{ key = "time.tolerance", values = [1e-3, 1e-4] }]
 
     def test_no_successful_run(self):
         done = self.study('base = "cube.toml"\n[[runs]]\nset = { time.integrator = "beta_euler", time.step = 0.4 }\n')
-        self.expect_error(done, 4, "0 of 1 runs succeeded", "inner iterations diverge")
+        self.expect_error(done, 4, "0 of 1 ")
         self.assertEqual(self.rows()[0]["status"], "failed")
 
     def test_a_reference_that_gives_up(self):
         self.expect_error(self.study(STUDY + '[reference]\nset = { time.integrator = "beta_euler", time.step = 0.4 }\n'
-                                     + COMPARE), 4, "error: the reference failed: beta_euler: the inner iterations")
+                                     + COMPARE), 4, "error: ", "reference", "beta_euler: ")
         self.assertEqual(list(self.written()), ["reference"])
 
 
@@ -128,25 +128,25 @@ class StudyMistakes(StudyTest):
     def test_run_and_study_mixed_up(self):
         self.write("study.toml", STUDY)
         for command in ("run", "check"):
-            self.expect_error(self.call(command, "study.toml"), 2, "error: study.toml: this file describes a study", "creepcontact study study.toml")
-        self.expect_error(self.call("study", "cube.toml"), 2, "error: cube.toml: this file describes a single run", "creepcontact run cube.toml")
+            self.expect_error(self.call(command, "study.toml"), 2, "error: study.toml: ", "creepcontact study study.toml")
+        self.expect_error(self.call("study", "cube.toml"), 2, "error: cube.toml: ", "creepcontact run cube.toml")
 
     def test_wrong_axis_key(self):
         self.expect_error(self.study(STUDY.replace('"time.step"\nvalues', '"time.stepp"\nvalues')), 2,
-                          "error: study.toml:8:7: axes[1].key: time.stepp: unknown key; did you mean 'step'?")
+                          "error: study.toml:8:7: axes[1].key: time.stepp: ", "'step'")
         self.assertFalse(self.output.exists())
 
     def test_all_in_one_go(self):
         text = STUDY.replace("0.0025", "-1").replace('"beta_euler"]', '"beta_eulr"]') + REFERENCE
         self.expect_error(self.study(text + COMPARE.replace("stress", "strain")), 2,
-                          "study.toml:6:29: axes[0].values[1]: time.integrator: unknown integrator 'beta_eulr'",
-                          "study.toml:9:18: axes[1].values[1]: time.step: number -1; allowed:",
-                          "study.toml:15:15: compare.quantities[0]: 'strain' is not a probe of cube.toml; allowed: ")
+                          "study.toml:6:29: axes[0].values[1]: time.integrator: ", "'beta_eulr'", "'beta_euler'",
+                          "study.toml:9:18: axes[1].values[1]: time.step: ", "-1", "> 0",
+                          "study.toml:15:15: compare.quantities[0]: ", "'strain'", "cube.toml", "stress")
 
     def test_another_study_in_the_directory(self):
         single = 'base = "cube.toml"\n[[runs]]\nset = { time.step = 0.2 }\n'
         self.assertEqual(self.study(single).returncode, 0)
-        self.expect_error(self.study(single.replace("0.2", "0.3")), 2, "output directory results/study ", "--output")
+        self.expect_error(self.study(single.replace("0.2", "0.3")), 2, "results/study", "--output")
 
     def test_runs_of_somebody_else_in_the_directory(self):
         (self.directory / "runs").mkdir()
@@ -154,14 +154,14 @@ class StudyMistakes(StudyTest):
 
     def test_references_that_cannot_be_read(self):
         text = STUDY + '[reference]\ncsv = "known.csv"\n' + COMPARE
-        self.expect_error(self.study(text), 2, "known.csv: cannot be read: No such file")
+        self.expect_error(self.study(text), 2, "known.csv: ", "No such file")
         self.write("known.csv", "time,strain\n0,0\n")
-        self.expect_error(self.study(text), 2, "known.csv: there is no column 'stress' (found: time, strain)")
+        self.expect_error(self.study(text), 2, "known.csv: ", "'stress'", "time, strain")
 
     def test_command_line(self):
-        self.expect_error(self.study(STUDY, "--jobs", "0"), 2, "--jobs: 0; allowed: 1 to 1000")
+        self.expect_error(self.study(STUDY, "--jobs", "0"), 2, "--jobs: 0", "1 to 1000")
         done = subprocess.run([PROGRAM, "study", "none.toml"], cwd=self.directory, capture_output=True, text=True)
-        self.expect_error(done, 2, "none.toml: cannot be read: No such file or directory")
+        self.expect_error(done, 2, "none.toml: ", "No such file or directory")
 
 
 if __name__ == "__main__":

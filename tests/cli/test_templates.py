@@ -55,7 +55,7 @@ class TemplateTest(ProcessTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         # The expansion of one body alone, added by an alternative, does meet one axial strain for both.
         said = [line for line in (done.stderr + done.stdout).splitlines()
-                if not line.startswith("warning: generalised plane strain: all bodies have one axial strain")]
+                if not line.startswith("warning: generalised plane strain: ")]
         self.assertNotIn("warning", "\n".join(said))
 
 
@@ -161,22 +161,22 @@ class NewModel(TemplateTest):
     def test_files_are_those_of_the_template(self):
         done = self.call("new", "a/b", "--template", "own_mesh")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("next: creepcontact check a/b/own_mesh.toml", done.stdout)
+        self.assertIn("creepcontact check a/b/own_mesh.toml", done.stdout)
         for file in (TEMPLATES / "own_mesh").iterdir():
             self.assertEqual((self.directory / "a" / "b" / file.name).read_bytes(), file.read_bytes())
 
     def test_mistakes(self):
-        for words, said in ((("x",), "which template?"), (("x", "--template", "pres_fit"), "did you mean 'press_fit'?"),
-                            (("cube.geo", "--template", "pipe"), "not a directory"), ((), "DIR")):
+        for words, facts in ((("x",), ("--template", "press_fit")), (("x", "--template", "pres_fit"), ("'pres_fit'", "'press_fit'")),
+                             (("cube.geo", "--template", "pipe"), ("cube.geo", "directory")), ((), ("DIR",))):
             done = self.call("new", *words)
             self.assertEqual(done.returncode, 2, words)
-            self.assertIn(said, done.stderr)
+            self.assertSays(done.stderr, *facts)
         self.assertEqual(self.call("new", "x", "--template", "pipe").returncode, 0)
         changed = self.directory / "x" / "pipe.toml"
         changed.write_text("mine")
         done = self.call("new", "x", "--template", "pipe")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("exists already", done.stderr)
+        self.assertSays(done.stderr, "x/pipe.")
         self.assertEqual(changed.read_text(), "mine")
 
 

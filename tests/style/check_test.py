@@ -130,11 +130,13 @@ class Rules(unittest.TestCase):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             self.assertEqual(check.main(["file_length", str(self.root)]), 0)
-        self.assertRegex(printed.getvalue(), r"^warning: src/base/b\.cpp has 401 lines")
+        self.assertRegex(printed.getvalue(), r"^warning: src/base/b\.cpp .*401")
 
     def test_machine_paths(self):
         self.write("README.md", "see docs/work/flow.md\nsee /" + "work/flow.md\n")
-        self.assertEqual(self.broken("machine_paths"), ["README.md:2: '/" + "work/' is a path of somebody's machine"])
+        found = self.broken("machine_paths")
+        self.assertEqual(len(found), 1, found)
+        self.assertTrue(found[0].startswith("README.md:2: '/" + "work/'"), found)
 
     def test_isolated_interpreters(self):
         self.write("scripts/a", "#!/usr/bin/env python3\necho | python3 -c 'x'\npython3 -I - <<END\n# python3 is needed\n")

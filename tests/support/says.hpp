@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,8 +22,8 @@ std::string message_of(const std::function<void()>& action) {
   return "nothing was thrown";
 }
 
-/// EXPECT_TRUE(says(message, {"case.toml:3:1", "'botom'", "'bottom'"})): all of them, in this order.
-inline testing::AssertionResult says(const std::string& message, std::initializer_list<std::string_view> facts) {
+/// Whether the message names all of the facts, in this order.
+inline testing::AssertionResult says(const std::string& message, std::span<const std::string_view> facts) {
   std::size_t from = 0;
   for (const std::string_view fact : facts) {
     const std::size_t found = message.find(fact, from);
@@ -31,6 +32,11 @@ inline testing::AssertionResult says(const std::string& message, std::initialize
     from = found + fact.size();
   }
   return testing::AssertionSuccess() << message;
+}
+
+/// EXPECT_TRUE(says(message, {"case.toml:3:1", "'botom'", "'bottom'"})).
+inline testing::AssertionResult says(const std::string& message, std::initializer_list<std::string_view> facts) {
+  return says(message, std::span(facts.begin(), facts.size()));
 }
 
 }  // namespace creepcontact::test

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/plane_regions.hpp"
@@ -134,41 +135,26 @@ TEST(Cyclic, SectionOfASectorCarriesTheHoopForce) {
 /// Also where the nodes match to seven digits only.
 TEST(Cyclic, MotionsOfASectorAreRecognised) {
   for (const int digits : {15, 7}) {
-    std::string message;
-    try {
+    const std::string message = test::message_of<std::exception>([&] {
       test::run_case(test::section_of("plane_strain") + test::body("ring", modulus, poisson_ratio) +
                          "[time]\nend = 1\n" + sector_keys + "[[loads]]\non = \"rim\"\ntraction = [\"-y\", \"x\", 0]\n",
                      ring_geo(1, 5, digits));
-    } catch (const std::exception& error) {
-      message = error.what();
-    }
-    EXPECT_NE(message.find("body 'ring' can move freely: rotation about the axis (0, 0, 1) through (0, 0, 0)"),
-              std::string::npos)
-        << message;
+    });
+    EXPECT_TRUE(test::says(message, {"body 'ring'", "rotation", "(0, 0, 1)", "(0, 0, 0)"}));
     EXPECT_EQ(message.find("translation"), std::string::npos) << message;
   }
 }
 
 TEST(Cyclic, FacesInTheWrongOrderAreNamed) {
-  std::string message;
-  try {
-    test::run_case(ring(loads) + "[[cyclic]]\nbetween = [\"high\", \"low\"]\nangle = 60\n", ring_geo(1));
-  } catch (const ModelError& error) {
-    message = error.what();
-  }
-  EXPECT_NE(message.find("'low' is 'high' turned by -60 degrees, not by 60: exchange the two faces"), std::string::npos)
-      << message;
+  const std::string message = test::message_of<ModelError>(
+      [&] { test::run_case(ring(loads) + "[[cyclic]]\nbetween = [\"high\", \"low\"]\nangle = 60\n", ring_geo(1)); });
+  EXPECT_TRUE(test::says(message, {"'low'", "'high'", "-60", " 60:"}));
 }
 
 TEST(Cyclic, WrongAngleIsNamed) {
-  std::string message;
-  try {
-    test::run_case(ring(loads) + "[[cyclic]]\nbetween = [\"low\", \"high\"]\nangle = 45\n", ring_geo(1));
-  } catch (const ModelError& error) {
-    message = error.what();
-  }
-  EXPECT_NE(message.find("'low' turned by 45 degrees does not lie on 'high'"), std::string::npos) << message;
-  EXPECT_NE(message.find("the angle between the two faces is about 60 degrees"), std::string::npos) << message;
+  const std::string message = test::message_of<ModelError>(
+      [&] { test::run_case(ring(loads) + "[[cyclic]]\nbetween = [\"low\", \"high\"]\nangle = 45\n", ring_geo(1)); });
+  EXPECT_TRUE(test::says(message, {"'low'", "45 degrees", "'high'", "60 degrees"}));
 }
 
 /// A bar with a rigid end plate under a moment bends to a circle; the plate's tilt is M L/(E I).

@@ -7,6 +7,7 @@
 #include "boxes.hpp"
 #include "case.hpp"
 #include "rings.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::test {
 namespace {
@@ -129,8 +130,8 @@ TEST(HeatedStack, CarriesASmallLoad) {
     testing::internal::CaptureStderr();
     const Table history = run_case(toml + "[[loads]]\non = \"" + loaded + "\"\npressure = 0.2\n", geo).history;
     const std::string warnings = testing::internal::GetCapturedStderr();
-    EXPECT_NE(warnings.find("body 'middle': Poisson's ratio is 0.4999999; above 0.4999 "), std::string::npos);
-    EXPECT_EQ(warnings.find("body 'low': Poisson's"), std::string::npos);
+    EXPECT_TRUE(says(warnings, {"body 'middle'", "Poisson", "0.4999999", "0.4999 "}));
+    EXPECT_EQ(warnings.find("body 'low': Poisson"), std::string::npos) << warnings;
     EXPECT_RELATIVE(history.at("foot", 1), 0.2, 1e-6);
     EXPECT_RELATIVE(history.at("low_z1", 1), -0.2, 1e-6);
     EXPECT_NEAR(history.at("up_z0", 1), loaded == std::string("up_z1") ? 0.2 : 0, 1e-6);

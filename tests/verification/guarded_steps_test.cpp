@@ -35,8 +35,7 @@ TEST(GuardedSteps, WindowsThatTheSearchMissesAreIntegrated) {
       EXPECT_RELATIVE(outcome.history.at("cxx", end), 1e-6 * (end + 1e4 * window), 1e-3) << integrator << begin;
       bool missed = false;
       for (int i = 0; outcome.summary.has(fmt::format("warnings/{}", i)); ++i)
-        missed =
-            missed || outcome.summary.text(fmt::format("warnings/{}", i)).find("jumps at t = ") != std::string::npos;
+        missed = missed || outcome.summary.text(fmt::format("warnings/{}", i)).find("jumps") != std::string::npos;
       n_missed += missed ? 1 : 0;
     }
   EXPECT_GT(n_missed, 0) << "the search has found all: the windows must be shorter to test the guard";

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 #include "verification/boxes.hpp"
 #include "verification/case.hpp"
 #include "verification/interrupted.hpp"
@@ -69,10 +70,8 @@ TEST(Preload, WarnsIfTheMaterialYields) {
   };
   const auto [warnings, left] = run(80);
   EXPECT_LT(left, 95);
-  EXPECT_NE(warnings.find("contact 'low_z1/high_z0': the material yields under its preload"), std::string::npos)
-      << warnings;
-  EXPECT_NE(warnings.find("preload.force asks for 100"), std::string::npos) << warnings;
-  EXPECT_EQ(run(200).first.find("yields under its preload"), std::string::npos);
+  EXPECT_TRUE(test::says(warnings, {"contact 'low_z1/high_z0'", "yields", "preload.force", "100"}));
+  EXPECT_EQ(run(200).first.find("preload.force"), std::string::npos);
 }
 
 /// A plate on two bars, and a bar on top of it: the second tightening unloads the first.
@@ -193,42 +192,32 @@ std::string three_bars() {
   return toml + test::support("low_z0", "z") + test::support("high_z1", "z");
 }
 
-void expect_unreachable(const std::string& toml, const std::string& geo, const std::string& expected) {
-  std::string message;
-  try {
-    test::run_case(toml + "[time]\nend = 1\n", geo);
-  } catch (const ModelError& error) {
-    message = error.what();
-  }
-  EXPECT_NE(message.find(expected), std::string::npos) << message;
+void expect_unreachable(const std::string& toml, const std::string& geo,
+                        std::initializer_list<std::string_view> facts) {
+  EXPECT_TRUE(
+      test::says(test::message_of<ModelError>([&] { test::run_case(toml + "[time]\nend = 1\n", geo); }), facts));
 }
 
 TEST(Preload, ThatCannotBeReachedIsAnErrorWithTheLargestForce) {
   // Held by supports on both sides of the cut.
   const std::string held = test::support("low_z1", "z") + test::support("high_z0", "z");
-  const std::string unreachable = "the preload of 100 cannot be reached at t = 0; the ";
   expect_unreachable(bar("preload = { force = 100 }") + held, bar_geo(),
-                     "contact 'low_z1/high_z0': " + unreachable + "largest normal force is 0");
+                     {"contact 'low_z1/high_z0'", "100", "t = 0", "largest", " 0"});
   // The upper half hangs on the cut and rests on the lower one: it lifts off at its weight.
   std::string toml = three_bars();
   toml += test::contact_table("middle_z1", "high_z0", "type = \"tied\"\npreload = { force = 100 }") +
           test::contact_table("low_z1", "middle_z0") + "[[loads]]\nbody = \"middle\"\nbody_force = [0, 0, -40]\n";
-  expect_unreachable(toml, three_bars_geo(),
-                     "contact 'middle_z1/high_z0': " + unreachable + "largest normal force is 40");
+  expect_unreachable(toml, three_bars_geo(), {"contact 'middle_z1/high_z0'", "100", "t = 0", "largest", " 40"});
 }
 
 TEST(Preload, ThatLoadsAloneExceedIsAnErrorWithTheSmallestForce) {
-  expect_unreachable(
-      resting() + "[[loads]]\nbody = \"high\"\nbody_force = [0, 0, -300]\n", bar_geo(),
-      "contact 'low_z1/high_z0': the preload of 100 cannot be reached at t = 0; the largest normal force is "
-      "1500: it does not depend on the interference");
+  expect_unreachable(resting() + "[[loads]]\nbody = \"high\"\nbody_force = [0, 0, -300]\n", bar_geo(),
+                     {"contact 'low_z1/high_z0'", "100", "t = 0", "largest", " 1500: ", "interference"});
   // A load of 300 lifts the middle part off the lower one and presses it on the upper one.
   std::string toml = three_bars() + test::contact_table("low_z1", "middle_z0") +
                      test::contact_table("middle_z1", "high_z0", "preload = { force = 100 }");
-  expect_unreachable(
-      toml + "[[loads]]\nbody = \"middle\"\nbody_force = [0, 0, 300]\n", three_bars_geo(),
-      "contact 'middle_z1/high_z0': the preload of 100 cannot be reached at t = 0; the smallest normal force "
-      "is 300: the loads that act at this time press the contact with as much");
+  expect_unreachable(toml + "[[loads]]\nbody = \"middle\"\nbody_force = [0, 0, 300]\n", three_bars_geo(),
+                     {"contact 'middle_z1/high_z0'", "100", "t = 0", "smallest", " 300: ", "loads"});
 }
 
 TEST(Preload, OfContactsInSeriesNamesThem) {
@@ -237,10 +226,7 @@ TEST(Preload, OfContactsInSeriesNamesThem) {
     return test::contact_table("low_z1", "middle_z0", "preload = { force = 100 }") +
            test::contact_table("middle_z1", "high_z0", fmt::format("preload = {{ force = {} }}", second));
   };
-  expect_unreachable(
-      toml + preloads(90), geo,
-      "the preloads at t = 0 cannot all be reached: 100 of 'low_z1/middle_z0', 90 of 'middle_z1/high_z0'; "
-      "one force passes through these contacts");
+  expect_unreachable(toml + preloads(90), geo, {"t = 0", "100 of 'low_z1/middle_z0'", "90 of 'middle_z1/high_z0'"});
   const test::Outcome same = test::run_case(
       toml + preloads(100) + "[time]\nend = 1\n" + test::probe("wall", "reaction_z", "on = \"low_z0\""), geo);
   EXPECT_RELATIVE(same.history.at("wall", 0), 100, 1e-8);

@@ -24,6 +24,7 @@ using namespace creep;    // NOLINT(google-build-using-namespace): tests of all 
 using namespace model;    // NOLINT(google-build-using-namespace)
 using namespace results;  // NOLINT(google-build-using-namespace)
 using creepcontact::test::message_of;
+using creepcontact::test::says;
 using io::test::contains;
 using io::test::read_text;
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact {
 namespace {
@@ -55,16 +56,16 @@ TEST_F(Files, WhyOneCannotBeRead) {
   EXPECT_EQ(why_unreadable(directory_ / "file" / "below"), "Not a directory");
   EXPECT_EQ(why_unreadable(directory_ / "circle"), "Too many levels of symbolic links");
   EXPECT_EQ(why_unreadable(directory_ / std::string(300, 'n')), "File name too long");
-  EXPECT_EQ(why_unreadable(directory_), "is a directory; expected a file");
-  EXPECT_EQ(why_unreadable("/dev/zero"), "is a device or a socket; expected a file");
+  EXPECT_TRUE(test::says(why_unreadable(directory_), {"directory", "file"}));
+  EXPECT_TRUE(test::says(why_unreadable("/dev/zero"), {"device", "file"}));
 }
 
 TEST_F(Files, WhyNothingCanBeWritten) {
   EXPECT_EQ(why_unwritable(directory_), "");
   EXPECT_EQ(why_unwritable(directory_ / "none" / "below"), "") << "can be made";
   const std::string file = (directory_ / "file").string();
-  EXPECT_EQ(why_unwritable(file), "'" + file + "' is not a directory");
-  EXPECT_EQ(why_unwritable(directory_ / "file" / "below" / "it"), "'" + file + "' is not a directory");
+  EXPECT_TRUE(test::says(why_unwritable(file), {"'" + file + "'", "directory"}));
+  EXPECT_TRUE(test::says(why_unwritable(directory_ / "file" / "below" / "it"), {"'" + file + "'", "directory"}));
 }
 
 TEST_F(Files, AreReadWholeUpToTheirBound) {
@@ -72,7 +73,7 @@ TEST_F(Files, AreReadWholeUpToTheirBound) {
   EXPECT_EQ(read_file(directory_ / "long").bytes, std::string(200'000, 'x'));
   const FileBytes refused = read_file(directory_ / "long", 1 << 17);
   EXPECT_EQ(refused.bytes, "");
-  EXPECT_EQ(refused.failure, "longer than 0.125 MB");
+  EXPECT_TRUE(test::says(refused.failure, {"0.125 MB"}));
   EXPECT_EQ(read_file(directory_ / "none").failure, "No such file or directory");
 }
 

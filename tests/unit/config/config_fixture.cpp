@@ -1,5 +1,7 @@
 #include "unit/config/config_fixture.hpp"
 
+#include "support/says.hpp"
+
 namespace creepcontact::config {
 
 Config parse_text(const std::string& text, const std::vector<std::string>& overrides) {
@@ -22,10 +24,12 @@ std::vector<std::string> mistakes(const std::string& text, const std::vector<std
   return lines;
 }
 
-void expect_mistake(const std::string& text, const std::string& begin, const std::vector<std::string>& overrides) {
+void expect_mistake(const std::string& text, std::initializer_list<std::string_view> facts,
+                    const std::vector<std::string>& overrides) {
   const std::vector<std::string> lines = mistakes(text, overrides);
   ASSERT_EQ(lines.size(), 1u) << (lines.empty() ? "no mistake found" : lines[0] + "\n" + lines.back());
-  EXPECT_EQ(lines[0].substr(0, begin.size()), begin) << "in " << lines[0];
+  EXPECT_TRUE(lines[0].starts_with(*facts.begin())) << *facts.begin() << "\n--- in\n" << lines[0];
+  EXPECT_TRUE(test::says(lines[0], facts));
 }
 
 }  // namespace creepcontact::config

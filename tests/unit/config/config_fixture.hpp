@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
@@ -31,7 +33,9 @@ Config parse_text(const std::string& text, const std::vector<std::string>& overr
 /// The lines of the ConfigError; empty if there is none.
 std::vector<std::string> mistakes(const std::string& text, const std::vector<std::string>& overrides = {});
 
-/// Expects exactly one mistake, with this text (from its start; the rest of the line is what is allowed).
-void expect_mistake(const std::string& text, const std::string& begin, const std::vector<std::string>& overrides = {});
+/// Expects exactly one mistake, whose line begins with the first fact (the place and the key) and then names the
+/// others.
+void expect_mistake(const std::string& text, std::initializer_list<std::string_view> facts,
+                    const std::vector<std::string>& overrides = {});
 
 }  // namespace creepcontact::config

@@ -8,6 +8,7 @@
 #include "config_fixture.hpp"
 #include "creepcontact/config/key_reference.hpp"
 #include "creepcontact/config/schema.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -15,32 +16,28 @@ namespace {
 TEST(KnownWords, FeaturesThatThisVersionDoesNotHave) {
   const std::vector<std::string> lines = mistakes(minimal + "[[loads]]\non = \"s\"\npressure = 1\nmoment = 1\n");
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NE(lines[0].find(": not in this version"), std::string::npos) << lines[0];
-  EXPECT_EQ(lines[0].find("did you mean"), std::string::npos) << lines[0];
+  EXPECT_TRUE(creepcontact::test::says(lines[0], {"loads[0].moment: ", absent_feature}));
+  EXPECT_EQ(lines[0].find('?'), std::string::npos) << lines[0];
 }
 
 TEST(KnownWords, LeadToTheRightKeyOrLaw) {
   const std::string creep = minimal + "[[materials.steel.creep]]\n";
-  for (const char* law : {"bailey_norton", "Bailey"})
+  for (const std::string law : {"bailey_norton", "Bailey"})
     expect_mistake(
         creep + "law = \"" + law + "\"\n",
-        fmt::format("cases/block.toml:13:7: materials.steel.creep[0].law: unknown creep law '{}': the "
-                    "law of Norton and Bailey, strain A q^n t^m, is 'norton_bailey', with the key 'hardening'",
-                    law));
+        {"cases/block.toml:13:7: materials.steel.creep[0].law: ", "'" + law + "'", "'norton_bailey'", "'hardening'"});
   const std::pair<const char*, const char*> top[] = {{"dt = 1", "'step'"}, {"step_size = 1", "'step'"}};
   for (const auto& [key, right] : top) {
     const std::vector<std::string> lines = mistakes(minimal + key + '\n');
     ASSERT_EQ(lines.size(), 1u) << key;
-    EXPECT_NE(lines[0].find(right), std::string::npos) << lines[0];
+    EXPECT_TRUE(creepcontact::test::says(lines[0], {right}));
   }
   const std::string contact = minimal + "[[contacts]]\nbetween = [\"a\", \"b\"]\n";
   for (const char* key : {"mu", "friction_coefficient", "coefficient_of_friction"})
-    expect_mistake(contact + key + " = 0.15\n", fmt::format("cases/block.toml:14:1: contacts[0].{}: unknown key: the "
-                                                            "coefficient of friction is 'friction'",
-                                                            key));
+    expect_mistake(contact + key + " = 0.15\n",
+                   {fmt::format("cases/block.toml:14:1: contacts[0].{}: ", key), "'friction'"});
   expect_mistake(contact + "type = \"frictional\"\n",
-                 "cases/block.toml:14:8: contacts[0].type: unknown contact type 'frictional': contact with friction is "
-                 "'unilateral', with the coefficient in the key 'friction'");
+                 {"cases/block.toml:14:8: contacts[0].type: ", "'frictional'", "'unilateral'", "'friction'"});
   const std::string gold = minimal + "[materials.gold]\nyoung_modulus = 1\npoisson_ratio = 0\n";
   const std::pair<const char*, const char*> material[] = {{"E = 1", "'young_modulus'"},
                                                           {"youngs_modulus = 1", "'young_modulus'"},
@@ -50,17 +47,15 @@ TEST(KnownWords, LeadToTheRightKeyOrLaw) {
   for (const auto& [key, right] : material) {
     const std::vector<std::string> lines = mistakes(gold + key + '\n');
     ASSERT_EQ(lines.size(), 1u) << key;
-    EXPECT_NE(lines[0].find(": unknown key: "), std::string::npos) << lines[0];
-    EXPECT_NE(lines[0].find(right), std::string::npos) << lines[0];
+    EXPECT_TRUE(creepcontact::test::says(lines[0], {"materials.gold.", right}));
   }
   const std::vector<std::string> rpm =
       mistakes(minimal + "[[loads]]\nbody = \"block\"\nrotation = { rpm = 5000, density = 1, angular_velocity = 1 }\n");
   ASSERT_EQ(rpm.size(), 1u);
-  EXPECT_NE(rpm[0].find("loads[0].rotation.rpm: unknown key: the speed is 'angular_velocity'"), std::string::npos)
-      << rpm[0];
+  EXPECT_TRUE(creepcontact::test::says(rpm[0], {"loads[0].rotation.rpm: ", "'angular_velocity'"}));
   const std::vector<std::string> restart = mistakes(minimal + "restart = true\n");
   ASSERT_EQ(restart.size(), 1u);
-  EXPECT_NE(restart[0].find("--resume"), std::string::npos) << restart[0];
+  EXPECT_TRUE(creepcontact::test::says(restart[0], {"time.restart: ", "--resume"}));
 }
 
 /// The table must not outlive what it speaks of: its places exist, its words are no keys, the keys it names are.
@@ -122,13 +117,9 @@ TEST(KnownWords, AgreeWithTheSchema) {
 }
 
 TEST(KnownWords, AfterListKeys) {
-  try {
-    select_keys(key_sections(schema(test_vocabulary())), "rpm");
-    FAIL() << "no mistake found";
-  } catch (const ConfigError& error) {
-    EXPECT_NE(std::string(error.what()).find("loads[].rotation: the speed is 'angular_velocity'"), std::string::npos)
-        << error.what();
-  }
+  EXPECT_TRUE(creepcontact::test::says(
+      creepcontact::test::message_of<ConfigError>([] { select_keys(key_sections(schema(test_vocabulary())), "rpm"); }),
+      {"loads[].rotation: ", "'angular_velocity'"}));
 }
 
 }  // namespace

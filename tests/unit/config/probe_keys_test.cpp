@@ -52,69 +52,57 @@ stop = true
 }
 
 TEST(ProbeKeys, Parts) {
-  expect_mistake(stress_probe + "on = \"s\"\nwhere = \"x < \"\n", "cases/block.toml:16:9: probes[0].where: 'x < ': ");
-  expect_mistake(stress_probe + "on = \"s\"\nwhere = \"t < 1\"\n", "cases/block.toml:16:9: probes[0].where: 't < 1': ");
+  expect_mistake(stress_probe + "on = \"s\"\nwhere = \"x < \"\n",
+                 {"cases/block.toml:16:9: probes[0].where: ", "'x < '"});
+  expect_mistake(stress_probe + "on = \"s\"\nwhere = \"t < 1\"\n",
+                 {"cases/block.toml:16:9: probes[0].where: ", "'t < 1'"});
   expect_mistake(stress_probe + "on = \"s\"\nwhere = \"x = 1\"\n",
-                 "cases/block.toml:16:9: probes[0].where: 'x = 1': assignment at position 2; a comparison is written "
-                 "'=='");
-  expect_mistake(
-      stress_probe + "on = \"s\"\nwhere = \"1 < 2\"\n",
-      "cases/block.toml:16:9: probes[0].where: '1 < 2' is the same everywhere; allowed: a condition on x, y, "
-      "z");
+                 {"cases/block.toml:16:9: probes[0].where: ", "'x = 1'", "position 2", "'=='"});
+  expect_mistake(stress_probe + "on = \"s\"\nwhere = \"1 < 2\"\n",
+                 {"cases/block.toml:16:9: probes[0].where: ", "'1 < 2'", "x, y, z"});
   expect_mistake(stress_probe + "at = [0, 0, 0]\nwhere = \"x < 1\"\n",
-                 "cases/block.toml:16:9: probes[0].where: has no meaning at a point");
+                 {"cases/block.toml:16:9: probes[0].where: ", "'on'", "'body'"});
 }
 
 TEST(ProbeKeys, Sections) {
-  expect_mistake(section_probe,
-                 "cases/block.toml:12:1: probes[0]: 'section_moment_x' without 'section'; allowed: the "
-                 "plane: section = { origin = ");
+  expect_mistake(section_probe, {"cases/block.toml:12:1: probes[0]: ", "'section_moment_x'", "'section'"});
   expect_mistake(section_probe + "section = { origin = [0, 0, 0] }\n",
-                 "cases/block.toml:16:11: probes[0].section.normal: missing");
+                 {"cases/block.toml:16:11: probes[0].section.normal: ", "missing"});
   expect_mistake(section_probe + "section = { origin = [0, 0, 0], normal = [0, 0, 0] }\n",
-                 "cases/block.toml:16:42: probes[0].section.normal: [0, 0, 0]; allowed: a direction");
-  expect_mistake(section_probe + "section = { origin = [0, 0, 0], normal = [0, 0, 1] }\non = \"s\"\n",
-                 "cases/block.toml:14:12: probes[0].quantity: 'section_moment_x' at a point or over a group; allowed: "
-                 "'section_moment_x' of a body: 'body' alone");
+                 {"cases/block.toml:16:42: probes[0].section.normal: ", "[0, 0, 0]"});
+  expect_mistake(
+      section_probe + "section = { origin = [0, 0, 0], normal = [0, 0, 1] }\non = \"s\"\n",
+      {"cases/block.toml:14:12: probes[0].quantity: ", "'section_moment_x'", "'section_moment_x'", "'body'"});
   expect_mistake(stress_probe + "body = \"block\"\nsection = { origin = [0, 0, 0], normal = [0, 0, 1] }\n",
-                 "cases/block.toml:16:11: probes[0].section: has no meaning for 'von_mises'; allowed: with "
-                 "section_force_x|y|z");
+                 {"cases/block.toml:16:11: probes[0].section: ", "'von_mises'", "section_force_x"});
 }
 
 TEST(ProbeKeys, Expressions) {
   const std::string probes = stress_probe + "body = \"block\"\n[[probes]]\nname = \"b\"\n";
-  expect_mistake(
-      stress_probe + "body = \"block\"\n[[probes]]\nname = \"seal\"\nexpression = \"2*seall\"\n",
-      "cases/block.toml:18:14: probes[1].expression: expression '2*seall': no probe 'seall'; did you mean 'seal'? "
-      "(allowed: a, seal, t)");
-  expect_mistake(probes + "expression = \"2*(a\"\n",
-                 "cases/block.toml:18:14: probes[1].expression: expression '2*(a': ");
+  expect_mistake(stress_probe + "body = \"block\"\n[[probes]]\nname = \"seal\"\nexpression = \"2*seall\"\n",
+                 {"cases/block.toml:18:14: probes[1].expression: ", "'2*seall'", "'seall'", "'seal'", "a, seal, t"});
+  expect_mistake(probes + "expression = \"2*(a\"\n", {"cases/block.toml:18:14: probes[1].expression: ", "'2*(a'"});
   expect_mistake(probes + "expression = \"a\"\nquantity = \"von_mises\"\n",
-                 "cases/block.toml:19:12: probes[1].quantity: has no meaning with 'expression'");
-  expect_mistake(probes + "expression = \"b + 1\"\n",
-                 "cases/block.toml:18:14: probes[1].expression: probes that depend on themselves: 'b' -> 'b'");
+                 {"cases/block.toml:19:12: probes[1].quantity: ", "'expression'"});
+  expect_mistake(probes + "expression = \"b + 1\"\n", {"cases/block.toml:18:14: probes[1].expression: ", "'b'", "'b'"});
   expect_mistake(probes + "expression = \"c + 1\"\n[[probes]]\nname = \"c\"\nexpression = \"2*b\"\n",
-                 "cases/block.toml:18:14: probes[1].expression: probes that depend on themselves: 'b' -> 'c' -> 'b'; "
-                 "allowed: ");
-  expect_mistake(
-      minimal +
-          "[[probes]]\nname = \"a-b\"\nquantity = \"von_mises\"\nbody = \"block\"\n[[probes]]\nname = "
-          "\"c\"\nexpression = \"2*a-b\"\n",
-      "cases/block.toml:18:14: probes[1].expression: expression '2*a-b': the name 'a-b' cannot be used in it; "
-      "allowed: names of letters, digits and underscores");
+                 {"cases/block.toml:18:14: probes[1].expression: ", "'b'", "'c'", "'b'"});
+  expect_mistake(minimal +
+                     "[[probes]]\nname = \"a-b\"\nquantity = \"von_mises\"\nbody = \"block\"\n[[probes]]\nname = "
+                     "\"c\"\nexpression = \"2*a-b\"\n",
+                 {"cases/block.toml:18:14: probes[1].expression: ", "'2*a-b'", "'a-b'"});
 }
 
 TEST(EventKeys, Mistakes) {
   const std::string event = stress_probe + "body = \"block\"\n[[events]]\nname = \"e\"\n";
-  expect_mistake(event, "cases/block.toml:16:1: events[0].when: missing");
-  expect_mistake(event + "when = \"b < 1\"\n",
-                 "cases/block.toml:18:8: events[0].when: condition 'b < 1': no probe 'b'");
-  expect_mistake(event + "when = \"a << 1\"\n", "cases/block.toml:18:8: events[0].when: condition 'a << 1': ");
-  expect_mistake(event + "when = \"a < 1\"\nstop = 1\n", "cases/block.toml:19:8: events[0].stop: ");
+  expect_mistake(event, {"cases/block.toml:16:1: events[0].when: ", "missing"});
+  expect_mistake(event + "when = \"b < 1\"\n", {"cases/block.toml:18:8: events[0].when: ", "'b < 1'", "'b'"});
+  expect_mistake(event + "when = \"a << 1\"\n", {"cases/block.toml:18:8: events[0].when: ", "'a << 1'"});
+  expect_mistake(event + "when = \"a < 1\"\nstop = 1\n", {"cases/block.toml:19:8: events[0].stop: "});
   expect_mistake(event + "when = \"a < 1\"\n[[events]]\nname = \"e\"\nwhen = \"a < 2\"\n",
-                 "cases/block.toml:19:1: events[1]: the name 'e' is already used by events[0]");
+                 {"cases/block.toml:19:1: events[1]: ", "'e'", "events[0]"});
   expect_mistake(event + "condition = \"a < 1\"\nwhen = \"a < 1\"\n",
-                 "cases/block.toml:18:1: events[0].condition: unknown key: the condition of an event is 'when'");
+                 {"cases/block.toml:18:1: events[0].condition: ", "'when'"});
 }
 
 }  // namespace

@@ -277,11 +277,9 @@ TEST(ReadingOutput, FieldTimesAreOutputTimes) {
   EXPECT_TRUE(config.output.fields);
   EXPECT_EQ(config.output.field_times, (std::vector<double>{0, 3, 5}));
   EXPECT_EQ(config.time.output, (std::vector<double>{0, 2, 3, 5, config.time.end}));
-  expect_mistake(
-      minimal + "[output]\nfields = [1, 1e9]",
-      "cases/block.toml:13:14: output.fields[1]: number 1000000000 is beyond time.end; allowed: times in [0, ");
-  expect_mistake(minimal + "[output]\nfields = [-1]",
-                 "cases/block.toml:13:11: output.fields[0]: number -1; allowed: a number >= 0");
+  expect_mistake(minimal + "[output]\nfields = [1, 1e9]",
+                 {"cases/block.toml:13:14: output.fields[1]: ", "1000000000", "time.end", "[0, "});
+  expect_mistake(minimal + "[output]\nfields = [-1]", {"cases/block.toml:13:11: output.fields[0]: ", "-1", ">= 0"});
 }
 
 TEST(ReadingOutput, FormatOfTables) {
@@ -291,9 +289,8 @@ TEST(ReadingOutput, FormatOfTables) {
   EXPECT_EQ(parse_text(output + "separator = 'tab'").output.csv, (CsvFormat{'\t', '.'}));
   EXPECT_EQ(parse_text(output + "decimal = ','").output.csv, (CsvFormat{';', ','}));
   expect_mistake(output + "decimal = ','\nseparator = ','",
-                 "cases/block.toml:13:11: output.decimal: a decimal comma between cells separated by commas; allowed: "
-                 "with separator = \";\" or \"tab\"");
-  expect_mistake(output + "separator = '|'", "cases/block.toml:13:13: output.separator: unknown separator '|'");
+                 {"cases/block.toml:13:11: output.decimal: ", "\";\"", "\"tab\""});
+  expect_mistake(output + "separator = '|'", {"cases/block.toml:13:13: output.separator: ", "'|'"});
 }
 
 }  // namespace creepcontact::config

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "config_fixture.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::config {
 namespace {
@@ -32,10 +33,16 @@ Lines complaints(Action action) {
   return lines;
 }
 
-void expect_complaint(const std::string& text, const std::string& begin) {
+void expect_begin(const std::string& line, std::initializer_list<std::string_view> facts) {
+  EXPECT_TRUE(line.starts_with(*facts.begin())) << *facts.begin() << "\n--- in\n" << line;
+  EXPECT_TRUE(creepcontact::test::says(line, facts));
+}
+
+/// The only one begins with the first fact and names the others.
+void expect_complaint(const std::string& text, std::initializer_list<std::string_view> facts) {
   const Lines lines = complaints([&] { parsed(text); });
   ASSERT_EQ(lines.size(), 1u) << (lines.empty() ? "no mistake found" : lines[0] + "\n" + lines.back());
-  EXPECT_EQ(lines[0].substr(0, begin.size()), begin) << lines[0];
+  expect_begin(lines[0], facts);
 }
 
 std::string axis(const std::string& key, const std::string& values, const std::string& more = "") {
@@ -82,9 +89,7 @@ TEST(StudyReading, ValuesOfAnyTypeAsOverridesTakeThem) {
 TEST(StudyReading, ProductsBeyondAllBounds) {
   std::string text = head;
   for (int i = 0; i < 30; ++i) text += axis(fmt::format("key_{}", i), "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10]");
-  expect_complaint(text,
-                   "studies/cost.toml:3:1: axes[0]: the combinations of these axes are 1e+30 runs; allowed: at most "
-                   "10000 runs in a study");
+  expect_complaint(text, {"studies/cost.toml:3:1: axes[0]: ", "1e+30", "10000"});
 }
 
 TEST(StudyReading, ClosedFormsAsReference) {
@@ -170,31 +175,28 @@ TEST(StudyPlan, CurvesRunAlongNumbers) {
 
 TEST(StudyMistakes, AtTheirPlaces) {
   const std::string one = axis("time.step", "[1]");
-  expect_complaint(head + one + "valeus = [3]\n",
-                   "studies/cost.toml:6:1: axes[0].valeus: unknown key; did you mean 'values'?");
-  expect_complaint(axis("time.step", "[1]"), "studies/cost.toml:1:1: base: missing");
-  expect_complaint(head, "studies/cost.toml:1:1: no runs; allowed: [[axes]] or [[runs]]");
-  expect_complaint(head + axis("time.step", "[]"), "studies/cost.toml:5:10: axes[0].values: an empty list");
-  expect_complaint(head + one + one, "studies/cost.toml:7:7: axes[1].key: 'time.step' already has an axis, in line 4");
+  expect_complaint(head + one + "valeus = [3]\n", {"studies/cost.toml:6:1: axes[0].valeus: ", "'values'"});
+  expect_complaint(axis("time.step", "[1]"), {"studies/cost.toml:1:1: base: ", "missing"});
+  expect_complaint(head, {"studies/cost.toml:1:1: ", "[[axes]]", "[[runs]]"});
+  expect_complaint(head + axis("time.step", "[]"), {"studies/cost.toml:5:10: axes[0].values: ", "empty"});
+  expect_complaint(head + one + one, {"studies/cost.toml:7:7: axes[1].key: ", "'time.step'", "line 4"});
   expect_complaint(head + axis("a", "[1, 2]", "zip = \"z\"\n") + axis("b", "[1]", "zip = \"z\"\n"),
-                   "studies/cost.toml:7:1: axes[1]: 1 values of 'b' and 2 of 'a', ");
+                   {"studies/cost.toml:7:1: axes[1]: ", "1", "'b'", "2", "'a'"});
   expect_complaint(head + one + "[compare]\nquantities = [\"q\"]\nnorm = \"max\"\n",
-                   "studies/cost.toml:8:8: compare.norm: a norm of errors, but nothing to compare with");
-  expect_complaint(head + one + "[reference]\nset = {}\n", "studies/cost.toml:6:1: reference: nothing is compared");
+                   {"studies/cost.toml:8:8: compare.norm: ", "[reference]"});
+  expect_complaint(head + one + "[reference]\nset = {}\n", {"studies/cost.toml:6:1: reference: ", "[compare]"});
   expect_complaint(head + one + "[reference]\n[compare]\nquantities = [\"q\"]\n",
-                   "studies/cost.toml:6:1: reference: no reference; allowed: one of 'set', 'csv', 'expressions'");
+                   {"studies/cost.toml:6:1: reference: ", "'set'", "'csv'", "'expressions'"});
   expect_complaint(head + one + "[reference]\nexpressions = { p = \"t\" }\n[compare]\nquantities = [\"q\"]\n",
-                   "studies/cost.toml:9:15: compare.quantities[0]: 'q' has no expression");
+                   {"studies/cost.toml:9:15: compare.quantities[0]: ", "'q'", "[reference]"});
   expect_complaint(head + one + "[plot]\nover = \"time.stepp\"\n",
-                   "studies/cost.toml:7:8: plot.over: 'time.stepp' is not a key of an axis; did you mean 'time.step'?");
+                   {"studies/cost.toml:7:8: plot.over: ", "'time.stepp'", "'time.step'"});
   expect_complaint(head + one + axis("w", "[\"u\"]") + "[plot]\nover = \"w\"\n",
-                   "studies/cost.toml:10:8: plot.over: the values of 'w' are not numbers; allowed: axes of numbers");
-  expect_complaint(head + one + "[plot]\nshow = [\"solves\"]\n",
-                   "studies/cost.toml:7:9: plot.show[0]: unknown column 'solves'; did you mean ");
-  expect_complaint(head + "[[runs]]\nlabel = \"x\"\n",
-                   "studies/cost.toml:3:1: runs[0]: a table of runs that sets nothing");
+                   {"studies/cost.toml:10:8: plot.over: ", "'w'", "numbers"});
+  expect_complaint(head + one + "[plot]\nshow = [\"solves\"]\n", {"studies/cost.toml:7:9: plot.show[0]: ", "'solves'"});
+  expect_complaint(head + "[[runs]]\nlabel = \"x\"\n", {"studies/cost.toml:3:1: runs[0]: ", "'set'", "'axes'"});
   expect_complaint(head + one + "[reference]\nexpressions = { q = \"t + s\" }\n[compare]\nquantities = [\"q\"]\n",
-                   "studies/cost.toml:7:21: reference.expressions.q: expression 't + s'");
+                   {"studies/cost.toml:7:21: reference.expressions.q: ", "'t + s'"});
 }
 
 /// Runs of a base configuration on disk.
@@ -225,43 +227,41 @@ TEST_F(StudyRuns, RightOnes) {
 TEST_F(StudyRuns, UnknownKeyIsNamedOnce) {
   const Lines lines = mistakes_of(axis("time.stepp", "[1, 2, 3]"));
   ASSERT_EQ(lines.size(), 1u);
-  const std::string begin = at(":3:7: axes[0].key: time.stepp: unknown key; did you mean 'step'?");
-  EXPECT_EQ(lines[0].substr(0, begin.size()), begin);
+  expect_begin(lines[0], {at(":3:7: axes[0].key: time.stepp: "), "'step'"});
 }
 
 TEST_F(StudyRuns, WrongValueIsNamedAtItsPlace) {
   const Lines lines = mistakes_of(axis("time.step", "[1, -2]") + axis("time.beta", "[0.5, 1]"));
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_TRUE(lines[0].starts_with(at(":4:14: axes[0].values[1]: time.step: number -2; allowed:"))) << lines[0];
+  expect_begin(lines[0], {at(":4:14: axes[0].values[1]: time.step: "), "-2"});
 }
 
 TEST_F(StudyRuns, ReferenceIsCheckedToo) {
   const Lines lines = mistakes_of(axis("time.step", "[1]") +
                                   "[reference]\nset = { \"time.tolerance\" = 7 }\n[compare]\nquantities = [\"q\"]\n");
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_TRUE(lines[0].starts_with(at(":6:28: reference.set.time.tolerance: time.tolerance: number 7"))) << lines[0];
+  expect_begin(lines[0], {at(":6:28: reference.set.time.tolerance: time.tolerance: "), "7"});
 }
 
 TEST_F(StudyRuns, MistakesBetweenSettingsAndBaseAreNamedOnce) {
   std::ofstream(directory_ / "base.toml", std::ios::app) << "[contact_solver]\ntolerance = -1\n";
   const Lines lines = mistakes_of(axis("time.step", "[1, 2]") + "[[runs]]\nset = { time.end = 3 }\n");
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_TRUE(lines[0].starts_with(at(":2:1: axes[0]: "))) << lines[0];
-  EXPECT_NE(lines[0].find("contact_solver.tolerance: number -1"), std::string::npos) << lines[0];
+  expect_begin(lines[0], {at(":2:1: axes[0]: "), "contact_solver.tolerance: ", "-1"});
 }
 
 TEST_F(StudyRuns, BaseMustBeThere) {
   const Study study = parse_study("base = \"gone.toml\"\n" + axis("time.step", "[1, 2]"), directory_ / "study.toml");
   const Lines lines = complaints([&] { check_runs(study, plan(study), test_vocabulary()); });
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_TRUE(lines[0].starts_with(at(":1:8: base: "))) << lines[0];
+  expect_begin(lines[0], {at(":1:8: base: "), "gone.toml"});
 }
 
 TEST_F(StudyRuns, QuantityMustBeAProbe) {
   const Lines lines =
       mistakes_of(axis("time.step", "[1, 2]") + "[reference]\nset = {}\n[compare]\nquantities = [\"p\"]\n");
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_TRUE(lines[0].starts_with(at(":8:15: compare.quantities[0]: 'p' is not a probe of "))) << lines[0];
+  expect_begin(lines[0], {at(":8:15: compare.quantities[0]: "), "'p'", "base.toml"});
 }
 
 }  // namespace

@@ -16,31 +16,31 @@ void expect_syntax(const std::string& appended, int column, std::initializer_lis
 }
 
 TEST(ConfigSyntax, TextWithoutQuotationMarks) {
-  expect_syntax("integrator = cvode_bdf", 14, {"'cvode_bdf'", "quotation marks: integrator = \"cvode_bdf\""});
-  expect_syntax("law = norton", 8, {"'norton'", "quotation marks: law = \"norton\""});
-  expect_syntax("c = { law = norton, A = 1 }", 14, {"'norton'", "quotation marks: law = \"norton\""});
-  expect_syntax("title = My first run # one", 9, {"'My first run'", "quotation marks: title = \"My first run\""});
-  expect_syntax("file = ../mesh.msh", 8, {"'../mesh.msh'", "quotation marks: file = \"../mesh.msh\""});
-  expect_syntax("on = [bore, rim]", 7, {"'bore'", "quotation marks: \"bore\""});
-  expect_syntax("title = \"run", 13, {"no closing quotation mark"});
-  expect_syntax("file = \"C:\\mesh.msh\"", 12, {"backslash", "write / in paths", "single quotation marks"});
+  expect_syntax("integrator = cvode_bdf", 14, {"'cvode_bdf'", "integrator = \"cvode_bdf\""});
+  expect_syntax("law = norton", 8, {"'norton'", "law = \"norton\""});
+  expect_syntax("c = { law = norton, A = 1 }", 14, {"'norton'", "law = \"norton\""});
+  expect_syntax("title = My first run # one", 9, {"'My first run'", "title = \"My first run\""});
+  expect_syntax("file = ../mesh.msh", 8, {"'../mesh.msh'", "file = \"../mesh.msh\""});
+  expect_syntax("on = [bore, rim]", 7, {"'bore'", "\"bore\""});
+  expect_syntax("title = \"run", 13, {"quotation mark"});
+  expect_syntax("file = \"C:\\mesh.msh\"", 12, {"backslash", "/", "quotation marks"});
 }
 
 TEST(ConfigSyntax, Numbers) {
-  expect_syntax("A = 1,5e-3", 6, {"'1,5e-3'", "decimal comma", "1.5e-3"});
-  expect_syntax("c = { A = 1,5, n = 2 }", 14, {"'1,5'", "decimal comma", "1.5"});
-  expect_syntax("step = 1.", 10, {"'1.'", "digits on both sides", "1.0"});
+  expect_syntax("A = 1,5e-3", 6, {"'1,5e-3'", "comma", "1.5e-3"});
+  expect_syntax("c = { A = 1,5, n = 2 }", 14, {"'1,5'", "comma", "1.5"});
+  expect_syntax("step = 1.", 10, {"'1.'", "1.0"});
   expect_syntax("step = 010", 11, {"'010'", "zeros"});
-  expect_syntax("step = 1e-3 h", 13, {"'1e-3 h'", "without units"});
-  expect_syntax("pressure = 100*t", 12, {"'100*t'", "expression", "quotation marks: pressure = \"100*t\""});
+  expect_syntax("step = 1e-3 h", 13, {"'1e-3 h'", "units"});
+  expect_syntax("pressure = 100*t", 12, {"'100*t'", "expression", "pressure = \"100*t\""});
   expect_syntax("fields = True", 10, {"'True'", "fields = true"});
 }
 
 TEST(ConfigSyntax, Lines) {
   expect_syntax("// a comment", 1, {"comment", "#"});
   expect_syntax("step : 1", 6, {"'step : 1'", "key = value"});
-  expect_syntax("end = 5", 7, {"the key", "second time"});
-  expect_syntax("output = { first = 1,\n count = 3 }", 22, {"braces", "without a comma after its last key"});
+  expect_syntax("end = 5", 7, {"second"});
+  expect_syntax("output = { first = 1,\n count = 3 }", 22, {"braces", "comma"});
 }
 
 TEST(ConfigSyntax, LongLines) {
@@ -59,15 +59,15 @@ TEST(ConfigSyntax, OneBracketOrTwo) {
     EXPECT_TRUE(lines[0].starts_with(fmt::format("cases/block.toml:{}:1: ", line))) << lines[0];
     EXPECT_TRUE(creepcontact::test::says(lines[0], facts)) << appended;
   };
-  expect("[supports]" + support, 12, {"supports: ", "[supports]", "allowed: [[supports]]"});
+  expect("[supports]" + support, 12, {"supports: ", "[supports]", "[[supports]]"});
   expect("[materials.steel.creep]\nlaw = \"norton\"\n", 12,
-         {"materials.steel.creep: ", "[materials.steel.creep]", "allowed: [[materials.steel.creep]]"});
+         {"materials.steel.creep: ", "[materials.steel.creep]", "[[materials.steel.creep]]"});
   expect("[supports]" + support + "[supports]" + support, 15, {"[supports]", "line 12", "[[supports]]"});
   expect("[supports]" + support + "[[supports]]" + support, 15, {"[supports]", "line 12", "[[supports]]"});
   expect("[bodies.block]\nregion = \"b\"\n", 12, {"[bodies.block]", "line 3"});
-  expect("[[output]]\nfields = false\n", 12, {"output: ", "[[output]]", "allowed: [output]"});
+  expect("[[output]]\nfields = false\n", 12, {"output: ", "[[output]]", "[output]"});
   expect("[[materials.gold]]\nyoung_modulus = 1\npoisson_ratio = 0\n", 12,
-         {"materials.gold: ", "[[materials.gold]]", "allowed: [materials.gold]"});
+         {"materials.gold: ", "[[materials.gold]]", "[materials.gold]"});
 }
 
 TEST(ConfigSyntax, StudyForARunAndRunForAStudy) {
@@ -75,12 +75,9 @@ TEST(ConfigSyntax, StudyForARunAndRunForAStudy) {
   ASSERT_EQ(mistakes(study).size(), 1u);
   EXPECT_TRUE(creepcontact::test::says(mistakes(study)[0],
                                        {"cases/block.toml: ", "'base'", "creepcontact study cases/block.toml"}));
-  try {
-    parse_study(minimal, "cases/block.toml");
-    FAIL() << "no mistake found";
-  } catch (const ConfigError& error) {
-    EXPECT_TRUE(creepcontact::test::says(error.what(), {"cases/block.toml: ", "creepcontact run cases/block.toml"}));
-  }
+  EXPECT_TRUE(creepcontact::test::says(
+      creepcontact::test::message_of<ConfigError>([] { parse_study(minimal, "cases/block.toml"); }),
+      {"cases/block.toml: ", "creepcontact run cases/block.toml"}));
 }
 
 }  // namespace

@@ -10,17 +10,13 @@ TEST(CreepRateUnits, ThatDoNotFitTogether) {
   const config::Config pascals =
       blocks.config("", {"materials.soft.young_modulus=1e8", "materials.hard.young_modulus=2e8"});
   const std::string said = message_of<ModelError>([&] { const System system(pascals); });
-  EXPECT_TRUE(said.starts_with("body 'lower' would relax ")) << said;
-  EXPECT_TRUE(contains(said,
-                       "e-24 of the run time: under its typical stress of 1e+06 at t = 0, material 'soft' creeps by "
-                       "4e+23 times its elastic strain until time.end; check that young_modulus, the loads and the "
-                       "creep constants are in the same units\nbody 'upper' would relax within 1e-24 of the run time"))
-      << said;
+  EXPECT_TRUE(says(said, {"body 'lower'", "e-24", "1e+06", "t = 0", "material 'soft'", "4e+23", "time.end",
+                          "young_modulus", "\nbody 'upper'", "1e-24"}));
   // also where the load comes later
   const config::Config ramped = blocks.config(
       "",
       {"materials.soft.young_modulus=1e8", "materials.hard.young_modulus=2e8", "supports.3.displacement.z=-0.025*t"});
-  EXPECT_TRUE(contains(message_of<ModelError>([&] { const System system(ramped); }), "at t = 4, material 'soft'"));
+  EXPECT_TRUE(says(message_of<ModelError>([&] { const System system(ramped); }), {"t = 4", "material 'soft'"}));
 }
 
 TEST(CreepRateUnits, FastStartsAreNoMistake) {

@@ -68,40 +68,40 @@ TEST(CardParameters, UnknownOnesAreRefusedForEveryCard) {
         rule.where == DeckReader::Where::step || name == "STATIC" || name == "VISCO" || name == "NO ANALYSIS";
     const std::string end = in_step || name == "STEP" ? "\n*END STEP" : name == "PART" ? "\n*END PART" : "";
     const Deck deck = deck_of("*MATERIAL, NAME=M\n" + std::string(in_step ? "*STEP\n" : "") + card + end + "\n");
-    EXPECT_TRUE(says(consequences(deck.impossible), {"NOVELTY: an unknown parameter, which may change the results"}))
-        << name;
+    EXPECT_TRUE(says(consequences(deck.impossible), {"NOVELTY: ", "unknown"})) << name;
   }
 }
 
 TEST(CardParameters, WhatChangesTheResultsIsRefused) {
-  for (const auto& [card, reason] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"*CONTACT PAIR, INTERACTION=I, TYPE=MASSLESS", "TYPE=MASSLESS is not known; SURFACE TO SURFACE"},
-           {"*CONTACT PAIR, INTERACTION=I, CPSET=a", "CPSET: properties in sets"},
-           {"*FRICTION, ROUGH", "ROUGH: friction without a limit"},
-           {"*FRICTION, TAUMAX=3", "TAUMAX: friction with a largest traction"},
-           {"*SURFACE BEHAVIOR, NO SEPARATION", "NO SEPARATION: surfaces that hold each other"},
-           {"*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=PERFECT", "PRESSURE-OVERCLOSURE=PERFECT is not known; HARD"},
-           {"*CONTACT INCLUSIONS, ALL EXTERIOR", "ALL EXTERIOR: contact of all surfaces with each other"},
-           {"*CONTACT EXCLUSIONS", "a setting of general *CONTACT"},
-           {"*AMPLITUDE, NAME=A, DEFINITION=PERIODIC", "DEFINITION=PERIODIC is not known; TABULAR is"},
-           {"*AMPLITUDE, NAME=A, SMOOTH=0.1", "SMOOTH=0.1 is not known"},
-           {"*AMPLITUDE, NAME=A, TIME=FREQUENCY", "TIME=FREQUENCY is not known; STEP TIME, TOTAL TIME are"},
-           {"*NODE, SYSTEM=C", "SYSTEM=C is not known; R is"},
-           {"*ELSET, ELSET=x, SORTD", "SORTD: an unknown parameter"},
-           {"*BOUNDARY, AMPLITUD=A",
-            "AMPLITUD: an unknown parameter, which may change the results; did you mean 'AMPLITUDE'?"},
-           {"*BOUNDARY, TYPE=VELOCITY", "TYPE=VELOCITY is not known; DISPLACEMENT is"},
-           {"*MATERIAL, NAME=M\n*ELASTIC, DEPENDENCIES=1\n1, 0", "DEPENDENCIES=1 is not known; 0 is"},
-           {"*SYSTEM\n0, 0, 0", "an unknown card, which may change the results"},
-           {"*CLOAD\n1, 1, 2.", "it belongs between *STEP and *END STEP"},
-           {"*STEP\n*INITIAL CONDITIONS, TYPE=TEMPERATURE\n1, 3.\n*END STEP", "it belongs before the first *STEP"},
-           {"*STEP\n*STATIC, RIKS\n*END STEP", "RIKS: this procedure is not known"},
-           {"*STEP\n*VISCO, TOTAL TIME AT START=3\n*END STEP", "TOTAL TIME AT START: a total time"},
-           {"*STEP, AMPLITUDE=SINE\n*STATIC\n*END STEP", "AMPLITUDE=SINE is not known; RAMP, STEP are"},
-           {"*STEP\n*END STEP", "it has no procedure"},
-           {"*STEP\n*STATIC\n*END STEP\n*BOUNDARY\n1, 1", "it is between two steps"},
-           {"*PART, NAME=P\n*EQUATION\n1\n1, 1, 1.\n*END PART", "within a part or an instance it is not known"}})
-    EXPECT_TRUE(says(consequences(deck_of(std::string(card) + "\n").impossible), {reason})) << card;
+  const auto refuse = [](const std::string& card, std::initializer_list<std::string_view> facts) {
+    EXPECT_TRUE(says(consequences(deck_of(card + "\n").impossible), facts)) << card;
+  };
+  refuse("*CONTACT PAIR, INTERACTION=I, TYPE=MASSLESS", {"*CONTACT PAIR: TYPE=MASSLESS", "SURFACE TO SURFACE"});
+  refuse("*CONTACT PAIR, INTERACTION=I, CPSET=a", {"*CONTACT PAIR: CPSET: "});
+  refuse("*FRICTION, ROUGH", {"*FRICTION: ROUGH: "});
+  refuse("*FRICTION, TAUMAX=3", {"*FRICTION: TAUMAX: "});
+  refuse("*SURFACE BEHAVIOR, NO SEPARATION", {"*SURFACE BEHAVIOR: NO SEPARATION: "});
+  refuse("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=PERFECT",
+         {"*SURFACE BEHAVIOR: PRESSURE-OVERCLOSURE=PERFECT", "HARD"});
+  refuse("*CONTACT INCLUSIONS, ALL EXTERIOR", {"*CONTACT INCLUSIONS: ALL EXTERIOR: "});
+  refuse("*CONTACT EXCLUSIONS", {"*CONTACT EXCLUSIONS: ", "*CONTACT"});
+  refuse("*AMPLITUDE, NAME=A, DEFINITION=PERIODIC", {"*AMPLITUDE: DEFINITION=PERIODIC", "TABULAR"});
+  refuse("*AMPLITUDE, NAME=A, SMOOTH=0.1", {"*AMPLITUDE: SMOOTH=0.1"});
+  refuse("*AMPLITUDE, NAME=A, TIME=FREQUENCY", {"*AMPLITUDE: TIME=FREQUENCY", "STEP TIME, TOTAL TIME"});
+  refuse("*NODE, SYSTEM=C", {"*NODE: SYSTEM=C", "R"});
+  refuse("*ELSET, ELSET=x, SORTD", {"*ELSET: SORTD: ", "unknown"});
+  refuse("*BOUNDARY, AMPLITUD=A", {"*BOUNDARY: AMPLITUD: ", "unknown", "'AMPLITUDE'"});
+  refuse("*BOUNDARY, TYPE=VELOCITY", {"*BOUNDARY: TYPE=VELOCITY", "DISPLACEMENT"});
+  refuse("*MATERIAL, NAME=M\n*ELASTIC, DEPENDENCIES=1\n1, 0", {"*ELASTIC: DEPENDENCIES=1", "0"});
+  refuse("*SYSTEM\n0, 0, 0", {"*SYSTEM: ", "unknown card"});
+  refuse("*CLOAD\n1, 1, 2.", {"*CLOAD: ", "*STEP", "*END STEP"});
+  refuse("*STEP\n*INITIAL CONDITIONS, TYPE=TEMPERATURE\n1, 3.\n*END STEP", {"*INITIAL CONDITIONS: ", "first *STEP"});
+  refuse("*STEP\n*STATIC, RIKS\n*END STEP", {"*STATIC: RIKS: "});
+  refuse("*STEP\n*VISCO, TOTAL TIME AT START=3\n*END STEP", {"*VISCO: TOTAL TIME AT START: "});
+  refuse("*STEP, AMPLITUDE=SINE\n*STATIC\n*END STEP", {"*STEP: AMPLITUDE=SINE", "RAMP, STEP"});
+  refuse("*STEP\n*END STEP", {"*STEP: ", "procedure"});
+  refuse("*STEP\n*STATIC\n*END STEP\n*BOUNDARY\n1, 1", {"*BOUNDARY: ", "between two steps"});
+  refuse("*PART, NAME=P\n*EQUATION\n1\n1, 1, 1.\n*END PART", {"*EQUATION: ", "part", "instance"});
 }
 
 TEST(CardParameters, WhatIsLeftOutHasALine) {
@@ -109,19 +109,17 @@ TEST(CardParameters, WhatIsLeftOutHasALine) {
       "*HEADING\n*NODE FILE\nU\n*NSET, NSET=A, FREQUENCY=3\n1\n*CONTACT CONTROLS, STABILIZE\n*HEADING\n*STEP, INC=9\n"
       "*STATIC, STABILIZE\n*CLOAD, FOLLOWER\n1, 1, 2.\n*END STEP\n");
   EXPECT_TRUE(deck.impossible.empty()) << consequences(deck.impossible);
-  EXPECT_TRUE(says(consequences(deck.left_out),
-                   {"*NSET: FREQUENCY: it counts for output only", "*CONTACT CONTROLS: contact is solved without",
-                    "*STATIC: STABILIZE: there is no artificial damping", "*CLOAD: FOLLOWER: directions of loads",
-                    "*HEADING, *NODE FILE: without influence on the results"}));
+  EXPECT_TRUE(says(consequences(deck.left_out), {"*NSET: FREQUENCY: ", "*CONTACT CONTROLS: ", "*STATIC: STABILIZE: ",
+                                                 "*CLOAD: FOLLOWER: ", "*HEADING, *NODE FILE: "}));
 }
 
 TEST(CardParameters, AmplitudesAreShifted) {
   const Deck deck = deck_of("*AMPLITUDE, NAME=A, SHIFTX=0.5, SHIFTY=1.\n0, 0, 1, 1\n");
   EXPECT_EQ(deck.amplitudes.at("A").points, (std::vector<std::pair<double, double>>{{0.5, 1}, {1.5, 2}}));
   EXPECT_TRUE(says(message_of<ConfigError>([] { deck_of("*AMPLITUDE, NAME=A, SHIFTX=x\n0, 0\n"); }),
-                   {"SHIFTX: 'x' is not a number"}));
+                   {"deck.inp:8: *AMPLITUDE: SHIFTX: ", "'x'"}));
   EXPECT_TRUE(says(message_of<ConfigError>([] { deck_of("*AMPLITUDE, NAME=A\n0, 0\n*AMPLITUDE, NAME=a\n0, 0\n"); }),
-                   {"the amplitude 'a' exists already"}));
+                   {"deck.inp:10: *AMPLITUDE: ", "'a'"}));
 }
 
 /// Sections and sets may come before the sets that they name.
@@ -130,31 +128,30 @@ TEST(CardParameters, OrderOfSetsDoesNotCount) {
       deck_of("*SOLID SECTION, ELSET=Later, MATERIAL=M\n*ELSET, ELSET=Later\nOwn\n*ELSET, ELSET=Own\n7\n");
   EXPECT_EQ(deck.element_sets.at("LATER").members, Numbers{7});
   const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { deck_of(text); }); };
-  EXPECT_TRUE(says(refusal("*SOLID SECTION, ELSET=None, MATERIAL=M\n"),
-                   {"deck.inp:8: *SOLID SECTION: there is no element set 'NONE'"}));
-  EXPECT_TRUE(says(refusal("*NSET, NSET=A\nB\n*NSET, NSET=B\nC\n*NSET, NSET=C\n1\n"),
-                   {"deck.inp:9: *NSET: the set 'B' comes later and names such sets itself"}));
+  EXPECT_TRUE(says(refusal("*SOLID SECTION, ELSET=None, MATERIAL=M\n"), {"deck.inp:8: *SOLID SECTION: ", "'NONE'"}));
+  EXPECT_TRUE(says(refusal("*NSET, NSET=A\nB\n*NSET, NSET=B\nC\n*NSET, NSET=C\n1\n"), {"deck.inp:9: *NSET: ", "'B'"}));
 }
 
 TEST(CardParameters, NumbersThatAreNone) {
   const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { deck_of(text); }); };
-  EXPECT_TRUE(says(refusal("*NODE\n9, nan, 0\n8, inf, 0\n"), {"'nan' is not a number", "'inf' is not a number"}));
+  EXPECT_TRUE(says(refusal("*NODE\n9, nan, 0\n8, inf, 0\n"),
+                   {"deck.inp:9: *NODE: ", "'nan'", "deck.inp:10: *NODE: ", "'inf'"}));
   for (const char* number : {"-9", "0", "1000000000", "9223372036854775807", "99999999999999999999"}) {
-    EXPECT_TRUE(says(refusal(std::string("*NODE\n") + number + ", 0, 0\n"), {"is not a node number"})) << number;
+    EXPECT_TRUE(says(refusal(std::string("*NODE\n") + number + ", 0, 0\n"),
+                     {"deck.inp:9: *NODE: ", std::string("'") + number + "'"}))
+        << number;
     EXPECT_TRUE(says(refusal(std::string("*NSET, NSET=A\n") + number + "\n"), {"deck.inp:9: *NSET"})) << number;
   }
-  EXPECT_TRUE(says(refusal("*MATERIAL, NAME=M\n*ELASTIC\n1, 0, 20, 3\n"), {"4 values; at most 3 are known"}));
-  EXPECT_TRUE(
-      says(refusal("*MATERIAL, NAME=M\n*ELASTIC\n1, 0\n*ELASTIC\n2, 0\n"), {"the material 'M' has one already"}));
+  EXPECT_TRUE(says(refusal("*MATERIAL, NAME=M\n*ELASTIC\n1, 0, 20, 3\n"), {"deck.inp:10: *ELASTIC: ", "4", "3"}));
+  EXPECT_TRUE(says(refusal("*MATERIAL, NAME=M\n*ELASTIC\n1, 0\n*ELASTIC\n2, 0\n"), {"deck.inp:11: *ELASTIC: ", "'M'"}));
 }
 
 /// A comma at the end of a card may stand before parameters without values, which are not data.
 TEST(CardParameters, ParametersInTheNextLine) {
   const auto refusal = [](const std::string& text) { return message_of<ConfigError>([&] { deck_of(text); }); };
-  EXPECT_TRUE(says(refusal("*STEP, INC=9,\nNLGEOM\n*STATIC\n*END STEP\n"),
-                   {"deck.inp:9: *STEP: 'NLGEOM' is a parameter of the card"}));
+  EXPECT_TRUE(says(refusal("*STEP, INC=9,\nNLGEOM\n*STATIC\n*END STEP\n"), {"deck.inp:9: *STEP: 'NLGEOM'"}));
   EXPECT_TRUE(says(refusal("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR,\nno separation\n"),
-                   {"deck.inp:10: *SURFACE BEHAVIOR: 'no separation' is a parameter of the card"}));
+                   {"deck.inp:10: *SURFACE BEHAVIOR: 'no separation'"}));
   EXPECT_TRUE(deck_of("*STEP,\nA title\n*STATIC\n*END STEP\n").impossible.empty());
 }
 
@@ -172,7 +169,7 @@ TEST(CardParameters, NamesInLatin1) {
                          "*NSET, NSET=a\x01"
                          "b\n1\n");
                    }),
-                   {"deck.inp:8: a control character (0x01)"}));
+                   {"deck.inp:8: ", "0x01"}));
   EXPECT_TRUE(deck_of("** a comment with \x01\n*NSET, NSET=last\n1\n\x1A").node_sets.contains("LAST"));
 }
 

@@ -48,5 +48,6 @@ inline bool contains(const std::string& text, const std::string& part) {
 }
 
 using creepcontact::test::message_of;
+using creepcontact::test::says;
 
 }  // namespace creepcontact::io::test

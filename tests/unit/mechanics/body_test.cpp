@@ -22,7 +22,7 @@ TEST(Body, FreeBodyUnderBalancedLoads) {
   const mesh::Mesh box = box_mesh(CellType::hex20, {2, 2, 2}, {2, 2, 2}, {-1, -1, -1});
   Body body("ball", box, elastic_material(), {}, std::nullopt);
   ASSERT_EQ(body.free_motions().size(), 6u);
-  EXPECT_EQ(body.free_motions()[2].description, "translation along z");
+  EXPECT_TRUE(says(body.free_motions()[2].description, {"translation", " z"}));
   for (const char* side : {"z0", "z1"})
     body.add_load(mechanics::pressure_load(box, mesh::boundary_faces(box, side), 3.0));
   const mechanics::BodyConditions at = body.at(0);
@@ -99,7 +99,7 @@ TEST(Body, MovesInParts) {
   const mesh::Mesh apart = mesh::extract(mesh, {"volume"}).mesh;
   Body body("stack", apart, elastic_material(), {support(apart, "z0", Vector3::UnitZ())}, std::nullopt);
   ASSERT_EQ(body.free_motions().size(), 6u);
-  EXPECT_EQ(body.free_motions()[0].description, "translation along x of the part around (0.5, 0.5, 0.5)");
+  EXPECT_TRUE(says(body.free_motions()[0].description, {"translation", " x", "(0.5, 0.5, 0.5)"}));
   EXPECT_NO_THROW(factored(body));
 }
 
@@ -161,13 +161,11 @@ TEST(Body, LoadsThatAreNoNumbersAreAnError) {
   };
   Body body("lid", box, elastic_material(), symmetry_supports(box), std::nullopt);
   const std::string at_once = message_of<ModelError>([&] { body.add_load(pressure("sqrt(-1 - x)")); });
-  EXPECT_NE(at_once.find("body 'lid': its loads, supports, temperature or thermal expansion are not finite at t = 0"),
-            std::string::npos)
-      << at_once;
+  EXPECT_TRUE(says(at_once, {"body 'lid'", "finite", "t = 0"}));
   body.add_load(pressure("1/(2 - t)"));
   EXPECT_NO_THROW(body.at(1.0));
   const std::string later = message_of<ModelError>([&] { body.at(2.0); });
-  EXPECT_NE(later.find("at t = 2"), std::string::npos) << later;
+  EXPECT_TRUE(says(later, {"body 'lid'", "finite", "t = 2"}));
 }
 
 TEST(Body, FollowsTimeInLoadsAndSupports) {
@@ -228,8 +226,10 @@ TEST(Body, RightHandSideIsLinearInTheCreepStrain) {
 
 TEST(Body, RefusesInadmissibleElasticConstants) {
   const mesh::Mesh box = box_mesh(CellType::hex8, {1, 1, 1});
-  EXPECT_NE(message_of<ModelError>([&] { Body("b", box, elastic_material(200, 0.5), {}, std::nullopt); }), "");
-  EXPECT_NE(message_of<ModelError>([&] { Body("b", box, elastic_material(0, 0.3), {}, std::nullopt); }), "");
+  EXPECT_TRUE(says(message_of<ModelError>([&] { Body("b", box, elastic_material(200, 0.5), {}, std::nullopt); }),
+                   {"material 'elastic'", "young_modulus 200", "poisson_ratio 0.5"}));
+  EXPECT_TRUE(says(message_of<ModelError>([&] { Body("b", box, elastic_material(0, 0.3), {}, std::nullopt); }),
+                   {"material 'elastic'", "young_modulus 0", "poisson_ratio 0.3"}));
 }
 
 TEST(Body, EstimatesTheMemoryOfItsFactor) {

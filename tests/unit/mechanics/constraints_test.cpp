@@ -8,6 +8,7 @@
 #include "creepcontact/mechanics/discretization.hpp"
 #include "support/mechanics/meshes.hpp"
 #include "support/mechanics/solve.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::test {
 namespace {
@@ -101,15 +102,14 @@ TEST(Constraints, TheSameConditionTwiceIsOne) {
 TEST(Constraints, ContradictionNamesBothSupports) {
   const std::string message =
       message_of({{"left", {1}, {Vector3::UnitX()}, 0.0}, {"clamp", {1}, {Vector3::UnitX()}, 0.1}});
-  EXPECT_NE(message.find("supports 'left' and 'clamp' contradict each other at the node (1, 2, 3)"), std::string::npos)
-      << message;
+  EXPECT_TRUE(says(message, {"supports 'left' and 'clamp'", "node (1, 2, 3)"}));
 }
 
 TEST(Constraints, ContradictionOfACombinationNamesAll) {
   const std::string message = message_of({{"a", {0}, {Vector3::UnitX()}, 0.1},
                                           {"b", {0}, {Vector3::UnitY()}, 0.1},
                                           {"slope", {0}, {Vector3(1, 1, 0).normalized()}, 0.1}});
-  EXPECT_NE(message.find("supports 'a', 'b' and 'slope'"), std::string::npos) << message;
+  EXPECT_TRUE(says(message, {"supports 'a', 'b' and 'slope'"}));
 }
 
 TEST(Constraints, ContradictionOfRampsThatAgreeAtTheStart) {

@@ -9,6 +9,7 @@
 #include "creepcontact/base/error.hpp"
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/mechanics/constraints.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::mechanics {
 namespace links_tests {
@@ -133,28 +134,23 @@ TEST(Links, RigidSurfaceTakesWhatIsPrescribed) {
 }
 
 std::string refusal(const std::vector<Support>& supports, const NodeLinks& links) {
-  try {
-    const Constraints constraints(sector_nodes(), supports, links);
-  } catch (const ModelError& error) {
-    return error.what();
-  }
-  return "";
+  return creepcontact::test::message_of<ModelError>(
+      [&] { const Constraints constraints(sector_nodes(), supports, links); });
 }
 
 TEST(Links, ContradictionsAreRefused) {
   NodeLinks twice = rigid_links();
   twice.rigid.push_back(twice.rigid[0]);
   twice.rigid[1].on = "other";
-  EXPECT_NE(refusal({}, twice).find("the rigid surfaces 'plate' and 'other' have nodes in common"), std::string::npos);
+  EXPECT_TRUE(creepcontact::test::says(refusal({}, twice), {"rigid surfaces 'plate' and 'other'", "nodes"}));
 
   const std::vector<Support> torn{{"left", {0}, {Vector3::UnitX()}, 0.0}, {"right", {1}, {Vector3::UnitX()}, 0.1}};
-  EXPECT_NE(refusal(torn, rigid_links()).find("the rigid surface 'plate' cannot follow all that is prescribed"),
-            std::string::npos);
+  EXPECT_TRUE(creepcontact::test::says(refusal(torn, rigid_links()), {"rigid surface 'plate'", "prescribed", "t = "}));
 
   NodeLinks half = sector_links();
   half.rigid = rigid_links().rigid;
   half.rigid[0].nodes = {0, 1, 8};
-  EXPECT_NE(refusal({}, half).find("ends at a face of cyclic symmetry"), std::string::npos);
+  EXPECT_TRUE(creepcontact::test::says(refusal({}, half), {"rigid surface 'plate'", "face of cyclic symmetry"}));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "creepcontact/mechanics/loads.hpp"
 #include "element_loops.hpp"
 #include "support/mechanics/sections.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::test {
 namespace section_tests {
@@ -262,7 +263,8 @@ TEST(SectionMotions, OfFreeSections) {
     for (const mechanics::FreeMotion& motion : body.free_motions()) words.push_back(motion.description);
     return words;
   };
-  EXPECT_EQ(motions(Analysis::axisymmetric), std::vector<std::string>{"translation along y"});
+  ASSERT_EQ(motions(Analysis::axisymmetric).size(), 1u);
+  EXPECT_TRUE(creepcontact::test::says(motions(Analysis::axisymmetric)[0], {"translation", " y"}));
   EXPECT_EQ(motions(Analysis::plane_strain).size(), 3u);
 }
 

@@ -106,25 +106,27 @@ TEST(LoadCycles, JumpsAreSeen) {
   for (const double t : {10.0, 50.0}) EXPECT_FALSE(cycles.jumps_at(t)) << t;
 }
 
-void expect_refused(const config::Config& config, const std::string& reason) {
-  EXPECT_PRED2(contains, message_of<ConfigError>([&] { build_model(config); }), reason);
+void expect_refused(const config::Config& config, std::initializer_list<std::string_view> facts) {
+  EXPECT_TRUE(says(message_of<ConfigError>([&] { build_model(config); }), facts));
 }
 
 TEST(LoadCycles, WhatCannotHaveThemIsRefused) {
   const Case blocks;
   expect_refused(blocks.config("", {"time.cycle=1", "materials.soft.creep=[]", "materials.hard.creep=[]"}),
-                 "nothing creeps");
+                 {"'cycle'", "creeps"});
   expect_refused(blocks.config("", {"time.cycle=1", "time.jump_cycles=true", "contacts.0.friction=0.1"}),
-                 "contact 'lower_top-upper_bottom' has friction");
-  expect_refused(with_pressure(blocks, "'0.001*t'", {"time.jump_cycles=true"}), "loads[0].pressure does not repeat");
-  expect_refused(blocks.config("", {"time.cycle=4", "time.jump_cycles=true"}), "one cycle only");
+                 {"'jump_cycles'", "'lower_top-upper_bottom'", "friction"});
+  expect_refused(with_pressure(blocks, "'0.001*t'", {"time.jump_cycles=true"}),
+                 {"'jump_cycles'", "loads[0].pressure", "time.cycle"});
+  expect_refused(blocks.config("", {"time.cycle=4", "time.jump_cycles=true"}),
+                 {"'jump_cycles'", "one cycle", "time.end"});
   const std::vector<std::string> ageing{"materials.soft.creep.0.law=ageing", "materials.soft.creep.0.m=1",
                                         "materials.hard.creep.0.law=ageing", "materials.hard.creep.0.m=1",
                                         "time.integrator=isochronous",       "time.cycle=1"};
   EXPECT_NO_THROW(build_model(blocks.config("", ageing)));
   std::vector<std::string> jumping = ageing;
   jumping.emplace_back("time.jump_cycles=true");
-  expect_refused(blocks.config("", jumping), "ageing theory");
+  expect_refused(blocks.config("", jumping), {"'jump_cycles'", "material '", "ageing"});
 }
 
 }  // namespace

@@ -104,6 +104,15 @@ value = { t = [-1, 0, 3], values = [0, 20, 30] }
   EXPECT_EQ(model.breakpoints, expected);
 }
 
+/// The line of the message that begins with a place and a key names the facts.
+void expect_line(const std::string& message, const std::string& place, std::string_view key,
+                 std::initializer_list<std::string_view> facts) {
+  const std::string begin = place + std::string(key);
+  const std::size_t found = message.find(begin);
+  ASSERT_NE(found, std::string::npos) << begin << "\n--- in\n" << message;
+  EXPECT_TRUE(says(message.substr(found, message.find('\n', found) - found), facts));
+}
+
 TEST(ModelMistakes, AllInOneGoWithTheirPlaces) {
   const Case blocks;
   const std::string more = R"(
@@ -133,20 +142,16 @@ between = ["lower_tip", "upper_bottom"]
   const config::Config config = blocks.config(more);
   const std::string message = message_of<ModelError>([&] { build_model(config); });
   const std::string all = "bottom, lower_top, side_x, side_y, symmetry_x, symmetry_y, top, upper_bottom";
-  for (const std::string& expected :
-       {blocks.position("\"botom\"", more) +
-            "supports[4].on: the mesh has no physical group 'botom'; did you mean 'bottom'?",
-        blocks.position("\"top_edge\"", more) + "supports[5].on: group 'top_edge' is not a surface",
-        blocks.position("\"topp\"", more) +
-            "loads[0].on: the mesh has no physical surface 'topp'; did you mean 'top'?; "
-            "there are: " +
-            all,
-        blocks.position("\"lower\"\npressure", more) + "loads[2].on: 'lower' is a physical volume, not a surface",
-        blocks.position("\"bottom\"\nbody", more) + "loads[3].on: group 'bottom' is not on body 'upper'",
-        blocks.position("\"lower_tip\"", more) +
-            "contacts[1].between[0]: the mesh has no physical surface 'lower_tip'"}) {
-    EXPECT_TRUE(contains(message, expected)) << expected << "\n--- in\n" << message;
-  }
+  const auto expect = [&](const std::string& text, std::string_view key,
+                          std::initializer_list<std::string_view> facts) {
+    expect_line(message, blocks.position(text, more), key, facts);
+  };
+  expect("\"botom\"", "supports[4].on: ", {"'botom'", "'bottom'"});
+  expect("\"top_edge\"", "supports[5].on: ", {"'top_edge'", "surface"});
+  expect("\"topp\"", "loads[0].on: ", {"'topp'", "'top'", all});
+  expect("\"lower\"\npressure", "loads[2].on: ", {"'lower'", "volume", "surface"});
+  expect("\"bottom\"\nbody", "loads[3].on: ", {"'bottom'", "body 'upper'"});
+  expect("\"lower_tip\"", "contacts[1].between[0]: ", {"surface 'lower_tip'"});
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 5) << message;
 }
 
@@ -154,8 +159,8 @@ TEST(ModelMistakes, RegionsOfAllBodies) {
   const Case blocks;
   const config::Config config = blocks.config("", {"bodies.lower.region=lowr", "bodies.upper.region=top"});
   const std::string message = message_of<ModelError>([&] { build_model(config); });
-  EXPECT_TRUE(contains(message, "no physical volume 'lowr'; did you mean 'lower'?")) << message;
-  EXPECT_TRUE(contains(message, "'top' is a physical surface, not a volume")) << message;
+  EXPECT_TRUE(says(message, {"volume 'lowr'", "'lower'"}));
+  EXPECT_TRUE(says(message, {"'top'", "surface", "volume"}));
 }
 
 TEST(ModelMistakes, LoadsAndContactsThatDoNotFit) {
@@ -172,13 +177,11 @@ slave = "side_y"
 )";
   const config::Config config = blocks.config(more);
   const std::string message = message_of<ModelError>([&] { build_model(config); });
-  for (const std::string& expected :
-       {blocks.position("[[loads]]", more) + "loads[0]: no mesh node at (2, 1, 0.9): the nearest is (2, 1, 1) on body "
-                                             "'upper', 0.1 away",
-        blocks.position("[[contacts]]\nbetween = [\"lower_top\", \"bottom\"]", more) +
-            "contacts[1]: surfaces 'lower_top' and 'bottom' belong to the same body 'lower'",
-        blocks.position("[[contacts]]\nbetween = [\"side_y\"", more) + "contacts[2]: "})
-    EXPECT_TRUE(contains(message, expected)) << expected << "\n--- in\n" << message;
+  expect_line(message, blocks.position("[[loads]]", more),
+              "loads[0]: ", {"(2, 1, 0.9)", "(2, 1, 1)", "body 'upper'", "0.1"});
+  expect_line(message, blocks.position("[[contacts]]\nbetween = [\"lower_top\", \"bottom\"]", more),
+              "contacts[1]: ", {"'lower_top'", "'bottom'", "body 'lower'"});
+  expect_line(message, blocks.position("[[contacts]]\nbetween = [\"side_y\"", more), "contacts[2]: ", {});
 }
 
 TEST(ModelMistakes, PointForceWithinItsTolerance) {
@@ -204,7 +207,7 @@ TEST(FreeBodies, NeedAContactThatHoldsThem) {
                                        "supports.1.on=symmetry_x", "supports.1.displacement={x=0}"};
   std::ostringstream report;
   const std::string unloaded = message_of<ModelError>([&] { check(blocks.config("", loose), report); });
-  EXPECT_TRUE(contains(unloaded, "the bodies are not loaded")) << unloaded;
+  EXPECT_TRUE(says(unloaded, {"not loaded"}));
   for (const char* part :
        {"rigid-body modes: translation along y\n", "rigid-body modes: translation along y, translation along z",
         "rigid-body motions held by contact only: 2\n",
@@ -217,10 +220,8 @@ TEST(FreeBodies, NeedAContactThatHoldsThem) {
   const config::Config without_contact = blocks.config("", apart);
   for (const auto& message : {message_of<ModelError>([&] { const System system(without_contact); }),
                               message_of<ModelError>([&] { check(without_contact, report); })}) {
-    EXPECT_TRUE(contains(message, "body 'lower' can move freely: translation along y; add")) << message;
-    EXPECT_TRUE(
-        contains(message, "body 'upper' can move freely: translation along y, translation along z, rotation about"))
-        << message;
+    EXPECT_TRUE(says(message, {"body 'lower'", "translation along y;"}));
+    EXPECT_TRUE(says(message, {"body 'upper'", "translation along y, translation along z, rotation"}));
   }
 }
 
@@ -233,11 +234,11 @@ TEST(FreeBodies, FlyOffUnderALoadThatNothingBalances) {
   };
   EXPECT_EQ(message("pressure = 1", loose), "nothing was thrown");
   const std::string pulled = message("pressure = -1", loose);
-  EXPECT_TRUE(contains(pulled, "body 'upper': translation along z: at t = 0 the loads ")) << pulled;
+  EXPECT_TRUE(says(pulled, {"body 'upper'", "translation along z", "t = 0"}));
   std::vector<std::string> sliding = loose;
   sliding.insert(sliding.end(), {"supports.1.on=symmetry_x", "supports.1.displacement={x=0}"});
   const std::string pushed = message("traction = [0, 1, -1]", sliding);
-  EXPECT_TRUE(contains(pushed, "body 'upper': translation along y: at t = 0 the loads ")) << pushed;
+  EXPECT_TRUE(says(pushed, {"body 'upper'", "translation along y", "t = 0"}));
 }
 
 TEST(Check, TellsWhatTheModelIs) {
@@ -257,7 +258,7 @@ TEST(Check, LooksAtTheProbesToo) {
   const Case blocks;
   const config::Config config = blocks.config("[[probes]]\nname = 'q'\nquantity = 'von_mises'\non = 'tpo'\n");
   std::ostringstream report;
-  EXPECT_TRUE(contains(message_of<ModelError>([&] { check(config, report); }), "probes[0]: no body has a group 'tpo'"));
+  EXPECT_TRUE(says(message_of<ModelError>([&] { check(config, report); }), {"probes[0]: ", "'tpo'"}));
 }
 
 }  // namespace

@@ -76,34 +76,30 @@ TEST(SharedNodes, BodiesThatWouldComeApart) {
   const std::string said = mistakes(blocks, common + four);
   const std::string position = (blocks / "case.toml").string() + ":3:8: mesh.file: ";
   for (const char* pair : {"'a' and 'b'", "'b' and 'c'", "'c' and 'd'", "'a' and 'd'"})
-    EXPECT_TRUE(contains(
-        said,
-        position + "bodies " + pair +
-            " share 21 nodes of the mesh, and no contact covers them: the bodies would separate there. Add a contact"))
-        << said;
-  EXPECT_TRUE(contains(said, "mesh.share_nodes = \"tie\"")) << said;
-  EXPECT_FALSE(contains(said, "along an edge")) << said;  // which is held as soon as the faces are
+    EXPECT_TRUE(says(said, {position + "bodies " + pair, "21 nodes", "type = \"tied\"", "mesh.share_nodes = \"tie\""}));
+  for (const char* pair : {"'a' and 'c'", "'b' and 'd'"})  // their edge is held as soon as the faces are
+    EXPECT_FALSE(contains(said, pair)) << said;
 }
 
 TEST(SharedNodes, WithTheOtherMistakes) {
   const Case blocks(quarters);
   const std::string said = mistakes(blocks, common + four, {"supports.0.on=ende"});
-  EXPECT_TRUE(contains(said, "no physical group 'ende'; did you mean 'end'?")) << said;
-  EXPECT_TRUE(contains(said, "bodies 'a' and 'b' share")) << said;
+  EXPECT_TRUE(says(said, {"group 'ende'", "'end'"}));
+  EXPECT_TRUE(says(said, {"'a' and 'b'", "21 nodes"}));
 }
 
 TEST(SharedNodes, AContactCoversThem) {
   const Case blocks(quarters);
   const std::string two = body("a", "'a'") + body("b", "'b'");
   const std::string contact = "[[contacts]]\nbetween = ['a_b', 'b_a']\n";
-  EXPECT_TRUE(contains(mistakes(blocks, common + two), "share 21 nodes"));
+  EXPECT_TRUE(says(mistakes(blocks, common + two), {"21 nodes"}));
   for (const char* type : {"type = 'tied'\n", ""}) {
     const Model model = build_model(blocks.parse(common + two + contact + type));
     EXPECT_EQ(model.pairs().size(), 1u);
   }
   testing::internal::CaptureStderr();
   EXPECT_EQ(build_model(blocks.parse(common + two + contact, {tie})).pairs().size(), 1u);
-  EXPECT_TRUE(contains(testing::internal::GetCapturedStderr(), "mesh.share_nodes = \"tie\" has no effect"));
+  EXPECT_TRUE(says(testing::internal::GetCapturedStderr(), {"mesh.share_nodes = \"tie\""}));
 }
 
 TEST(SharedNodes, AContactCoversAPart) {
@@ -112,8 +108,7 @@ TEST(SharedNodes, AContactCoversAPart) {
   const std::string halves = body("right", "['a', 'd']") + body("left", "['b', 'c']");
   const std::string contact = "[[contacts]]\nbetween = ['a_b', 'b_a']\n";
   const std::string said = mistakes(blocks, common + halves + contact);
-  EXPECT_TRUE(contains(said, "bodies 'right' and 'left' share 37 nodes of the mesh, and no contact covers 16 of these"))
-      << said;
+  EXPECT_TRUE(says(said, {"'right' and 'left'", "37 nodes", "16"}));
   EXPECT_EQ(build_model(blocks.parse(common + halves + contact, {tie})).pairs().size(), 2u);
 }
 
@@ -121,8 +116,8 @@ TEST(SharedNodes, AnEdgeHoldsNothing) {
   const Case blocks(quarters);
   for (const std::vector<std::string>& overrides : {std::vector<std::string>{}, {tie}}) {
     const std::string said = mistakes(blocks, common + body("a", "'a'") + body("c", "'c'"), overrides);
-    EXPECT_TRUE(contains(said, "bodies 'a' and 'c' share 5 nodes along an edge or at a point, and no face")) << said;
-    EXPECT_FALSE(contains(said, "would separate")) << said;
+    EXPECT_TRUE(says(said, {"'a' and 'c'", "5 nodes", "edge"}));
+    EXPECT_FALSE(contains(said, "mesh.share_nodes")) << said;
   }
 }
 
@@ -132,8 +127,7 @@ TEST(SharedNodes, SupportsMustNotMoveThemApart) {
       "[[supports]]\non = 'top'\nbody = 'a'\ndisplacement = { z = 0.1 }\n"
       "[[supports]]\non = 'top'\nbody = 'b'\ndisplacement = { z = 0.2 }\n";
   const std::string said = mistakes(blocks, common + body("a", "'a'") + body("b", "'b'") + moved, {tie});
-  EXPECT_TRUE(contains(said, "supports move the node (")) << said;
-  EXPECT_TRUE(contains(said, "at which bodies 'a' and 'b' are tied, by (0, ")) << said;
+  EXPECT_TRUE(says(said, {"supports", "node (", "'a' and 'b'", "(0, "}));
 }
 
 /// History of a run with fixed steps. @param joint  the body at a place of the joint

@@ -58,22 +58,19 @@ TEST_F(Temperatures, ComeFromAFile) {
 
 TEST_F(Temperatures, MistakesInTheFileAreNamedWithTheConfiguration) {
   const auto message = message_of<ModelError>([&] { build_model(config("x,y,z,T\n1,2,3,a\n")); });
-  EXPECT_TRUE(contains(message, "case.toml:")) << message;
-  EXPECT_TRUE(contains(message, "T.csv', line 2: in the column 'T' 'a' is not a number")) << message;
-  EXPECT_TRUE(
-      contains(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\nvalue = 1\nfile = \"T.csv\"\n"); }),
-               "temperature: both 'value' and 'file'"));
-  EXPECT_TRUE(contains(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\n"); }),
-                       "temperature: no temperature; allowed: exactly one of value, file"));
+  EXPECT_TRUE(says(message, {"case.toml:", "T.csv', line 2: ", "'T'", "'a'"}));
+  EXPECT_TRUE(says(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\nvalue = 1\nfile = \"T.csv\"\n"); }),
+                   {"temperature: ", "both", "'value'", "'file'"}));
+  EXPECT_TRUE(says(message_of<ConfigError>([&] { config(csv, {}, "[temperature]\n"); }),
+                   {"temperature: ", "one of value, file"}));
 }
 
 TEST_F(Temperatures, PlacesFarOutsideTheFileAreWarnedOfOnce) {
   testing::internal::CaptureStderr();
   build_model(config("x,y,z,T\n0,0,-2,1\n0,0,-1.9,2\n0,0,-1.8,3\n"));
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_TRUE(contains(said, "does not cover the whole model: 69 of 81 nodes lie far outside its points (24 of 36 in "))
-      << said;
-  EXPECT_EQ(said.find("does not cover"), said.rfind("does not cover"));
+  EXPECT_TRUE(says(said, {"temperature: ", "T.csv'", "69 of 81 nodes", "24 of 36"}));
+  EXPECT_EQ(said.find("69 of 81"), said.rfind("69 of 81"));
   testing::internal::CaptureStderr();
   build_model(config(csv));
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
@@ -84,17 +81,16 @@ TEST_F(Temperatures, OutsideATableAreWarnedOfOnceATable) {
                                         "materials.hard.creep[0].A={ T = [0, 1000], values = [1e-3, 2e-3] }"};
   std::vector<std::string> short_run = tables;
   short_run.emplace_back("time.end=0.9");  // before it gets hot
-  EXPECT_FALSE(contains(warnings(config(csv, short_run), {0.5, 0.9}), "outside"));
+  EXPECT_FALSE(contains(warnings(config(csv, short_run), {0.5, 0.9}), "material '"));
   const std::string said = warnings(config(csv, tables), {0.5, 3.5, 3.8, 0.5, 4});
-  EXPECT_TRUE(contains(said, "material 'soft': creep[0].A: the temperature at (")) << said;
-  EXPECT_TRUE(contains(said, "outside its table (0 .. 190); the end value is used")) << said;
-  EXPECT_EQ(said.find("outside"), said.rfind("outside")) << said;
+  EXPECT_TRUE(says(said, {"material 'soft': creep[0].A: ", "temperature at (", "table (0 .. 190)"}));
+  EXPECT_EQ(said.find("material '"), said.rfind("material '")) << said;
 }
 
 TEST_F(Temperatures, OutsideATableOfRuptureDataAreWarnedOf) {
   const std::string rupture = "materials.soft.rupture={ rupture_time = { T = [0, 190], values = [1e5, 1e3] } }";
   const std::string said = warnings(config(csv, {rupture}), {4});
-  EXPECT_TRUE(contains(said, "material 'soft': rupture.rupture_time: the temperature at (")) << said;
+  EXPECT_TRUE(says(said, {"material 'soft': rupture.rupture_time: ", "temperature at (", "table (0 .. 190)"}));
 }
 
 TEST_F(Temperatures, OutsideTheRangesOfALawAreWarnedOfOnce) {
@@ -102,10 +98,9 @@ TEST_F(Temperatures, OutsideTheRangesOfALawAreWarnedOfOnce) {
       "materials.soft.creep[0].temperature_range=[0, 190]", "materials.hard.creep[0].temperature_range=[0, 1000]",
       "materials.soft.creep[0].stress_range=[1e-30, 1e-20]", "materials.hard.creep[0].stress_range=[0, 1e20]"};
   const std::string said = warnings(config(csv, ranges), {0.5, 3.5, 3.8});
-  EXPECT_TRUE(contains(said, "material 'soft': creep[0] (norton): the temperature at (")) << said;
-  EXPECT_TRUE(contains(said, "outside the temperature_range of the law (0 .. 190); the law is extrapolated")) << said;
-  EXPECT_TRUE(contains(said, "material 'soft': creep[0] (norton): the von Mises stress at (")) << said;
-  EXPECT_TRUE(contains(said, "outside the stress_range of the law (1e-30 .. 1e-20); the law is extrapolated")) << said;
+  const std::string law = "material 'soft': creep[0] (norton): ";
+  EXPECT_TRUE(says(said, {law, "temperature at (", "temperature_range", "(0 .. 190)"}));
+  EXPECT_TRUE(says(said, {law, "stress at (", "stress_range", "(1e-30 .. 1e-20)"}));
   EXPECT_EQ(said.find("stress_range"), said.rfind("stress_range")) << said;
   EXPECT_FALSE(contains(said, "material 'hard'")) << said;
 }
@@ -121,15 +116,14 @@ TEST_F(Temperatures, TheRangesOfAMaterialAreThoseOfItsLaws) {
   EXPECT_EQ(law.time_range->high, 0.5);
   ASSERT_EQ(found.remarks.size(), 1U);
   EXPECT_TRUE(contains(found.remarks[0], "materials.soft.data_range")) << found.remarks[0];
-  EXPECT_TRUE(contains(warnings(found, {0.5, 3.5}), "outside the stress_range of the law (1e-30 .. 1e-20)"));
+  EXPECT_TRUE(says(warnings(found, {0.5, 3.5}), {"stress_range", "(1e-30 .. 1e-20)"}));
   ASSERT_EQ(RangeMonitor::time_warnings(found).size(), 1U);
-  EXPECT_TRUE(contains(RangeMonitor::time_warnings(found)[0], "the time_range of the law (0 .. 0.5)"));
+  EXPECT_TRUE(says(RangeMonitor::time_warnings(found)[0], {"time_range", "(0 .. 0.5)"}));
 }
 
 TEST_F(Temperatures, AStressThatNeverReachesTheRangeOfALawIsWarnedOfAtTheEnd) {
   const std::string said = warnings(config(csv, {"materials.soft.creep[0].stress_range=[1e20, 1e21]"}), {0.5, 3.5});
-  EXPECT_TRUE(contains(said, "material 'soft': creep[0] (norton): the largest von Mises stress was ")) << said;
-  EXPECT_TRUE(contains(said, "below the stress_range of the law (1e+20 .. 1e+21)")) << said;
+  EXPECT_TRUE(says(said, {"material 'soft': creep[0] (norton): ", "largest", "stress_range", "(1e+20 .. 1e+21)"}));
 }
 
 /// Interpolation leaves 20 - 4e-15 of a field that is 20.
@@ -138,10 +132,10 @@ TEST_F(Temperatures, RoundingIsNotOutsideATable) {
   const auto said = [&](const std::string& temperature) {
     return warnings(blocks_.config("[temperature]\nvalue = \"" + temperature + "\"\n", {table}), {0, 4});
   };
-  EXPECT_FALSE(contains(said("20*(1 - 2e-16)"), "outside"));
-  EXPECT_FALSE(contains(said("t > 1 ? 540*(1 + 2e-16) : 20"), "outside"));
-  EXPECT_TRUE(contains(said("19.999"), "outside its table (20 .. 540)"));
-  EXPECT_TRUE(contains(said("540.001"), "outside its table (20 .. 540)"));
+  EXPECT_FALSE(contains(said("20*(1 - 2e-16)"), "material '"));
+  EXPECT_FALSE(contains(said("t > 1 ? 540*(1 + 2e-16) : 20"), "material '"));
+  EXPECT_TRUE(says(said("19.999"), {"creep[0].A: ", "19.999", "(20 .. 540)"}));
+  EXPECT_TRUE(says(said("540.001"), {"creep[0].A: ", "540.001", "(20 .. 540)"}));
 }
 
 }  // namespace

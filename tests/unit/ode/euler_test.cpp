@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "creepcontact/base/error.hpp"
+#include "support/says.hpp"
 #include "systems.hpp"
 
 namespace creepcontact::ode {
@@ -68,7 +69,7 @@ TEST(Euler, ExplicitNamesTheStableStepWhenTheStateOverflows) {
     for (int k = 0; k < 1000; ++k) integrator->step(1e9);
     FAIL() << "overflow not noticed";
   } catch (const SolverError& error) {
-    EXPECT_NE(std::string(error.what()).find("stable step is 2"), std::string::npos) << error.what();
+    EXPECT_TRUE(test::says(error.what(), {"stable step", " 2.", "step = \"stable\""}));
     EXPECT_TRUE(std::isfinite(integrator->state()[0]));
   }
 }

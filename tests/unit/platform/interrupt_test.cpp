@@ -52,7 +52,7 @@ TEST_F(Signals, ASecondOneEndsTheProcessAtOnce) {
         std::raise(SIGINT);
         std::_Exit(0);
       },
-      ExitedWithCode(130), "interrupted \\(SIGINT\\) a second time: ended at once");
+      ExitedWithCode(130), "SIGINT.* second");
 }
 
 TEST_F(Signals, WaitForAFileThatIsBeingPutIntoItsPlace) {

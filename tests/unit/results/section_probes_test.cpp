@@ -186,29 +186,37 @@ std::string section_mistake(const std::string& text, const std::string& probe, c
 TEST(SectionProbeMistakes, APlaneThatMisses) {
   const std::string message =
       section_mistake(case_text, "quantity = 'section_force_z', " + plane("lower", 0.2), separate_blocks());
-  EXPECT_TRUE(contains(message,
-                       "case.toml:1:11: probes[0]: section: the plane through (0, 0, 0.2) with the normal (0, "
-                       "0, 1) misses the body, which lies within (0, 0, -2) and (2, 1, 0)"))
-      << message;
+  EXPECT_TRUE(
+      says(message, {"case.toml:1:11: probes[0]: section: ", "(0, 0, 0.2)", "(0, 0, 1)", "(0, 0, -2)", "(2, 1, 0)"}));
 }
 
 TEST(SectionProbeMistakes, InTheConfiguration) {
   const std::string ring = section_case("axisymmetric", "", "");
-  const std::vector<std::array<std::string, 3>> mistakes{
-      {case_text, "quantity = 'section_force_z', body = 'lower'", "'section_force_z' without 'section'"},
-      {case_text, "quantity = 'section_force_z', section = { origin = [0, 0, 0], normal = [0, 0, 1] }",
-       "no place: none of"},
-      {case_text, "quantity = 'von_mises', " + plane("lower", -1), "has no meaning for 'von_mises'"},
-      {case_text, "quantity = 'section_force_z', body = 'lower', section = { origin = [0, 0, -1], normal = [0, 0, 0] }",
-       "[0, 0, 0]; allowed: a direction"},
-      {case_text, "quantity = 'section_force_z', where = 'x > 1', " + plane("lower", -1), "is one value per body"},
-      {ring, "quantity = 'section_force_y', body = 'ring', section = { origin = [0, 1, 0], normal = [1, 0, 0] }",
-       "is not along the axis of the axisymmetric model"},
-      {ring, "quantity = 'section_force_x', body = 'ring', section = { origin = [0, 1, 0], normal = [0, 1, 0] }",
-       "is 0 by symmetry"}};
-  for (const auto& [text, probe, said] : mistakes) {
+  struct Mistake {
+    std::string text, probe;
+    std::vector<std::string_view> facts;
+  };
+  const std::vector<Mistake> mistakes{
+      {case_text, "quantity = 'section_force_z', body = 'lower'", {"probes[0]: ", "'section_force_z'", "'section'"}},
+      {case_text,
+       "quantity = 'section_force_z', section = { origin = [0, 0, 0], normal = [0, 0, 1] }",
+       {"probes[0]: ", "'on'", "'at'", "'body'"}},
+      {case_text, "quantity = 'von_mises', " + plane("lower", -1), {"probes[0].section: ", "'von_mises'"}},
+      {case_text,
+       "quantity = 'section_force_z', body = 'lower', section = { origin = [0, 0, -1], normal = [0, 0, 0] }",
+       {"probes[0].section.normal: ", "[0, 0, 0]"}},
+      {case_text,
+       "quantity = 'section_force_z', where = 'x > 1', " + plane("lower", -1),
+       {"probes[0].where: ", "'section_force_z'"}},
+      {ring,
+       "quantity = 'section_force_y', body = 'ring', section = { origin = [0, 1, 0], normal = [1, 0, 0] }",
+       {"probes[0].section.normal: ", "[0, 1, 0]"}},
+      {ring,
+       "quantity = 'section_force_x', body = 'ring', section = { origin = [0, 1, 0], normal = [0, 1, 0] }",
+       {"probes[0].quantity: ", "'section_force_x'", "section_force_y"}}};
+  for (const auto& [text, probe, facts] : mistakes) {
     const std::string message = section_mistake(text, probe, text == ring ? rectangle : separate_blocks());
-    EXPECT_TRUE(contains(message, said)) << probe << ": " << message;
+    EXPECT_TRUE(says(message, facts)) << probe;
   }
 }
 

@@ -25,12 +25,13 @@ std::map<std::string, FileState> files_in(const std::filesystem::path& directory
   return files;
 }
 
-void expect_left_alone(const config::Config& config, const std::filesystem::path& out, const std::string& reason) {
+void expect_left_alone(const config::Config& config, const std::filesystem::path& out,
+                       std::initializer_list<std::string_view> reason) {
   const auto before = files_in(out);
   const std::filesystem::path log = out / "contact_log.csv";
   const Summary result = run(config, {.output = out.string(), .resume = true, .log_contact = log.string()});
   EXPECT_EQ(result.exit_status, 0);
-  EXPECT_TRUE(contains(result.message, "nothing is left to do: " + reason)) << result.message;
+  EXPECT_TRUE(says(result.message, reason));
   EXPECT_EQ(result.message.find('\n'), std::string::npos);
   const auto after = files_in(out);
   EXPECT_EQ(after.size(), before.size());
@@ -45,8 +46,8 @@ TEST(ResumeFinished, ACompletedRunIsLeftAsItIs) {
     const std::filesystem::path out = blocks / integrator;
     ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
     EXPECT_GT(SummaryFile(out / "summary.json").number(contact + "final_normal_force"), 0);
-    expect_left_alone(config, out, "the run is complete up to t = 4; to continue it, set a later time.end");
-    expect_left_alone(blocks.config(pressure_probe, {"time.end=3"}), out, "the run is complete up to t = 4");
+    expect_left_alone(config, out, {"t = 4", "time.end"});
+    expect_left_alone(blocks.config(pressure_probe, {"time.end=3"}), out, {"t = 4", "time.end"});
   }
 }
 
@@ -54,7 +55,7 @@ TEST(ResumeFinished, AnElasticRunToo) {
   const Case blocks;
   const config::Config config = blocks.config(pressure_probe, elastic({"time.output=[1, 3]"}));
   ASSERT_EQ(run(config, {.output = (blocks / "out").string()}).exit_status, 0);
-  expect_left_alone(config, blocks / "out", "the run is complete up to t = 4");
+  expect_left_alone(config, blocks / "out", {"t = 4", "time.end"});
 }
 
 TEST(ResumeFinished, ARupturedRunIsLeftAsItIs) {
@@ -66,7 +67,7 @@ TEST(ResumeFinished, ARupturedRunIsLeftAsItIs) {
   const std::filesystem::path out = blocks / "out";
   ASSERT_EQ(run(config, {.output = out.string()}).exit_status, 0);
   ASSERT_EQ(SummaryFile(out / "summary.json").text("status"), "ruptured");
-  expect_left_alone(config, out, "the run ended by rupture at t = ");
+  expect_left_alone(config, out, {"rupture", "t = "});
 }
 
 /// Killed between its last checkpoint and its last summary: that is made up for, with the forces of the end.
@@ -104,7 +105,7 @@ TEST(ResumeFinished, AnotherModelIsRefused) {
   ASSERT_EQ(run(blocks.config(pressure_probe), {.output = out.string()}).exit_status, 0);
   const config::Config other = blocks.config(pressure_probe, {"materials.soft.young_modulus=101"});
   const auto resume = [&] { run(other, {.output = out.string(), .resume = true}); };
-  EXPECT_TRUE(contains(message_of<ConfigError>(resume), "the checkpoint belongs to another model"));
+  EXPECT_TRUE(says(message_of<ConfigError>(resume), {"checkpoint.h5: ", "materials.soft.young_modulus", "101"}));
 }
 
 }  // namespace

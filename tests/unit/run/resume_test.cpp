@@ -128,30 +128,29 @@ TEST(ResumeMistakes, CheckpointOfAnotherModelAndWhatDiffers) {
   const std::filesystem::path out = blocks / "out";
   interrupted_run(blocks.config(pressure_probe + loads), out, 1);
   const std::string history = read_text(out / "history.csv"), checkpoint = read_text(out / "checkpoint.h5");
-  const std::vector<std::pair<const char*, const char*>> changes{
-      {"materials.soft.young_modulus=101", "materials.soft.young_modulus was 100 and is now 101"},
-      {"materials.hard.creep.0.n=5", "materials.hard.creep[0].n was 4 and is now 5"},
-      {"mesh.order=2", "mesh of body 'lower' was 36 nodes"},
-      {"mesh.file=moved.geo", "mesh of body 'upper' was 45 nodes"},
-      {"bodies.upper.material=soft", R"(bodies.upper.material was "hard" and is now "soft")"},
-      {"supports.3.displacement.z=-0.03", "supports[3].displacement.z was -0.025 and is now -0.03"},
+  const std::vector<std::pair<const char*, std::vector<std::string_view>>> changes{
+      {"materials.soft.young_modulus=101", {"materials.soft.young_modulus ", "100", "101"}},
+      {"materials.hard.creep.0.n=5", {"materials.hard.creep[0].n ", "4", "5"}},
+      {"mesh.order=2", {"body 'lower'", "36 nodes"}},
+      {"mesh.file=moved.geo", {"body 'upper'", "45 nodes"}},
+      {"bodies.upper.material=soft", {"bodies.upper.material ", "\"hard\"", "\"soft\""}},
+      {"supports.3.displacement.z=-0.03", {"supports[3].displacement.z ", "-0.025", "-0.03"}},
       {"loads.0.pressure={t=[0,1],values=[0.01,0.02]}",
-       "loads[0].pressure was 0.01 and is now { t = [0, 1], values = [0.01, 0.02] }"},
-      {"loads=[]", "loads[0].pressure was 0.01 and is now missing"},
-      {"temperature.value='20+2*t'", R"(temperature.value was "20+t" and is now "20+2*t")"},
-      {"contacts.0.gap=0.01", "contacts[0].gap was 0 and is now 0.01"},
-      {"contacts.0.slave=upper_bottom", R"(contacts[0].slave was "lower_top" and is now "upper_bottom")"},
-      {"contact_solver.method=active_set", R"(contact_solver.method was "schwarz" and is now "active_set")"}};
+       {"loads[0].pressure ", "0.01", "{ t = [0, 1], values = [0.01, 0.02] }"}},
+      {"loads=[]", {"loads[0].pressure ", "0.01", "missing"}},
+      {"temperature.value='20+2*t'", {"temperature.value ", "\"20+t\"", "\"20+2*t\""}},
+      {"contacts.0.gap=0.01", {"contacts[0].gap ", "0", "0.01"}},
+      {"contacts.0.slave=upper_bottom", {"contacts[0].slave ", "\"lower_top\"", "\"upper_bottom\""}},
+      {"contact_solver.method=active_set", {"contact_solver.method ", "\"schwarz\"", "\"active_set\""}}};
   std::string moved = separate_blocks();  // as many nodes, elsewhere
   moved.replace(moved.find("{0, 0, 0, 2, 1, 1}"), 18, "{0, 0, 0, 2, 1, 1.01}");
   moved.replace(moved.find("e = 1e-3"), 8, "e = 0.02");
   io::test::write_text(blocks / "moved.geo", moved);
-  for (const auto& [change, text] : changes) {
+  for (const auto& [change, facts] : changes) {
     const config::Config config = blocks.config(pressure_probe + loads, {change});
     const std::string message = message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true}); });
-    EXPECT_TRUE(contains(message, (out / "checkpoint.h5").string() + ": the checkpoint belongs to another model"))
-        << change << ": " << message;
-    EXPECT_TRUE(contains(message, text)) << change << ": " << message;
+    EXPECT_TRUE(says(message, {(out / "checkpoint.h5").string() + ": ", "--resume"})) << change;
+    EXPECT_TRUE(says(message, facts)) << change;
   }
   EXPECT_EQ(read_text(out / "history.csv"), history);
   EXPECT_EQ(read_text(out / "checkpoint.h5"), checkpoint);
@@ -251,16 +250,13 @@ TEST(ResumeMistakes, DamagedCheckpoints) {
   const std::string older = read_text(out / "checkpoint.previous.h5");
   io::test::write_text(out / "checkpoint.previous.h5", older.substr(0, older.size() - 100));
   const std::string message = message_of<ConfigError>([&] { run(config, {.output = out.string(), .resume = true}); });
-  for (const char* text : {"checkpoint.h5' is cut short or damaged", "checkpoint.previous.h5' is cut short or damaged",
-                           "run without --resume to start again"})
-    EXPECT_TRUE(contains(message, text)) << message;
+  EXPECT_TRUE(says(message, {"checkpoint.h5'", "damaged", "checkpoint.previous.h5'", "damaged", "--resume"}));
 
   io::test::write_text(out / "checkpoint.previous.h5", older);
   testing::internal::CaptureStderr();
   EXPECT_EQ(run(config, {.output = out.string(), .resume = true}).exit_status, 0);
   const std::string warning = testing::internal::GetCapturedStderr();
-  EXPECT_TRUE(contains(warning, "damaged")) << warning;
-  EXPECT_TRUE(contains(warning, "from the previous one")) << warning;
+  EXPECT_TRUE(says(warning, {"checkpoint.h5'", "damaged", "previous", "t = "}));
   for (const char* file : {"history.csv", "steps.csv", "fields.pvd"})
     EXPECT_EQ(read_text(out / file), read_text(whole / file)) << file;
 }
@@ -278,7 +274,7 @@ TEST(ResumeMistakes, OtherProbes) {
   interrupted_run(blocks.config(pressure_probe), out, 1);
   const std::string message =
       message_of<ConfigError>([&] { run(blocks.config(), {.output = out.string(), .resume = true}); });
-  EXPECT_TRUE(contains(message, R"(probes[0].name was "pressure" and is now missing)")) << message;
+  EXPECT_TRUE(says(message, {"probes[0].name ", "\"pressure\"", "missing"}));
 }
 
 volatile std::sig_atomic_t signals_of_the_caller = 0;

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "creepcontact/run/report.hpp"
+#include "support/says.hpp"
 
 namespace creepcontact::run {
 namespace {
@@ -14,6 +16,14 @@ using Lines = std::vector<std::string>;
 
 void expect_text(const std::string& whole, const std::string& part) {
   EXPECT_NE(whole.find(part), std::string::npos) << part << "\nin\n" << whole;
+}
+
+/// A line of the text names all of the facts.
+void expect_line(const std::string& whole, std::initializer_list<std::string_view> facts) {
+  std::istringstream text(whole);
+  for (std::string line; std::getline(text, line);)
+    if (creepcontact::test::says(line, facts)) return;
+  ADD_FAILURE() << *facts.begin() << "\nin\n" << whole;
 }
 
 Summary good_run() {
@@ -42,15 +52,12 @@ Summary good_run() {
 
 TEST(RunReport, TellsWhatTheSummaryHolds) {
   const std::string table = details(good_run());
-  for (const char* text :
-       {"100 of 1 to 4, 2 rejected, 1 iterations failed; cvode_bdf, order up to 3",
-        "270: 140 rates, 120 Jacobian products, 10 others (start, outputs, repetitions, tangent); 2 factorisations",
-        "3.0 iterations per solve", "requested for the stress: 1e-04", "0.40 of this on average, 0.60 at most",
-        "10.00 s: mesh and model 4 %, factors 10 %, solves 50 %, material points 20 %, contact 5 %, time integration 4 "
-        "%, "
-        "extremes, events and life 2 %, output 5 %",
-        "123 MB"})
-    expect_text(table, text);
+  expect_line(table, {"steps ", "100", "1 to 4", "2 rejected", " 1 ", "cvode_bdf", " 3"});
+  expect_line(table, {"elastic solves ", "270", "140", "120", "10 ", "2 factorisations"});
+  expect_line(table, {"contact ", "3.0 iterations"});
+  expect_line(table, {"accuracy ", "1e-04", "0.40", "0.60"});
+  expect_line(table, {"time ", "10.00 s", "4 %", "10 %", "50 %", "20 %", "5 %", "4 %", "2 %", "5 %"});
+  expect_line(table, {"memory ", "123 MB"});
 }
 
 TEST(RunReport, HasNoLinesForWhatIsNotThere) {
@@ -86,22 +93,21 @@ TEST(RunReport, AnswersFirst) {
   const std::string table = report(run);
   expect_text(table, "contact 'fit'             1000        1000         250        25 %");
   expect_text(table, "body 'shaft'           150         160          40        25 %");
-  expect_text(table, "contact 'rim' is open from t = 30000 on");
-  expect_text(table, "body 'shaft' has used 30 % of its creep life at (1, 2, 3)");
+  expect_line(table, {"contact 'rim'", "open", "t = 30000"});
+  expect_line(table, {"body 'shaft'", "30 %", "(1, 2, 3)"});
   EXPECT_EQ(table.find("damage"), std::string::npos);
   EXPECT_EQ(table.find("ruptured"), std::string::npos);
   summary.rupture = {.time = 7, .body = "shaft", .damage = {.value = 0.99, .position = {1, 2, 3}}};
-  expect_text(report(run), "body 'shaft' ruptured at t = 7 at (1, 2, 3)");
+  expect_line(report(run), {"body 'shaft'", "rupture", "t = 7", "(1, 2, 3)"});
 }
 
 TEST(RunReport, WorkIsOneLine) {
-  expect_text(report(good_run()),
-              "\n  cvode_bdf: 100 steps (relative stress tolerance 1e-04), 270 elastic solves, 450 Schwarz iterations, "
-              "10.00 s, 123 MB\n");
+  expect_line(report(good_run()), {"cvode_bdf: ", "100 steps", "1e-04", "270 ", "450 ", "10.00 s", "123 MB"});
   Summary elastic = good_run();
   elastic.results.method = "";
   elastic.steps = {};
-  expect_text(report(elastic), "\n  270 elastic solves, 450 Schwarz iterations, 10.00 s, 123 MB\n");
+  expect_line(report(elastic), {"270 ", "450 ", "10.00 s", "123 MB"});
+  EXPECT_EQ(report(elastic).find("steps"), std::string::npos);
 }
 
 TEST(Advice, IsNotGivenWhereAllWentWell) {
@@ -113,9 +119,8 @@ TEST(Advice, NamesBodyAndContactWhereIterationsFail) {
   run.results.convergence_failures = 12;
   const Lines lines = advice(run);
   ASSERT_EQ(lines.size(), 1U);
-  expect_text(lines[0], "failed 12 times in 100 steps");
-  expect_text(lines[0], "Body 'bolt' creeps fastest (relaxation time 0.5 at the end)");
-  expect_text(lines[0], "Contact 'nut' opened or closed somewhere in 40 of 100 steps");
+  expect_line(lines[0],
+              {"12 times", "100 steps", "Body 'bolt'", "0.5", "Contact 'nut'", "40 of 100 steps", "time.integrator"});
   run.results.steps = 19;  // too few to say
   EXPECT_EQ(advice(run), Lines());
 }
@@ -125,11 +130,13 @@ TEST(Advice, TellsOfRejectedStepsAndOfContactThatKeepsThemShort) {
   run.results.rejected_steps = 35;
   const Lines lines = advice(run);
   ASSERT_EQ(lines.size(), 2U);
-  expect_text(lines[0], "time.breakpoints");
-  expect_text(lines[1], "contact 'nut' opened or closed");
+  expect_line(lines[0], {"35 steps", "100 ", "Body 'bolt'", "Contact 'nut'", "time.breakpoints"});
+  expect_line(lines[1], {"contact 'nut'", "40 of 100 steps", "time.tolerance"});
   run.diagnosis = {};
-  EXPECT_EQ(advice(run),
-            Lines({lines[0].substr(0, lines[0].find(" Body")) + lines[0].substr(lines[0].find(" If loads"))}));
+  const Lines undiagnosed = advice(run);
+  ASSERT_EQ(undiagnosed.size(), 1U);
+  expect_line(undiagnosed[0], {"35 steps", "100 ", "time.breakpoints"});
+  EXPECT_EQ(undiagnosed[0].find('\''), std::string::npos) << "names no body and no contact: " << undiagnosed[0];
 }
 
 TEST(Advice, TellsOfExpensiveContactSolves) {
@@ -137,7 +144,7 @@ TEST(Advice, TellsOfExpensiveContactSolves) {
   run.results.schwarz_iterations = 50 * run.results.contact_solves;
   const Lines lines = advice(run);
   ASSERT_EQ(lines.size(), 1U);
-  expect_text(lines[0], "50 iterations per solve");
+  expect_line(lines[0], {"50 iterations", "contact_solver.method"});
 }
 
 }  // namespace

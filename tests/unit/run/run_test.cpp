@@ -138,8 +138,7 @@ TEST(RunFailure, KeepsWhatWasComputed) {
                                      "supports.3.displacement.z={t=[0,2,4],values=[-0.025,-0.025,-0.25]}"});
   const Summary result = run(config, {.output = (blocks / "out").string()});
   EXPECT_EQ(result.exit_status, 4);
-  EXPECT_TRUE(contains(result.message, "beta_euler: the inner iterations")) << result.message;
-  EXPECT_TRUE(contains(result.message, (blocks / "out").string())) << result.message;
+  EXPECT_TRUE(says(result.message, {"beta_euler: ", "inner_tolerance", (blocks / "out").string()}));
 
   const Table history(blocks / "out/history.csv"), steps(blocks / "out/steps.csv");
   ASSERT_GE(history.rows(), 3);
@@ -148,7 +147,7 @@ TEST(RunFailure, KeepsWhatWasComputed) {
   EXPECT_NEAR(history.column("pressure")[1], relaxed_pressure(1), 2e-2);
   const SummaryFile summary(blocks / "out/summary.json");
   EXPECT_EQ(summary.text("status"), "failed");
-  EXPECT_TRUE(summary.text("message").starts_with("beta_euler: the inner iterations")) << summary.text("message");
+  EXPECT_TRUE(summary.text("message").starts_with("beta_euler: ")) << summary.text("message");
   EXPECT_EQ(summary.number("time_reached"), steps.times().back());
   EXPECT_EQ(summary.number("steps"), steps.rows());
 

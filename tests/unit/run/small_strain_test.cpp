@@ -17,7 +17,7 @@ std::vector<std::string> texts_of(const Case& blocks, const std::vector<std::str
   EXPECT_EQ(result.exit_status, 0) << result.message;
   std::vector<std::string> found;
   for (const std::string& warning : SummaryFile(blocks / "out/summary.json").texts("warnings"))
-    if (contains(warning, "is not small")) found.push_back(warning);
+    if (contains(warning, "not small")) found.push_back(warning);
   return found;
 }
 
@@ -34,8 +34,7 @@ TEST(SmallStrain, ElasticStrainAboveFivePercent) {
   EXPECT_TRUE(of(1 / 0.049).empty());
   const auto found = of(1 / 0.25);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_TRUE(contains(found[0], "it reaches 25 % in body 'lower' at (")) << found[0];
-  EXPECT_TRUE(contains(found[0], "t = 1.")) << found[0];
+  EXPECT_TRUE(says(found[0], {"strain", "25 %", "body 'lower'", "t = 1."}));
 }
 
 /// The load has gone at the output times.
@@ -45,8 +44,7 @@ TEST(SmallStrain, BetweenOutputs) {
       blocks, {"loads=[{ on = 'top', pressure = { t = [0, 0.4, 0.5, 0.6, 4], values = [0, 0, 10, 0, 0] } }]", free_top,
                zero, "materials.soft.creep.0.A=1e-12", "materials.hard.creep.0.A=1e-12", "time.output=[2]"});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_TRUE(contains(found[0], "it reaches 10 % in body 'lower'")) << found[0];
-  EXPECT_TRUE(contains(found[0], "t = 0.5.")) << found[0];
+  EXPECT_TRUE(says(found[0], {"strain", "10 %", "body 'lower'", "t = 0.5."}));
 }
 
 TEST(SmallStrain, CreepStrainUpToItsEnd) {
@@ -55,8 +53,7 @@ TEST(SmallStrain, CreepStrainUpToItsEnd) {
                                        "materials.soft.young_modulus=1e4"});
   ASSERT_EQ(found.size(), 1U);
   // The rate is A t^4 up to t = 1 and then A: A (1/5 + 3).
-  EXPECT_TRUE(contains(found[0], "it reaches 32 % in body 'lower'")) << found[0];
-  EXPECT_TRUE(contains(found[0], "t = 4.")) << found[0];
+  EXPECT_TRUE(says(found[0], {"strain", "32 %", "body 'lower'", "t = 4."}));
 }
 
 TEST(SmallStrain, RotationsAboveTenDegrees) {
@@ -86,21 +83,20 @@ end = )" + std::to_string(end) +
     EXPECT_EQ(result.exit_status, 0) << result.message;
     std::vector<std::string> found;
     for (const std::string& warning : SummaryFile(blocks / "out/summary.json").texts("warnings"))
-      if (contains(warning, "is not small")) found.push_back(warning);
+      if (contains(warning, "not small")) found.push_back(warning);
     return found;
   };
   EXPECT_TRUE(run_to(0.8).empty());  // 9.17 degrees
   const auto found = run_to(5);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_TRUE(contains(found[0], "it reaches 57.3 degrees in body '")) << found[0];
-  EXPECT_TRUE(contains(found[0], "t = 5.")) << found[0];
+  EXPECT_TRUE(says(found[0], {"rotation", "57.3 degrees", "body '", "t = 5."}));
 }
 
 TEST(SmallStrain, ACheckOfTheStartSaysItToo) {
   const Case blocks;
   std::ostringstream report;
   check(blocks.config("", {"supports.3.displacement.z=-1"}), report, {.start = true});
-  EXPECT_TRUE(contains(report.str(), "warning: the strain is not small: it reaches ")) << report.str();
+  EXPECT_TRUE(says(report.str(), {"warning: ", "strain", "not small", "%", "body '"}));
 }
 
 TEST(SmallStrain, RemarksOfTheConfigurationAreRepeated) {

@@ -23,14 +23,10 @@ std::string start_of(const Case& blocks, const Overrides& overrides = {}) {
 TEST(StartReport, UniformStress) {
   const Case blocks;
   const std::string text = start_of(blocks, {"time.end=20"});
-  EXPECT_TRUE(contains(text,
-                       "contact 'lower_top-upper_bottom': normal force 2, peak pressure 1, the whole surface is "
-                       "in contact\n"))
-      << text;
+  EXPECT_TRUE(says(text, {"contact 'lower_top-upper_bottom': ", "force 2,", "pressure 1,", "whole"}));
   // stress / E over A stress^n
-  EXPECT_TRUE(contains(text, "body 'lower': largest von Mises stress 1 at ")) << text;
-  EXPECT_TRUE(contains(text, "; relaxes within 10 (0.5 time.end), fastest within 10 (0.5 time.end) at ")) << text;
-  EXPECT_TRUE(contains(text, "; relaxes within 5 (0.25 time.end), fastest within 5 (0.25 time.end) at ")) << text;
+  EXPECT_TRUE(says(text, {"body 'lower': ", "stress 1 at ", " 10 (0.5 time.end)", " 10 (0.5 time.end) at "}));
+  EXPECT_TRUE(says(text, {"body 'upper': ", "stress 1 at ", " 5 (0.25 time.end)", " 5 (0.25 time.end) at "}));
   EXPECT_TRUE(text.ends_with("no mistakes found\n")) << text;
   EXPECT_FALSE(std::filesystem::exists(blocks / "results"));
 }
@@ -39,20 +35,19 @@ TEST(StartReport, HardeningFromAnInfiniteRateOn) {
   // A q^n t^m = 1 / E
   const std::string text =
       start_of(Case(), {"materials.soft.creep=[{ law = 'time_hardening', A = 1e-3, n = 4, m = 0.5 }]"});
-  EXPECT_TRUE(contains(text, "; relaxes within 100 (25 time.end), fastest within 100 ")) << text;
+  EXPECT_TRUE(says(text, {" 100 (25 time.end)", " 100 "}));
 }
 
 TEST(StartReport, BodiesThatDoNotRelax) {
   const Case blocks;
-  EXPECT_TRUE(contains(start_of(blocks, {"materials.soft.creep=[]"}), "body 'lower': largest von Mises stress 1 at "));
-  EXPECT_TRUE(contains(start_of(blocks, {"materials.soft.creep=[]"}), "), elastic\n"));
+  EXPECT_TRUE(says(start_of(blocks, {"materials.soft.creep=[]"}), {"body 'lower': ", "stress 1 at ", "), elastic\n"}));
   const std::string later = start_of(blocks, {"supports.3.displacement.z=-0.025*t"});
-  EXPECT_TRUE(contains(later, "touches, no force\n") && contains(later, "no stress that would relax\n")) << later;
+  EXPECT_TRUE(says(later, {"touches"}));
+  EXPECT_TRUE(says(later, {"body 'lower': ", "no stress"}));
   // strains of a Kelvin element end at a tenth of the elastic ones
   const std::string bounded =
       start_of(blocks, {"materials.soft.creep=[{ law = 'kelvin_voigt', compliance = 1e-3, time = 1 }]"});
-  EXPECT_TRUE(contains(bounded, "; at this stress and temperature its creep never comes up to the elastic strain\n"))
-      << bounded;
+  EXPECT_TRUE(says(bounded, {"body 'lower': ", "never", "elastic strain\n"}));
 }
 
 /// What a run and a check are refused with.
@@ -72,8 +67,8 @@ Refusals refusals(const Case& blocks, const Overrides& overrides, const std::str
           message_of<Kind>([&] { checked(false); }), message_of<Kind>([&] { checked(true); })};
 }
 
-void expect_same(const Refusals& refusals, const std::string& text) {
-  EXPECT_TRUE(contains(refusals.run, text)) << refusals.run;
+void expect_same(const Refusals& refusals, std::initializer_list<std::string_view> facts) {
+  EXPECT_TRUE(says(refusals.run, facts));
   EXPECT_EQ(refusals.run, refusals.check);
   EXPECT_EQ(refusals.run, refusals.start);
 }
@@ -82,19 +77,19 @@ TEST(StartReport, RunAndCheckRefuseTheSame) {
   const Case blocks;
   const Overrides lifted{"supports.3.on=side_x", "supports.3.displacement={x=0}",
                          "loads=[{on='top', traction=[0, 0, 1]}]"};
-  expect_same(refusals<ModelError>(blocks, lifted), "the loads move the assembly along this motion and no contact");
+  expect_same(refusals<ModelError>(blocks, lifted), {"translation along z", "t = ", "loads"});
   const Overrides unloaded{"supports.3.displacement.z=0"};
-  expect_same(refusals<ModelError>(blocks, unloaded), "the bodies are not loaded");
-  expect_same(refusals<ConfigError>(blocks, {}, "blocks.geo/below"), "is not a directory; choose another directory");
-  expect_same(refusals<ConfigError>(blocks, {}, "blocks.geo"), "is a file; choose another directory");
-  expect_same(refusals<ConfigError>(blocks, {}, "none", true), "there is no checkpoint");
+  expect_same(refusals<ModelError>(blocks, unloaded), {"not loaded"});
+  expect_same(refusals<ConfigError>(blocks, {}, "blocks.geo/below"), {"blocks.geo/below: ", "blocks.geo'", "--output"});
+  expect_same(refusals<ConfigError>(blocks, {}, "blocks.geo"), {"blocks.geo: ", "file", "--output"});
+  expect_same(refusals<ConfigError>(blocks, {}, "none", true), {"none/checkpoint.h5'", "--resume"});
 }
 
 TEST(StartReport, WhatASolveAloneShows) {
   const Case blocks;
   const Overrides pascals{"materials.soft.young_modulus=1e8", "materials.hard.young_modulus=2e8"};
   const std::string refused = message_of<ModelError>([&] { start_of(blocks, pascals); });
-  EXPECT_TRUE(contains(refused, "body 'lower' would relax ")) << refused;
+  EXPECT_TRUE(says(refused, {"body 'lower'", "material 'soft'", "young_modulus"}));
   EXPECT_EQ(refused, refusals<ModelError>(blocks, pascals).run);
 }
 
@@ -104,15 +99,13 @@ TEST(StartReport, OutputDirectoriesAreCheckedBeforeMeshing) {
   config.mesh.file = blocks / "none.geo";
   std::ostringstream report;
   EXPECT_TRUE(
-      contains(message_of<ConfigError>([&] { check(config, report, {.output = (blocks / "blocks.geo").string()}); }),
-               "is a file"));
+      says(message_of<ConfigError>([&] { check(config, report, {.output = (blocks / "blocks.geo").string()}); }),
+           {"blocks.geo: ", "file", "--output"}));
 }
 
 TEST(StartReport, TwiceAsManySubstepsOfTheFirstLoad) {
   const std::string text = start_of(Case(), {"contacts.0.friction=0.2", "contact_solver.initial_substeps=4"});
-  EXPECT_TRUE(contains(text, "    contact_solver.initial_substeps = 8 instead of 4 changes the normal force by "))
-      << text;
-  EXPECT_TRUE(contains(text, ", largest slip ")) << text;
+  EXPECT_TRUE(says(text, {"contact_solver.initial_substeps = 8", " 4 ", "slip "}));
 }
 
 }  // namespace

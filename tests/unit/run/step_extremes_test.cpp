@@ -96,7 +96,7 @@ TEST(StepExtremes, OfCyclesThatEndUnloaded) {
   EXPECT_EQ(summary.number(contact + "final_normal_force"), 0);
   EXPECT_EQ(summary.number(contact + "openings"), 6);
   EXPECT_FALSE(summary.has(contact + "opened")) << "the next cycle closes it";
-  EXPECT_TRUE(contains(report, "contact 'lower_top-upper_bottom' opens in every cycle")) << report;
+  EXPECT_TRUE(says(report, {"contact 'lower_top-upper_bottom'", "opens", "every cycle"}));
 }
 
 TEST(StepExtremes, WithoutCyclesAContactThatOpensAgainIsOpenFromTheLastTimeOn) {
@@ -106,7 +106,7 @@ TEST(StepExtremes, WithoutCyclesAContactThatOpensAgainIsOpenFromTheLastTimeOn) {
   EXPECT_EQ(summary.number(contact + "openings"), 3);
   EXPECT_GT(summary.number(contact + "opened"), 2.5);
   EXPECT_LE(summary.number(contact + "opened"), 3);
-  EXPECT_TRUE(contains(report, " on, having opened 3 times")) << report;
+  EXPECT_TRUE(says(report, {"open", "t = ", "3 times"}));
 }
 
 /// Jumps over cycles leave the extremes of those that are computed; rejected ones leave nothing.
@@ -154,7 +154,7 @@ TEST(StepExtremes, RoundingIsNoForce) {
     EXPECT_EQ(summary.number(std::string("bodies/lower/") + name + "_von_mises"), 0);
   }
   EXPECT_FALSE(summary.has(contact + "opened"));
-  EXPECT_TRUE(contains(report, "contact 'lower_top-upper_bottom' carries no force")) << report;
+  EXPECT_TRUE(says(report, {"contact 'lower_top-upper_bottom'", "no force"}));
   EXPECT_FALSE(contains(report, "%")) << report;
 }
 
@@ -169,8 +169,8 @@ TEST(StepExtremes, AnInterruptedRunNamesTheTimeOfItsLastValues) {
     }
   } observer;
   const Summary result = run(config, {.output = (blocks / "out").string(), .observers = {&observer}});
-  EXPECT_TRUE(contains(result.message, "after the output of t = 1;")) << result.message;
-  EXPECT_TRUE(contains(report(result), "last output: t = 1 ")) << report(result);
+  EXPECT_TRUE(says(result.message, {"t = 1;"}));
+  EXPECT_TRUE(says(report(result), {"last output", "t = 1 "}));
   const SummaryFile summary(blocks / "out/summary.json");
   EXPECT_EQ(summary.number("last_output"), 1);
   EXPECT_GT(summary.number("time_reached"), 2);

@@ -37,9 +37,9 @@ TEST_F(StiffnessMethod, WhatCannotBeIsSaid) {
   const auto message = [&](const std::string& method, bool enough_memory, bool has_multigrid) {
     return message_of<Error>([&] { error_bound(method, enough_memory, has_multigrid); });
   };
-  EXPECT_TRUE(contains(message("multigrid", true, false), "is for creepcontact-mpi"));
+  EXPECT_TRUE(says(message("multigrid", true, false), {"linear_solver.method = \"multigrid\"", "creepcontact-mpi"}));
   for (const auto& [method, has_multigrid] : {std::pair("direct", true), std::pair("auto", false)})
-    EXPECT_TRUE(contains(message(method, false, has_multigrid), "more memory")) << method;
+    EXPECT_TRUE(says(message(method, false, has_multigrid), {"memory"})) << method;
 }
 
 /// Where contact depends on its path, and is solved without an iteration around it, solves must be exact enough alone.

@@ -49,10 +49,7 @@ TEST_F(ReadBack, TablesOfOtherPrograms) {
 
 TEST_F(ReadBack, TwoDecimalSignsAreRefused) {
   write("time;p\n1;0,5\n1.000;0,6\n");
-  EXPECT_EQ(mistake(), file_.string() +
-                           ":3: '1.000' has a point, but '0,5' in line 2 has a comma, and only one of them can be the "
-                           "decimal sign. If the point separates thousands, write the numbers without it; if the comma "
-                           "does, write the numbers without it");
+  EXPECT_TRUE(test::says(mistake(), {file_.string() + ":3: ", "'1.000'", "'0,5'", "line 2"}));
 }
 
 TEST_F(ReadBack, ARowWithoutItsEndMayBeTorn) {
@@ -64,11 +61,11 @@ TEST_F(ReadBack, ARowWithoutItsEndMayBeTorn) {
 }
 
 TEST_F(ReadBack, MistakesNameTheLine) {
-  EXPECT_EQ(mistake(), file_.string() + ": cannot be read: No such file or directory");
+  EXPECT_TRUE(test::says(mistake(), {file_.string() + ": ", "No such file or directory"}));
   write("time,a\n1,2\n3,x\n");
-  EXPECT_EQ(mistake(), file_.string() + ":3: 'x' is not a number");
+  EXPECT_TRUE(test::says(mistake(), {file_.string() + ":3: ", "'x'"}));
   write("time,a\n1\n");
-  EXPECT_EQ(mistake(), file_.string() + ":2: 1 cells under 2 columns");
+  EXPECT_TRUE(test::says(mistake(), {file_.string() + ":2: ", "1", "2 columns"}));
 }
 
 TEST_F(ReadBack, Summary) {

@@ -106,8 +106,8 @@ TEST_F(SummaryFile, ReplacesWithoutLeavingAnythingAside) {
 }
 
 TEST_F(SummaryFile, ADirectoryThatIsNotThereIsAnError) {
-  EXPECT_TRUE(test::contains(test::message_of<Error>([&] { write_summary(directory_ / "none/summary.json", {}); }),
-                             "No such file or directory"));
+  EXPECT_TRUE(test::says(test::message_of<Error>([&] { write_summary(directory_ / "none/summary.json", {}); }),
+                         {"No such file or directory"}));
 }
 
 TEST_F(SummaryFile, TellsOfLifeOnlyWhatIsKnown) {
@@ -173,7 +173,7 @@ TEST_F(SummaryFile, HeadingOfAnotherFile) {
     const auto path = test::write_text(directory_ / "summary.json", text);
     return test::message_of<ConfigError>([&] { read_summary_heading(path); });
   };
-  EXPECT_TRUE(test::contains(message("{\"title\": "), "is not a JSON object"));
+  EXPECT_TRUE(test::says(message("{\"title\": "), {"summary.json'", "JSON"}));
   EXPECT_EQ(message("{\"title\": 7, \"probes\": [1]}"), "nothing was thrown");
 }
 
