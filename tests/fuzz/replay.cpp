@@ -1,4 +1,6 @@
-/// Hands the files of a corpus to a fuzz target, without libFuzzer. usage: replay_<target> FILE_OR_DIRECTORY...
+/// Hands the files of a corpus to a fuzz target, without libFuzzer. usage: replay TARGET FILE_OR_DIRECTORY...
+
+#include "fuzz/replay.hpp"
 
 #include <exception>
 #include <filesystem>
@@ -8,11 +10,14 @@
 #include <set>
 #include <string>
 
-#include "fuzz_target.hpp"
-
 int main(int argc, char** argv) {
+  if (argc < 2 || !fuzz_targets.contains(argv[1])) {
+    std::cerr << "usage: replay TARGET FILE_OR_DIRECTORY...\n";
+    return 2;
+  }
+  const FuzzTarget target = fuzz_targets.at(argv[1]);
   std::set<std::filesystem::path> files;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 2; i < argc; ++i) {
     if (!std::filesystem::is_directory(argv[i])) {
       files.insert(argv[i]);
       continue;
@@ -28,7 +33,7 @@ int main(int argc, char** argv) {
       return 1;
     }
     try {
-      LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+      target(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     } catch (const std::exception& error) {
       std::cerr << "an exception that is no error of the program: " << error.what() << '\n';
       return 1;

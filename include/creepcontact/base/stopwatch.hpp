@@ -16,13 +16,13 @@ struct PartInfo {
 };
 /// Indexed by Part.
 inline constexpr std::array<PartInfo, 8> run_parts{{{"prepare", "mesh and model"},
-                                                {"factorize", "factors"},
-                                                {"solve", "solves"},
-                                                {"material", "material points"},
-                                                {"contact", "contact"},
-                                                {"integrate", "time integration"},
-                                                {"observe", "extremes, events and life"},
-                                                {"output", "output"}}};
+                                                    {"factorize", "factors"},
+                                                    {"solve", "solves"},
+                                                    {"material", "material points"},
+                                                    {"contact", "contact"},
+                                                    {"integrate", "time integration"},
+                                                    {"observe", "extremes, events and life"},
+                                                    {"output", "output"}}};
 
 /// Seconds per part, indexed by Part.
 using PartSeconds = std::array<double, run_parts.size()>;

@@ -135,7 +135,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary) {
   if (summary.friction_kappa) json["friction_kappa"] = *summary.friction_kappa;
   const auto& seconds = summary.wall_seconds;
   json["wall_seconds"]["total"] = seconds.total;
-  for (std::size_t i = 0; i < run_parts.size(); ++i) json["wall_seconds"][std::string(run_parts[i].name)] = seconds.parts[i];
+  for (std::size_t i = 0; i < run_parts.size(); ++i)
+    json["wall_seconds"][std::string(run_parts[i].name)] = seconds.parts[i];
   json["peak_memory_mb"] = summary.peak_memory_mb;
   json["accuracy"] = accuracy_json(summary.accuracy);
   if (!summary.warnings.empty()) json["warnings"] = summary.warnings;

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
 #include <random>
 
 #include "creepcontact/base/index.hpp"
 #include "creepcontact/fem/bubble.hpp"
 #include "creepcontact/fem/reference_element.hpp"
+#include "creepcontact/linalg/dense.hpp"
 #include "creepcontact/mechanics/discretization.hpp"
 #include "support/mechanics/meshes.hpp"
 #include "support/mechanics/solve.hpp"
@@ -56,7 +56,7 @@ class ElementLoops : public testing::TestWithParam<CellType> {
       root[p] = std::sqrt(body_.weights()[point]);
       if (basis.cols() == 4) basis.row(p).tail<3>() = body_.point_coordinates()[point];
     }
-    return basis * (root.asDiagonal() * basis).colPivHouseholderQr().solve(root.cwiseProduct(traces));
+    return basis * linalg::least_squares(root.asDiagonal() * basis, root.cwiseProduct(traces));
   }
   /// Elastic constants that differ from point to point.
   std::vector<Moduli> varied_moduli() const {
