@@ -88,7 +88,7 @@ double multiplier_rounding(const ContactProblem& problem, const ContactLoad& loa
   return rounding;
 }
 
-double resultant_rounding(const ContactProblem& problem, const ContactLoad& load) {
+double resultant_rounding(const ContactLoad& load) {
   return load.force.size() > 0 ? rounding_of_forces * load.force.maxCoeff() : 0.0;
 }
 

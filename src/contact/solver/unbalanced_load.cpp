@@ -22,7 +22,7 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& rigid, const std::vector<in
 
 void throw_if_unbalanced(const ContactProblem& problem, const ContactLoad& load) {
   const Eigen::VectorXd& resultant = load.resultant;
-  const double size = resultant.norm(), rounding = resultant_rounding(problem, load);
+  const double size = resultant.norm(), rounding = resultant_rounding(load);
   if (size <= rounding) return;
   const Index n = problem.n_rows();
   Eigen::VectorXd multiplier = Eigen::VectorXd::Zero(n);

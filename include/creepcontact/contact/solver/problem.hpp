@@ -171,7 +171,7 @@ double fixing_flexibility(const ContactProblem& problem);
 double multiplier_rounding(const ContactProblem& problem, const ContactLoad& load);
 
 /// Round-off threshold of resultants: what may remain unbalanced.
-double resultant_rounding(const ContactProblem& problem, const ContactLoad& load);
+double resultant_rounding(const ContactLoad& load);
 
 /// The next active set: rows with lambda_i - gap_i/F_ii > 0, and all tied ones that are not idle, ascending. Changes
 /// below 1e-12 of the largest multiplier, or below `rounding`, are ignored. Tangential rows are left out.
