@@ -67,8 +67,7 @@ ActiveSetSolution ActiveSetSystem::solve(const std::vector<int>& active, const C
     ActiveSetSolution nothing;
     nothing.state.multiplier.setZero(problem_.n_rows());
     nothing.state.rigid.setZero(problem_.n_motions());
-    nothing.balanced =
-        load.resultant.size() == 0 || load.resultant.cwiseAbs().maxCoeff() <= resultant_rounding(load);
+    nothing.balanced = load.resultant.size() == 0 || load.resultant.cwiseAbs().maxCoeff() <= resultant_rounding(load);
     return nothing;
   }
   if (problem_.large) return solve_iteratively(active, load);

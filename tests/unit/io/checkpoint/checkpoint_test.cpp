@@ -108,11 +108,11 @@ TEST_F(CheckpointFile, ForeignMissingAndUnwritableFilesAreNamed) {
 
 TEST_F(CheckpointFile, OfAnotherVersionIsRefused) {
   write_checkpoint(path_, example());
-  const std::string version = "creepcontact checkpoint 4\n", good = test::read_text(path_);
+  const std::string version = "creepcontact checkpoint 5\n", good = test::read_text(path_);
   ASSERT_TRUE(good.starts_with(version));
-  for (const char other : {'3', '5'}) {
+  for (const char other : {'4', '6'}) {
     const std::string message = reading([&](std::string& bytes) { bytes[version.size() - 2] = other; }, good);
-    EXPECT_TRUE(says(message, {"--resume", "'" + path_.string() + "'", std::string("version ") + other, "version 4"}));
+    EXPECT_TRUE(says(message, {"--resume", "'" + path_.string() + "'", std::string("version ") + other, "version 5"}));
     EXPECT_EQ(message_of<ConfigError>([&] { read_last_checkpoint(path_); }), message);  // there is no previous one
   }
 }
