@@ -22,7 +22,7 @@ class LinearElimination {
   Matrix6 modulus() const;
 
  private:
-  /// Of the deviators, or of the mean parts.
+  /// The system of the deviators, or that of the mean parts.
   struct Part {
     Eigen::MatrixXd inverse;   // of M
     Eigen::VectorXd n;         // N

@@ -22,7 +22,13 @@ constexpr std::int64_t max_mean_stages =
 /// tenth of the solves.
 constexpr double max_mean_products = 5;
 constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more than some hundred steps of many products
-constexpr double max_stable_steps = 300;               // in a step, for rkc2 to take over: 25 stages
+/// Iterations of cvode_bdf that keep the steps short: at least so many failures in the window, while the errors are so
+/// far below what they may be. The tangent stiffness then takes a thousandth of the steps in laws that hardly differ
+/// from plasticity.
+constexpr std::int64_t failures_of_short_steps = 2;
+constexpr double error_of_short_steps = 0.05;
+constexpr std::int64_t max_failures_of_tangent = 20;  // a failure costs a few solves, other methods far more
+constexpr double max_stable_steps = 300;              // in a step, for rkc2 to take over: 25 stages
 
 /// Part of the tolerance for rkc2: its errors add up where rates are graded, to four tolerances at 1e-3 and seven at
 /// 1e-4.
@@ -145,26 +151,38 @@ void AutoIntegrator::watch(const StepReport& report, double t_limit) {
   if (is_functional(method_) && steps_with_method_ % steps_per_estimate == 0) estimate_remaining_steps(t_limit);
   if (trouble_) return;
   recent_.push_back({current_->counters().convergence_failures, system_.counters().rate_evaluations,
-                     system_.counters().jacobian_products});
+                     system_.counters().jacobian_products, report.error_estimate});
   if (recent_.size() <= window) return;
   const std::int64_t failures = recent_.back().failures - recent_.front().failures;
   const std::int64_t stages = (recent_.back().evaluations - recent_.front().evaluations) / std::int64_t{window};
   const double products = static_cast<double>(recent_.back().products - recent_.front().products) / window;
   recent_.pop_front();
-  trouble_ = method_ == Method::stabilized ? stages > max_mean_stages : failures > max_failures;
-  if (!trouble_ && method_ == Method::krylov && products > max_mean_products &&
-      steps_with_method_ >= min_steps_before_tangent && !given_up_.contains(Method::tangent) &&
-      system_.newton_solver() != nullptr) {
-    trouble_ = true;
-    wanted_ = Method::tangent;
-    reason_ = fmt::format("{:.2g} Jacobian products per step at t = {:.6g}", products, report.time);
-    return;
-  }
+  const bool may_take_tangent =
+      method_ == Method::krylov && !given_up_.contains(Method::tangent) && system_.newton_solver() != nullptr;
+  const auto is_small = [](const Observation& step) { return step.error < error_of_short_steps; };
+  if (may_take_tangent && failures >= failures_of_short_steps && std::ranges::all_of(recent_, is_small))
+    return change_later(
+        Method::tangent,
+        fmt::format("iterations that failed {} times, and not the errors, limit the {} steps before t = "
+                    "{:.6g}",
+                    failures, window, report.time));
+  trouble_ = method_ == Method::stabilized
+                 ? stages > max_mean_stages
+                 : failures > (method_ == Method::tangent ? max_failures_of_tangent : max_failures);
+  if (!trouble_ && may_take_tangent && products > max_mean_products && steps_with_method_ >= min_steps_before_tangent)
+    return change_later(Method::tangent,
+                        fmt::format("{:.2g} Jacobian products per step at t = {:.6g}", products, report.time));
   if (!trouble_) return;
   reason_ = method_ == Method::stabilized ? fmt::format("{} stages per step at t = {:.6g}", stages, report.time)
                                           : fmt::format("iterations failed {} times in the {} steps before t = {:.6g}",
                                                         failures, window, report.time);
   given_up_.insert(method_);
+}
+
+void AutoIntegrator::change_later(Method method, std::string reason) {
+  trouble_ = true;
+  wanted_ = method;
+  reason_ = std::move(reason);
 }
 
 void AutoIntegrator::estimate_remaining_steps(double t_limit) {

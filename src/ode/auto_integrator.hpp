@@ -49,6 +49,8 @@ class AutoIntegrator final : public Integrator {
   /// @param loads_since  time of the last breakpoint
   void begin_watch(double loads_since);
   void watch(const StepReport& report, double t_limit);
+  /// At the begin of the next step.
+  void change_later(Method method, std::string reason);
   void estimate_remaining_steps(double t_limit);
   /// The best of those not given up, or the present one if there is none.
   Method choose(double step);
@@ -59,6 +61,7 @@ class AutoIntegrator final : public Integrator {
 
   struct Observation {
     std::int64_t failures, evaluations, products;  ///< counters after the step
+    double error;                                  ///< estimate for the step
   };
   System& system_;
   const IntegratorOptions options_;

@@ -21,15 +21,18 @@ class RemainingStepEstimate {
 
   void add(double t, double step) { seen_.push_back({t - begin_, step}); }
 
-  /// Integral of dt / step up to `end`; none while too little has been seen to extrapolate.
+  /// Integral of dt / step up to `end`. While too little has been seen to extrapolate, the fewest steps that are usual:
+  /// these may already be too many, where a law becomes stiff long after the loads turned. None before add().
   std::optional<double> count(double end) const {
     if (seen_.empty()) return std::nullopt;
     const Seen now = seen_.back();
     const auto later =
         std::find_if(seen_.begin(), seen_.end(), [&](const Seen& seen) { return seen.time > now.time / lookback; });
-    if (later == seen_.begin()) return std::nullopt;
-    const Seen then = *(later - 1);
-    const double power = std::clamp(std::log(now.step / then.step) / std::log(now.time / then.time), -1.0, 1.5);
+    double power = max_power;
+    if (later != seen_.begin()) {
+      const Seen then = *(later - 1);
+      power = std::clamp(std::log(now.step / then.step) / std::log(now.time / then.time), -1.0, max_power);
+    }
     const double times = (end - begin_) / now.time, rest = 1 - power;
     const double factor = std::abs(rest) < 1e-6 ? std::log(times) : (std::pow(times, rest) - 1) / rest;
     return now.time / now.step * factor;
@@ -38,7 +41,7 @@ class RemainingStepEstimate {
   double decades(double end) const { return std::log10((end - begin_) / seen_.back().time); }
 
  private:
-  static constexpr double lookback = 3;
+  static constexpr double lookback = 3, max_power = 1.5;
   struct Seen {
     double time, step;
   };

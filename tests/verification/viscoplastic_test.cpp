@@ -167,6 +167,24 @@ double anand_stress(double end, double turn, double strain_rate) {
   return E * (strain_rate * std::min(end, 2 * turn - end) - y[0]);
 }
 
+/// Hardly any overstress: relaxation takes 5e-9 of the run. The stress is that of plasticity which does not depend on
+/// the rate, yield + Q (1 - exp(-b p)) + C/gamma (1 - exp(-gamma p)).
+TEST(Viscoplastic, AutoFindsTheStiffWay) {
+  const Outcome outcome =
+      run_cube(creep_law_table("chaboche", "K = 1e-3\nn = 1\nyield = 100\nQ = 50\nb = 10\nC = [20e3]\ngamma = [200]\n"),
+               support("x1", "x", "\"0.5*t\""), "end = 1\noutput = [0.1, 0.5, 1]\n");
+  EXPECT_LT(outcome.summary.number("steps"), 1000);
+  const auto stress = [](double p) { return 100 + 50 * (1 - std::exp(-10 * p)) + 100 * (1 - std::exp(-200 * p)); };
+  for (const double t : {0.1, 0.5, 1.0}) {
+    const double strain = 0.005 * t;
+    double p = 0;
+    for (double half = strain; half > 1e-17; half /= 2)
+      if (stress(p + half / 2) / E + p + half / 2 < strain) p += half / 2;
+    EXPECT_NEAR(outcome.history.at("sxx", t), std::min(E * strain, stress(p)), 0.02) << t;
+    EXPECT_NEAR(outcome.history.at("cxx", t), p, 1e-7) << t;
+  }
+}
+
 TEST(Viscoplastic, AnandHardensAtConstantRateAndFlowsBack) {
   const Outcome outcome =
       run_cube(creep_law_table("anand", "A = 30\nxi = 2\nm = 0.3\ns_hat = 60\nn = 0.02\nh0 = 900\na = 1.3\ns0 = 25\n"),
