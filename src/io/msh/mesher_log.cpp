@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "creepcontact/base/log.hpp"
 #include "creepcontact/io/msh/mesher_protocol.hpp"
 
 namespace creepcontact::io {
 namespace {
 
-constexpr std::size_t errors_told = 5, warnings_told = 20, last_told = 3;
+constexpr std::size_t errors_told = 5, warnings_told = 20, last_told = 3;  // warnings that differ
 constexpr std::size_t longest_line = 2000;
 
 /// What follows "Error   : " and the like; empty if the line is of another kind.
@@ -25,6 +24,17 @@ std::string text_behind(const std::string& line, const std::string& kind) {
 std::string quoted(const std::string& text) {
   const std::size_t begin = text.find('\''), end = text.rfind('\'');
   return begin < end ? text.substr(begin + 1, end - begin - 1) : "";
+}
+
+/// Warnings that differ in numbers alone are repetitions.
+std::string without_numbers(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    if (std::string_view("0123456789.").find(c) == std::string_view::npos)
+      result += c;
+    else if (result.empty() || result.back() != '0')
+      result += '0';
+  return result;
 }
 
 std::string indented(const std::vector<std::string>& lines) {
@@ -59,8 +69,8 @@ void MesherLog::take(const std::string& line) {
     lacks_descriptors_ |= text.starts_with("Unable to open file '") && std::filesystem::exists(quoted(text));
     if (++n_errors_ <= errors_told) errors_.push_back(text);
   } else if (const std::string warning = text_behind(line, "Warning"); !warning.empty()) {
-    if (++n_warnings_ <= warnings_told) log::warning("{}: Gmsh: {}", file_, warning);
-    if (n_warnings_ == warnings_told + 1) log::warning("{}: further warnings of Gmsh are not shown", file_);
+    const auto [known, is_new] = warnings_.try_emplace(without_numbers(warning), Warning{warning, warnings_.size()});
+    ++known->second.count;
   }
   extrusions_touch_ |= line.find("extruded node") != std::string::npos;
   last_.push_back(line);
@@ -76,6 +86,16 @@ std::string MesherLog::errors() const {
   if (lacks_descriptors_)
     text += "\n  (the file exists: if it includes itself, it is opened until the system allows no more open files)";
   return text;
+}
+
+std::vector<std::string> MesherLog::warnings() const {
+  std::vector<std::string> texts(std::min(warnings_.size(), warnings_told));
+  for (const auto& [key, warning] : warnings_)
+    if (warning.number < texts.size())
+      texts[warning.number] =
+          warning.count == 1 ? warning.text : fmt::format("{} ({} times)", warning.text, warning.count);
+  if (warnings_.size() > warnings_told) texts.push_back(fmt::format("{} others", warnings_.size() - warnings_told));
+  return texts;
 }
 
 std::string MesherLog::own_words() const {

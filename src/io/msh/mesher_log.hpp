@@ -1,23 +1,23 @@
 #pragma once
 /// What Gmsh prints while it meshes, taken apart.
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace creepcontact::io {
 
-/// Warnings go to the program's log as they come, so many of them; errors and the last words are kept.
 class MesherLog {
  public:
-  explicit MesherLog(std::string file) : file_(std::move(file)) {}
-
   /// The next bytes, cut anywhere.
   void add(std::string_view bytes);
   void end();
 
   /// Gmsh's errors, a line each, indented, the first ones; empty without errors
   std::string errors() const;
+  /// Gmsh's warnings, those that differ in numbers alone once with their number; the first ones.
+  std::vector<std::string> warnings() const;
   /// Gmsh found no memory, whatever it did afterwards.
   bool lacks_memory() const { return lacks_memory_; }
   /// What the mesher itself said, a line each, indented.
@@ -28,9 +28,15 @@ class MesherLog {
  private:
   void take(const std::string& line);
 
-  std::string file_, unfinished_;
+  struct Warning {
+    std::string text;
+    std::size_t number;  // in the order of their first lines
+    std::size_t count = 0;
+  };
+  std::string unfinished_;
   std::vector<std::string> errors_, own_, last_;
-  std::size_t n_errors_ = 0, n_warnings_ = 0;
+  std::map<std::string, Warning> warnings_;  // by their texts without numbers
+  std::size_t n_errors_ = 0;
   bool extrusions_touch_ = false, lacks_memory_ = false, lacks_descriptors_ = false;
 };
 

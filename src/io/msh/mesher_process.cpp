@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "creepcontact/base/error.hpp"
+#include "creepcontact/base/log.hpp"
 #include "creepcontact/platform/child_process.hpp"
 #include "creepcontact/platform/companions.hpp"
 #include "mesher_log.hpp"
@@ -34,7 +35,6 @@ class Mesher {
   Mesher(const MesherRequest& request, double time_limit)
       : request_(request),
         time_limit_(time_limit),
-        log_(request.file.string()),
         process_({find_mesher(),
                   request.arguments(),
                   {{log_pipe_.writing_end(), STDOUT_FILENO},
@@ -56,7 +56,10 @@ class Mesher {
     const int status = process_.wait();
     receive_log();
     log_.end();
-    if (status == mesher::done && log_.errors().empty() && !bytes_.empty()) return std::move(bytes_);
+    if (status == mesher::done && log_.errors().empty() && !bytes_.empty()) {
+      for (const std::string& text : log_.warnings()) log::warning("{}: Gmsh: {}", request_.file.string(), text);
+      return std::move(bytes_);
+    }
     fail(status);
   }
 
@@ -92,7 +95,10 @@ class Mesher {
 
   template <typename... Args>
   [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) const {
-    throw ModelError(fmt::format("{}: {}", request_.file.string(), fmt::format(format, std::forward<Args>(args)...)));
+    std::string text = fmt::format("{}: {}", request_.file.string(), fmt::format(format, std::forward<Args>(args)...));
+    const std::vector<std::string> warnings = log_.warnings();
+    if (!warnings.empty()) text += fmt::format("\n  Gmsh warned before:\n    {}", fmt::join(warnings, "\n    "));
+    throw ModelError(text);
   }
 
   [[noreturn]] void fail_in_time() {
