@@ -27,6 +27,9 @@ constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more t
 /// from plasticity.
 constexpr std::int64_t failures_of_short_steps = 2;
 constexpr double error_of_short_steps = 0.05;
+/// In the rest of the segment; the first one may be so long. In short steps the overstress of such laws is smaller than
+/// what the iterations leave, and they would fail as before.
+constexpr double tangent_steps = 100;
 constexpr std::int64_t max_failures_of_tangent = 20;  // a failure costs a few solves, other methods far more
 constexpr double max_stable_steps = 300;              // in a step, for rkc2 to take over: 25 stages
 
@@ -186,6 +189,8 @@ void AutoIntegrator::change_later(Method method, std::string reason) {
 }
 
 void AutoIntegrator::estimate_remaining_steps(double t_limit) {
+  // Yielding may bound each step, which says nothing of how long the law stays stiff.
+  if (const double end = system_.end_of_segment(); std::isfinite(end)) t_limit = std::max(t_limit, end);
   if (!(time() < t_limit) || std::isinf(t_limit)) return;
   remaining_step_estimate_.add(time(), (time() - last_estimate_) / static_cast<double>(steps_per_estimate));
   last_estimate_ = time();
@@ -213,7 +218,12 @@ void AutoIntegrator::change_to(Method method, const std::string& reason, bool ha
   if (method == method_) return;
   log::write(has_failed ? log::Level::warning : log::Level::info,
              fmt::format("time integration changes from {} to {}: {}", describe(method_), describe(method), reason));
-  go_on_with(method, 0);
+  go_on_with(method, method == Method::tangent ? first_tangent_step() : 0);
+}
+
+double AutoIntegrator::first_tangent_step() const {
+  const double end = system_.end_of_segment();
+  return std::isfinite(end) ? (end - time()) / tangent_steps : 0;
 }
 
 Integrator::Counters AutoIntegrator::counters() const {

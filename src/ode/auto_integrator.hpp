@@ -56,6 +56,7 @@ class AutoIntegrator final : public Integrator {
   Method choose(double step);
   /// @param has_failed  the present one, which is worth a warning
   void change_to(Method method, const std::string& reason, bool has_failed);
+  double first_tangent_step() const;
   /// Starts another method from the present state. @param step  see initialize()
   void go_on_with(Method method, double step);
 

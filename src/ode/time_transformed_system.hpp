@@ -46,6 +46,7 @@ class TimeTransformedSystem final : public System, public JacobianProducts, publ
     system_.newton_solver()->solve_tangent(r, z);
   }
   double stable_step(double s, std::span<const double> y) override;
+  double end_of_segment() const override { return s(system_.end_of_segment()); }
   std::span<const double> scale() const override { return system_.scale(); }
   void accept(double s, std::span<const double> y) override { system_.accept(t(s), y); }
   void forget_evaluations() override { system_.forget_evaluations(); }

@@ -60,6 +60,7 @@ class CreepSystem final : public ode::System,
   void prepare_tangent(double t, std::span<const double> y, double gamma) override;
   void solve_tangent(std::span<const double> r, std::span<double> z) override;
   double stable_step(double t, std::span<const double> y) override;
+  double end_of_segment() const override { return segment_end_; }
   double start_exponent(double t, std::span<const double> y) override;
   void start_increment(double t, std::span<const double> y, double stress_time, double duration,
                        std::span<double> change) override;

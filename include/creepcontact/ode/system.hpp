@@ -3,6 +3,7 @@
 /// (System), and optional capabilities that some of them use.
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "creepcontact/base/error.hpp"
@@ -68,6 +69,9 @@ class System {
 
   /// Largest step for which explicit Euler is stable at (t, y) (Cormeau 1975); infinity if nothing creeps.
   virtual double stable_step(double t, std::span<const double> y) = 0;
+
+  /// Time up to which the rate is a smooth function of time, however short the steps have to be; infinity: not known.
+  virtual double end_of_segment() const { return std::numeric_limits<double>::infinity(); }
 
   /// Error of y_i that counts as relative error 1: absolute tolerance = tolerance * scale()[i].
   /// May change in accept().
