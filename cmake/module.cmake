@@ -15,7 +15,8 @@ endfunction()
 
 # creepcontact_module(name [COLD] USES <public libraries> PRIVATE_USES <implementation only> [PRECOMPILE <headers of its own>])
 # Static library creepcontact_<name> from src/<name>/*.cpp and its subfolders; a module of headers alone becomes an interface
-# library. COLD: it reads, writes or prepares; a quick compilation counts for more than quick code. The modules among USES and PRIVATE_USES are those that it may include: tests/style reads them here.
+# library. COLD: it reads, writes or prepares; a quick compilation counts for more than quick code. The modules among USES and
+# PRIVATE_USES are those that it may include: tests/style reads them here.
 function(creepcontact_module name)
   cmake_parse_arguments(arg "COLD" "" "USES;PRIVATE_USES;PRECOMPILE" ${ARGN})
   set(target creepcontact_${name})

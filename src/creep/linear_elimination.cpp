@@ -15,14 +15,13 @@ Tensor6 unit_mean() {
   return tensor::identity() / std::sqrt(3.0);
 }
 
-/// tensor = deviatoric part of a factor, mean part of another one
+}  // namespace
+
 Matrix6 isotropic(double deviatoric, double volumetric) {
   Matrix6 result = deviatoric * Matrix6::Identity();
   result.topLeftCorner<3, 3>().array() += (volumetric - deviatoric) / 3;
   return result;
 }
-
-}  // namespace
 
 LinearElimination::LinearElimination(const MaterialPoints& points, std::size_t p, double gamma, const PointsState& at) {
   const auto stride = static_cast<Index>(points.stride()), m = stride / 6;

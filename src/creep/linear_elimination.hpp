@@ -7,6 +7,9 @@
 
 namespace creepcontact::creep {
 
+/// The map of tensors that multiplies deviators by one factor and mean parts by another one.
+Matrix6 isotropic(double deviatoric, double volumetric);
+
 /// The system of MaterialTangent at one point whose stress, creep strain and internal variables are m = stride/6
 /// tensors (CreepLaw::is_linear): their deviators all have one system of m scalars, their mean parts another one.
 class LinearElimination {

@@ -14,16 +14,26 @@ namespace {
 Matrix6 compliance(const mechanics::ElasticState& elastic, std::size_t point) {
   if (!elastic.matrices.empty()) return elastic.matrices[point].llt().solve(Matrix6::Identity());
   const material::Moduli& h = elastic.at(point);
-  const double volumetric = 1 / (3 * (3 * h.lambda + 2 * h.mu)), deviatoric = 1 / (2 * h.mu);
-  Matrix6 result = deviatoric * Matrix6::Identity();
-  result.topLeftCorner<3, 3>().array() += volumetric - deviatoric / 3;
-  return result;
+  return isotropic(1 / (2 * h.mu), 1 / (3 * h.lambda + 2 * h.mu));
 }
 
 /// D, symmetrised. @param creep  N_c
 Matrix6 modulus(const mechanics::ElasticState& elastic, std::size_t point, const Matrix6& creep) {
   const Matrix6 inverse = Matrix6(compliance(elastic, point) + creep).partialPivLu().inverse();
   return 0.5 * (inverse + inverse.transpose());
+}
+
+/// Calls use(p, elimination) for all points of linear laws. One elimination serves all points that do not differ.
+template <typename Use>
+void for_each_linear_point(const MaterialPoints& points, double gamma, const PointsState& at, const Use& use) {
+  std::optional<LinearElimination> of_all;
+  if (points.is_uniform(at)) of_all.emplace(points, 0, gamma, at);
+  numerics::for_each_index(points.size(), numerics::parallel_tangents, [&](std::size_t p) {
+    if (of_all)
+      use(p, *of_all);
+    else
+      use(p, LinearElimination(points, p, gamma, at));
+  });
 }
 
 }  // namespace
@@ -83,13 +93,7 @@ void MaterialTangent::eliminate(double gamma, Work& work, Eigen::Ref<Eigen::Matr
 
 void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work) {
   const Index n = stride_;
-  Eigen::Map<Eigen::MatrixXd> eliminated(&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6);
-  if (points_.is_linear()) {
-    const LinearElimination linear(points_, p, gamma, at);
-    linear.write(eliminated);
-    moduli_[p] = linear.modulus();
-    return;
-  }
+  Eigen::Map<Eigen::MatrixXd> eliminated = eliminated_at(p);
   linearize(p, at, work);
   eliminated.leftCols(n).setIdentity();
   eliminated.rightCols<6>() = gamma * work.by_stress;
@@ -100,6 +104,11 @@ void MaterialTangent::prepare_point(std::size_t p, double gamma, const PointsSta
 void MaterialTangent::prepare(double gamma, const PointsState& at) {
   moduli_.resize(n_points_);
   eliminated_.resize(n_points_ * stride_ * (stride_ + 6));  // far more than the state: not before it is needed
+  if (points_.is_linear())
+    return for_each_linear_point(points_, gamma, at, [&](std::size_t p, const LinearElimination& linear) {
+      linear.write(eliminated_at(p));
+      moduli_[p] = linear.modulus();
+    });
 #pragma omp parallel if (n_points_ > numerics::parallel_tangents)
   {
     Work work(stride_);
@@ -110,7 +119,10 @@ void MaterialTangent::prepare(double gamma, const PointsState& at) {
 
 void MaterialTangent::solve_points(double gamma, const PointsState& at, std::span<const double> r,
                                    std::span<double> z) const {
-  if (points_.is_linear()) return solve_linear_points(gamma, at, r, z);
+  if (points_.is_linear())
+    return for_each_linear_point(points_, gamma, at, [&](std::size_t p, const LinearElimination& linear) {
+      linear.solve(r.subspan(p * stride_, stride_), z.subspan(p * stride_, stride_));
+    });
   const Index n = stride_;
 #pragma omp parallel if (n_points_ > numerics::parallel_tangents)
   {
@@ -130,20 +142,9 @@ void MaterialTangent::solve_points(double gamma, const PointsState& at, std::spa
   }
 }
 
-void MaterialTangent::solve_linear_points(double gamma, const PointsState& at, std::span<const double> r,
-                                          std::span<double> z) const {
-  std::optional<LinearElimination> of_all;
-  if (points_.is_uniform(at)) of_all.emplace(points_, 0, gamma, at);
-  numerics::for_each_index(n_points_, numerics::parallel_tangents, [&](std::size_t p) {
-    const std::size_t first = p * stride_;
-    const auto solve = [&](const LinearElimination& own) {
-      own.solve(r.subspan(first, stride_), z.subspan(first, stride_));
-    };
-    if (of_all)
-      solve(*of_all);
-    else
-      solve(LinearElimination(points_, p, gamma, at));
-  });
+Eigen::Map<Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) {
+  const Index n = stride_;
+  return {&eliminated_[p * stride_ * (stride_ + 6)], n, n + 6};
 }
 
 Eigen::Map<const Eigen::MatrixXd> MaterialTangent::eliminated_at(std::size_t p) const {

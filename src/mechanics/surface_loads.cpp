@@ -11,8 +11,6 @@ namespace creepcontact::mechanics {
 
 namespace {
 
-constexpr double rounding = 1e-12;  // of eigenvalues, relative to the largest one
-
 /// Shape functions and derivatives of a face type at the points of its rule.
 struct FaceTable {
   std::vector<Eigen::VectorXd> shapes;
@@ -208,7 +206,7 @@ std::unique_ptr<Load> resultant_load(const mesh::Mesh& mesh, const std::vector<s
     const Vector3 arm = mesh.nodes[node] - centre;
     inertia += arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose();
   }
-  const Matrix3 inverse = linalg::symmetric_pseudo_inverse(inertia, rounding);
+  const Matrix3 inverse = linalg::symmetric_pseudo_inverse(inertia);
   std::vector<std::unique_ptr<Load>> parts;
   const auto add = [&](const Vector3& resultant, const Vector3& couple, Function& value) {
     if (value.is_zero()) return;

@@ -27,9 +27,6 @@ constexpr std::size_t min_steps_before_tangent = 300;  // a restart costs more t
 /// from plasticity.
 constexpr std::int64_t failures_of_short_steps = 2;
 constexpr double error_of_short_steps = 0.05;
-/// In the rest of the segment; the first one may be so long. In short steps the overstress of such laws is smaller than
-/// what the iterations leave, and they would fail as before.
-constexpr double tangent_steps = 100;
 constexpr std::int64_t max_failures_of_tangent = 20;  // a failure costs a few solves, other methods far more
 constexpr double max_stable_steps = 300;              // in a step, for rkc2 to take over: 25 stages
 
@@ -218,12 +215,7 @@ void AutoIntegrator::change_to(Method method, const std::string& reason, bool ha
   if (method == method_) return;
   log::write(has_failed ? log::Level::warning : log::Level::info,
              fmt::format("time integration changes from {} to {}: {}", describe(method_), describe(method), reason));
-  go_on_with(method, method == Method::tangent ? first_tangent_step() : 0);
-}
-
-double AutoIntegrator::first_tangent_step() const {
-  const double end = system_.end_of_segment();
-  return std::isfinite(end) ? (end - time()) / tangent_steps : 0;
+  go_on_with(method, 0);
 }
 
 Integrator::Counters AutoIntegrator::counters() const {

@@ -49,14 +49,13 @@ class AutoIntegrator final : public Integrator {
   /// @param loads_since  time of the last breakpoint
   void begin_watch(double loads_since);
   void watch(const StepReport& report, double t_limit);
-  /// At the begin of the next step.
+  /// The next step begins with this method.
   void change_later(Method method, std::string reason);
   void estimate_remaining_steps(double t_limit);
   /// The best of those not given up, or the present one if there is none.
   Method choose(double step);
   /// @param has_failed  the present one, which is worth a warning
   void change_to(Method method, const std::string& reason, bool has_failed);
-  double first_tangent_step() const;
   /// Starts another method from the present state. @param step  see initialize()
   void go_on_with(Method method, double step);
 

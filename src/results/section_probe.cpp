@@ -11,8 +11,6 @@
 namespace creepcontact::results {
 namespace {
 
-constexpr double rounding = 1e-12;  // of eigenvalues, relative to the largest one
-
 FaceArea area_beyond(const mechanics::Cut& cut, const mesh::Face& face) {
   const mechanics::Cut::FaceArea found = cut.area(face);
   return {found.beyond, found.whole};
@@ -73,7 +71,7 @@ std::map<std::int64_t, Matrix3> reactions_beyond(const mechanics::Cut& cut, cons
     for (const auto& [node, area] : areas_beyond(cut, surface)) add(node, area, Matrix3::Identity());
   std::map<std::int64_t, Matrix3> maps;
   for (const auto& [node, sum] : sums) {
-    const Matrix3 inverse = linalg::symmetric_pseudo_inverse(sum.whole, rounding);
+    const Matrix3 inverse = linalg::symmetric_pseudo_inverse(sum.whole);
     maps[node] = sum.beyond * inverse + cut.node_share(node) * (Matrix3::Identity() - sum.whole * inverse);
   }
   return maps;

@@ -49,19 +49,18 @@ class Stopwatch {
   /// Up to now.
   PartSeconds seconds() const {
     PartSeconds all = seconds_;
-    all[static_cast<std::size_t>(part_)] += seconds_since(since_);
+    all[static_cast<std::size_t>(part_)] += seconds_until(Clock::now());
     return all;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
-  static double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
+  double seconds_until(Clock::time_point now) const { return std::chrono::duration<double>(now - since_).count(); }
   /// @returns the part up to now
   Part go_on_with(Part part) {
-    seconds_[static_cast<std::size_t>(part_)] += seconds_since(since_);
-    since_ = Clock::now();
+    const Clock::time_point now = Clock::now();
+    seconds_[static_cast<std::size_t>(part_)] += seconds_until(now);
+    since_ = now;
     return std::exchange(part_, part);
   }
 

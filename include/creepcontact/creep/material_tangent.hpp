@@ -36,12 +36,13 @@ class MaterialTangent {
 
  private:
   struct Work;
+  /// [M^-1, N] of a point.
+  Eigen::Map<Eigen::MatrixXd> eliminated_at(std::size_t p);
   Eigen::Map<const Eigen::MatrixXd> eliminated_at(std::size_t p) const;
   /// 6 if the rates at a point do not depend on the creep strain itself, as of most laws; else 0.
   Index first_state(std::size_t p, const PointsState& at, Work& work) const;
   void linearize(std::size_t p, const PointsState& at, Work& work) const;
   static void eliminate(double gamma, Work& work, Eigen::Ref<Eigen::MatrixXd> columns);
-  void solve_linear_points(double gamma, const PointsState& at, std::span<const double> r, std::span<double> z) const;
   void prepare_point(std::size_t p, double gamma, const PointsState& at, Work& work);
 
   const MaterialPoints& points_;

@@ -24,7 +24,7 @@ Tensor6 eigenvalue_ratios(const Matrix6& a, const Matrix6& b);
 /// Pseudo-inverse of a symmetric positive semidefinite matrix: inverse on the eigenvectors with eigenvalues greater
 /// than relative_limit times the largest, zero on the others.
 Eigen::MatrixXd symmetric_pseudo_inverse(const Eigen::MatrixXd& matrix, double relative_limit);
-Matrix3 symmetric_pseudo_inverse(const Matrix3& matrix, double relative_limit);
+Matrix3 symmetric_pseudo_inverse(const Matrix3& matrix, double relative_limit = 1e-12);
 
 /// A = left diag(values) right^T, values descending. Left and right have min(rows, columns) orthonormal columns.
 struct SingularValues {

@@ -69,8 +69,13 @@ void MesherLog::take(const std::string& line) {
     lacks_descriptors_ |= text.starts_with("Unable to open file '") && std::filesystem::exists(quoted(text));
     if (++n_errors_ <= errors_told) errors_.push_back(text);
   } else if (const std::string warning = text_behind(line, "Warning"); !warning.empty()) {
-    const auto [known, is_new] = warnings_.try_emplace(without_numbers(warning), Warning{warning, warnings_.size()});
-    ++known->second.count;
+    const std::string kind = without_numbers(warning);
+    if (const auto known = std::ranges::find(warnings_, kind, &Warning::kind); known != warnings_.end())
+      ++known->count;
+    else if (warnings_.size() < warnings_told)
+      warnings_.push_back({warning, kind});
+    else
+      ++n_other_warnings_;
   }
   extrusions_touch_ |= line.find("extruded node") != std::string::npos;
   last_.push_back(line);
@@ -89,12 +94,10 @@ std::string MesherLog::errors() const {
 }
 
 std::vector<std::string> MesherLog::warnings() const {
-  std::vector<std::string> texts(std::min(warnings_.size(), warnings_told));
-  for (const auto& [key, warning] : warnings_)
-    if (warning.number < texts.size())
-      texts[warning.number] =
-          warning.count == 1 ? warning.text : fmt::format("{} ({} times)", warning.text, warning.count);
-  if (warnings_.size() > warnings_told) texts.push_back(fmt::format("{} others", warnings_.size() - warnings_told));
+  std::vector<std::string> texts;
+  for (const Warning& warning : warnings_)
+    texts.push_back(warning.count == 1 ? warning.text : fmt::format("{} ({} times)", warning.text, warning.count));
+  if (n_other_warnings_ > 0) texts.push_back(fmt::format("{} others", n_other_warnings_));
   return texts;
 }
 

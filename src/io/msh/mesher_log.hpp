@@ -1,7 +1,6 @@
 #pragma once
 /// What Gmsh prints while it meshes, taken apart.
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,14 +28,14 @@ class MesherLog {
   void take(const std::string& line);
 
   struct Warning {
-    std::string text;
-    std::size_t number;  // in the order of their first lines
-    std::size_t count = 0;
+    std::string text;  // of the first one
+    std::string kind;  // without its numbers
+    std::size_t count = 1;
   };
   std::string unfinished_;
   std::vector<std::string> errors_, own_, last_;
-  std::map<std::string, Warning> warnings_;  // by their texts without numbers
-  std::size_t n_errors_ = 0;
+  std::vector<Warning> warnings_;
+  std::size_t n_errors_ = 0, n_other_warnings_ = 0;
   bool extrusions_touch_ = false, lacks_memory_ = false, lacks_descriptors_ = false;
 };
 

@@ -77,13 +77,15 @@ void Cycles::go_to(std::int64_t cycle) {
 
 Reaction Cycles::begin(StepView& view) {
   if (stage_ != Stage::between) return Reaction::advance;
-  RunState state{.time = view.time(), .y = {view.y().begin(), view.y().end()}};
-  if (jumps_ && jumps_->jump(view.time(), cycle_, state.y)) {
-    state.time = std::max(view.time(), loads_.begin(cycle_));
-    changed_ = std::move(state);
-    return Reaction::restart;
+  if (jumps_) {
+    RunState state{.y = {view.y().begin(), view.y().end()}};
+    if (jumps_->jump(view.time(), cycle_, state.y)) {
+      state.time = std::max(view.time(), loads_.begin(cycle_));
+      changed_ = std::move(state);
+      return Reaction::restart;
+    }
+    jumps_->begin(view.y());
   }
-  if (jumps_) jumps_->begin(view.y());
   try {
     watch_.begin(view);
   } catch (const RecoverableError&) {  // the state after the jump has no equilibrium
